@@ -1,0 +1,50 @@
+#include "calc/diagnostics.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace calc {
+namespace {
+
+struct Entry {
+  std::string_view name;
+  Severity severity;
+  std::string_view text;
+};
+
+constexpr std::array kEntries{
+#define LUXGATE_DIAGNOSTIC(id, severity, text) Entry{#id, Severity::severity, text},
+#include "calc/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+};
+
+const Entry& entry(DiagnosticId id) { return kEntries[static_cast<std::size_t>(id)]; }
+
+}  // namespace
+
+std::string diagnostic_name(DiagnosticId id) {
+  std::string name(entry(id).name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+Severity diagnostic_severity(DiagnosticId id) { return entry(id).severity; }
+
+std::string_view diagnostic_template(DiagnosticId id) { return entry(id).text; }
+
+std::string format_diagnostic(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.where.file;
+  if (diagnostic.where.line > 0) text += fmt::format(":{}", diagnostic.where.line);
+  if (diagnostic.where.column > 0) text += fmt::format(":{}", diagnostic.where.column);
+  if (!text.empty()) text += ": ";
+  text += diagnostic.severity() == Severity::error ? "error" : "warning";
+  return text + "[" + diagnostic_name(diagnostic.id) + "]: " + diagnostic.message;
+}
+
+void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
+  if (diagnostic_severity(id) == Severity::error) ++error_count_;
+  all_.push_back(Diagnostic{id, where, std::move(message)});
+}
+
+}  // namespace calc

@@ -1,0 +1,25 @@
+#pragma once
+// Locale-free text helpers shared by all readers.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+// Splits at blanks, tabs and line ends; no empty parts.
+std::vector<std::string_view> split_words(std::string_view text);
+std::string_view trim(std::string_view text);
+
+// A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing text.
+std::optional<double> parse_number(std::string_view text);
+std::optional<int> parse_integer(std::string_view text);
+
+// "a, b or c"
+std::string join_choices(const std::vector<std::string_view>& choices);
+
+// "; did you mean 'x'?" for the closest choice within a third of its length, else "".
+std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices);
+
+}  // namespace calc

@@ -1,0 +1,20 @@
+#pragma once
+// The only place with unit conversions. Inside the program: metres, radians, lux, candela, lumens;
+// degrees appear in file readers and writers only (calc/CONVENTIONS.md).
+
+#include <numbers>
+
+namespace calc {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kRadiansPerDegree = kPi / 180.0;
+inline constexpr double kMetresPerFoot = 0.3048;          // international foot, exact
+inline constexpr double kMetresPerInch = 0.0254;          // international inch, exact
+inline constexpr double kMetresPerMillimetre = 1.0e-3;    // exact
+inline constexpr double kMetresPerCentimetre = 1.0e-2;    // exact
+
+
+constexpr double radians_from_degrees(double deg) { return deg * kRadiansPerDegree; }
+constexpr double degrees_from_radians(double rad) { return rad / kRadiansPerDegree; }
+
+}  // namespace calc

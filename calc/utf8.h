@@ -1,0 +1,29 @@
+#pragma once
+// The little of UTF-8 that readers need.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+inline constexpr std::string_view kUtf8ByteOrderMark = "\xEF\xBB\xBF";
+
+// True for the second and later bytes of a character.
+constexpr bool is_utf8_continuation(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u;
+}
+
+// Offset of the first byte that breaks the encoding (overlong forms, surrogates and codes above
+// U+10FFFF included).
+std::optional<std::size_t> first_invalid_utf8(std::string_view text);
+
+// code: up to 0x10FFFF.
+std::string utf8_from_code_point(std::uint32_t code);
+
+// At most `characters` characters, "..." for the rest.
+std::string shorten_utf8(std::string_view text, std::size_t characters);
+
+}  // namespace calc
