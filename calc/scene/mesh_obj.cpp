@@ -1,0 +1,341 @@
+#include "calc/scene/mesh_obj.h"
+
+#include "calc/scene/polygon.h"
+#include "calc/text.h"
+
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <istream>
+#include <streambuf>
+#include <utility>
+
+namespace calc {
+namespace {
+
+constexpr std::size_t kMaxErrors = 10;
+constexpr std::size_t kMaxCorners = 2000;  // of one face; triangulation takes their square
+constexpr double kMaxCoordinate = 1.0e12;  // areas stay far from overflow
+constexpr double kMaxCornerPairs = 2.0e9;  // of all faces together: about two minutes
+constexpr std::string_view kBlanks = " \t";
+
+// Reads from memory and knows which line was read last.
+class LineBuffer : public std::streambuf {
+ public:
+  explicit LineBuffer(std::string_view text) : text_(text) {
+    // A streambuf wants mutable memory, but never writes to a get area that was set like this.
+    char* begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
+  }
+
+  // Number of the last line read, from 1, and its text without the line end.
+  int line_number() {
+    advance();
+    return line_;
+  }
+  std::string_view line() {
+    advance();
+    return text_.substr(begin_, end_ - begin_);
+  }
+
+ private:
+  // The line ends are those of tinyobjloader: LF, CR LF or CR.
+  void advance() {
+    const auto consumed = static_cast<std::size_t>(gptr() - eback());
+    while (next_ < consumed) {
+      begin_ = next_;
+      end_ = std::min(text_.find_first_of("\r\n", begin_), text_.size());
+      next_ = text_.substr(end_).starts_with("\r\n") ? end_ + 2 : end_ + 1;
+      ++line_;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t begin_ = 0, end_ = 0, next_ = 0;
+  int line_ = 0;
+};
+
+struct Face {
+  std::size_t first = 0, corners = 0;  // in ObjFile::corner
+  std::size_t material = 0;
+  int line = 0;
+};
+
+// What the file says, before anything is triangulated.
+struct ObjFile {
+  std::vector<glm::dvec3> vertex;
+  std::vector<std::int64_t> corner;  // from 0
+  std::vector<Face> face;
+  std::vector<std::string> material{""};
+};
+
+// Takes tinyobjloader's callbacks. What it cannot read it takes for 0, and long numbers wrap
+// around, so that the text of the statement is looked at as well.
+class ObjCollector {
+ public:
+  ObjCollector(LineBuffer& lines, std::string name, Diagnostics& diagnostics)
+      : lines_(lines), name_(std::move(name)), diagnostics_(diagnostics) {}
+
+  void add_vertex() {
+    const std::vector<std::string_view> words = split_words(lines_.line());
+    glm::dvec3 position(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t word = static_cast<std::size_t>(axis) + 1;
+      const std::optional<double> value =
+          word < words.size() ? parse_number(words[word]) : std::nullopt;
+      if (value && std::abs(*value) <= kMaxCoordinate) {
+        position[axis] = *value;
+      } else {
+        report(DiagnosticId::mesh_bad_vertex, lines_.line_number(), file_.vertex.size() + 1,
+               shortened(arguments()), kMaxCoordinate);
+        break;
+      }
+    }
+    file_.vertex.push_back(position);
+  }
+
+  void add_face(const tinyobj::index_t* index, std::size_t count) {
+    const int line = lines_.line_number();
+    const bool readable = is_index_list(arguments());
+    file_.face.push_back(
+        {file_.corner.size(), readable ? count : 0, file_.material.size() - 1, line});
+    const std::size_t number = file_.face.size();
+    if (!readable) {
+      report(DiagnosticId::mesh_bad_face, line, number, shortened(arguments()));
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t written = index[i].vertex_index;
+      const auto vertices = static_cast<std::int64_t>(file_.vertex.size());
+      if (written == 0 || written < -vertices) {
+        report(DiagnosticId::mesh_bad_index, line, number, written,
+               fmt::format("numbers from 1, or -1 to -{} for those before the face", vertices));
+      }
+      file_.corner.push_back(written < 0 ? vertices + written : written - 1);
+    }
+  }
+
+  void set_material(std::string_view name) { file_.material.emplace_back(trim(name)); }
+
+  // A face may name vertices that come after it, so the upper limit is known at the end.
+  void check_upper_limits() {
+    const auto vertices = static_cast<std::int64_t>(file_.vertex.size());
+    for (std::size_t f = 0; f < file_.face.size(); ++f) {
+      const Face& face = file_.face[f];
+      for (std::size_t i = 0; i < face.corners; ++i) {
+        const std::int64_t corner = file_.corner[face.first + i];
+        if (corner < vertices) continue;
+        report(DiagnosticId::mesh_bad_index, face.line, f + 1, corner + 1,
+               fmt::format("1 to {}", vertices));
+      }
+    }
+  }
+
+  bool failed() const { return errors_ > 0; }
+  const ObjFile& file() const { return file_; }
+
+ private:
+  // The text after the keyword.
+  std::string_view arguments() {
+    const std::string_view line = trim(lines_.line());
+    return trim(line.substr(std::min(line.find_first_of(kBlanks), line.size())));
+  }
+
+  static std::string shortened(std::string_view text) {
+    constexpr std::size_t kShown = 60;
+    return text.size() <= kShown ? std::string(text) : std::string(text.substr(0, kShown)) + "...";
+  }
+
+  // Groups of up to 9 digits, signs and slashes.
+  static bool is_index_list(std::string_view text) {
+    std::size_t digits = 0;
+    for (const char c : text) {
+      digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+      if (digits > 9) return false;
+      if (digits == 0 && std::string_view("-/ \t").find(c) == std::string_view::npos) return false;
+    }
+    return true;
+  }
+
+  template <class... Args>
+  void report(DiagnosticId id, int line, const Args&... args) {
+    ++errors_;
+    if (errors_ <= kMaxErrors) {
+      diagnostics_.report(id, {name_, line, 0}, args...);
+    } else if (errors_ == kMaxErrors + 1) {
+      diagnostics_.report(DiagnosticId::mesh_too_many_errors, {name_, line, 0});
+    }
+  }
+
+  LineBuffer& lines_;
+  std::string name_;
+  Diagnostics& diagnostics_;
+  ObjFile file_;
+  std::size_t errors_ = 0;
+};
+
+bool read_statements(LineBuffer& lines, ObjCollector& collector, std::string& problem) {
+  tinyobj::callback_t callback;
+  callback.vertex_cb = [](void* self, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t,
+                          tinyobj::real_t) { static_cast<ObjCollector*>(self)->add_vertex(); };
+  callback.index_cb = [](void* self, tinyobj::index_t* index, int count) {
+    static_cast<ObjCollector*>(self)->add_face(index, static_cast<std::size_t>(count));
+  };
+  callback.usemtl_cb = [](void* self, const char* name, int) {
+    static_cast<ObjCollector*>(self)->set_material(name);
+  };
+  try {
+    std::istream stream(&lines);
+    return tinyobj::LoadObjWithCallback(stream, callback, &collector, nullptr, nullptr, &problem);
+  } catch (const std::exception& exception) {
+    problem = exception.what();
+    return false;
+  }
+}
+
+// Splits the faces and counts what was not as it should be.
+class FaceSplitter {
+ public:
+  FaceSplitter(const ObjFile& file, const std::string& name, Diagnostics& diagnostics)
+      : file_(file), name_(name), diagnostics_(diagnostics) {}
+
+  std::optional<ObjMesh> run() {
+    for (std::size_t f = 0; f < file_.face.size(); ++f) {
+      if (!is_small_enough(f)) return std::nullopt;
+      split(f);
+    }
+    if (mesh_.triangle.empty()) {
+      diagnostics_.report(DiagnosticId::mesh_without_faces, {name_, 0, 0}, file_.vertex.size(),
+                          file_.face.size());
+      return std::nullopt;
+    }
+    warn();
+    mesh_.vertex = file_.vertex;
+    return std::move(mesh_);
+  }
+
+ private:
+  bool is_small_enough(std::size_t f) {
+    const Face& face = file_.face[f];
+    const SourceLocation where{name_, face.line, 0};
+    if (face.corners > kMaxCorners) {
+      diagnostics_.report(DiagnosticId::mesh_face_too_large, where, f + 1, face.corners,
+                          kMaxCorners);
+      return false;
+    }
+    corner_pairs_ += static_cast<double>(face.corners) * static_cast<double>(face.corners);
+    if (corner_pairs_ <= kMaxCornerPairs) return true;
+    diagnostics_.report(DiagnosticId::mesh_too_complex, where, f + 1);
+    return false;
+  }
+
+  void split(std::size_t f) {
+    const std::vector<std::uint32_t> corners = distinct_corners(file_.face[f]);
+    if (corners.size() == 3) {
+      split_triangle(f, corners);
+    } else if (corners.size() < 3 || !split_polygon(f, corners)) {
+      leave_out(f);
+    }
+  }
+
+  // Without corners that repeat the one before them.
+  std::vector<std::uint32_t> distinct_corners(const Face& face) const {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t i = 0; i < face.corners; ++i) {
+      const auto corner = static_cast<std::uint32_t>(file_.corner[face.first + i]);
+      if (corners.empty() || file_.vertex[corners.back()] != file_.vertex[corner]) {
+        corners.push_back(corner);
+      }
+    }
+    while (corners.size() > 1 && file_.vertex[corners.back()] == file_.vertex[corners.front()]) {
+      corners.pop_back();
+    }
+    return corners;
+  }
+
+  // Needles are kept: only an area of exactly zero is no surface.
+  void split_triangle(std::size_t f, const std::vector<std::uint32_t>& corner) {
+    const glm::dvec3& a = file_.vertex[corner[0]];
+    if (glm::cross(file_.vertex[corner[1]] - a, file_.vertex[corner[2]] - a) == glm::dvec3(0.0)) {
+      leave_out(f);
+    } else {
+      add(f, {corner[0], corner[1], corner[2]});
+    }
+  }
+
+  bool split_polygon(std::size_t f, const std::vector<std::uint32_t>& corners) {
+    std::vector<glm::dvec3> positions;
+    positions.reserve(corners.size());
+    for (const std::uint32_t corner : corners) positions.push_back(file_.vertex[corner]);
+    const std::optional<FlatPolygon> flat = flatten_polygon(positions);
+    if (!flat) return false;
+    const auto triangles = triangulate_polygon(flat->corner);
+    if (!triangles) return false;
+    if (flat->deviation > kPlanarTolerance) count_bent(f, flat->deviation);
+    for (const glm::uvec3& t : *triangles) add(f, {corners[t.x], corners[t.y], corners[t.z]});
+    return true;
+  }
+
+  void add(std::size_t f, const glm::uvec3& triangle) {
+    mesh_.triangle.push_back(triangle);
+    mesh_.material.push_back(file_.material[file_.face[f].material]);
+  }
+
+  void count_bent(std::size_t f, double deviation) {
+    ++bent_;
+    if (deviation <= worst_deviation_) return;
+    worst_deviation_ = deviation;
+    worst_ = f;
+  }
+
+  void leave_out(std::size_t f) {
+    if (left_out_ == 0) first_left_out_ = f;
+    ++left_out_;
+  }
+
+  void warn() const {
+    const std::size_t all = file_.face.size();
+    if (bent_ > 0) {
+      diagnostics_.report(DiagnosticId::mesh_bent_faces, {name_, file_.face[worst_].line, 0}, bent_,
+                          all, worst_ + 1, worst_deviation_);
+    }
+    if (left_out_ > 0) {
+      diagnostics_.report(DiagnosticId::mesh_faces_left_out,
+                          {name_, file_.face[first_left_out_].line, 0}, left_out_, all,
+                          first_left_out_ + 1);
+    }
+  }
+
+  const ObjFile& file_;
+  const std::string& name_;
+  Diagnostics& diagnostics_;
+  ObjMesh mesh_;
+  double corner_pairs_ = 0.0, worst_deviation_ = 0.0;
+  std::size_t bent_ = 0, worst_ = 0, left_out_ = 0, first_left_out_ = 0;
+};
+
+}  // namespace
+
+std::optional<ObjMesh> parse_obj(std::string_view bytes, const std::string& name,
+                                 Diagnostics& diagnostics) {
+  if (bytes.find('\0') != std::string_view::npos) {
+    diagnostics.report(DiagnosticId::mesh_not_text, {name, 0, 0}, "it has bytes that are not text");
+    return std::nullopt;
+  }
+  LineBuffer lines(bytes);
+  ObjCollector collector(lines, name, diagnostics);
+  std::string problem;
+  if (!read_statements(lines, collector, problem)) {
+    diagnostics.report(DiagnosticId::mesh_not_text, {name, 0, 0}, problem);
+    return std::nullopt;
+  }
+  collector.check_upper_limits();
+  if (collector.failed()) return std::nullopt;
+  return FaceSplitter(collector.file(), name, diagnostics).run();
+}
+
+}  // namespace calc

@@ -1,0 +1,32 @@
+#pragma once
+// Planar areas from the shapes that project files can name. All coordinates are world coordinates.
+
+#include "calc/scene/project.h"
+#include "calc/scene/room_plan.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace calc {
+
+// u and v: perpendicular within rounding, not zero. The area faces u x v.
+PlanarArea rectangle_area(const Rectangle& rectangle);
+
+// The whole footprint at `height_m` above the floor, facing up (u = x, v = y) or down (u = x, v =
+// -y).
+PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up);
+
+// Facing the side from which the corners run counter-clockwise; u along the first side. Empty if
+// the corners are not in one plane or not a simple polygon.
+std::optional<PlanarArea> polygon_area(const std::vector<glm::dvec3>& corners);
+
+// Coordinates along u and v.
+glm::dvec2 area_coordinates(const PlanarArea& area, const glm::dvec3& point);
+
+// In the plane within 1e-6 of the outline's size, and within the outline or on it; holes are not
+// looked at.
+bool lies_in_area(const PlanarArea& area, const glm::dvec3& point);
+
+}  // namespace calc

@@ -1,0 +1,29 @@
+#pragma once
+// <plane> in all its forms.
+
+#include "calc/scene/object_set.h"
+#include "calc/scene/project_context.h"
+#include "calc/scene/room_plan.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace calc {
+
+// What a plane may refer to. The flags are false when errors there were reported already, so that
+// nothing that follows from them is reported again.
+struct PlaneSurroundings {
+  const RoomPlan* room = nullptr;  // null in the open space
+  bool room_is_good = true;
+  bool objects_are_good = true;
+  glm::dvec3 origin_m{0.0};                             // of the coordinates in the file
+  std::map<std::string, BoxTop, std::less<>> box_tops;  // world coordinates
+};
+
+// Empty on errors.
+std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
+                                    const PlaneSurroundings& surroundings);
+
+}  // namespace calc

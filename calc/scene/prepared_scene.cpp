@@ -1,0 +1,91 @@
+#include "calc/scene/prepared_scene.h"
+
+#include "calc/scene/solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace calc {
+namespace {
+
+BoundingBox bounds_of(const Space& space) {
+  BoundingBox box;
+  for (const Body& body : space.bodies) {
+    for (const glm::dvec3& vertex : body.vertex_m) box.add(vertex);
+  }
+  for (const Luminaire& luminaire : space.luminaires) box.add(luminaire.position_m);
+  return box;
+}
+
+bool has_no_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return glm::cross(b - a, c - a) == glm::dvec3(0.0);
+}
+
+void add_body(const Project& project, const Body& body, std::uint32_t body_index,
+              PreparedScene& scene) {
+  const auto first = static_cast<std::uint32_t>(scene.vertex_m.size());
+  for (const glm::dvec3& vertex : body.vertex_m) {
+    scene.vertex_m.emplace_back(vertex - scene.origin_m);
+  }
+  for (std::size_t i = 0; i < body.triangle.size(); ++i) {
+    const glm::uvec3 given = body.triangle[i], local = given + first;
+    // Rounding to float can take away the rest of a needle's area; rays would get a normal of 0/0.
+    if (has_no_area(body.vertex_m[given.x], body.vertex_m[given.y], body.vertex_m[given.z]) ||
+        has_no_area(scene.vertex_m[local.x], scene.vertex_m[local.y], scene.vertex_m[local.z])) {
+      ++scene.degenerate_triangles;
+      continue;
+    }
+    scene.triangle.push_back(local);
+    scene.reflectance.push_back(project.materials[body.material_of[i]].reflectance);
+    scene.body.push_back(body_index);
+  }
+}
+
+std::uint32_t channel_of(const std::string& group, double maintenance_factor,
+                         std::vector<LightChannel>& channels) {
+  const auto found =
+      std::find_if(channels.begin(), channels.end(), [&](const LightChannel& channel) {
+        return channel.group == group && channel.maintenance_factor == maintenance_factor;
+      });
+  const auto index = static_cast<std::uint32_t>(found - channels.begin());
+  if (found == channels.end()) channels.push_back({group, maintenance_factor});
+  return index;
+}
+
+void add_luminaire(const Project& project, const Luminaire& luminaire, PreparedScene& scene) {
+  const LuminaireType& type = project.luminaire_types[luminaire.type];
+  const PhotometricWeb& web = project.webs[type.web];
+  PlacedLuminaire placed;
+  placed.position_m = luminaire.position_m - scene.origin_m;
+  placed.world_from_luminaire = luminaire.world_from_luminaire;
+  placed.web = &web;
+  placed.flux_scale = type.flux_scale;
+  placed.opening = web.opening();
+  placed.channel = channel_of(luminaire.group, type.maintenance.product, scene.channels);
+  scene.luminaires.push_back(placed);
+}
+
+}  // namespace
+
+double PreparedScene::ray_offset_m() const {
+  // The origin is the centre, so that no coordinate is larger than half the diagonal.
+  const auto largest_m = static_cast<float>(0.5 * extent_m);
+  const float next_m = std::nextafter(largest_m, std::numeric_limits<float>::infinity());
+  const double ulp_m = static_cast<double>(next_m) - static_cast<double>(largest_m);
+  return std::max(32.0 * ulp_m, 1.0e-6 * extent_m);
+}
+
+PreparedScene prepare_scene(const Project& project, const Space& space) {
+  PreparedScene scene;
+  const BoundingBox bounds = bounds_of(space);
+  scene.origin_m = bounds.centre();
+  if (bounds.diagonal() > 0.0) scene.extent_m = bounds.diagonal();
+  for (std::size_t i = 0; i < space.bodies.size(); ++i) {
+    add_body(project, space.bodies[i], static_cast<std::uint32_t>(i), scene);
+  }
+  for (const Luminaire& luminaire : space.luminaires) add_luminaire(project, luminaire, scene);
+  return scene;
+}
+
+}  // namespace calc

@@ -1,0 +1,46 @@
+#pragma once
+// One space, ready for rays: triangles in one list, shifted to a local origin, luminaires resolved.
+
+#include "calc/diagnostics.h"
+#include "calc/field.h"
+#include "calc/scene/project.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace calc {
+
+struct PlacedLuminaire {
+  glm::dvec3 position_m{0.0};  // local
+  glm::dmat3 world_from_luminaire{1.0};
+  const PhotometricWeb* web = nullptr;  // owned by the Project, which must outlive the scene
+  double flux_scale = 1.0;              // multiplies the web's intensity
+  LuminousOpening opening;
+  std::uint32_t channel = 0;  // index into PreparedScene::channels
+};
+
+// Local coordinates: world minus origin_m, subtracted in double before anything is rounded to
+// float.
+struct PreparedScene {
+  glm::dvec3 origin_m{0.0};
+  std::vector<glm::vec3> vertex_m;
+  std::vector<glm::uvec3> triangle;  // no zero-area triangles
+  std::vector<double> reflectance;   // per triangle, [0, 1]
+  std::vector<std::uint32_t> body;   // per triangle, index into Space::bodies
+  std::vector<PlacedLuminaire> luminaires;
+  std::vector<LightChannel>
+      channels;           // distinct (group, maintenance factor) pairs, in order of first use
+  double extent_m = 1.0;  // length of the diagonal of everything in the scene, > 0
+  std::size_t degenerate_triangles = 0;  // left out
+
+  // Distance by which ray ends are lifted off a surface along its normal: covers float rounding of
+  // local coordinates (32 ulp of the largest one) and 1e-6 of the extent.  [method 02, section 7]
+  double ray_offset_m() const;
+};
+
+PreparedScene prepare_scene(const Project& project, const Space& space);
+
+}  // namespace calc

@@ -1,0 +1,60 @@
+#pragma once
+// Files that a project names: found beside the project file or below it only, each read and
+// recorded once.
+
+#include "calc/diagnostics.h"
+#include "calc/file_reader.h"
+#include "calc/photometry/web.h"
+#include "calc/scene/mesh_obj.h"
+#include "calc/scene/project.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace calc {
+
+// "a/./b/../c" -> "a/c"; empty for absolute names and for names that lead out of the folder they
+// start from.
+std::optional<std::string> normalize_relative_path(std::string_view path);
+
+// Problems are reported where the project names the file. A file that cannot be used is reported
+// once; later uses of it give an empty result without a message.
+class ProjectFiles {
+ public:
+  // All must outlive this object; `project` gets inputs and webs.
+  ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics);
+
+  // The project file itself, Project::path.
+  std::optional<std::string> read_project();
+
+  // Index into Project::webs. as_point: the luminous opening of the file is not used.
+  std::optional<std::size_t> web(const std::string& path, bool as_point,
+                                 const SourceLocation& named_at);
+  // Null on errors; stays valid as long as this object.
+  const ObjMesh* mesh(const std::string& path, const SourceLocation& named_at);
+  // In file units, normals normalised. Empty on errors.
+  const std::optional<PointList>& point_list(const std::string& path,
+                                             const SourceLocation& named_at);
+
+ private:
+  std::optional<std::string> resolve(const std::string& path, const SourceLocation& named_at);
+  std::string full_path(const std::string& key) const;
+  std::optional<std::string> read(const std::string& key, const std::string& as_named,
+                                  const SourceLocation& named_at);
+  std::optional<std::size_t> add_web(PhotometricWeb web, bool as_point);
+
+  const FileReader& reader_;
+  Project& project_;
+  Diagnostics& diagnostics_;
+  std::map<std::pair<std::string, bool>, std::optional<std::size_t>> webs_;
+  std::map<std::string, std::optional<ObjMesh>> meshes_;
+  std::map<std::string, std::optional<PointList>> point_lists_;
+  std::set<std::string> recorded_;
+};
+
+}  // namespace calc

@@ -1,0 +1,132 @@
+#include "calc/scene/project_warnings.h"
+
+#include "calc/scene/polygon.h"
+#include "calc/scene/solids.h"
+#include "calc/scene/surface_overlap.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace calc {
+namespace {
+
+constexpr double kOnBoundary_m = 1.0e-6;
+
+bool room_contains(const RoomShell& shell, const glm::dvec3& point_m) {
+  if (point_m.z < shell.floor_z_m - kOnBoundary_m) return false;
+  if (point_m.z > shell.floor_z_m + shell.height_m + kOnBoundary_m) return false;
+  const glm::dvec2 foot(point_m);
+  return contains_point(shell.footprint_m, foot) ||
+         distance_to_boundary(shell.footprint_m, foot) <= kOnBoundary_m;
+}
+
+std::string and_others(std::size_t others) {
+  return others == 0 ? std::string() : fmt::format(" (and {} more of this element)", others);
+}
+
+// Things that come from one element of the file get one warning: the first one's id, and how many
+// more.
+struct FirstOfElement {
+  std::string id;
+  SourceLocation where;
+  std::size_t others = 0;
+};
+
+class PerElement {
+ public:
+  void add(const std::string& id, const SourceLocation& where) {
+    const auto [entry, is_new] =
+        found_.try_emplace({where.line, where.column}, FirstOfElement{id, where, 0});
+    if (!is_new) ++entry->second.others;
+  }
+  void report(const std::function<void(const FirstOfElement&)>& warn) const {
+    for (const auto& [place, first] : found_) warn(first);
+  }
+
+ private:
+  std::map<std::pair<int, int>, FirstOfElement> found_;
+};
+
+void warn_luminaires_outside(const Space& room, Diagnostics& diagnostics) {
+  PerElement outside;
+  for (const Luminaire& luminaire : room.luminaires) {
+    if (room_contains(*room.shell, luminaire.position_m)) continue;
+    outside.add(luminaire.id, luminaire.where);
+  }
+  outside.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::luminaire_outside_room, first.where, first.id,
+                       and_others(first.others), room.id);
+  });
+}
+
+glm::dvec3 centre_of(const Body& body) {
+  const BoundingBox box = bounding_box(body.vertex_m);
+  return 0.5 * (box.lower + box.upper);
+}
+
+void warn_open_objects_in_room(const Space& open, const Space& room, Diagnostics& diagnostics) {
+  PerElement bodies, luminaires;
+  for (const Body& body : open.bodies) {
+    if (room_contains(*room.shell, centre_of(body))) bodies.add(body.id, body.where);
+  }
+  for (const Luminaire& luminaire : open.luminaires) {
+    if (room_contains(*room.shell, luminaire.position_m)) {
+      luminaires.add(luminaire.id, luminaire.where);
+    }
+  }
+  const auto warn_as = [&](const char* kind) {
+    return [&diagnostics, &room, kind](const FirstOfElement& first) {
+      diagnostics.report(DiagnosticId::object_inside_room, first.where, kind, first.id,
+                         and_others(first.others), room.id);
+    };
+  };
+  bodies.report(warn_as("object"));
+  luminaires.report(warn_as("luminaire"));
+}
+
+void warn_planes_in_surfaces(const Space& space, const std::set<std::string>& on_purpose,
+                             Diagnostics& diagnostics) {
+  for (const CalcPlane& plane : space.planes) {
+    const auto* area = std::get_if<PlanarArea>(&plane.area);
+    if (area == nullptr || on_purpose.contains(plane.id)) continue;
+    const SurfaceOverlap overlap(*area);
+    for (const Body& body : space.bodies) {
+      if (!overlap.with(body)) continue;
+      diagnostics.report(DiagnosticId::plane_in_surface, plane.where, plane.id, body.id);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void warn_about_project(const Project& project, const std::set<std::string>& planes_on_surfaces,
+                        Diagnostics& diagnostics) {
+  bool has_plane = false;
+  for (const Space& space : project.spaces) {
+    has_plane = has_plane || !space.planes.empty();
+    if (!space.planes.empty() && space.luminaires.empty()) {
+      diagnostics.report(DiagnosticId::space_without_luminaires, space.where,
+                         space.shell ? "room '" + space.id + "'" : std::string("the open space"));
+    }
+    if (space.shell) {
+      warn_luminaires_outside(space, diagnostics);
+    } else {
+      for (const Space& room : project.spaces) {
+        if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
+      }
+    }
+    warn_planes_in_surfaces(space, planes_on_surfaces, diagnostics);
+  }
+  if (!has_plane) {
+    diagnostics.report(DiagnosticId::project_without_planes, SourceLocation{project.path});
+  }
+}
+
+}  // namespace calc

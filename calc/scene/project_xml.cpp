@@ -1,0 +1,66 @@
+#include "calc/scene/project_xml.h"
+
+#include "calc/scene/library_xml.h"
+#include "calc/scene/objects_xml.h"
+#include "calc/scene/project_context.h"
+#include "calc/scene/project_files.h"
+#include "calc/scene/project_warnings.h"
+#include "calc/scene/spaces_xml.h"
+#include "calc/xml_document.h"
+#include "calc/xml_reader.h"
+
+#include <utility>
+
+namespace calc {
+namespace {
+
+// version, name and units; and whatever does not belong into a project file.
+void read_root(ProjectContext& context, const XmlElement& root) {
+  ElementReader reader(root, context.diagnostics);
+  Names attributes{"version", "name", "units"};
+  // What editors need to find the schema.
+  for (const std::string_view name : {"xmlns:xsi", "xsi:noNamespaceSchemaLocation"}) {
+    if (reader.has(name)) attributes.push_back(name);
+  }
+  reader.allow_attributes(attributes);
+  Names children{"material", "luminaire-type", "scene", "room", "plane"};
+  children.insert(children.end(), object_names().begin(), object_names().end());
+  reader.allow_children(children);
+  reader.choice("version", {"1"});
+  context.project.name = reader.text_or("name", "");
+  context.metres_per_unit = metres_per_unit(reader.choice_or("units", unit_names(), 0));
+}
+
+void read_project(ProjectContext& context, const XmlElement& root) {
+  if (root.name != "luxgate") {
+    context.diagnostics.report(DiagnosticId::wrong_root_element, root.where, root.name, "luxgate");
+    return;
+  }
+  read_root(context, root);
+  read_materials(context, root);
+  read_luminaire_types(context, root);
+  read_rooms(context, root);
+  read_open_space(context, root);
+  read_light_scenes(context, root);
+}
+
+}  // namespace
+
+std::optional<Project> load_project(const FileReader& files, const std::string& path,
+                                    Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  Project project;
+  project.path = path;
+  ProjectFiles project_files(files, project, diagnostics);
+  ProjectContext context{project, project_files, diagnostics};
+  std::optional<std::string> bytes = project_files.read_project();
+  if (!bytes) return std::nullopt;
+  const std::optional<XmlElement> root = parse_xml(std::move(*bytes), path, diagnostics);
+  if (!root) return std::nullopt;
+  read_project(context, *root);
+  if (diagnostics.error_count() != errors_before) return std::nullopt;
+  warn_about_project(project, context.planes_on_surfaces, diagnostics);
+  return project;
+}
+
+}  // namespace calc

@@ -1,0 +1,276 @@
+#include "calc/scene/sensor_grid.h"
+
+#include "calc/scene/polygon.h"
+#include "calc/scene/solids.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace calc {
+namespace {
+
+constexpr double kTie = 1.0e-9;  // relative; sides like 5.999999999 m come out of CAD files
+constexpr double kMaxPoints = 4.0e6;
+constexpr double kMaxSpacing = 10.0;                          // metres, EN 12464-1
+constexpr double kMinCellAspect = 0.5, kMaxCellAspect = 2.0;  // EN 12464-1
+
+// As doubles until it is known that they are few enough.
+struct Counts {
+  double columns = 0.0, rows = 0.0;
+};
+
+Counts counts_by_rule(double side_u_m, double side_v_m) {
+  const double longer = std::max(side_u_m, side_v_m), shorter = std::min(side_u_m, side_v_m);
+  const double d_m = longer >= 2.0 * shorter * (1.0 - kTie) ? shorter : longer;
+  const double spacing_m = std::min(0.2 * std::pow(5.0, std::log10(d_m)), kMaxSpacing);
+  const auto cells = [&](double side_m) {
+    return std::max(1.0, std::floor(side_m / spacing_m * (1.0 + kTie) + 0.5));
+  };
+  return {cells(side_u_m), cells(side_v_m)};
+}
+
+// Rounded up, so that the spacing is never larger than asked for.
+double cells_by_spacing(double side_m, double spacing_m) {
+  return std::max(1.0, std::ceil(side_m / spacing_m * (1.0 - kTie)));
+}
+
+Counts cell_counts(const GridRule& rule, glm::dvec2 side_m) {
+  if (const auto* count = std::get_if<GridByCount>(&rule)) {
+    return {static_cast<double>(count->columns), static_cast<double>(count->rows)};
+  }
+  if (const auto* spacing = std::get_if<GridBySpacing>(&rule)) {
+    return {cells_by_spacing(side_m.x, spacing->along_u_m),
+            cells_by_spacing(side_m.y, spacing->along_v_m)};
+  }
+  return counts_by_rule(side_m.x, side_m.y);
+}
+
+std::string rule_words(const GridRule& rule) {
+  if (std::holds_alternative<GridByCount>(rule)) return "count";
+  if (std::holds_alternative<GridBySpacing>(rule)) return "spacing";
+  return "EN 12464-1 (p = 0.2 * 5^log10 d)";
+}
+
+struct Rectangle {
+  glm::dvec2 lower{0.0}, upper{0.0};
+
+  glm::dvec2 side_m() const { return upper - lower; }
+};
+
+Rectangle bounding_rectangle(const std::vector<glm::dvec2>& outline) {
+  if (outline.empty()) return {};
+  Rectangle box{outline[0], outline[0]};
+  for (const glm::dvec2& corner : outline) {
+    box.lower = glm::min(box.lower, corner);
+    box.upper = glm::max(box.upper, corner);
+  }
+  return box;
+}
+
+// Decides which points of a space can be measured at: within the room and in no solid.
+class SpaceFilter {
+ public:
+  explicit SpaceFilter(const Space& space) : shell_(space.shell) {
+    for (const Body& body : space.bodies) {
+      if (body.is_closed) solids_.push_back({&body, bounding_box(body.vertex_m)});
+    }
+  }
+
+  // Why the point is dropped; `body` then names the solid. Empty: it is kept.
+  std::optional<DropReason> reason_to_drop(const glm::dvec3& point, const glm::dvec3& normal,
+                                           std::string& body) const {
+    if (shell_ && !is_in_room(point)) return DropReason::outside_room;
+    for (const Solid& solid : solids_) {
+      if (!is_in_solid(solid, point, normal)) continue;
+      body = solid.body->id;
+      return DropReason::inside_solid;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Solid {
+    const Body* body;
+    BoundingBox box;
+  };
+
+  // Floor, walls and ceiling themselves count as inside.
+  bool is_in_room(const glm::dvec3& point) const {
+    const double ceiling_z_m = shell_->floor_z_m + shell_->height_m;
+    const double highest_m = std::max(std::abs(shell_->floor_z_m), std::abs(ceiling_z_m));
+    const double gap_m =
+        kTie * shell_->height_m + 4.0 * std::numeric_limits<double>::epsilon() * highest_m;
+    return point.z >= shell_->floor_z_m - gap_m && point.z <= ceiling_z_m + gap_m &&
+           contains_point(shell_->footprint_m, glm::dvec2(point.x, point.y));
+  }
+
+  // On a face, the side the point looks to decides: a plane on a desk top stays, one that looks
+  // into the desk does not.
+  static bool is_in_solid(const Solid& solid, const glm::dvec3& point, const glm::dvec3& normal) {
+    constexpr double kStep = 1.0e-6;  // of the solid's size; well above the surface tolerance
+    const SolidSide side = locate_point(*solid.body, solid.box, point);
+    if (side != SolidSide::on_surface) return side == SolidSide::inside;
+    const glm::dvec3 in_front = point + kStep * solid.box.diagonal() * normal;
+    return locate_point(*solid.body, solid.box, in_front) == SolidSide::inside;
+  }
+
+  const std::optional<RoomShell>& shell_;
+  std::vector<Solid> solids_;
+};
+
+// Adds candidates one by one and keeps the account.
+class GridBuilder {
+ public:
+  GridBuilder(const Space& space, SensorGrid& grid) : filter_(space), grid_(grid) {}
+
+  // `reason`: already known to be dropped because of the plane's own outline.
+  void add(const glm::dvec3& point, const glm::dvec3& normal, int column, int row,
+           std::optional<DropReason> reason = std::nullopt) {
+    std::string body;
+    if (!reason) reason = filter_.reason_to_drop(point, normal, body);
+    if (reason) {
+      grid_.dropped.push_back({point, column, row, *reason, std::move(body)});
+      return;
+    }
+    grid_.position_m.push_back(point);
+    grid_.normal.push_back(normal);
+    grid_.column.push_back(column);
+    grid_.row.push_back(row);
+  }
+
+ private:
+  SpaceFilter filter_;
+  SensorGrid& grid_;
+};
+
+// Points in a hole or on its edge are outside the area. The margin runs along the outline only.
+std::optional<DropReason> reason_to_drop(const PlanarArea& area, glm::dvec2 point) {
+  if (!contains_point(area.outline_m, point)) return DropReason::outside_area;
+  for (const std::vector<glm::dvec2>& hole : area.holes_m) {
+    if (contains_point(hole, point)) return DropReason::outside_area;
+  }
+  // In a rectangle the grid starts inside the margin, so that this drops nothing.
+  if (distance_to_boundary(area.outline_m, point) < area.margin_m * (1.0 - kTie)) {
+    return DropReason::within_margin;
+  }
+  return std::nullopt;
+}
+
+class GridMaker {
+ public:
+  GridMaker(const CalcPlane& plane, const Space& space, Diagnostics& diagnostics)
+      : plane_(plane), space_(space), diagnostics_(diagnostics) {}
+
+  std::optional<SensorGrid> run() {
+    const auto* area = std::get_if<PlanarArea>(&plane_.area);
+    const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
+    if (!made || is_empty()) return std::nullopt;
+    return std::move(grid_);
+  }
+
+ private:
+  bool fill(const PointList& list) {
+    grid_.rule = "point list";
+    const std::size_t count = list.position_m.size();
+    if (!is_small_enough({static_cast<double>(count), 1.0})) return false;
+    GridBuilder builder(space_, grid_);
+    for (std::size_t i = 0; i < count; ++i) {
+      builder.add(list.position_m[i], list.normal[i], static_cast<int>(i), 0);
+    }
+    return true;
+  }
+
+  bool fill(const PlanarArea& area) {
+    const Rectangle bounds = bounding_rectangle(area.outline_m);
+    const Rectangle inner{bounds.lower + area.margin_m, bounds.upper - area.margin_m};
+    const glm::dvec2 side_m = inner.side_m(), whole_m = bounds.side_m();
+    if (!(side_m.x > kTie * whole_m.x && side_m.y > kTie * whole_m.y)) {
+      diagnostics_.report(DiagnosticId::grid_margin_too_large, plane_.where, plane_.id,
+                          area.margin_m, whole_m.x, whole_m.y);
+      return false;
+    }
+    const Counts counts = cell_counts(area.grid, side_m);
+    if (!is_small_enough(counts)) return false;
+    describe(area, inner, counts);
+    check_cell_shape(area);
+    add_cells(area, inner);
+    return true;
+  }
+
+  bool is_small_enough(const Counts& counts) {
+    // Not "greater than": a product that is not a number must not pass.
+    if (counts.columns * counts.rows <= kMaxPoints) return true;
+    diagnostics_.report(DiagnosticId::grid_too_many_points, plane_.where, plane_.id, counts.columns,
+                        counts.rows, kMaxPoints);
+    return false;
+  }
+
+  void describe(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
+    grid_.rule = rule_words(area.grid);
+    grid_.columns = static_cast<int>(counts.columns);
+    grid_.rows = static_cast<int>(counts.rows);
+    grid_.spacing_u_m = inner.side_m().x / counts.columns;
+    grid_.spacing_v_m = inner.side_m().y / counts.rows;
+    grid_.margin_m = area.margin_m;
+    grid_.origin_m = area.origin_m + inner.lower.x * area.u + inner.lower.y * area.v;
+    grid_.u = area.u;
+    grid_.v = area.v;
+  }
+
+  void check_cell_shape(const PlanarArea& area) {
+    if (!std::holds_alternative<GridByRule>(area.grid)) return;
+    const double aspect = grid_.spacing_u_m / grid_.spacing_v_m;
+    if (aspect >= kMinCellAspect * (1.0 - kTie) && aspect <= kMaxCellAspect * (1.0 + kTie)) return;
+    diagnostics_.report(DiagnosticId::grid_cell_shape, plane_.where, plane_.id, grid_.spacing_u_m,
+                        grid_.spacing_v_m);
+  }
+
+  void add_cells(const PlanarArea& area, const Rectangle& inner) {
+    GridBuilder builder(space_, grid_);
+    const glm::dvec2 cell_m(grid_.spacing_u_m, grid_.spacing_v_m);
+    const glm::dvec3 normal = area.normal();
+    for (int row = 0; row < grid_.rows; ++row) {
+      for (int column = 0; column < grid_.columns; ++column) {
+        const glm::dvec2 at = inner.lower + glm::dvec2(column + 0.5, row + 0.5) * cell_m;
+        const glm::dvec3 point = area.origin_m + at.x * area.u + at.y * area.v;
+        builder.add(point, normal, column, row, reason_to_drop(area, at));
+      }
+    }
+  }
+
+  // A plane without points would pass every limit unnoticed.
+  bool is_empty() {
+    if (!grid_.position_m.empty()) return false;
+    std::array<std::size_t, 4> dropped{};
+    for (const DroppedPoint& point : grid_.dropped)
+      ++dropped[static_cast<std::size_t>(point.reason)];
+    diagnostics_.report(DiagnosticId::grid_without_points, plane_.where, plane_.id,
+                        grid_.dropped.size(), dropped[0], dropped[1], dropped[2], dropped[3]);
+    return true;
+  }
+
+  const CalcPlane& plane_;
+  const Space& space_;
+  Diagnostics& diagnostics_;
+  SensorGrid grid_;
+};
+
+}  // namespace
+
+GridCounts en12464_grid_counts(double side_u_m, double side_v_m) {
+  const Counts counts = counts_by_rule(side_u_m, side_v_m);
+  constexpr double kLargest = std::numeric_limits<int>::max();
+  return {static_cast<int>(std::min(counts.columns, kLargest)),
+          static_cast<int>(std::min(counts.rows, kLargest))};
+}
+
+std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
+                                           Diagnostics& diagnostics) {
+  return GridMaker(plane, space, diagnostics).run();
+}
+
+}  // namespace calc
