@@ -1,0 +1,34 @@
+#pragma once
+// The lines of an LM-63 file up to and including TILT=.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace calc {
+
+enum class Lm63Version { v1986, v1991, v1995, v2002, v2019 };
+
+struct Lm63Header {
+  Lm63Version version = Lm63Version::v2002;
+  bool version_known = true;
+  std::string tag;  // as written, UTF-8; "LM-63-1986" for files without one
+  std::vector<std::pair<std::string, std::string>>
+      keywords;      // upper-case name and text, in file order
+  std::string tilt;  // what follows "TILT=", trimmed
+  int tilt_line = 0;
+  std::string_view numbers;  // the text after the TILT= line
+
+  // Text of the first such keyword, [MORE] lines joined with blanks; "" if there is none.
+  std::string keyword(std::string_view name) const;
+};
+
+// Empty if there is no TILT= line.
+std::optional<Lm63Header> read_lm63_header(std::string_view text);
+
+// Names of the keywords that this version requires and the file lacks.
+std::vector<std::string_view> missing_keywords(const Lm63Header& header);
+
+}  // namespace calc

@@ -1,0 +1,21 @@
+#pragma once
+// What the three luminous dimensions of an LM-63 file mean: shapes are coded in their signs.
+
+#include "calc/photometry/ies_header.h"
+#include "calc/photometry/web.h"
+
+namespace calc {
+
+struct Lm63Opening {
+  LuminousOpening opening;
+  // Not empty: words for a shape that is not flat or not in the code tables, of which `opening`
+  // keeps the bounding size.
+  std::string simplified_from;
+};
+
+// Dimensions as written, already in metres: width across (C90), length along (C0), height. The
+// tables of 1986/1991, 1995 and 2002/2019 differ and are mixed in practice: signs decide, the
+// version only where the same signs mean different things.
+Lm63Opening decode_opening(double width_m, double length_m, double height_m, Lm63Version version);
+
+}  // namespace calc

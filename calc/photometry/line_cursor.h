@@ -1,0 +1,28 @@
+#pragma once
+// Walks through a text line by line without storing the lines; a line ends with CR LF, LF or CR.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace calc {
+
+class LineCursor {
+ public:
+  explicit LineCursor(std::string_view text) : rest_(text) {}
+
+  // The next line without its end; empty optional after the last.
+  std::optional<std::string_view> next();
+  // Number of the line that next() gave last, from 1; 0 before the first.
+  int line() const { return line_; }
+  // The text after that line.
+  std::string_view rest() const { return rest_; }
+  // How many lines are left, blank ones at the end not counted.
+  std::size_t count_remaining() const;
+
+ private:
+  std::string_view rest_;
+  int line_ = 0;
+};
+
+}  // namespace calc

@@ -1,0 +1,48 @@
+#pragma once
+// Directions distributed exactly as the web's interpolated intensity: density = intensity / flux
+// per sr.
+
+#include "calc/photometry/web.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace calc {
+
+// Prefix sums for inversion. Built once per web; the web must outlive it.
+class WebSampler {
+ public:
+  explicit WebSampler(const PhotometricWeb& web);
+
+  // u in [0,1)^2 -> unit direction in the luminaire's frame. u[0] chooses C (piecewise quadratic
+  // marginal), u[1] chooses gamma (linear x sine segments, inverted by safeguarded Newton). The
+  // density of a sample is positive, except that u0 or u1 = 0 may give the dark edge at which the
+  // light begins.
+  std::array<double, 3> sample(double u0, double u1) const;
+  // Probability density per steradian of that direction: intensity / flux.
+  double pdf(const std::array<double, 3>& direction) const;
+  // The (u0, u1) that sample() turns into this direction; for round-trip tests. Directions outside
+  // the table give u1 = 0 or 1; a pole counts as C = 0; u1 = 0 where nothing is emitted at that C.
+  std::array<double, 2> invert(const std::array<double, 3>& direction) const;
+  // What the prefix sums add up to: web.flux_lm() up to rounding.
+  double normalisation_lm() const { return c_prefix_.back(); }
+
+ private:
+  // A plane between table planes: where the conditional distribution of gamma is taken.
+  struct Plane {
+    std::size_t below, above;  // table planes
+    double fraction;           // of the way from below to above
+  };
+  double prefix(const Plane& plane, std::size_t gamma) const;
+  double plane_total(std::size_t plane) const;
+  double sample_gamma_rad(const Plane& plane, double u) const;
+  double invert_gamma(const Plane& plane, double gamma_rad) const;
+
+  const PhotometricWeb& web_;
+  std::vector<double>
+      gamma_prefix_;              // [plane][gamma]: integral of I sin(gamma) from the first angle
+  std::vector<double> c_prefix_;  // [plane]: integral over C of the plane totals; axial: {0, flux}
+};
+
+}  // namespace calc
