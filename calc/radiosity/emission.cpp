@@ -1,0 +1,94 @@
+#include "calc/radiosity/emission.h"
+
+#include "calc/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+namespace calc {
+namespace {
+
+glm::dvec3 axis(const PlacedLuminaire& luminaire) { return -luminaire.world_from_luminaire[2]; }
+
+glm::dvec3 lift_along_axis(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
+                           const glm::dvec3& towards, double offset_m) {
+  const double side = glm::dot(axis(luminaire), towards) >= 0.0 ? 1.0 : -1.0;
+  return source_m + side * offset_m * axis(luminaire);
+}
+
+}  // namespace
+
+glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t) {
+  const LuminousOpening& opening = luminaire.opening;
+  glm::dvec2 unit(0.0);  // in [-1/2, 1/2]^2
+  switch (opening.shape) {
+    case OpeningShape::point:
+      return luminaire.position_m;
+    case OpeningShape::rectangle:
+      unit = glm::dvec2(s - 0.5, t - 0.5);
+      break;
+    case OpeningShape::disk: {
+      const double radius = 0.5 * std::sqrt(s);  // area-preserving
+      unit = radius * glm::dvec2(std::cos(2.0 * kPi * t), std::sin(2.0 * kPi * t));
+      break;
+    }
+  }
+  return luminaire.position_m + unit.x * opening.along_c0_m * luminaire.world_from_luminaire[0] +
+         unit.y * opening.along_c90_m * luminaire.world_from_luminaire[1];
+}
+
+double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
+                            const glm::dvec3& receiver_m, const glm::dvec3& normal) {
+  const glm::dvec3 to_source = source_m - receiver_m;
+  const double cosine_times_distance = glm::dot(normal, to_source);
+  if (!(cosine_times_distance > 0.0)) return 0.0;
+  const double distance2 = glm::dot(to_source, to_source);
+  const double distance = std::sqrt(distance2);
+  const glm::dvec3 out = glm::transpose(luminaire.world_from_luminaire) * (to_source / -distance);
+  const double intensity = luminaire.web->intensity_cd({out.x, out.y, out.z}) * luminaire.flux_scale;
+  return intensity * cosine_times_distance / (distance2 * distance);
+}
+
+glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
+                           const glm::dvec3& receiver_m, double offset_m) {
+  return lift_along_axis(luminaire, source_m, receiver_m - source_m, offset_m);
+}
+
+Emitter::Emitter(const PreparedScene& scene) : scene_(scene), cumulative_lm_{0.0} {
+  std::map<const PhotometricWeb*, std::size_t> sampler_of_web;
+  for (const PlacedLuminaire& luminaire : scene.luminaires) {
+    const auto [entry, is_new] = sampler_of_web.try_emplace(luminaire.web, samplers_.size());
+    if (is_new) samplers_.emplace_back(*luminaire.web);
+    sampler_of_.push_back(entry->second);
+    flux_lm_ += luminaire.web->flux_lm() * luminaire.flux_scale;
+    cumulative_lm_.push_back(flux_lm_);
+  }
+}
+
+std::size_t Emitter::choose_luminaire(double u) const {
+  const auto next = std::upper_bound(cumulative_lm_.begin() + 1, cumulative_lm_.end() - 1, u * flux_lm_);
+  return static_cast<std::size_t>(next - cumulative_lm_.begin()) - 1;
+}
+
+EmittedRay Emitter::emit(std::size_t luminaire, std::array<double, 2> direction_u,
+                         std::array<double, 2> opening_u, double offset_m) const {
+  const PlacedLuminaire& placed = scene_.luminaires[luminaire];
+  const auto local = samplers_[sampler_of_[luminaire]].sample(direction_u[0], direction_u[1]);
+  const glm::dvec3 direction =
+      placed.world_from_luminaire * glm::dvec3(local[0], local[1], local[2]);
+  const glm::dvec3 source = opening_point_m(placed, opening_u[0], opening_u[1]);
+  return {lift_along_axis(placed, source, direction, offset_m), direction};
+}
+
+int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m, double distance_m) {
+  for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
+    const PlacedLuminaire& luminaire = scene.luminaires[l];
+    if (luminaire.opening.shape != OpeningShape::point) continue;
+    if (glm::length(luminaire.position_m - point_m) < distance_m) return static_cast<int>(l);
+  }
+  return -1;
+}
+
+}  // namespace calc

@@ -1,0 +1,36 @@
+#pragma once
+// Light paths from luminaires through the room: the pool of light vertices and the flux balance.
+
+#include "calc/radiosity/emission.h"
+#include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/near_field.h"
+#include "calc/radiosity/rays.h"
+
+#include <cstdint>
+
+namespace calc {
+
+// Paths first..last (indices of one replicate's low-discrepancy sequence).
+struct PathBatch {
+  std::uint64_t seed = 0;
+  std::uint64_t replicate = 0;
+  std::uint32_t first = 0, last = 0;
+};
+
+struct TracedPaths {
+  LightVertices vertices;    // flux such that their sum over the batch estimates all reflected flux
+  double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
+  double escaped_lm = 0.0;
+  std::uint64_t rays = 0;
+  bool has_endless_path = false;  // a path did not end after kMostReflections: there is no steady state
+};
+
+inline constexpr int kMostReflections = 100000;
+
+// Paths end by one random number each: after the first reflection a path lives until the product of reflectances
+// falls to that number. Exact in the mean, and path lengths come out stratified.  [method 02, section 3]
+// Parallel inside; the result does not depend on the number of threads.
+TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const GeometryBound& bound,
+                              const PathBatch& batch);
+
+}  // namespace calc

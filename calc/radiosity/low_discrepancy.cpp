@@ -1,0 +1,100 @@
+#include "calc/radiosity/low_discrepancy.h"
+
+#include <bit>
+#include <cstddef>
+
+namespace calc {
+namespace {
+
+constexpr int kBits = 32;
+
+// Primitive polynomial (degree, inner coefficients) and first direction integers of dimensions 2, 3, ...
+// [JoeKuo08, new-joe-kuo-6]
+struct SobolSeed {
+  int degree;
+  std::uint32_t coefficients;
+  std::array<std::uint32_t, 7> m;
+};
+
+constexpr std::array<SobolSeed, kSobolDimensions - 1> kSeeds{{
+    {1, 0, {1}},
+    {2, 1, {1, 3}},
+    {3, 1, {1, 3, 1}},
+    {3, 2, {1, 1, 1}},
+    {4, 1, {1, 1, 3, 3}},
+    {4, 4, {1, 3, 5, 13}},
+    {5, 2, {1, 1, 5, 5, 17}},
+    {5, 4, {1, 1, 5, 5, 5}},
+    {5, 7, {1, 1, 7, 11, 19}},
+    {5, 11, {1, 1, 5, 1, 1}},
+    {5, 13, {1, 1, 1, 3, 11}},
+    {5, 14, {1, 3, 5, 5, 31}},
+    {6, 1, {1, 3, 3, 9, 7, 49}},
+    {6, 13, {1, 1, 1, 15, 21, 21}},
+    {6, 16, {1, 3, 1, 13, 27, 49}},
+    {6, 19, {1, 1, 1, 15, 7, 5}},
+    {6, 22, {1, 3, 1, 15, 13, 25}},
+    {6, 25, {1, 1, 5, 5, 19, 61}},
+    {7, 1, {1, 3, 7, 11, 23, 15, 103}},
+    {7, 4, {1, 3, 7, 13, 13, 15, 69}},
+}};
+
+using DirectionTable = std::array<std::array<std::uint32_t, kBits>, kSobolDimensions>;
+
+constexpr DirectionTable make_directions() {
+  DirectionTable v{};
+  for (std::size_t bit = 0; bit < kBits; ++bit) v[0][bit] = std::uint32_t{1} << (31 - bit);
+  for (std::size_t d = 1; d < kSobolDimensions; ++d) {
+    const SobolSeed& seed = kSeeds[d - 1];
+    const auto s = static_cast<std::size_t>(seed.degree);
+    for (std::size_t bit = 0; bit < kBits; ++bit) {
+      if (bit < s) {
+        v[d][bit] = seed.m[bit] << (31 - bit);
+        continue;
+      }
+      std::uint32_t value = v[d][bit - s] ^ (v[d][bit - s] >> s);
+      for (std::size_t k = 1; k < s; ++k) {
+        if ((seed.coefficients >> (s - 1 - k)) & 1u) value ^= v[d][bit - k];
+      }
+      v[d][bit] = value;
+    }
+  }
+  return v;
+}
+
+constexpr DirectionTable kDirections = make_directions();
+
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+  x = ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+  x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+  return (x << 16) | (x >> 16);
+}
+
+// Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2, by hashing
+// the reversed word with a permutation whose carries run upwards.  [Burley20; constants: Vegdahl]
+constexpr std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
+  x = reverse_bits(x);
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return reverse_bits(x);
+}
+
+}  // namespace
+
+double ScrambledSobol::sample(std::uint32_t index, int dimension) const {
+  const auto d = static_cast<std::size_t>(dimension);
+  if (dimension >= kSobolDimensions) return key_.with(d).with(index).uniform();
+  std::uint32_t x = 0;
+  for (std::uint32_t rest = index; rest != 0; rest &= rest - 1) {
+    x ^= kDirections[d][static_cast<std::size_t>(std::countr_zero(rest))];
+  }
+  const auto scramble = static_cast<std::uint32_t>(key_.with(d).bits() >> 32);
+  return static_cast<double>(nested_scramble(x, scramble)) * 0x1.0p-32;
+}
+
+}  // namespace calc

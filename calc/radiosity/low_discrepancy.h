@@ -1,0 +1,32 @@
+#pragma once
+// Owen-scrambled Sobol' points: point i of a sequence, no state.
+
+#include "calc/radiosity/random.h"
+
+#include <array>
+#include <cstdint>
+
+namespace calc {
+
+// Dimensions with tabulated direction numbers [JoeKuo08]; later ones are hashed random numbers, which is
+// harmless for the late bounces of a light path.
+inline constexpr int kSobolDimensions = 21;
+
+// One independent scramble of the Sobol' sequence. Any first 2^m points are a digital net; two keys give
+// independent sequences, and every single point is uniform on [0, 1)^d.  [Owen95, Burley20]
+class ScrambledSobol {
+ public:
+  explicit ScrambledSobol(RandomKey key) : key_(key) {}
+
+  // Coordinate `dimension` (>= 0) of point `index`, in [0, 1).
+  double sample(std::uint32_t index, int dimension) const;
+  // Coordinates `dimension` and `dimension` + 1.
+  std::array<double, 2> sample_pair(std::uint32_t index, int dimension) const {
+    return {sample(index, dimension), sample(index, dimension + 1)};
+  }
+
+ private:
+  RandomKey key_;
+};
+
+}  // namespace calc

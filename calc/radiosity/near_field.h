@@ -1,0 +1,68 @@
+#pragma once
+// The geometry term near surfaces: bounded for light vertices, the rest by short rays. Together they are the
+// whole: nothing is clamped away.  [method of Kollig and Keller 2004 with a bound that follows the photon density]
+
+#include "calc/radiosity/emission.h"
+#include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/random.h"
+#include "calc/radiosity/rays.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace calc {
+
+// b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices per m^2, hence 1 / b is the
+// area that 1 / kappa of them share. Closer than its own spacing the pool cannot resolve 1/d^2, so there, and only
+// there, short rays take over. Any function of y alone keeps the sum unbiased as long as both sides use the same.
+class GeometryBound {
+ public:
+  // paths: light paths of the batch whose vertices are bounded.
+  GeometryBound(const Tracer& tracer, const Emitter& emitter, std::uint64_t paths);
+
+  // 1/m^2 at a surface point with unit normal (the side in question).
+  double at(const glm::dvec3& position_m, const glm::dvec3& normal) const;
+  double smallest() const { return smallest_; }
+  // Beyond this distance no geometry term exceeds any bound.
+  double reach_m() const { return reach_m_; }
+
+ private:
+  const Tracer& tracer_;
+  double smallest_ = 1.0;           // 1/m^2
+  double reach_m_ = 1.0;
+  double vertices_per_lumen_ = 0.0; // kappa N / Phi
+  double ambient_per_m2_ = 0.0;     // kappa N E_amb / Phi
+};
+
+// cos_x cos_y / d^2 between x with normal nx and y with normal ny; 0 if either faces away or d = 0.
+inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm::dvec3& y,
+                            const glm::dvec3& ny) {
+  const glm::dvec3 w = y - x;
+  const double cx = glm::dot(nx, w);
+  const double cy = -glm::dot(ny, w);
+  if (!(cx > 0.0) || !(cy > 0.0)) return 0.0;
+  const double d2 = glm::dot(w, w);
+  return cx * cy / (d2 * d2);
+}
+
+// One point's near-field part for one batch of light vertices.
+struct NearFieldRequest {
+  glm::dvec3 position_m, normal;  // receiver, local
+  RandomKey key;                  // of point and replicate
+  std::uint32_t first_ray, last_ray;
+};
+
+// Adds to sums[channel * stride] the mean over rays first..last of
+//   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a cosine ray within reach,
+// where E_far(y) uses a few vertices drawn systematically from the batch and E_near(y) one more ray, ended by
+// roulette on its weight. Returns the rays traced.
+std::uint64_t add_near_field(const Tracer& tracer, const GeometryBound& bound,
+                             const LightVertices& vertices, const NearFieldRequest& request,
+                             double* sums, std::size_t stride);
+
+// Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
+glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1);
+
+}  // namespace calc

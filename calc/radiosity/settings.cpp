@@ -1,0 +1,43 @@
+#include "calc/radiosity/settings.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+namespace calc {
+namespace {
+
+constexpr int kFewestReplicates = 4;
+constexpr int kMostReplicates = 64;
+constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;  // Sobol' indices are 32-bit
+
+bool is_path_count(std::uint64_t paths) {
+  return std::has_single_bit(paths) && paths >= 16 && paths <= kMostPaths;
+}
+
+}  // namespace
+
+std::string validate(const RadiositySettings& settings) {
+  if (settings.replicates < kFewestReplicates || settings.replicates > kMostReplicates) {
+    return fmt::format("replicates is {}; allowed: {} to {}", settings.replicates, kFewestReplicates,
+                       kMostReplicates);
+  }
+  if (!is_path_count(settings.first_paths)) {
+    return fmt::format("first paths is {}; allowed: a power of two, 16 to {}", settings.first_paths,
+                       kMostPaths);
+  }
+  if (!is_path_count(settings.max_paths) || settings.max_paths < settings.first_paths) {
+    return fmt::format("max paths is {}; allowed: a power of two, {} to {}", settings.max_paths,
+                       settings.first_paths, kMostPaths);
+  }
+  if (!(settings.time_limit_s >= 0.0) || !std::isfinite(settings.time_limit_s)) {
+    return fmt::format("time limit is {} s; allowed: 0 (none) or more", settings.time_limit_s);
+  }
+  if (settings.jobs < 0 || settings.jobs > 4096) {
+    return fmt::format("jobs is {}; allowed: 0 (one per core) to 4096", settings.jobs);
+  }
+  return {};
+}
+
+}  // namespace calc
