@@ -14,6 +14,9 @@ inline constexpr double kMetresPerMillimetre = 1.0e-3;    // exact
 inline constexpr double kMetresPerCentimetre = 1.0e-2;    // exact
 
 
+inline constexpr double kLuxPerFootcandle = 1.0 / (kMetresPerFoot * kMetresPerFoot);  // lm/ft2
+static_assert(kLuxPerFootcandle > 10.76391041670972 && kLuxPerFootcandle < 10.76391041670973);
+
 constexpr double radians_from_degrees(double deg) { return deg * kRadiansPerDegree; }
 constexpr double degrees_from_radians(double rad) { return rad / kRadiansPerDegree; }
 

@@ -1,0 +1,80 @@
+#include "rules/bind.h"
+
+#include "rules/requirement_reader.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace rules {
+namespace {
+
+// Requirement ids of one plane: given ones must differ; the others get the quantity's name,
+// numbered from the second on ("average", "average-2").
+class PlaneIds {
+ public:
+  PlaneIds(const calc::CalcPlane& plane, calc::Diagnostics& diagnostics) {
+    for (const calc::RequirementText& text : plane.requirements) {
+      for (const calc::RequirementText::Attribute& attribute : text.attributes) {
+        if (attribute.name != "id") continue;
+        const auto [first, is_new] = line_of_given_.emplace(attribute.value, attribute.where.line);
+        if (is_new || attribute.value.empty())
+          continue;  // an empty id is reported where it is read
+        diagnostics.report(calc::DiagnosticId::duplicate_id, attribute.where, "requirement id",
+                           attribute.value, first->second);
+      }
+    }
+  }
+
+  std::string next_for(Metric metric) {
+    std::string id = metric_name(metric);
+    for (int repeat = 2; line_of_given_.contains(id) || !made_.insert(id).second; ++repeat) {
+      id = fmt::format("{}-{}", metric_name(metric), repeat);
+    }
+    return id;
+  }
+
+ private:
+  std::map<std::string, int> line_of_given_;
+  std::set<std::string> made_;
+};
+
+void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
+                calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
+  PlaneIds ids(plane, diagnostics);
+  for (const calc::RequirementText& text : plane.requirements) {
+    for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
+      requirement.plane_id = plane.id;
+      if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
+      bound.push_back(std::move(requirement));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Requirement> bind_requirements(const calc::Project& project,
+                                           const std::vector<RulePack>& packs,
+                                           calc::Diagnostics& diagnostics) {
+  const RequirementContext context{project.scenes, packs};
+  std::vector<Requirement> bound;
+  for (const calc::Space& space : project.spaces) {
+    for (const calc::CalcPlane& plane : space.planes) {
+      bind_plane(plane, context, diagnostics, bound);
+    }
+  }
+  return bound;
+}
+
+std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
+                                               std::string_view plane_id) {
+  std::vector<Requirement> own;
+  for (const Requirement& requirement : requirements) {
+    if (requirement.plane_id == plane_id) own.push_back(requirement);
+  }
+  return own;
+}
+
+}  // namespace rules

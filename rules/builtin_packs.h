@@ -1,0 +1,11 @@
+#pragma once
+// The text of rules/packs/*.xml, put into the library when it is built (embed_packs.cmake).
+
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+std::vector<std::string_view> builtin_pack_texts();
+
+}  // namespace rules

@@ -1,0 +1,46 @@
+#include "rules/metrics.h"
+
+#include <algorithm>
+#include <span>
+
+namespace rules {
+namespace {
+
+double weight_of(const calc::LightChannel& channel, LightState state,
+                 const std::vector<std::pair<std::string, double>>& level_of_group) {
+  const auto named = std::find_if(level_of_group.begin(), level_of_group.end(),
+                                  [&](const auto& level) { return level.first == channel.group; });
+  const double level = named == level_of_group.end() ? 1.0 : named->second;
+  return state == LightState::maintained ? level * channel.maintenance_factor : level;
+}
+
+// to[i] += weight * from[i]; a part that was not computed is empty and adds nothing.
+void add_weighted(const std::vector<double>& from_lx, std::size_t row, double weight,
+                  std::span<double> to_lx) {
+  if (from_lx.empty()) return;
+  const double* values = from_lx.data() + row * to_lx.size();
+  for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
+}
+
+}  // namespace
+
+PointValues combine_channels(const calc::PlaneField& field, LightState state,
+                             const std::vector<std::pair<std::string, double>>& level_of_group) {
+  PointValues values;
+  values.points = field.points;
+  values.replicates = field.is_exact() ? 1 : field.replicates;
+  values.value_lx.assign(values.replicates * values.points, 0.0);
+  const std::size_t channels = field.channels.size();
+  for (std::size_t r = 0; r < values.replicates; ++r) {
+    const std::span<double> row(values.value_lx.data() + r * values.points, values.points);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const double weight = weight_of(field.channels[c], state, level_of_group);
+      add_weighted(field.direct_exact_lx, c, weight, row);
+      add_weighted(field.direct_sampled_lx, r * channels + c, weight, row);
+      add_weighted(field.indirect_lx, r * channels + c, weight, row);
+    }
+  }
+  return values;
+}
+
+}  // namespace rules

@@ -1,0 +1,24 @@
+# Writes a C++ source with the bytes of the given files as literals:
+#   luxgate_embed_packs(<output.cpp> <file>...)
+# The source is written again when a file changes, since each is a dependency of the configure step.
+function(luxgate_embed_packs output)
+  set(texts "")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} bytes)
+    string(APPEND texts "    R\"luxgate(${bytes})luxgate\",\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
+"// Written by rules/embed_packs.cmake.
+#include \"rules/builtin_packs.h\"
+
+namespace rules {
+
+std::vector<std::string_view> builtin_pack_texts() {
+  return {
+@texts@  };
+}
+
+}  // namespace rules
+")
+endfunction()

@@ -1,0 +1,89 @@
+#include "rules/judge.h"
+
+#include "rules/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rules {
+namespace {
+
+int sign(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
+
+double rounded(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return std::round(value * scale) / scale;
+}
+
+// Digits after the point with which both ends are still on their own side of the limit.
+int digits_for(const calc::Estimate& estimate, double limit, Metric metric) {
+  const auto is_kept = [&](double value, int digits) {
+    return sign(rounded(value, digits) - limit) == sign(value - limit);
+  };
+  constexpr int kMostDigits = 9;
+  int digits = is_ratio(metric) ? 2 : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
+  while (digits < kMostDigits &&
+         !(is_kept(estimate.low, digits) && is_kept(estimate.high, digits))) {
+    ++digits;
+  }
+  return digits;
+}
+
+std::string undecided_text(const calc::Estimate& estimate, double limit, Metric metric) {
+  const int digits = digits_for(estimate, limit, metric);
+  const char* unit = is_ratio(metric) ? "" : " lx";
+  return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
+                     digits, estimate.high, digits, unit, limit, unit);
+}
+
+Finding judge_one(const Requirement& requirement, const calc::SensorGrid& grid,
+                  const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
+                  double confidence) {
+  Finding finding;
+  finding.requirement = requirement;
+  const Measurement measurement = measure(requirement, grid, field, scenes, confidence);
+  if (!measurement.metric) {
+    finding.reason = measurement.reason;
+    return finding;
+  }
+  const Comparison comparison = requirement.comparison;
+  const double limit = requirement.limit;
+  finding.measured = measurement.metric->estimate;
+  finding.verdict = compare(finding.measured, comparison, limit);
+  finding.margin = margin(finding.measured.value, comparison, limit);
+  finding.is_close = is_close_call(finding.measured.value, requirement.metric, comparison, limit);
+  if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
+  if (finding.verdict == Verdict::undecided) {
+    finding.reason = undecided_text(finding.measured, limit, requirement.metric);
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
+                                 const calc::SensorGrid& grid, const calc::PlaneField& field,
+                                 const std::vector<calc::LightScene>& scenes, double confidence) {
+  std::vector<Finding> findings;
+  findings.reserve(requirements.size());
+  for (const Requirement& requirement : requirements) {
+    findings.push_back(judge_one(requirement, grid, field, scenes, confidence));
+  }
+  return findings;
+}
+
+std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
+                                      const std::string& reason) {
+  std::vector<Finding> findings;
+  for (const Requirement& requirement : requirements) {
+    Finding finding;
+    finding.requirement = requirement;
+    finding.reason = reason;
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
+}  // namespace rules

@@ -1,0 +1,41 @@
+#pragma once
+// Requirement against result: the verdict.
+
+#include "calc/field.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/compare.h"
+#include "rules/requirement.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+struct Finding {
+  Requirement requirement;
+  Verdict verdict = Verdict::not_judged;
+  calc::Estimate measured;  // unit of the requirement; meaningless when not_judged
+  double margin = 0.0;      // (measured - limit) / limit, sign turned for at_most: > 0 is good
+  bool is_close =
+      false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
+  std::optional<glm::dvec3>
+      place_m;         // of the minimum (of uniformities, too), the maximum or the value
+  std::string reason;  // for undecided and not_judged, in words
+};
+
+// One finding per requirement, in order. All arguments belong to one plane: `requirements` are its
+// own, see requirements_of_plane(); field.points = number of points of the grid. confidence in (0,
+// 1).
+std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
+                                 const calc::SensorGrid& grid, const calc::PlaneField& field,
+                                 const std::vector<calc::LightScene>& scenes, double confidence);
+
+// For a plane that could not be computed: every requirement is not judged, for this reason.
+std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
+                                      const std::string& reason);
+
+}  // namespace rules

@@ -1,0 +1,26 @@
+#pragma once
+// From a requirement and a plane's results to the quantity that it limits, with its interval.
+
+#include "calc/field.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/metrics.h"
+#include "rules/requirement.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+// metric is empty if the quantity does not exist; `reason` then says why, in words.
+struct Measurement {
+  std::optional<MetricEstimate> metric;
+  std::string reason;
+};
+
+Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
+                    const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
+                    double confidence);
+
+}  // namespace rules

@@ -1,0 +1,57 @@
+#include "rules/requirement.h"
+
+#include <array>
+
+namespace rules {
+namespace {
+
+struct MetricEntry {
+  Metric metric;
+  const char* name;
+  bool is_ratio;
+};
+
+constexpr std::array kMetrics{
+    MetricEntry{Metric::average, "average", false},
+    MetricEntry{Metric::minimum, "minimum", false},
+    MetricEntry{Metric::maximum, "maximum", false},
+    MetricEntry{Metric::uniformity_min_avg, "Uo", true},
+    MetricEntry{Metric::uniformity_min_max, "Ud", true},
+    MetricEntry{Metric::percentile, "percentile", false},
+    MetricEntry{Metric::value_at_point, "value", false},
+};
+
+const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kMetrics.size(); ++i) {
+        if (static_cast<std::size_t>(kMetrics[i].metric) != i) return false;
+      }
+      return true;
+    }(),
+    "kMetrics is in the order of the enum");
+
+}  // namespace
+
+const char* metric_name(Metric metric) { return entry(metric).name; }
+
+std::optional<Metric> metric_from_name(std::string_view name) {
+  for (const MetricEntry& candidate : kMetrics) {
+    if (name == candidate.name) return candidate.metric;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> metric_names() {
+  std::vector<std::string_view> names;
+  names.reserve(kMetrics.size());
+  for (const MetricEntry& candidate : kMetrics) names.emplace_back(candidate.name);
+  return names;
+}
+
+bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
+
+const char* metric_unit(Metric metric) { return is_ratio(metric) ? "" : "lx"; }
+
+}  // namespace rules

@@ -1,0 +1,54 @@
+#pragma once
+// What a plane must meet: plain data.
+
+#include "calc/diagnostics.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+enum class Metric {
+  average,             // mean illuminance, lx
+  minimum,             // lx
+  maximum,             // lx
+  uniformity_min_avg,  // Uo = minimum / average
+  uniformity_min_max,  // Ud = minimum / maximum
+  percentile,          // illuminance that the given share of points does not exceed, lx
+  value_at_point,      // lx
+};
+
+enum class Comparison { at_least, at_most };
+
+// maintained: times the maintenance factor; initial: new installation.
+enum class LightState { maintained, initial };
+
+struct Requirement {
+  std::string plane_id;
+  std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
+  Metric metric = Metric::average;
+  double percent = 0.0;               // of Metric::percentile, [0, 100]
+  std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
+  Comparison comparison = Comparison::at_least;
+  double limit = 0.0;  // lx, or a ratio for uniformities
+  LightState state = LightState::maintained;
+  std::string scene;   // "" = every luminaire at full output
+  std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
+  calc::SourceLocation where;
+};
+
+// Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
+// "Ud", "percentile", "value".
+const char* metric_name(Metric metric);
+std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
+std::vector<std::string_view> metric_names();
+
+bool is_ratio(Metric metric);
+// "lx" or "" for ratios.
+const char* metric_unit(Metric metric);
+
+}  // namespace rules

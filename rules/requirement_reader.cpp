@@ -1,0 +1,222 @@
+#include "rules/requirement_reader.h"
+
+#include "calc/text.h"
+#include "calc/xml_reader.h"
+#include "rules/limit_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+using calc::Names;
+
+constexpr const char* kElement = "require";
+
+// A limit is written here, or a row of a rule pack has it.
+constexpr std::array<std::string_view, 10> kOwnAttributes{
+    "id", "quantity", "at-least", "at-most", "percent", "at", "unit", "state", "scene", "clause"};
+constexpr std::array<std::string_view, 3> kRowAttributes{"pack", "row", "level"};
+
+constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
+
+// The element again, so that requirements are read as strictly as everything else.
+calc::XmlElement element_of(const calc::RequirementText& text) {
+  calc::XmlElement element;
+  element.name = kElement;
+  element.where = text.where;
+  for (const calc::RequirementText::Attribute& attribute : text.attributes) {
+    element.attributes.push_back({attribute.name, attribute.value, attribute.where});
+  }
+  return element;
+}
+
+void allow_known_attributes(ElementReader& reader) {
+  Names names(kOwnAttributes.begin(), kOwnAttributes.end());
+  names.insert(names.end(), kRowAttributes.begin(), kRowAttributes.end());
+  reader.allow_attributes(names);
+}
+
+void report_unfit(ElementReader& reader, std::string_view attribute, std::string_view beside) {
+  reader.report(DiagnosticId::attribute_without_meaning, reader.where(attribute), kElement,
+                attribute, beside);
+}
+
+void report_unknown(ElementReader& reader, std::string_view attribute, std::string_view kind,
+                    std::string_view found, const Names& choices, std::string_view shown) {
+  const std::string allowed =
+      shown.empty() ? fmt::format("no {} is defined", kind) : fmt::format("allowed: {}", shown);
+  reader.report(DiagnosticId::unknown_reference, reader.where(attribute), attribute, kElement, kind,
+                found, allowed, calc::suggestion(found, choices));
+}
+
+// `attribute` belongs to one quantity only.
+bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owner, Metric metric) {
+  if (owner == metric) return true;
+  if (reader.has(attribute)) {
+    report_unfit(reader, attribute, fmt::format("quantity=\"{}\"", metric_name(metric)));
+  }
+  return false;
+}
+
+LimitUnit read_unit(ElementReader& reader, Metric metric) {
+  if (is_ratio(metric)) {
+    if (reader.has("unit")) {
+      report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", metric_name(metric)));
+    }
+    return LimitUnit::lux;
+  }
+  return reader.choice_or("unit", {"lx", "fc"}, 0) == 0 ? LimitUnit::lux : LimitUnit::footcandle;
+}
+
+std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
+  if (!reader.has("scene")) return {};
+  std::string scene = reader.text("scene");
+  Names defined;
+  for (const calc::LightScene& candidate : scenes) defined.emplace_back(candidate.id);
+  const bool is_defined = std::find(defined.begin(), defined.end(), scene) != defined.end();
+  if (!scene.empty() && !is_defined) {
+    report_unknown(reader, "scene", "scene", scene, defined, calc::join_choices(defined));
+  }
+  return scene;
+}
+
+void read_quantity(ElementReader& reader, Requirement& requirement) {
+  const std::optional<Metric> metric = read_metric(reader, metric_names());
+  if (!metric) return;
+  requirement.metric = *metric;
+  const LimitUnit unit = read_unit(reader, *metric);
+  if (const std::optional<Comparison> comparison = read_comparison(reader)) {
+    requirement.comparison = *comparison;
+    requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
+  }
+  if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
+    requirement.percent = reader.number("percent", kPercent);
+  }
+  if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
+    const std::vector<double> at =
+        reader.numbers("at", 3, "3 numbers (x y z) in metres, in world coordinates");
+    requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
+  }
+}
+
+std::vector<Requirement> read_own(ElementReader& reader,
+                                  const std::vector<calc::LightScene>& scenes) {
+  Requirement requirement;
+  requirement.where = reader.where();
+  if (reader.has("id")) requirement.id = reader.id();
+  read_quantity(reader, requirement);
+  requirement.state = reader.choice_or("state", {"maintained", "initial"}, 0) == 0
+                          ? LightState::maintained
+                          : LightState::initial;
+  requirement.scene = read_scene(reader, scenes);
+  requirement.clause = calc::trim(reader.text_or("clause", ""));
+  return {requirement};
+}
+
+std::string list_of(const std::vector<const RulePack*>& packs) {
+  std::string text;
+  for (const RulePack* pack : packs) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", pack->full_id(), pack->file);
+  }
+  return text;
+}
+
+// By "id" or "id:edition". nullptr after an error.
+const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
+  const std::string name = reader.text("pack");
+  if (name.empty()) return nullptr;
+  std::vector<const RulePack*> all;
+  std::vector<const RulePack*> fitting;
+  Names names;
+  for (const RulePack& pack : packs) {
+    all.push_back(&pack);
+    names.emplace_back(pack.id);
+    if (name == pack.id || name == pack.full_id()) fitting.push_back(&pack);
+  }
+  if (fitting.size() == 1) return fitting.front();
+  if (fitting.empty()) {
+    report_unknown(reader, "pack", "rule pack", name, names, list_of(all));
+  } else {
+    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
+  }
+  return nullptr;
+}
+
+// nullptr after an error.
+const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
+  constexpr std::size_t kMostShown = 20;  // a whole standard would not fit on a line
+  const std::string ref = reader.text("row");
+  const RuleRow* row = pack.find_row(ref);
+  if (row != nullptr || ref.empty()) return row;
+  Names refs;
+  for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
+  const std::size_t shown = std::min(refs.size(), kMostShown);
+  std::string allowed =
+      calc::join_choices(Names(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(shown)));
+  if (shown < refs.size()) allowed += fmt::format(" and {} more", refs.size() - shown);
+  report_unknown(reader, "row", "row", ref, refs, allowed);
+  return nullptr;
+}
+
+std::vector<Requirement> requirements_of_row(const RulePack& pack, const RuleRow& row,
+                                             RowLevel level, const calc::SourceLocation& where) {
+  std::vector<Requirement> requirements;
+  for (const RowLimit& limit : row.limits) {
+    Requirement requirement;
+    requirement.metric = limit.metric;
+    requirement.comparison = limit.comparison;
+    requirement.limit = limit.at_level(level);
+    requirement.clause = pack.clause_text(limit, level);
+    requirement.where = where;
+    requirements.push_back(std::move(requirement));
+  }
+  return requirements;
+}
+
+std::vector<Requirement> read_row(ElementReader& reader, const std::vector<RulePack>& packs) {
+  for (const std::string_view name : kOwnAttributes) {
+    if (reader.has(name)) report_unfit(reader, name, "pack");
+  }
+  if (reader.has("level") && !reader.has("pack")) {
+    reader.report(DiagnosticId::missing_partner, reader.where("level"), kElement, "level", "pack");
+  }
+  const std::size_t level_index = reader.choice_or("level", {"required", "modified"}, 0);
+  const RowLevel level = level_index == 0 ? RowLevel::required : RowLevel::modified;
+  if (!reader.require_together("pack", "row") || !reader.has("pack")) return {};
+  const RulePack* pack = find_pack(reader, packs);
+  const RuleRow* row = pack == nullptr ? nullptr : find_row(reader, *pack);
+  if (row == nullptr) return {};
+  if (level == RowLevel::modified && !row->has_modified_level()) {
+    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref,
+                  pack->full_id());
+  }
+  return requirements_of_row(*pack, *row, level, reader.where());
+}
+
+}  // namespace
+
+std::vector<Requirement> read_requirement(const calc::RequirementText& text,
+                                          const RequirementContext& context,
+                                          calc::Diagnostics& diagnostics) {
+  const calc::XmlElement element = element_of(text);
+  ElementReader reader(element, diagnostics);
+  allow_known_attributes(reader);
+  const bool is_row = std::any_of(kRowAttributes.begin(), kRowAttributes.end(),
+                                  [&](std::string_view name) { return reader.has(name); });
+  std::vector<Requirement> requirements =
+      is_row ? read_row(reader, context.packs) : read_own(reader, context.scenes);
+  if (!reader.ok()) requirements.clear();
+  return requirements;
+}
+
+}  // namespace rules

@@ -1,0 +1,416 @@
+#include "rules/bind.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+// Line `line`; attributes in columns 10, 20, ...
+calc::RequirementText text_of(const Attributes& attributes, int line = 7) {
+  calc::RequirementText text{{}, {"project.xml", line, 5}};
+  int column = 0;
+  for (const auto& [name, value] : attributes) {
+    text.attributes.push_back({name, value, {"project.xml", line, column += 10}});
+  }
+  return text;
+}
+
+calc::CalcPlane plane_of(const std::string& id, const std::vector<Attributes>& requirements) {
+  calc::CalcPlane plane;
+  plane.id = id;
+  int line = 7;
+  for (const Attributes& attributes : requirements) {
+    plane.requirements.push_back(text_of(attributes, line++));
+  }
+  return plane;
+}
+
+calc::Project project_of(std::vector<calc::CalcPlane> planes) {
+  calc::Project project;
+  project.scenes = {{"full", {}, {}}, {"night", {}, {}}};
+  project.spaces.emplace_back();
+  project.spaces.back().planes = std::move(planes);
+  return project;
+}
+
+struct Bound {
+  std::vector<Requirement> requirements;
+  std::vector<std::string> messages;
+};
+
+Bound bind_project(const calc::Project& project,
+                   const std::vector<RulePack>& packs = builtin_rule_packs()) {
+  calc::Diagnostics diagnostics;
+  Bound bound{bind_requirements(project, packs, diagnostics), {}};
+  for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
+    bound.messages.push_back(format_diagnostic(diagnostic));
+  }
+  return bound;
+}
+
+Bound bind_one(const Attributes& attributes) {
+  return bind_project(project_of({plane_of("desk", {attributes})}));
+}
+
+Requirement bound_requirement(const Attributes& attributes) {
+  const Bound bound = bind_one(attributes);
+  EXPECT_THAT(bound.messages, IsEmpty());
+  EXPECT_EQ(bound.requirements.size(), 1u);
+  return bound.requirements.empty() ? Requirement{} : bound.requirements.front();
+}
+
+// The messages of one wrong requirement, which must not be bound.
+std::vector<std::string> messages_of(const Attributes& attributes) {
+  const Bound bound = bind_one(attributes);
+  EXPECT_THAT(bound.requirements, IsEmpty());
+  return bound.messages;
+}
+
+TEST(BindRequirements, ReadsAPlainLimit) {
+  const Requirement r = bound_requirement({{"quantity", "average"}, {"at-least", "500"}});
+  EXPECT_EQ(r.plane_id, "desk");
+  EXPECT_EQ(r.id, "average");
+  EXPECT_EQ(r.metric, Metric::average);
+  EXPECT_EQ(r.comparison, Comparison::at_least);
+  EXPECT_EQ(r.limit, 500);
+  EXPECT_EQ(r.state, LightState::maintained);
+  EXPECT_EQ(r.scene, "");
+  EXPECT_EQ(r.clause, "");
+  EXPECT_EQ(r.where.line, 7);
+}
+
+TEST(BindRequirements, ReadsEveryAttribute) {
+  const Requirement r = bound_requirement({{"id", "glare-limit"},
+                                           {"quantity", "percentile"},
+                                           {"percent", "90"},
+                                           {"at-most", " 2e3 "},
+                                           {"unit", "lx"},
+                                           {"state", "initial"},
+                                           {"scene", "night"},
+                                           {"clause", "contract 4.2"}});
+  EXPECT_EQ(r.id, "glare-limit");
+  EXPECT_EQ(r.metric, Metric::percentile);
+  EXPECT_EQ(r.percent, 90);
+  EXPECT_EQ(r.comparison, Comparison::at_most);
+  EXPECT_EQ(r.limit, 2000);
+  EXPECT_EQ(r.state, LightState::initial);
+  EXPECT_EQ(r.scene, "night");
+  EXPECT_EQ(r.clause, "contract 4.2");
+}
+
+TEST(BindRequirements, ConvertsFootcandles) {
+  const Requirement r =
+      bound_requirement({{"quantity", "minimum"}, {"at-least", "1"}, {"unit", "fc"}});
+  EXPECT_DOUBLE_EQ(r.limit, 10.763910416709722);
+}
+
+TEST(BindRequirements, ReadsAPointInWorldCoordinates) {
+  const Requirement r =
+      bound_requirement({{"quantity", "value"}, {"at", "1.5 -2 0.75"}, {"at-least", "300"}});
+  ASSERT_TRUE(r.point_m.has_value());
+  EXPECT_EQ(*r.point_m, glm::dvec3(1.5, -2, 0.75));
+}
+
+TEST(BindRequirements, TakesTheEndsOfRanges) {
+  EXPECT_EQ(bound_requirement({{"quantity", "Uo"}, {"at-least", "1"}}).limit, 1);
+  EXPECT_EQ(bound_requirement({{"quantity", "Ud"}, {"at-least", "0"}}).limit, 0);
+  EXPECT_EQ(bound_requirement({{"quantity", "maximum"}, {"at-most", "0"}}).limit, 0);
+}
+
+TEST(BindRequirements, NamesAndNumbersRequirementsWithoutId) {
+  const Attributes average{{"quantity", "average"}, {"at-least", "1"}};
+  const Attributes uo{{"quantity", "Uo"}, {"at-least", "0.5"}};
+  const Attributes named{{"id", "average-2"}, {"quantity", "maximum"}, {"at-most", "9"}};
+  const Bound bound = bind_project(project_of(
+      {plane_of("a", {average, uo, average, named, average}), plane_of("b", {average})}));
+  EXPECT_THAT(bound.messages, IsEmpty());
+  std::vector<std::string> ids;
+  for (const Requirement& r : bound.requirements) ids.push_back(r.plane_id + "/" + r.id);
+  EXPECT_THAT(ids, ElementsAre("a/average", "a/Uo", "a/average-3", "a/average-2", "a/average-4",
+                               "b/average"));
+}
+
+TEST(BindRequirements, ExpandsARowOfARulePack) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "34.2"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].id, "average");
+  EXPECT_EQ(bound.requirements[0].limit, 500);
+  EXPECT_EQ(bound.requirements[0].clause, "EN 12464-1:2021 34.2");
+  EXPECT_EQ(bound.requirements[0].where.line, 7);
+  EXPECT_EQ(bound.requirements[1].metric, Metric::uniformity_min_avg);
+  EXPECT_EQ(bound.requirements[1].limit, 0.6);
+  EXPECT_EQ(bound.requirements[1].plane_id, "desk");
+}
+
+TEST(BindRequirements, TakesTheModifiedLevelWhereTheRowHasOne) {
+  const Bound bound =
+      bind_one({{"pack", "en12464-1:2021"}, {"row", "34.2"}, {"level", "modified"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].limit, 1000);
+  EXPECT_EQ(bound.requirements[0].clause, "EN 12464-1:2021 34.2 (modified)");
+  EXPECT_EQ(bound.requirements[1].limit, 0.6);
+  EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2021 34.2");
+}
+
+TEST(RequirementsOfPlane, AreItsOwnInOrder) {
+  const Attributes average{{"quantity", "average"}, {"at-least", "1"}};
+  const Attributes uo{{"quantity", "Uo"}, {"at-least", "0.5"}};
+  const Bound bound = bind_project(
+      project_of({plane_of("a", {average}), plane_of("b", {uo, average}), plane_of("c", {})}));
+  const std::vector<Requirement> own = requirements_of_plane(bound.requirements, "b");
+  ASSERT_EQ(own.size(), 2u);
+  EXPECT_EQ(own[0].id, "Uo");
+  EXPECT_EQ(own[1].id, "average");
+  EXPECT_THAT(requirements_of_plane(bound.requirements, "c"), IsEmpty());
+}
+
+// --- errors, word by word --------------------------------------------------------------------
+
+TEST(BindRequirementsMessage, UnknownAttribute) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
+              ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
+                          "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
+                          "unit, state, scene, clause, pack, row or level; did you mean "
+                          "'at-least'?"));
+}
+
+TEST(BindRequirementsMessage, MissingQuantity) {
+  EXPECT_THAT(messages_of({{"at-least", "500"}}),
+              ElementsAre("project.xml:7:5: error[missing-attribute]: <require> needs the "
+                          "attribute 'quantity'"));
+}
+
+TEST(BindRequirementsMessage, UnknownQuantity) {
+  EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
+              ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
+                          "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
+                          "Uo, Ud, percentile or value; did you mean 'average'?"));
+}
+
+TEST(BindRequirementsMessage, NoLimit) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}}),
+              ElementsAre("project.xml:7:5: error[missing-form]: <require> needs 'at-least' or "
+                          "'at-most'"));
+}
+
+TEST(BindRequirementsMessage, TwoLimits) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "1"}, {"at-most", "2"}}),
+              ElementsAre("project.xml:7:30: error[exclusive-attributes]: <require> has both "
+                          "'at-least' and 'at-most'; give only one of them"));
+}
+
+TEST(BindRequirementsMessage, LimitThatIsNoNumber) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "500 lx"}}),
+              ElementsAre("project.xml:7:20: error[not-a-number]: attribute 'at-least' of "
+                          "<require>: '500 lx' is not a finite number; expected a limit in lx from "
+                          "0 to 1e9"));
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "nan"}}).size(), 1u);
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "1e999"}}).size(), 1u);
+}
+
+TEST(BindRequirementsMessage, LimitOutOfRange) {
+  EXPECT_THAT(messages_of({{"quantity", "minimum"}, {"at-least", "-5"}}),
+              ElementsAre("project.xml:7:20: error[number-out-of-range]: attribute 'at-least' of "
+                          "<require>: -5 is not allowed; expected a limit in lx from 0 to 1e9"));
+  EXPECT_THAT(messages_of({{"quantity", "minimum"}, {"at-least", "-5"}, {"unit", "fc"}}),
+              ElementsAre("project.xml:7:20: error[number-out-of-range]: attribute 'at-least' of "
+                          "<require>: -5 is not allowed; expected a limit in fc from 0 to 1e9"));
+  EXPECT_THAT(messages_of({{"quantity", "Uo"}, {"at-least", "60"}}),
+              ElementsAre("project.xml:7:20: error[number-out-of-range]: attribute 'at-least' of "
+                          "<require>: 60 is not allowed; expected a ratio from 0 to 1"));
+}
+
+TEST(BindRequirementsMessage, UnknownUnit) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "500"}, {"unit", "lux"}}),
+              ElementsAre("project.xml:7:30: error[unknown-value]: attribute 'unit' of <require>: "
+                          "unknown value 'lux'; allowed: lx or fc; did you mean 'lx'?"));
+}
+
+TEST(BindRequirementsMessage, UnitOfARatio) {
+  EXPECT_THAT(messages_of({{"quantity", "Uo"}, {"at-least", "0.6"}, {"unit", "lx"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: 'unit' "
+                          "has no meaning together with 'quantity=\"Uo\"'"));
+}
+
+TEST(BindRequirementsMessage, PercentWithoutPercentile) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "5"}, {"percent", "10"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: "
+                          "'percent' has no meaning together with 'quantity=\"average\"'"));
+}
+
+TEST(BindRequirementsMessage, PercentileWithoutPercent) {
+  EXPECT_THAT(messages_of({{"quantity", "percentile"}, {"at-least", "5"}}),
+              ElementsAre("project.xml:7:5: error[missing-attribute]: <require> needs the "
+                          "attribute 'percent'"));
+}
+
+TEST(BindRequirementsMessage, PercentOutOfRange) {
+  EXPECT_THAT(messages_of({{"quantity", "percentile"}, {"at-least", "5"}, {"percent", "101"}}),
+              ElementsAre("project.xml:7:30: error[number-out-of-range]: attribute 'percent' of "
+                          "<require>: 101 is not allowed; expected a number from 0 to 100"));
+}
+
+TEST(BindRequirementsMessage, PointWithoutValue) {
+  EXPECT_THAT(messages_of({{"quantity", "minimum"}, {"at-least", "5"}, {"at", "0 0 0"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: 'at' has "
+                          "no meaning together with 'quantity=\"minimum\"'"));
+}
+
+TEST(BindRequirementsMessage, PointThatIsNone) {
+  EXPECT_THAT(messages_of({{"quantity", "value"}, {"at-least", "5"}, {"at", "1 2"}}),
+              ElementsAre("project.xml:7:30: error[wrong-number-count]: attribute 'at' of "
+                          "<require>: expected 3 numbers (x y z) in metres, in world coordinates, "
+                          "found 2 numbers"));
+}
+
+TEST(BindRequirementsMessage, ValueWithoutPoint) {
+  EXPECT_THAT(messages_of({{"quantity", "value"}, {"at-least", "5"}}),
+              ElementsAre("project.xml:7:5: error[missing-attribute]: <require> needs the "
+                          "attribute 'at'"));
+}
+
+TEST(BindRequirementsMessage, UnknownState) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "5"}, {"state", "new"}}),
+              ElementsAre("project.xml:7:30: error[unknown-value]: attribute 'state' of <require>: "
+                          "unknown value 'new'; allowed: maintained or initial"));
+}
+
+TEST(BindRequirementsMessage, UnknownScene) {
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "5"}, {"scene", "nigth"}}),
+              ElementsAre("project.xml:7:30: error[unknown-reference]: attribute 'scene' of "
+                          "<require>: there is no scene 'nigth'; allowed: full or night"));
+  calc::Project project = project_of(
+      {plane_of("desk", {{{"quantity", "average"}, {"at-least", "5"}, {"scene", "full"}}})});
+  project.scenes.clear();
+  EXPECT_THAT(bind_project(project).messages,
+              ElementsAre("project.xml:7:30: error[unknown-reference]: attribute 'scene' of "
+                          "<require>: there is no scene 'full'; no scene is defined"));
+}
+
+TEST(BindRequirementsMessage, RepeatedId) {
+  const Attributes first{{"id", "x"}, {"quantity", "average"}, {"at-least", "1"}};
+  const Attributes second{{"quantity", "minimum"}, {"at-least", "1"}, {"id", "x"}};
+  EXPECT_THAT(bind_project(project_of({plane_of("desk", {first, second})})).messages,
+              ElementsAre("project.xml:8:30: error[duplicate-id]: the requirement id 'x' is "
+                          "given twice, also in line 7"));
+  EXPECT_THAT(bind_project(project_of({plane_of("a", {first}), plane_of("b", {second})})).messages,
+              IsEmpty());
+}
+
+TEST(BindRequirementsMessage, EmptyId) {
+  EXPECT_THAT(messages_of({{"id", ""}, {"quantity", "average"}, {"at-least", "1"}}),
+              ElementsAre("project.xml:7:10: error[empty-attribute]: attribute 'id' of <require> "
+                          "must not be empty"));
+}
+
+TEST(BindRequirementsMessage, OtherAttributesBesidePack) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"at-least", "300"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: "
+                          "'at-least' has no meaning together with 'pack'"));
+}
+
+TEST(BindRequirementsMessage, RowAndPackOnTheirOwn) {
+  EXPECT_THAT(messages_of({{"row", "34.2"}}),
+              ElementsAre("project.xml:7:10: error[missing-partner]: <require> has 'row' without "
+                          "'pack'; the two belong together"));
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}}),
+              ElementsAre("project.xml:7:10: error[missing-partner]: <require> has 'pack' without "
+                          "'row'; the two belong together"));
+}
+
+TEST(BindRequirementsMessage, LevelWithoutPack) {
+  EXPECT_THAT(messages_of({{"level", "modified"}}),
+              ElementsAre("project.xml:7:10: error[missing-partner]: <require> has 'level' without "
+                          "'pack'; the two belong together"));
+}
+
+TEST(BindRequirementsMessage, UnknownLevel) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"level", "require"}}),
+              ElementsAre("project.xml:7:30: error[unknown-value]: attribute 'level' of <require>: "
+                          "unknown value 'require'; allowed: required or modified; did you mean "
+                          "'required'?"));
+}
+
+TEST(BindRequirementsMessage, UnknownPack) {
+  EXPECT_THAT(messages_of({{"pack", "en12464"}, {"row", "34.2"}}),
+              ElementsAre("project.xml:7:10: error[unknown-reference]: attribute 'pack' of "
+                          "<require>: there is no rule pack 'en12464'; allowed: en12464-1:2021 "
+                          "(built in); did you mean 'en12464-1'?"));
+}
+
+TEST(BindRequirementsMessage, UnknownRow) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.9"}}),
+              ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
+                          "<require>: there is no row '34.9'; allowed: 9.4, 10.4, 10.6, 10.7, "
+                          "14.1, 15.2, 34.2 or 34.7; did you mean '34.2'?"));
+}
+
+RulePack small_pack(const std::string& id, const std::string& edition, std::size_t rows) {
+  RulePack pack;
+  pack.id = id;
+  pack.edition = edition;
+  pack.title = "Own";
+  pack.file = edition + ".xml";
+  for (std::size_t i = 1; i <= rows; ++i) {
+    RuleRow row;
+    row.ref = "r" + std::to_string(i);
+    row.limits = {RowLimit{Metric::minimum, Comparison::at_least, 1.0, std::nullopt, row.ref}};
+    pack.rows.push_back(row);
+  }
+  return pack;
+}
+
+TEST(BindRequirementsMessage, AmbiguousPack) {
+  const std::vector<RulePack> packs{small_pack("own", "1", 1), small_pack("own", "2", 1)};
+  const auto project = [](const std::string& pack) {
+    return project_of({plane_of("desk", {{{"pack", pack}, {"row", "r1"}}})});
+  };
+  EXPECT_THAT(bind_project(project("own"), packs).messages,
+              ElementsAre("project.xml:7:10: error[ambiguous-rule-pack]: rule pack 'own' is loaded "
+                          "more than once: own:1 (1.xml), own:2 (2.xml); write id:edition, and "
+                          "load each edition once"));
+  EXPECT_THAT(bind_project(project("own:2"), packs).messages, IsEmpty());
+  EXPECT_EQ(bind_project(project("own:2"), packs).requirements.at(0).clause, "Own:2 r1");
+}
+
+TEST(BindRequirementsMessage, NoModifiedLevel) {
+  const calc::Project project =
+      project_of({plane_of("desk", {{{"pack", "own"}, {"row", "r1"}, {"level", "modified"}}})});
+  const Bound bound = bind_project(project, {small_pack("own", "1", 1)});
+  EXPECT_THAT(bound.requirements, IsEmpty());
+  EXPECT_THAT(bound.messages,
+              ElementsAre("project.xml:7:30: error[no-modified-level]: row 'r1' of rule pack "
+                          "'own:1' has no modified values; use level=\"required\""));
+}
+
+TEST(BindRequirementsMessage, ListsAFewOfManyRows) {
+  const calc::Project project = project_of({plane_of("desk", {{{"pack", "own"}, {"row", "x"}}})});
+  const Bound bound = bind_project(project, {small_pack("own", "1", 22)});
+  ASSERT_EQ(bound.messages.size(), 1u);
+  EXPECT_THAT(bound.messages[0], testing::HasSubstr("r19 or r20 and 2 more"));
+}
+
+TEST(BindRequirementsMessage, AllErrorsAreReported) {
+  const Bound bound = bind_project(project_of({plane_of(
+      "desk", {{{"quantity", "average"}, {"at-least", "-1"}, {"state", "old"}, {"scene", "x"}},
+               {{"quantity", "Uo"}, {"at-least", "0.5"}},
+               {{"quantity", "what"}}})}));
+  EXPECT_EQ(bound.messages.size(), 4u);
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_EQ(bound.requirements[0].id, "Uo");
+}
+
+}  // namespace
+}  // namespace rules
