@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <regex>
 #include <utility>
 
 namespace calc {
@@ -214,14 +215,6 @@ class TreeBuilder {
     if (where.line != 1 || where.column != 1) {
       syntax_error(node.name() - 2, "the XML declaration must stand at the very beginning");
     }
-    const pugi::xml_attribute encoding = node.attribute("encoding");
-    if (!encoding) return;
-    std::string name = encoding.value();
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    if (name == "utf-8" || name == "us-ascii") return;
-    diagnostics_.report(DiagnosticId::xml_encoding, locator_.at(encoding.name()),
-                        fmt::format("it declares '{}'", encoding.value()));
   }
 
   void syntax_error(const char* place, std::string_view what) {
@@ -263,6 +256,32 @@ bool check_characters(std::string_view bytes, Locator& locator, Diagnostics& dia
   return true;
 }
 
+// pugixml skips most of what a declaration says.
+bool check_beginning(std::string_view bytes, Locator& locator, Diagnostics& diagnostics) {
+  const std::size_t begin = bytes.starts_with(kUtf8ByteOrderMark) ? kUtf8ByteOrderMark.size() : 0;
+  const std::string_view content = bytes.substr(begin);
+  if (!content.starts_with("<?xml") || content.find_first_of(" \t\r\n?", 5) != 5) return true;
+  static const std::regex kDeclaration(
+      R"re(<\?xml\s+version\s*=\s*["']1\.[0-9]["'](\s+encoding\s*=\s*["']([\w.-]+)["'])?)re"
+      R"re((\s+standalone\s*=\s*["'](yes|no)["'])?\s*\?>)re");
+  constexpr std::size_t kLongest = 200;
+  const std::size_t end = content.substr(0, kLongest).find("?>");
+  const std::string text(content.substr(0, end == content.npos ? kLongest : end + 2));
+  std::smatch match;
+  if (!std::regex_match(text, match, kDeclaration)) {
+    diagnostics.report(DiagnosticId::xml_syntax, locator.at(begin),
+                       "the declaration must be <?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    return false;
+  }
+  std::string encoding = match[2];
+  for (char& c : encoding) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  if (encoding.empty() || encoding == "utf-8" || encoding == "us-ascii") return true;
+  diagnostics.report(DiagnosticId::xml_encoding,
+                     locator.at(begin + static_cast<std::size_t>(match.position(2))),
+                     "it declares '" + match[2].str() + "'");
+  return false;
+}
+
 }  // namespace
 
 const XmlAttribute* XmlElement::find(std::string_view attribute) const {
@@ -274,12 +293,14 @@ const XmlAttribute* XmlElement::find(std::string_view attribute) const {
 
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
                                     Diagnostics& diagnostics) {
+  bytes += '\n';  // pugixml overlooks a single character behind the root element at the very end
   Locator locator(bytes, name);
   if (!check_characters(bytes, locator, diagnostics)) return std::nullopt;
   if (trim(bytes).empty()) {
     diagnostics.report(DiagnosticId::xml_syntax, SourceLocation{name}, "the file is empty");
     return std::nullopt;
   }
+  if (!check_beginning(bytes, locator, diagnostics)) return std::nullopt;
   pugi::xml_document document;
   const pugi::xml_parse_result result =
       document.load_buffer_inplace(bytes.data(), bytes.size(), kParseFlags, pugi::encoding_utf8);

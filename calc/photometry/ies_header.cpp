@@ -104,7 +104,7 @@ std::vector<std::string_view> missing_keywords(const Lm63Header& header) {
     bool in_1991;  // else from 2002 on
   };
   static constexpr std::array kRequired{Required{"TEST", true}, Required{"TESTLAB", false},
-                                 Required{"ISSUEDATE", false}, Required{"MANUFAC", true}};
+                                        Required{"ISSUEDATE", false}, Required{"MANUFAC", true}};
   const bool since_2002 = header.version >= Lm63Version::v2002;
   std::vector<std::string_view> missing;
   for (const Required& required : kRequired) {

@@ -15,10 +15,10 @@ class WebSampler {
  public:
   explicit WebSampler(const PhotometricWeb& web);
 
-  // u in [0,1)^2 -> unit direction in the luminaire's frame. u[0] chooses C (piecewise quadratic
-  // marginal), u[1] chooses gamma (linear x sine segments, inverted by safeguarded Newton). The
-  // density of a sample is positive, except that u0 or u1 = 0 may give the dark edge at which the
-  // light begins.
+  // u in [0,1)^2 (1 is taken as the limit) -> unit direction in the luminaire's frame. u[0] chooses
+  // C (piecewise quadratic marginal), u[1] chooses gamma (linear x sine segments, inverted by
+  // safeguarded Newton). The density of a sample is positive, except that u0 or u1 = 0 may give the
+  // dark edge at which the light begins.
   std::array<double, 3> sample(double u0, double u1) const;
   // Probability density per steradian of that direction: intensity / flux.
   double pdf(const std::array<double, 3>& direction) const;
@@ -40,9 +40,10 @@ class WebSampler {
   double invert_gamma(const Plane& plane, double gamma_rad) const;
 
   const PhotometricWeb& web_;
-  std::vector<double>
-      gamma_prefix_;              // [plane][gamma]: integral of I sin(gamma) from the first angle
-  std::vector<double> c_prefix_;  // [plane]: integral over C of the plane totals; axial: {0, flux}
+  // [plane][gamma]: integral of I sin(gamma) from the first angle
+  std::vector<double> gamma_prefix_;
+  // [plane]: integral over C of the plane totals; axial: {0, flux}
+  std::vector<double> c_prefix_;
 };
 
 }  // namespace calc

@@ -44,10 +44,10 @@ CellExtent cell_extent(const PlacedLuminaire& luminaire, const OpeningCell& cell
 }
 
 std::uint32_t cell_samples(double diameter_m, double distance_m) {
-  // One random point of a part is off by about 0.8 diameter / distance, n points of a scrambled net by n^-1.5 of that.
-  // [measured for a Lambertian panel seen at 45 degrees]
+  // n points of a scrambled net on a part are off by 0.8 diameter / distance * n^-1.5.  [measured for a Lambertian panel
+  // at 45 degrees: within 35 % of that for 1 to 64 points and 1 to 8 diameters]
   constexpr double kOneSampleError = 0.8;
-  constexpr double kWantedError = 0.002;
+  constexpr double kWantedError = 0.005;
   const double ratio = std::min(1.0, diameter_m / distance_m);
   return std::bit_ceil(static_cast<std::uint32_t>(
       std::ceil(std::pow(kOneSampleError * ratio / kWantedError, 2.0 / 3.0))));

@@ -42,7 +42,7 @@ struct OpeningCell {
 
 // The opening split until every part's diameter is at most its distance from the point, so that 1 / d^2
 // stays tame right up to the luminaire. Samples per part: a power of two, 1 far away, chosen so that a scrambled
-// net's error stays near 0.2 % of the part's unoccluded contribution.
+// net's error stays near 0.5 % of the part's unoccluded contribution in one replicate.
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire, const glm::dvec3& position_m);
 
 }  // namespace calc

@@ -3,6 +3,7 @@
 
 #include "calc/field.h"
 #include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/plane_work.h"
 #include "calc/radiosity/settings.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
@@ -29,11 +30,6 @@ struct SolveProgress {
   std::uint64_t paths_per_replicate = 0;
 };
 using ProgressSink = std::function<bool(const SolveProgress&)>;
-
-// Seconds of the calling thread's clock, by phase.
-struct SolveTimes {
-  double build_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0;
-};
 
 struct SpaceSolution {
   std::vector<PlaneField> fields;  // one per task, in order

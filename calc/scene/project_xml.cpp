@@ -22,6 +22,11 @@ void read_root(ProjectContext& context, const XmlElement& root) {
   for (const std::string_view name : {"xmlns:xsi", "xsi:noNamespaceSchemaLocation"}) {
     if (reader.has(name)) attributes.push_back(name);
   }
+  if (reader.has("xmlns:xsi")) {
+    reader.choice("xmlns:xsi", {"http://www.w3.org/2001/XMLSchema-instance"});
+  } else if (reader.has("xsi:noNamespaceSchemaLocation")) {
+    reader.require_together("xmlns:xsi", "xsi:noNamespaceSchemaLocation");
+  }
   reader.allow_attributes(attributes);
   Names children{"material", "luminaire-type", "scene", "room", "plane"};
   children.insert(children.end(), object_names().begin(), object_names().end());

@@ -35,7 +35,7 @@ Measured rectangle_at(double a, double b, double h, const glm::dvec2& offset, do
   calc::SensorGrid grid;
   grid.position_m = {{offset.x, offset.y, 0.0}};
   grid.normal = {{0, 0, 1}};
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 64);
+  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 4);
   return {calc::t_interval(replicates_at(solution.fields[0], 0), 0.999), calc::kPi * luminance * factor};
 }
 
@@ -77,7 +77,7 @@ TEST(LambertDisk, UnderItsCentre) {
     calc::SensorGrid grid;
     grid.position_m = {{0, 0, 0}};
     grid.normal = {{0, 0, 1}};
-    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 64);
+    const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 256, 16, 4);
     const double expected = calc::kPi * luminance * radius * radius / (radius * radius + h * h);
     expect_match({calc::t_interval(replicates_at(solution.fields[0], 0), 0.999), expected});
   }
@@ -93,7 +93,7 @@ TEST(ExtendedSource, HalfHiddenOpeningGivesHalfTheLight) {
   calc::SensorGrid grid;
   grid.position_m = {{0, 0, 0}};
   grid.normal = {{0, 0, 1}};
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 64);
+  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 256, 16, 4);
   const double full = calc::kPi * 1000.0 * 4.0 * corner_factor(0.5, 0.5, 2.0);
   const calc::Estimate lx = calc::t_interval(replicates_at(solution.fields[0], 0), 0.999);
   EXPECT_GT(lx.high, full / 2);

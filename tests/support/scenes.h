@@ -127,16 +127,15 @@ inline double surface_area_m2(const calc::PreparedScene& scene) {
   return area;
 }
 
-// One plane, a fixed number of paths per replicate.
+// One plane, a fixed number of paths per replicate, in `looks` looks.
 inline calc::SpaceSolution solve_with_paths(const calc::PreparedScene& scene,
                                             const calc::SensorGrid& grid, std::uint64_t seed,
-                                            std::uint64_t paths, int replicates = 16, int jobs = 0) {
+                                            std::uint64_t paths, int replicates = 16, int looks = 1) {
   calc::RadiositySettings settings;
   settings.seed = seed;
-  settings.first_paths = paths;
+  settings.first_paths = paths >> (looks - 1);
   settings.max_paths = paths;
   settings.replicates = replicates;
-  settings.jobs = jobs;
   const auto gatherer = calc::make_cpu_gatherer();
   return calc::solve_illuminance(scene, {{"plane", &grid}}, settings, 0.95, *gatherer,
                                  [](std::size_t, const calc::PlaneField&) { return false; }, {});
