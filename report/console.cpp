@@ -1,0 +1,221 @@
+#include "report/console.h"
+
+#include "report/number_format.h"
+#include "report/plain_text.h"
+#include "report/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace report {
+namespace {
+
+enum Column : std::size_t {
+  kVerdict,
+  kPlace,
+  kQuantity,
+  kRequired,
+  kMeasured,
+  kMargin,
+  kWhere,
+  kColumns
+};
+
+constexpr std::size_t kGap = 2;
+constexpr std::size_t kNarrowestName = 12;
+
+// A table row, or (cells empty) a note below one.
+struct Line {
+  std::array<std::string, kColumns> cells;
+  std::string note;
+  const char* colour = "";
+};
+
+constexpr const char* kBold = "\033[1m";
+constexpr const char* kDim = "\033[2m";
+constexpr const char* kReset = "\033[0m";
+
+const char* verdict_colour(rules::Verdict verdict) {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      return "\033[32m";
+    case rules::Verdict::fail:
+      return "\033[1;31m";
+    case rules::Verdict::undecided:
+      return "\033[1;33m";
+    case rules::Verdict::not_judged:
+      break;
+  }
+  return "\033[1;35m";
+}
+
+// A failure stands out in a log without colours, too: it alone is in capitals.
+std::string verdict_cell(rules::Verdict verdict) {
+  const char* word = verdict == rules::Verdict::fail ? "FAIL" : rules::verdict_name(verdict);
+  return std::string(verdict_symbol(verdict)) + " " + word;
+}
+
+std::string place_cell(const SpacePart& space, const PlanePart& plane) {
+  return printable(title_of(space.name, space.id)) + " / " +
+         printable(title_of(plane.name, plane.id));
+}
+
+std::string scene_words(const rules::Requirement& requirement) {
+  std::string text;
+  if (requirement.state == rules::LightState::initial) text += ", initial";
+  if (!requirement.scene.empty()) text += ", scene " + printable(requirement.scene);
+  return text;
+}
+
+void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Finding& finding,
+                 std::vector<Line>& lines) {
+  const rules::Requirement& requirement = finding.requirement;
+  const char* unit = rules::metric_unit(requirement.metric);
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  Line line;
+  line.colour = verdict_colour(finding.verdict);
+  line.cells[kVerdict] = verdict_cell(finding.verdict);
+  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kQuantity] = quantity_words(requirement) + scene_words(requirement);
+  line.cells[kRequired] = format_required(threshold, unit);
+  if (finding.verdict != rules::Verdict::not_judged) {
+    line.cells[kMeasured] = format_measured(finding.measured, unit, threshold);
+    line.cells[kMargin] = format_margin(finding.margin);
+    if (finding.place_m) line.cells[kWhere] = format_position(*finding.place_m);
+  }
+  lines.push_back(std::move(line));
+  const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (finding.is_close) note("close: usual rounding would change the verdict");
+}
+
+void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>& lines) {
+  for (const rules::Finding& finding : plane.findings) add_finding(space, plane, finding, lines);
+  if (!plane.findings.empty()) return;
+  Line line;
+  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kVerdict] = plane.is_computed ? "  no limit" : "– not computed";
+  lines.push_back(std::move(line));
+  lines.emplace_back().note = plane.is_computed
+                                  ? "average " + format_measured(plane.average_lx, "lx") +
+                                        ", minimum " + format_measured(plane.minimum_lx, "lx") +
+                                        ", Uo " + format_measured(plane.uniformity_min_avg, "")
+                                  : printable(plane.reason);
+}
+
+constexpr bool is_number_column(std::size_t column) {
+  return column == kRequired || column == kMeasured || column == kMargin;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool to_the_right) {
+  const std::size_t used = display_width(text);
+  const std::string blanks(used < width ? width - used : 0, ' ');
+  return to_the_right ? blanks + text : text + blanks;
+}
+
+using Widths = std::array<std::size_t, kColumns>;
+
+Line heading() {
+  Line line;
+  line.cells = {"verdict", "room / plane", "quantity", "required", "measured", "margin", "at (m)"};
+  line.colour = kDim;
+  return line;
+}
+
+bool is_heading(const Line& line) { return line.colour == kDim; }
+
+// Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
+Widths natural_widths(const std::vector<std::vector<Line>>& tables) {
+  const Line head = heading();
+  Widths widths{};
+  for (const std::vector<Line>& lines : tables) {
+    for (const Line& line : lines) {
+      if (is_heading(line)) continue;
+      for (std::size_t c = 0; c < kColumns; ++c) {
+        if (line.cells[c].empty()) continue;
+        widths[c] =
+            std::max({widths[c], display_width(line.cells[c]), display_width(head.cells[c])});
+      }
+    }
+  }
+  return widths;
+}
+
+// The name column gives way to a narrow terminal.
+Widths column_widths(const std::vector<std::vector<Line>>& tables, int terminal_width) {
+  Widths widths = natural_widths(tables);
+  std::size_t total = 2;  // indentation
+  for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
+  const auto available = static_cast<std::size_t>(std::max(terminal_width, 0)) + kGap;
+  if (terminal_width <= 0 || total <= available) return widths;
+  const std::size_t excess = total - available;
+  const std::size_t narrowest = std::min(kNarrowestName, widths[kPlace]);
+  widths[kPlace] = std::max(narrowest, widths[kPlace] > excess ? widths[kPlace] - excess : 0);
+  return widths;
+}
+
+void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
+
+std::string render_line(const Line& line, const Widths& widths, bool colour) {
+  std::string text = "  ";
+  if (!line.note.empty()) {
+    text.append(widths[kVerdict] + kGap, ' ');
+    text += "└ " + line.note;
+    return text + "\n";
+  }
+  for (std::size_t c = 0; c < kColumns; ++c) {
+    if (widths[c] == 0) continue;
+    const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
+    const bool is_coloured = colour && *line.colour != '\0' && (c == kVerdict || is_heading(line));
+    if (is_coloured) text += line.colour;
+    text += padded(shown, widths[c], is_number_column(c));
+    if (is_coloured) text += kReset;
+    text.append(kGap, ' ');
+  }
+  trim_end(text);
+  return text + "\n";
+}
+
+std::vector<Line> project_lines(const ProjectPart& project) {
+  std::vector<Line> lines;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) add_plane(space, plane, lines);
+  }
+  if (!lines.empty()) lines.insert(lines.begin(), heading());
+  return lines;
+}
+
+std::string project_title(const ProjectPart& project, bool colour) {
+  std::string title = printable(project.path);
+  if (!project.name.empty()) title += ": " + printable(project.name);
+  return colour ? kBold + title + kReset + "\n" : title + "\n";
+}
+
+}  // namespace
+
+std::string render_text(const Document& document, const TextOptions& options) {
+  std::vector<std::vector<Line>> tables;
+  for (const ProjectPart& project : document.projects) tables.push_back(project_lines(project));
+  const Widths widths = column_widths(tables, options.width);
+  std::string text;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const ProjectPart& project = document.projects[i];
+    text += project_title(project, options.colour);
+    if (!project.is_judged) {
+      const char* words = "– not judged: it could not be read or calculated; see the errors";
+      text += std::string("  ") +
+              (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
+              (options.colour ? kReset : "") + "\n";
+    }
+    for (const Line& line : tables[i]) text += render_line(line, widths, options.colour);
+    text += "\n";
+  }
+  const rules::Verdict overall = overall_verdict(count_verdicts(document));
+  std::string summary = summary_words(document);
+  if (options.colour) summary = verdict_colour(overall) + summary + kReset;
+  return text + summary + "\n";
+}
+
+}  // namespace report

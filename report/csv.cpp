@@ -1,0 +1,131 @@
+#include "report/csv.h"
+
+#include "report/number_format.h"
+#include "report/plain_text.h"
+#include "report/words.h"
+
+#include <initializer_list>
+#include <string_view>
+
+namespace report {
+namespace {
+
+std::string field(std::string_view text) {
+  const std::string safe = printable(text);
+  if (safe.find_first_of(",\"") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string number(double value) { return format_shortest(value); }
+
+void add_row(std::initializer_list<std::string> fields, std::string& csv) {
+  const char* separator = "";
+  for (const std::string& text : fields) {
+    csv += separator;
+    csv += text;
+    separator = ",";
+  }
+  csv += "\r\n";
+}
+
+constexpr std::string_view kResultsHeader =
+    "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,limit,"
+    "value,low,"
+    "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m\r\n";
+
+constexpr std::string_view kPointsHeader =
+    "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
+    "indirect_lx\r\n";
+
+void add_finding(const std::string& place, const rules::Finding& finding, std::string& csv) {
+  const rules::Requirement& requirement = finding.requirement;
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  const auto measured = [&](double value) { return is_judged ? number(value) : std::string(); };
+  const auto coordinate = [&](int axis) {
+    return is_judged && finding.place_m ? number((*finding.place_m)[axis]) : std::string();
+  };
+  const bool has_percent = requirement.metric == rules::Metric::percentile;
+  add_row({place, field(requirement.id), rules::metric_name(requirement.metric),
+           has_percent ? number(requirement.percent) : "", rules::metric_unit(requirement.metric),
+           field(requirement.scene), state_name(requirement.state), field(requirement.clause),
+           comparison_name(requirement.comparison), number(requirement.limit),
+           measured(finding.measured.value), measured(finding.measured.low),
+           measured(finding.measured.high), measured(finding.margin),
+           rules::verdict_name(finding.verdict), field(finding.reason), coordinate(0),
+           coordinate(1), coordinate(2)},
+          csv);
+}
+
+void add_unjudged_project(const ProjectPart& project, std::string& csv) {
+  add_row({field(project.path),
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           rules::verdict_name(rules::Verdict::not_judged),
+           "could not be read or calculated",
+           "",
+           "",
+           ""},
+          csv);
+}
+
+void add_point(const std::string& place, const PointRow& point, std::string& csv) {
+  add_row({place, std::to_string(point.column), std::to_string(point.row),
+           number(point.position_m.x), number(point.position_m.y), number(point.position_m.z),
+           number(point.normal.x), number(point.normal.y), number(point.normal.z),
+           number(point.maintained_lx.value), number(point.maintained_lx.low),
+           number(point.maintained_lx.high), number(point.direct_lx), number(point.indirect_lx)},
+          csv);
+}
+
+// Calls visit(place, plane) for every plane; place: the first three fields of a row.
+template <class Visit>
+void for_each_plane(const ProjectPart& project, Visit visit) {
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      visit(field(project.path) + "," + field(space.id) + "," + field(plane.id), plane);
+    }
+  }
+}
+
+}  // namespace
+
+std::string render_results_csv(const Document& document) {
+  std::string csv(kResultsHeader);
+  for (const ProjectPart& project : document.projects) {
+    if (!project.is_judged) add_unjudged_project(project, csv);
+    for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
+      for (const rules::Finding& finding : plane.findings) add_finding(place, finding, csv);
+    });
+  }
+  return csv;
+}
+
+std::string render_points_csv(const Document& document) {
+  std::string csv(kPointsHeader);
+  for (const ProjectPart& project : document.projects) {
+    for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
+      for (const PointRow& point : plane.points) add_point(place, point, csv);
+    });
+  }
+  return csv;
+}
+
+}  // namespace report

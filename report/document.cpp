@@ -1,0 +1,48 @@
+#include "report/document.h"
+
+namespace report {
+namespace {
+
+void count(rules::Verdict verdict, VerdictCounts& counts) {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      ++counts.pass;
+      return;
+    case rules::Verdict::fail:
+      ++counts.fail;
+      return;
+    case rules::Verdict::undecided:
+      ++counts.undecided;
+      return;
+    case rules::Verdict::not_judged:
+      ++counts.not_judged;
+      return;
+  }
+}
+
+}  // namespace
+
+VerdictCounts count_verdicts(const ProjectPart& project) {
+  VerdictCounts counts;
+  if (!project.is_judged) count(rules::Verdict::not_judged, counts);
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) count(finding.verdict, counts);
+    }
+  }
+  return counts;
+}
+
+VerdictCounts count_verdicts(const Document& document) {
+  VerdictCounts sum;
+  for (const ProjectPart& project : document.projects) {
+    const VerdictCounts counts = count_verdicts(project);
+    sum.pass += counts.pass;
+    sum.fail += counts.fail;
+    sum.undecided += counts.undecided;
+    sum.not_judged += counts.not_judged;
+  }
+  return sum;
+}
+
+}  // namespace report

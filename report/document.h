@@ -1,0 +1,111 @@
+#pragma once
+// Everything a report says, in no particular format. Renderers read this and nothing else, so that every
+// format tells the same story.
+
+#include "calc/diagnostics.h"
+#include "calc/field.h"
+#include "calc/photometry/web.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/judge.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// Seconds by phase; absent from formats unless timing was asked for, since they change from run to run.
+struct PhaseTimes {
+  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0, judge_s = 0;
+  double total_s = 0;
+};
+
+struct Provenance {
+  std::string program_version;   // "0.1.0"
+  std::string command_line;      // copyable: "luxgate check office.xml --seed 1"
+  std::string timestamp;         // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
+  std::uint64_t seed = 0;
+  double confidence = 0.95;
+  double tolerance = 0.02;       // relative half-width aimed at
+  std::uint64_t max_paths = 0;   // per plane and replicate
+  int replicates = 0;
+  std::string backend;           // "cpu (Embree 3.13.5)"
+};
+
+struct LuminaireRow {
+  std::string type_id, photometry_file, name, format;
+  int count = 0;
+  double flux_lm = 0;         // one luminaire, after any override
+  double power_w = 0;         // 0 = not stated
+  double max_intensity_cd = 0;
+  double maintenance_factor = 1;
+  calc::MaintenanceFactor maintenance;
+  std::string sha256;         // of the photometry file
+};
+
+struct PointRow {
+  glm::dvec3 position_m, normal;
+  int column = 0, row = 0;
+  calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
+  double direct_lx = 0;          // maintained, mean over replicates
+  double indirect_lx = 0;
+};
+
+struct PlanePart {
+  std::string id, name, space_id;
+  calc::SourceLocation where;
+  bool is_computed = false;      // false: `reason` says why; the rest is then empty
+  std::string reason;
+  calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
+  std::vector<PointRow> points;
+  calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg, uniformity_min_max;  // maintained
+  std::vector<rules::Finding> findings;
+  calc::StopReason stop = calc::StopReason::exact;
+  calc::SolveCounters counters;
+  std::vector<glm::dvec2> outline_m;  // of the plane, in its (u, v) from grid.origin_m; empty for point lists
+  std::vector<std::vector<glm::dvec2>> holes_m;
+};
+
+struct LuminaireMark {  // for plans
+  glm::dvec3 position_m;
+  std::string type_id;
+};
+
+struct SpacePart {
+  std::string id, name;
+  std::vector<glm::dvec2> footprint_m;  // empty for the open space
+  double floor_z_m = 0, height_m = 0;
+  std::size_t triangles = 0;
+  std::size_t degenerate_triangles = 0;  // left out
+  std::vector<LuminaireMark> luminaires;
+  calc::FluxBalance balance;
+  std::vector<PlanePart> planes;
+};
+
+struct ProjectPart {
+  std::string path, name;
+  bool is_judged = false;                      // false: it could not be read or calculated; see diagnostics
+  std::vector<calc::Diagnostic> diagnostics;   // warnings and errors, in order
+  std::vector<LuminaireRow> luminaires;
+  std::vector<SpacePart> spaces;
+  std::vector<calc::InputFile> inputs;
+  PhaseTimes times;
+};
+
+struct VerdictCounts {
+  int pass = 0, fail = 0, undecided = 0, not_judged = 0;
+};
+
+struct Document {
+  Provenance provenance;
+  std::vector<ProjectPart> projects;
+};
+
+// Over all findings; a project that could not be judged at all counts as one not_judged.
+VerdictCounts count_verdicts(const Document& document);
+VerdictCounts count_verdicts(const ProjectPart& project);
+
+}  // namespace report

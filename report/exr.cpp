@@ -1,0 +1,110 @@
+#include "report/exr.h"
+
+#include "report/plain_text.h"
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <stdexcept>
+#include <vector>
+
+namespace report {
+namespace {
+
+enum Channel : std::size_t { kIlluminance, kLow, kHigh, kDirect, kIndirect, kValid, kChannels };
+
+constexpr std::array<const char*, kChannels> kNames{"illuminance_lx", "low_lx",      "high_lx",
+                                                    "direct_lx",      "indirect_lx", "valid"};
+
+// OpenEXR writes where it is told: here into a string.
+class MemoryStream : public Imf::OStream {
+ public:
+  MemoryStream() : Imf::OStream("memory") {}
+
+  void write(const char bytes[], int count) override {
+    const auto length = static_cast<std::size_t>(count);
+    if (bytes_.size() < place_ + length) bytes_.resize(place_ + length);
+    bytes_.replace(place_, length, bytes, length);
+    place_ += length;
+  }
+  std::uint64_t tellp() override { return place_; }
+  void seekp(std::uint64_t place) override { place_ = place; }
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+  std::size_t place_ = 0;
+};
+
+using Planes = std::array<std::vector<float>, kChannels>;
+
+Planes channel_values(const PlanePart& plane) {
+  const auto columns = static_cast<std::size_t>(plane.grid.columns);
+  const auto rows = static_cast<std::size_t>(plane.grid.rows);
+  Planes values;
+  for (std::vector<float>& channel : values) channel.assign(columns * rows, 0.0F);
+  for (const PointRow& point : plane.points) {
+    const std::size_t at = (rows - 1 - static_cast<std::size_t>(point.row)) * columns +
+                           static_cast<std::size_t>(point.column);
+    values[kIlluminance][at] = static_cast<float>(point.maintained_lx.value);
+    values[kLow][at] = static_cast<float>(point.maintained_lx.low);
+    values[kHigh][at] = static_cast<float>(point.maintained_lx.high);
+    values[kDirect][at] = static_cast<float>(point.direct_lx);
+    values[kIndirect][at] = static_cast<float>(point.indirect_lx);
+    values[kValid][at] = 1.0F;
+  }
+  return values;
+}
+
+void write_picture(const Imf::Header& header, int columns, int rows, Planes& values,
+                   Imf::OStream& stream) {
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    char* first = reinterpret_cast<char*>(values[c].data());
+    frame.insert(kNames[c], Imf::Slice(Imf::FLOAT, first, sizeof(float),
+                                       sizeof(float) * static_cast<std::size_t>(columns)));
+  }
+  Imf::OutputFile file(stream, header, 0);
+  file.setFrameBuffer(frame);
+  file.writePixels(rows);
+}
+
+}  // namespace
+
+std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
+                       const PlanePart& plane) {
+  const int columns = plane.grid.columns, rows = plane.grid.rows;
+  if (columns <= 0 || rows <= 0)
+    throw std::runtime_error("cannot encode EXR: the plane has no cells");
+  try {
+    Imf::Header header(columns, rows);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : kNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    const auto attribute = [&header](const char* name, std::string_view text) {
+      header.insert(name, Imf::StringAttribute(printable(text)));
+    };
+    attribute("luxgate.project", project.path);
+    attribute("luxgate.space", space.id);
+    attribute("luxgate.plane", plane.id);
+    attribute("luxgate.unit", "lx");
+    attribute("luxgate.version", document.provenance.program_version);
+    Planes values = channel_values(plane);
+    MemoryStream stream;
+    write_picture(header, columns, rows, values, stream);
+    return stream.bytes();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string("cannot encode EXR: ") + error.what());
+  }
+}
+
+}  // namespace report

@@ -1,0 +1,19 @@
+#pragma once
+// Requirements and verdicts as HTML: the verdict at the top, what needs attention, the summary, and
+// one plane's table.
+
+#include "report/document.h"
+#include "report/html_markup.h"
+
+#include <string>
+
+namespace report {
+
+std::string html_verdict_banner(const Document& document);
+// Everything that does not pass, gravest first; "" when all is well.
+std::string html_attention(const Document& document);
+std::string html_summary(const Document& document);
+// The requirements of one plane; "" when it has none.
+std::string html_plane_findings(const PlanePart& plane);
+
+}  // namespace report

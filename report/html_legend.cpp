@@ -1,0 +1,116 @@
+#include "report/html_legend.h"
+
+#include "report/html_markup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace report {
+namespace {
+
+constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17, kWidth = 480;
+
+double bar_x(const ColourScale& scale, double value_lx) {
+  const double part = (value_lx - scale.low_lx) / (scale.high_lx() - scale.low_lx);
+  return kBarLeft + std::clamp(part, 0.0, 1.0) * kBarWidth;
+}
+
+// Decimals that tell neighbouring band limits apart.
+int step_decimals(double step) {
+  return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+}
+
+std::string band_boxes(const ColourScale& scale, double top) {
+  std::string svg;
+  const double width = kBarWidth / scale.bands;
+  for (int band = 0; band < scale.bands; ++band) {
+    svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>",
+                       svg_number(kBarLeft + band * width), svg_number(top),
+                       svg_number(width + 0.3), kBarHeight, hex_colour(band_colour(scale, band)));
+  }
+  return svg + fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+                           kBarLeft, svg_number(top), kBarWidth, kBarHeight);
+}
+
+std::string band_numbers(const ColourScale& scale, double top) {
+  std::string svg;
+  for (int i = 0; i <= scale.bands; ++i) {
+    const double value = scale.low_lx + i * scale.step_lx;
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                       svg_number(bar_x(scale, value)), svg_number(top + kBarHeight + 14),
+                       format_fixed(value, step_decimals(scale.step_lx)));
+  }
+  return svg;
+}
+
+// A label beside its mark, on the side with room; the line runs down through the bar.
+std::string limit_mark(const ColourScale& scale, const PlanLimit& limit, double y, double bar_top) {
+  const double x = bar_x(scale, limit.limit_lx);
+  const bool is_below = limit.limit_lx<scale.low_lx, is_above = limit.limit_lx> scale.high_lx();
+  const bool to_the_left = x > kBarLeft + kBarWidth / 2;
+  const std::string words =
+      (is_below ? "◂ " : "") + escape_html(limit.words) + (is_above ? " ▸" : "");
+  std::string svg =
+      fmt::format("<text class=\"limit\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>",
+                  svg_number(x + (to_the_left ? -5 : 5)), svg_number(y + 12),
+                  to_the_left ? "end" : "start", words);
+  if (is_below || is_above) return svg;
+  return svg +
+         fmt::format(
+             "<path class=\"halo\" d=\"M{0} {2}v{3}\"/><path class=\"mark\" d=\"M{0} {1}V{4}\"/>",
+             svg_number(x), svg_number(y + 3), svg_number(bar_top), kBarHeight,
+             svg_number(bar_top + kBarHeight));
+}
+
+std::string key_item(const std::string& picture, const std::string& words) {
+  return fmt::format(
+      "<li><svg width=\"16\" height=\"16\" viewBox=\"0 0 16 16\" "
+      "aria-hidden=\"true\">{}</svg>{}</li>",
+      picture, words);
+}
+
+}  // namespace
+
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits) {
+  const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4;
+  const double height = bar_top + kBarHeight + 20;
+  std::string svg = fmt::format(
+      "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+      "aria-label=\"Colour scale from {2} to {3} lx in steps of {4} lx\">",
+      kWidth, svg_number(height), format_shortest(scale.low_lx), format_shortest(scale.high_lx()),
+      format_shortest(scale.step_lx));
+  svg += band_boxes(scale, bar_top);
+  double y = 0;
+  for (const PlanLimit& limit : limits) {
+    svg += limit_mark(scale, limit, y, bar_top);
+    y += kLimitLine;
+  }
+  svg += band_numbers(scale, bar_top);
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">lx</text>", kWidth,
+                     svg_number(bar_top + kBarHeight - 3));
+  return svg + "</svg>\n";
+}
+
+std::string html_plan_key(const PlanSigns& signs) {
+  std::string items = key_item(
+      "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-halo\"/>"
+      "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-mark\"/>",
+      "minimum " + escape_html(signs.minimum));
+  const std::string hatch =
+      "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" class=\"sample\"/>"
+      "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" fill=\"url(#hatch-" +
+      signs.anchor + ")\"/>";
+  if (!signs.below.empty()) items += key_item(hatch, escape_html(signs.below));
+  if (!signs.above.empty()) items += key_item(hatch, escape_html(signs.above));
+  if (signs.luminaires > 0) {
+    items += key_item(
+        "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
+        "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
+        fmt::format("luminaire ({})", signs.luminaires));
+  }
+  return "<ul class=\"key\">" + items + "</ul>\n";
+}
+
+}  // namespace report

@@ -1,0 +1,25 @@
+#pragma once
+// The colour bar of a heat map with its limits, and the key of its signs.
+
+#include "report/heatmap.h"
+#include "report/plan_layout.h"
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+// An inline <svg>: one box per band, round numbers below, each limit above where it lies (an arrow
+// when it is off the scale).
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits);
+
+// What the key has to explain.
+struct PlanSigns {
+  std::string anchor;        // of the plane, for the hatch pattern
+  std::string below, above;  // "below 300 lx": words of hatched cells; "" = none are hatched
+  std::string minimum;       // "212 lx at (1.00, 2.00, 0.80)"
+  std::size_t luminaires = 0;
+};
+std::string html_plan_key(const PlanSigns& signs);
+
+}  // namespace report

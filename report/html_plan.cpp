@@ -1,0 +1,317 @@
+#include "report/html_plan.h"
+
+#include "report/heatmap.h"
+#include "report/html_legend.h"
+#include "report/html_markup.h"
+#include "report/plan_layout.h"
+#include "report/png.h"
+#include "report/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+constexpr std::size_t kMostSvgCells = 2500;  // more go in as one embedded picture
+constexpr int kPicturePixels = 1000;         // on its longer side: sharp in print
+
+struct Drawing {
+  const PlanePart& plane;
+  PlanLayout layout;
+  ColourScale scale;
+  std::vector<PlanLimit> limits;
+  std::optional<Threshold> at_least, at_most;  // that single points must meet
+  std::string anchor;
+
+  glm::dvec2 cell_px() const {
+    return glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m) * layout.pixels_per_metre;
+  }
+  // Upper left corner of a cell in the picture.
+  glm::dvec2 cell_corner_px(int column, int row) const {
+    return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
+  }
+  bool misses_a_limit(double lx) const {
+    return (at_least && lx < at_least->limit) || (at_most && lx > at_most->limit);
+  }
+};
+
+// The limits widen the scale when that does not squeeze the colours; else they are marked off the
+// scale.
+ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimit>& limits) {
+  double low = plane.points[0].maintained_lx.value, high = low;
+  for (const PointRow& point : plane.points) {
+    low = std::min(low, point.maintained_lx.value);
+    high = std::max(high, point.maintained_lx.value);
+  }
+  const double reach = 0.6 * (high - low);
+  const double least = low - reach, most = high + reach;
+  for (const PlanLimit& limit : limits) {
+    if (limit.limit_lx < least || limit.limit_lx > most) continue;
+    low = std::min(low, limit.limit_lx);
+    high = std::max(high, limit.limit_lx);
+  }
+  return make_colour_scale(low, high);
+}
+
+std::string polygon(const PlanLayout& layout, const std::vector<glm::dvec2>& corners) {
+  std::string path;
+  for (const glm::dvec2& corner : corners) {
+    const glm::dvec2 p = layout.pixel(corner);
+    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(p.x), svg_number(p.y));
+  }
+  return path.empty() ? path : path + "z";
+}
+
+std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
+  return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
+                     svg_number(size.x), svg_number(size.y), svg_number(size.x));
+}
+
+const PointRow& lowest_point(const PlanePart& plane) {
+  return *std::min_element(plane.points.begin(), plane.points.end(),
+                           [](const PointRow& a, const PointRow& b) {
+                             return a.maintained_lx.value < b.maintained_lx.value;
+                           });
+}
+
+// Points by colour band: one group each keeps the file small.
+std::map<int, std::vector<const PointRow*>> by_band(const Drawing& drawing) {
+  std::map<int, std::vector<const PointRow*>> bands;
+  for (const PointRow& point : drawing.plane.points) {
+    bands[band_of(drawing.scale, point.maintained_lx.value)].push_back(&point);
+  }
+  return bands;
+}
+
+std::string svg_cells(const Drawing& drawing) {
+  std::string svg;
+  const glm::dvec2 size = drawing.cell_px();
+  for (const auto& [band, points] : by_band(drawing)) {
+    const std::string colour = hex_colour(band_colour(drawing.scale, band));
+    svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
+    for (const PointRow* point : points) {
+      svg += fmt::format("<path d=\"{}\"><title>{} (direct {}, indirect {})</title></path>\n",
+                         rectangle(drawing.cell_corner_px(point->column, point->row), size),
+                         format_measured(point->maintained_lx, "lx"),
+                         format_cell_lx(point->direct_lx), format_cell_lx(point->indirect_lx));
+    }
+    svg += "</g>\n";
+  }
+  return svg;
+}
+
+std::string png_cells(const Drawing& drawing) {
+  const glm::dvec2 corner = drawing.cell_corner_px(0, drawing.plane.grid.rows - 1);
+  const glm::dvec2 cell = drawing.cell_px();
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      "style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n",
+      svg_number(corner.x), svg_number(corner.y), svg_number(cell.x * drawing.plane.grid.columns),
+      svg_number(cell.y * drawing.plane.grid.rows),
+      base64(encode_png(plane_raster(drawing.plane, drawing.scale,
+                                     pixels_per_cell(drawing.plane, kPicturePixels)))));
+}
+
+// One path for all hatched cells; neighbours in a row are joined.
+std::string svg_hatch(const Drawing& drawing) {
+  std::map<std::pair<int, int>, bool> cells;  // by row, then column
+  for (const PointRow& point : drawing.plane.points) {
+    if (drawing.misses_a_limit(point.maintained_lx.value)) cells[{point.row, point.column}] = true;
+  }
+  if (cells.empty()) return {};
+  std::string path;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto [row, column] = first->first;
+    int count = 0;
+    while (first != cells.end() && first->first == std::pair(row, column + count)) {
+      ++count;
+      ++first;
+    }
+    const glm::dvec2 size = drawing.cell_px();
+    path += rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
+  }
+  return fmt::format("<path fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor, path);
+}
+
+std::string cell_text(const Drawing& drawing, double lx) {
+  const bool is_held_below = drawing.at_most && !drawing.at_least;
+  return format_cell_lx(lx, is_held_below ? drawing.at_most : drawing.at_least);
+}
+
+// Font size at which every number fits into its cell; 0: they do not fit.
+double number_size_px(const Drawing& drawing) {
+  constexpr double kDigitWidth = 0.6, kSmallest = 7.5, kLargest = 12.5;
+  std::size_t longest = 1;
+  for (const PointRow& point : drawing.plane.points) {
+    longest = std::max(longest, cell_text(drawing, point.maintained_lx.value).size());
+  }
+  const glm::dvec2 cell = drawing.cell_px();
+  const double fitting =
+      std::min(0.86 * cell.x / (kDigitWidth * static_cast<double>(longest)), 0.62 * cell.y);
+  return fitting < kSmallest ? 0.0 : std::min(fitting, kLargest);
+}
+
+std::string svg_numbers(const Drawing& drawing) {
+  const double size = number_size_px(drawing);
+  if (size == 0.0) return {};
+  std::string svg;
+  for (const auto& [band, points] : by_band(drawing)) {
+    const Rgb colour = band_colour(drawing.scale, band);
+    svg += fmt::format("<g class=\"numbers\" fill=\"{}\" stroke=\"{}\" font-size=\"{}\">\n",
+                       needs_dark_text(colour) ? "#000" : "#fff", hex_colour(colour),
+                       svg_number(size));
+    for (const PointRow* point : points) {
+      const glm::dvec2 middle =
+          drawing.cell_corner_px(point->column, point->row) + 0.5 * drawing.cell_px();
+      svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(middle.x),
+                         svg_number(middle.y + 0.36 * size),
+                         cell_text(drawing, point->maintained_lx.value));
+    }
+    svg += "</g>\n";
+  }
+  return svg;
+}
+
+std::string svg_luminaires(const Drawing& drawing) {
+  std::string circles, crosses;
+  constexpr double kRadius = 5;
+  for (const glm::dvec2& place : drawing.layout.luminaires_m) {
+    const glm::dvec2 p = drawing.layout.pixel(place);
+    circles += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", svg_number(p.x),
+                           svg_number(p.y), kRadius);
+    crosses += fmt::format("M{} {}l7 7m0-7l-7 7", svg_number(p.x - 3.5), svg_number(p.y - 3.5));
+  }
+  if (circles.empty()) return {};
+  const std::string picture = circles + "<path d=\"" + crosses + "\"/>";
+  return "<g class=\"luminaire halo\">" + picture + "</g><g class=\"luminaire\">" + picture +
+         "</g>\n";
+}
+
+// A frame around the cell, never smaller than can be seen.
+std::string svg_minimum(const Drawing& drawing) {
+  constexpr double kSmallest = 11;
+  const PointRow& point = lowest_point(drawing.plane);
+  const glm::dvec2 cell = drawing.cell_px();
+  const glm::dvec2 size = glm::max(cell, glm::dvec2(kSmallest));
+  const glm::dvec2 corner = drawing.cell_corner_px(point.column, point.row) + 0.5 * (cell - size);
+  const std::string path = rectangle(corner, size);
+  return fmt::format("<path class=\"min-halo\" d=\"{0}\"/><path class=\"min-mark\" d=\"{0}\"/>\n",
+                     path);
+}
+
+std::string svg_scale_bar(const PlanLayout& layout) {
+  const double length_m = scale_bar_m(layout.high_m.x - layout.low_m.x);
+  const double y = layout.height_px() + 16;
+  return fmt::format(
+      "<path class=\"scale\" d=\"M1 {0}v6h{1}v-6\"/><text x=\"{2}\" y=\"{3}\" class=\"small\">{4} "
+      "m</text>\n",
+      svg_number(y - 4), svg_number(length_m * layout.pixels_per_metre),
+      svg_number(length_m * layout.pixels_per_metre + 8), svg_number(y + 4),
+      format_shortest(length_m));
+}
+
+std::string hatch_pattern(const std::string& anchor) {
+  return "<defs><pattern id=\"hatch-" + anchor +
+         "\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+         "patternTransform=\"rotate(45)\">"
+         "<path d=\"M1 0v7\" stroke=\"#000\" stroke-opacity=\".75\" stroke-width=\"1.3\"/>"
+         "<path d=\"M2.4 0v7\" stroke=\"#fff\" stroke-opacity=\".8\" "
+         "stroke-width=\"1.3\"/></pattern></defs>\n";
+}
+
+std::string spoken(const Drawing& drawing) {
+  const PlanePart& plane = drawing.plane;
+  const PointRow& lowest = lowest_point(plane);
+  return fmt::format("Heat map of {}: {} points, illuminance from {} to {} lx, minimum at {} m",
+                     escape_html(title_of(plane.name, plane.id)), plane.points.size(),
+                     format_cell_lx(plane.minimum_lx.value), format_cell_lx(plane.maximum_lx.value),
+                     format_position(lowest.position_m));
+}
+
+std::string svg_plan(const Drawing& drawing) {
+  constexpr double kBelow = 26;  // room for the scale bar
+  const PlanLayout& layout = drawing.layout;
+  const std::string width = svg_number(layout.width_px()),
+                    height = svg_number(layout.height_px() + kBelow);
+  std::string svg = fmt::format(
+      "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+      "aria-label=\"{2}\">\n",
+      width, height, spoken(drawing));
+  svg += hatch_pattern(drawing.anchor);
+  svg += fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width,
+                     svg_number(layout.height_px()));
+  const std::string room = polygon(layout, layout.room_m);
+  if (!room.empty()) svg += fmt::format("<path class=\"floor\" d=\"{}\"/>\n", room);
+  svg += drawing.plane.points.size() > kMostSvgCells ? png_cells(drawing) : svg_cells(drawing);
+  svg += svg_hatch(drawing);
+  std::string outline = polygon(layout, drawing.plane.outline_m);
+  for (const auto& hole : drawing.plane.holes_m) outline += polygon(layout, hole);
+  if (!outline.empty()) svg += fmt::format("<path class=\"outline\" d=\"{}\"/>\n", outline);
+  if (!room.empty()) svg += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", room);
+  svg += svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) + "</svg>\n";
+  return svg + svg_scale_bar(layout) + "</svg>\n";
+}
+
+// "+x", "−y" for an axis of the world, else its components.
+std::string direction_words(const glm::dvec3& direction) {
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < 1.0 - 1e-9) continue;
+    return std::string(direction[axis] > 0 ? "+" : "−") + kNames[static_cast<std::size_t>(axis)];
+  }
+  return with_minus(format_position(direction));
+}
+
+std::string caption(const Drawing& drawing) {
+  const calc::SensorGrid& grid = drawing.plane.grid;
+  return fmt::format(
+      "Maintained illuminance in lx, every luminaire at full output. {}, {} to the right and {} "
+      "up.",
+      is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan" : "Seen from the measured side",
+      direction_words(grid.u), direction_words(grid.v));
+}
+
+PlanSigns signs_of(const Drawing& drawing) {
+  PlanSigns signs;
+  signs.anchor = drawing.anchor;
+  signs.luminaires = drawing.layout.luminaires_m.size();
+  const PointRow& lowest = lowest_point(drawing.plane);
+  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + " lx at " +
+                  with_minus(format_position(lowest.position_m));
+  for (const PointRow& point : drawing.plane.points) {
+    const double lx = point.maintained_lx.value;
+    if (drawing.at_least && lx < drawing.at_least->limit) {
+      signs.below = "below " + format_limit(drawing.at_least->limit, "lx");
+    }
+    if (drawing.at_most && lx > drawing.at_most->limit) {
+      signs.above = "above " + format_limit(drawing.at_most->limit, "lx");
+    }
+  }
+  return signs;
+}
+
+}  // namespace
+
+std::string html_plan(const SpacePart& space, const PlanePart& plane, std::string_view anchor) {
+  const std::vector<PlanLimit> limits = plan_limits(plane);
+  const Drawing drawing{plane,
+                        lay_out_plan(space, plane, {640, 460}),
+                        scale_with_limits(plane, limits),
+                        limits,
+                        point_threshold(plane, rules::Comparison::at_least),
+                        point_threshold(plane, rules::Comparison::at_most),
+                        std::string(anchor)};
+  return "<figure>\n" + svg_plan(drawing) + html_colour_bar(drawing.scale, limits) +
+         html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) +
+         "</figcaption></figure>\n";
+}
+
+}  // namespace report

@@ -1,0 +1,186 @@
+#include "report/html_plane.h"
+
+#include "report/heatmap.h"
+#include "report/html_findings.h"
+#include "report/html_plan.h"
+#include "report/words.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+constexpr std::size_t kMostValues = 2500;  // longer tables are for the CSV file
+
+std::string statistic(const char* name, const calc::Estimate& estimate, const char* unit) {
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num "
+      "quiet\">{}</td></tr>\n",
+      name, format_measured(estimate, unit), format_interval(estimate, unit));
+}
+
+std::string statistics_table(const PlanePart& plane) {
+  return "<table class=\"facts\"><caption>Statistics</caption><thead><tr><th "
+         "scope=\"col\">Maintained</th>"
+         "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
+         "class=\"num\">Interval</th></tr></thead><tbody>\n" +
+         statistic("Average Ē", plane.average_lx, "lx") +
+         statistic("Minimum", plane.minimum_lx, "lx") +
+         statistic("Maximum", plane.maximum_lx, "lx") +
+         statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
+         statistic("Ud, min/max", plane.uniformity_min_max, "") + "</tbody></table>\n";
+}
+
+// Averages of the two parts as a bar; "" where there is no light at all.
+std::string share_bar(const PlanePart& plane) {
+  double direct = 0.0, indirect = 0.0;
+  for (const PointRow& point : plane.points) {
+    direct += point.direct_lx;
+    indirect += point.indirect_lx;
+  }
+  if (!(direct + indirect > 0.0)) return {};
+  const double share = direct / (direct + indirect);
+  return fmt::format(
+      "<div class=\"share\"><div class=\"share-bar\" aria-hidden=\"true\"><span "
+      "style=\"width:{}%\"></span></div>"
+      "<p><span><i class=\"direct\"></i>direct {}</span><span><i class=\"indirect\"></i>indirect "
+      "{}</span></p></div>\n",
+      format_fixed(share * 100.0, 1), format_share(share), format_share(1.0 - share));
+}
+
+std::string dropped_words(const calc::SensorGrid& grid) {
+  if (grid.dropped.empty()) return "none";
+  std::map<calc::DropReason, std::size_t> count;
+  std::set<std::string> bodies;
+  for (const calc::DroppedPoint& point : grid.dropped) {
+    ++count[point.reason];
+    if (!point.body.empty()) bodies.insert(point.body);
+  }
+  std::string text;
+  for (const auto& [reason, number] : count) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, drop_words(reason));
+  }
+  if (bodies.empty()) return text;
+  std::string names;
+  for (const std::string& body : bodies) names += (names.empty() ? "" : ", ") + escape_html(body);
+  return text + " (" + names + ")";
+}
+
+// ", 0.80 m above the floor" for horizontal planes in rooms.
+std::string height_words(const SpacePart& space, const calc::SensorGrid& grid,
+                         const glm::dvec3& normal) {
+  if (!is_horizontal(normal) || space.footprint_m.empty()) return {};
+  const std::string height = format_metres(grid.origin_m.z - space.floor_z_m);
+  return height == "0.00" ? ", on the floor" : ", " + with_minus(height) + " m above the floor";
+}
+
+std::string grid_table(const SpacePart& space, const PlanePart& plane) {
+  const calc::SensorGrid& grid = plane.grid;
+  std::string rows = fact("Rule", escape_html(grid.rule));
+  if (grid.columns > 0) {
+    rows += fact("Cells", fmt::format("{} × {}", grid.columns, grid.rows));
+    rows += fact("Spacing", fmt::format("{} × {} m", format_metres(grid.spacing_u_m),
+                                        format_metres(grid.spacing_v_m)));
+    rows += fact("Margin", format_metres(grid.margin_m) + " m");
+    const glm::dvec3 normal = glm::cross(grid.u, grid.v);
+    rows +=
+        fact("Position", with_minus(orientation_words(normal)) + height_words(space, grid, normal));
+  }
+  rows += fact("Points", fmt::format("{}", plane.points.size()));
+  rows += fact("Left out", dropped_words(grid));
+  rows += fact("Sampling", stop_words(plane.stop));
+  if (plane.counters.paths > 0) rows += fact("Light paths", format_count(plane.counters.paths));
+  return "<table class=\"facts\"><caption>Grid and sampling</caption><tbody>\n" + rows +
+         "</tbody></table>\n";
+}
+
+// Values as they lie in the plane: rows from large v to small, as in the drawing.
+std::string value_matrix(const PlanePart& plane) {
+  const calc::SensorGrid& grid = plane.grid;
+  std::map<std::pair<int, int>, double> value_lx;
+  for (const PointRow& point : plane.points)
+    value_lx[{point.row, point.column}] = point.maintained_lx.value;
+  std::string html =
+      "<table class=\"matrix\"><caption>Maintained illuminance in lx; distances from the grid's "
+      "corner "
+      "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
+  for (int column = 0; column < grid.columns; ++column) {
+    html +=
+        fmt::format("<th scope=\"col\">{}</th>", format_metres((column + 0.5) * grid.spacing_u_m));
+  }
+  html += "</tr></thead><tbody>\n";
+  for (int row = grid.rows - 1; row >= 0; --row) {
+    html +=
+        fmt::format("<tr><th scope=\"row\">{}</th>", format_metres((row + 0.5) * grid.spacing_v_m));
+    for (int column = 0; column < grid.columns; ++column) {
+      const auto found = value_lx.find({row, column});
+      html +=
+          found == value_lx.end() ? "<td></td>" : "<td>" + format_cell_lx(found->second) + "</td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table>";
+}
+
+std::string value_list(const PlanePart& plane) {
+  std::string html =
+      "<table class=\"findings\"><caption>Maintained illuminance at the listed "
+      "points</caption><thead><tr>"
+      "<th scope=\"col\">Point</th><th scope=\"col\" class=\"num\">Position, m</th>"
+      "<th scope=\"col\" class=\"num\">Normal</th><th scope=\"col\" class=\"num\">Illuminance</th>"
+      "<th scope=\"col\" class=\"num\">Direct</th><th scope=\"col\" "
+      "class=\"num\">Indirect</th></tr></thead><tbody>\n";
+  for (std::size_t i = 0; i < plane.points.size(); ++i) {
+    const PointRow& point = plane.points[i];
+    html += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num quiet\">{}</td>"
+        "<td class=\"num strong\">{}</td><td class=\"num\">{} lx</td><td class=\"num\">{} "
+        "lx</td></tr>\n",
+        i + 1, with_minus(format_position(point.position_m)),
+        with_minus(format_position(point.normal)), format_measured(point.maintained_lx, "lx"),
+        format_cell_lx(point.direct_lx), format_cell_lx(point.indirect_lx));
+  }
+  return html + "</tbody></table>";
+}
+
+std::string values(const PlanePart& plane, const std::string& title) {
+  if (plane.points.size() > kMostValues) {
+    return fmt::format(
+        "<p class=\"elsewhere\">The {} values of this plane are in the CSV of points.</p>\n",
+        plane.points.size());
+  }
+  const bool is_list = !has_cells(plane);
+  return fmt::format(
+      "<details class=\"{}\"{}><summary>Values at all {} points</summary>\n{}</details>\n",
+      is_list ? "list" : "grid", is_list ? " open=\"open\"" : "", plane.points.size(),
+      scroll_box("Values of " + title, is_list ? value_list(plane) : value_matrix(plane)));
+}
+
+}  // namespace
+
+std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
+  const std::string anchor = plane_anchor(index);
+  const std::string title = escape_html(title_of(plane.name, plane.id));
+  std::string html = fmt::format(
+      "<article class=\"plane\" id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h4 "
+      "id=\"{0}-title\">{1} "
+      "<span class=\"id\">{2}</span></h4>\n",
+      anchor, title, plane.name.empty() ? "" : escape_html(plane.id));
+  if (!plane.is_computed) {
+    html += fmt::format("<p class=\"message\">Not computed: {}</p>\n", escape_html(plane.reason));
+    return html + html_plane_findings(plane) + "</article>\n";
+  }
+  html += html_plane_findings(plane) + "<div class=\"split\">\n";
+  if (has_cells(plane)) html += html_plan(space, plane, anchor);
+  html += "<div class=\"side\">\n" + statistics_table(plane) + share_bar(plane) +
+          grid_table(space, plane) + "</div>\n</div>\n";
+  return html + values(plane, title) + "</article>\n";
+}
+
+}  // namespace report

@@ -1,0 +1,217 @@
+#include "report/json.h"
+
+#include "report/json_layout.h"
+#include "report/words.h"
+
+#include <utility>
+
+namespace report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json from(const calc::Estimate& estimate) {
+  return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+Json from(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json from(const VerdictCounts& counts) {
+  return {{"pass", counts.pass},
+          {"fail", counts.fail},
+          {"undecided", counts.undecided},
+          {"not_judged", counts.not_judged}};
+}
+Json from(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json from(const std::vector<glm::dvec2>& polygon) {
+  Json array = Json::array();
+  for (const glm::dvec2& corner : polygon) array.push_back(Json::array({corner.x, corner.y}));
+  return array;
+}
+
+// Calls convert on each item.
+template <class Items, class Convert>
+Json list_of(const Items& items, Convert convert) {
+  Json array = Json::array();
+  for (const auto& item : items) array.push_back(convert(item));
+  return array;
+}
+
+Json from(const calc::SourceLocation& where) {
+  return {{"file", where.file}, {"line", where.line}, {"column", where.column}};
+}
+
+Json provenance_json(const Provenance& provenance) {
+  Json json = {{"program_version", provenance.program_version},
+               {"command_line", provenance.command_line},
+               {"seed", provenance.seed},
+               {"confidence", provenance.confidence},
+               {"tolerance", provenance.tolerance},
+               {"max_paths", provenance.max_paths},
+               {"replicates", provenance.replicates},
+               {"backend", provenance.backend}};
+  if (!provenance.timestamp.empty()) json["timestamp"] = provenance.timestamp;
+  return json;
+}
+
+Json diagnostic_json(const calc::Diagnostic& diagnostic) {
+  const bool is_error = diagnostic.severity() == calc::Severity::error;
+  return {{"severity", is_error ? "error" : "warning"},
+          {"id", calc::diagnostic_name(diagnostic.id)},
+          {"where", from(diagnostic.where)},
+          {"message", diagnostic.message}};
+}
+
+Json luminaire_json(const LuminaireRow& row) {
+  return {{"type", row.type_id},
+          {"photometry_file", row.photometry_file},
+          {"sha256", row.sha256},
+          {"name", row.name},
+          {"format", row.format},
+          {"count", row.count},
+          {"flux_lm", row.flux_lm},
+          {"power_w", row.power_w > 0 ? Json(row.power_w) : Json()},
+          {"max_intensity_cd", row.max_intensity_cd},
+          {"maintenance_factor", row.maintenance_factor},
+          {"maintenance_parts",
+           {{"llmf", from(row.maintenance.llmf)},
+            {"lsf", from(row.maintenance.lsf)},
+            {"lmf", from(row.maintenance.lmf)},
+            {"rsmf", from(row.maintenance.rsmf)}}}};
+}
+
+Json finding_json(const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  Json json = {{"requirement", requirement.id},
+               {"quantity", rules::metric_name(requirement.metric)},
+               {"unit", rules::metric_unit(requirement.metric)},
+               {"comparison", comparison_name(requirement.comparison)},
+               {"limit", requirement.limit},
+               {"state", state_name(requirement.state)},
+               {"scene", requirement.scene},
+               {"clause", requirement.clause},
+               {"where", from(requirement.where)},
+               {"verdict", verdict_key(finding.verdict)},
+               {"measured", is_judged ? from(finding.measured) : Json()},
+               {"margin", is_judged ? Json(finding.margin) : Json()},
+               {"is_close", finding.is_close},
+               {"place_m", is_judged && finding.place_m ? from(*finding.place_m) : Json()},
+               {"reason", finding.reason}};
+  if (requirement.metric == rules::Metric::percentile) json["percent"] = requirement.percent;
+  if (requirement.point_m) json["point_m"] = from(*requirement.point_m);
+  return json;
+}
+
+Json dropped_json(const calc::DroppedPoint& point) {
+  Json json = {{"column", point.column},
+               {"row", point.row},
+               {"position_m", from(point.position_m)},
+               {"reason", drop_key(point.reason)}};
+  if (!point.body.empty()) json["body"] = point.body;
+  return json;
+}
+
+Json grid_json(const PlanePart& plane) {
+  const calc::SensorGrid& grid = plane.grid;
+  return {{"rule", grid.rule},
+          {"columns", grid.columns},
+          {"rows", grid.rows},
+          {"spacing_u_m", grid.spacing_u_m},
+          {"spacing_v_m", grid.spacing_v_m},
+          {"margin_m", grid.margin_m},
+          {"origin_m", from(grid.origin_m)},
+          {"u", from(grid.u)},
+          {"v", from(grid.v)},
+          {"outline_m", from(plane.outline_m)},
+          {"holes_m", list_of(plane.holes_m, [](const auto& hole) { return from(hole); })},
+          {"dropped", list_of(grid.dropped, dropped_json)}};
+}
+
+Json points_json(const std::vector<PointRow>& points) {
+  return {{"columns",
+           {"column", "row", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx", "low_lx",
+            "high_lx", "direct_lx", "indirect_lx"}},
+          {"rows", list_of(points, [](const PointRow& p) {
+             return Json::array({p.column, p.row, p.position_m.x, p.position_m.y, p.position_m.z,
+                                 p.normal.x, p.normal.y, p.normal.z, p.maintained_lx.value,
+                                 p.maintained_lx.low, p.maintained_lx.high, p.direct_lx,
+                                 p.indirect_lx});
+           })}};
+}
+
+Json plane_json(const PlanePart& plane) {
+  Json json = {{"id", plane.id},
+               {"name", plane.name},
+               {"where", from(plane.where)},
+               {"is_computed", plane.is_computed},
+               {"reason", plane.reason},
+               {"findings", list_of(plane.findings, finding_json)}};
+  if (!plane.is_computed) return json;
+  json["statistics"] = {{"average_lx", from(plane.average_lx)},
+                        {"minimum_lx", from(plane.minimum_lx)},
+                        {"maximum_lx", from(plane.maximum_lx)},
+                        {"uniformity_min_avg", from(plane.uniformity_min_avg)},
+                        {"uniformity_min_max", from(plane.uniformity_min_max)}};
+  json["stop"] = stop_key(plane.stop);
+  json["counters"] = {{"paths", plane.counters.paths},
+                      {"direct_rays", plane.counters.direct_rays},
+                      {"connection_rays", plane.counters.connection_rays},
+                      {"near_rays", plane.counters.near_rays}};
+  json["grid"] = grid_json(plane);
+  json["points"] = points_json(plane.points);
+  return json;
+}
+
+Json space_json(const SpacePart& space) {
+  return {{"id", space.id},
+          {"name", space.name},
+          {"footprint_m", from(space.footprint_m)},
+          {"floor_z_m", space.floor_z_m},
+          {"height_m", space.height_m},
+          {"triangles", space.triangles},
+          {"degenerate_triangles", space.degenerate_triangles},
+          {"luminaires",
+           list_of(space.luminaires,
+                   [](const LuminaireMark& mark) {
+                     return Json{{"type", mark.type_id}, {"position_m", from(mark.position_m)}};
+                   })},
+          {"flux_balance",
+           {{"emitted_lm", space.balance.emitted_lm},
+            {"absorbed_lm", from(space.balance.absorbed_lm)},
+            {"escaped_lm", from(space.balance.escaped_lm)}}},
+          {"planes", list_of(space.planes, plane_json)}};
+}
+
+Json times_json(const PhaseTimes& times) {
+  return {{"load_s", times.load_s},   {"prepare_s", times.prepare_s}, {"direct_s", times.direct_s},
+          {"pool_s", times.pool_s},   {"connect_s", times.connect_s}, {"near_s", times.near_s},
+          {"judge_s", times.judge_s}, {"total_s", times.total_s}};
+}
+
+Json project_json(const ProjectPart& project) {
+  Json json = {{"path", project.path},
+               {"name", project.name},
+               {"is_judged", project.is_judged},
+               {"counts", from(count_verdicts(project))},
+               {"diagnostics", list_of(project.diagnostics, diagnostic_json)},
+               {"luminaires", list_of(project.luminaires, luminaire_json)},
+               {"spaces", list_of(project.spaces, space_json)},
+               {"inputs", list_of(project.inputs, [](const calc::InputFile& input) {
+                  return Json{{"path", input.path}, {"sha256", input.sha256}};
+                })}};
+  if (project.times.total_s > 0) json["times"] = times_json(project.times);
+  return json;
+}
+
+}  // namespace
+
+std::string render_json(const Document& document) {
+  const Json json = {{"format", "luxgate-result"},
+                     {"format_version", 1},
+                     {"provenance", provenance_json(document.provenance)},
+                     {"counts", from(count_verdicts(document))},
+                     {"projects", list_of(document.projects, project_json)}};
+  return json_layout(json);
+}
+
+}  // namespace report

@@ -1,0 +1,22 @@
+#pragma once
+// Names from files made safe to show: they may hold anything, also terminal escapes or bytes of
+// another encoding.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// The text as valid UTF-8 on one line: broken sequences become U+FFFD, control characters a blank.
+std::string printable(std::string_view text);
+
+// Columns a terminal needs for valid UTF-8: 0 for combining marks, 2 for East Asian wide characters
+// and emoji, else 1.
+std::size_t display_width(std::string_view utf8);
+
+// The end of the text, at most `columns` >= 1 wide; a cut text starts with "…". Never cuts inside a
+// character.
+std::string shorten_start(std::string_view utf8, std::size_t columns);
+
+}  // namespace report

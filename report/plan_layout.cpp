@@ -1,0 +1,115 @@
+#include "report/plan_layout.h"
+
+#include "report/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace report {
+namespace {
+
+struct Box {
+  glm::dvec2 low{std::numeric_limits<double>::max()};
+  glm::dvec2 high{std::numeric_limits<double>::lowest()};
+
+  void add(const glm::dvec2& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  glm::dvec2 size() const { return high - low; }
+  double longest() const { return std::max(size().x, size().y); }
+  bool contains(const glm::dvec2& p) const {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+  }
+};
+
+glm::dvec2 in_plane(const calc::SensorGrid& grid, const glm::dvec3& world_m) {
+  const glm::dvec3 offset = world_m - grid.origin_m;
+  return {glm::dot(offset, grid.u), glm::dot(offset, grid.v)};
+}
+
+Box plane_box(const PlanePart& plane) {
+  Box box;
+  box.add({0.0, 0.0});
+  box.add({plane.grid.columns * plane.grid.spacing_u_m, plane.grid.rows * plane.grid.spacing_v_m});
+  for (const glm::dvec2& corner : plane.outline_m) box.add(corner);
+  return box;
+}
+
+bool is_about_points(const rules::Requirement& requirement) {
+  return requirement.state == rules::LightState::maintained && requirement.scene.empty();
+}
+
+}  // namespace
+
+PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
+                        const glm::dvec2& wanted_px) {
+  constexpr double kFairPart = 0.3;  // of the room's longer side
+  constexpr double kEdge = 0.015;
+  constexpr double kSurroundings = 0.12;  // of the plane's longer side
+  const calc::SensorGrid& grid = plane.grid;
+  const bool is_plan_view = is_horizontal(glm::cross(grid.u, grid.v));
+  PlanLayout layout;
+  Box box = plane_box(plane);
+  Box room;
+  if (is_plan_view) {
+    for (const glm::dvec2& corner : space.footprint_m) {
+      layout.room_m.push_back(in_plane(grid, {corner, grid.origin_m.z}));
+      room.add(layout.room_m.back());
+    }
+  }
+  const bool shows_room = !layout.room_m.empty() && box.longest() >= kFairPart * room.longest();
+  if (shows_room) {
+    for (const glm::dvec2& corner : layout.room_m) box.add(corner);
+  }
+  const double border = (is_plan_view && !shows_room ? kSurroundings : kEdge) * box.longest();
+  box = {box.low - border, box.high + border};
+  layout.low_m = box.low;
+  layout.high_m = box.high;
+  layout.pixels_per_metre = std::min(wanted_px.x / box.size().x, wanted_px.y / box.size().y);
+  if (!is_plan_view) return layout;
+  for (const LuminaireMark& mark : space.luminaires) {
+    const glm::dvec2 place = in_plane(grid, mark.position_m);
+    if (box.contains(place)) layout.luminaires_m.push_back(place);
+  }
+  return layout;
+}
+
+std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
+  std::vector<PlanLimit> limits;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& requirement = finding.requirement;
+    const bool is_lx = *rules::metric_unit(requirement.metric) != '\0';
+    if (!is_lx || !is_about_points(requirement)) continue;
+    limits.push_back({quantity_words(requirement) + " " +
+                          format_required({requirement.limit, requirement.comparison}, "lx"),
+                      requirement.limit});
+  }
+  return limits;
+}
+
+std::optional<Threshold> point_threshold(const PlanePart& plane, rules::Comparison comparison) {
+  const bool is_minimum = comparison == rules::Comparison::at_least;
+  const rules::Metric metric = is_minimum ? rules::Metric::minimum : rules::Metric::maximum;
+  std::optional<Threshold> strictest;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& r = finding.requirement;
+    if (r.metric != metric || r.comparison != comparison || !is_about_points(r)) continue;
+    const bool is_stricter =
+        !strictest || (is_minimum ? r.limit > strictest->limit : r.limit < strictest->limit);
+    if (is_stricter) strictest = Threshold{r.limit, comparison};
+  }
+  return strictest;
+}
+
+double scale_bar_m(double width_m) {
+  const double longest = width_m / 3.0;
+  const double power = std::pow(10.0, std::floor(std::log10(longest)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= longest) return factor * power;
+  }
+  return power;
+}
+
+}  // namespace report

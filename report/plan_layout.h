@@ -1,0 +1,53 @@
+#pragma once
+// Where things lie in the drawing of a plane: (u, v) of the plane to picture coordinates, and which
+// limits matter.
+
+#include "report/document.h"
+#include "report/heatmap.h"
+#include "report/number_format.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// What the drawing shows, in metres from grid.origin_m along u and v.
+struct PlanLayout {
+  glm::dvec2 low_m{0.0}, high_m{0.0};  // of the picture
+  double pixels_per_metre = 1.0;
+  std::vector<glm::dvec2> room_m;  // the room's outline; empty unless the plane is horizontal
+  std::vector<glm::dvec2>
+      luminaires_m;  // those inside the picture; empty unless the plane is horizontal
+
+  double width_px() const { return (high_m.x - low_m.x) * pixels_per_metre; }
+  double height_px() const { return (high_m.y - low_m.y) * pixels_per_metre; }
+  // v points up in the plan, y down in the picture.
+  glm::dvec2 pixel(const glm::dvec2& uv_m) const {
+    return {(uv_m.x - low_m.x) * pixels_per_metre, (high_m.y - uv_m.y) * pixels_per_metre};
+  }
+};
+
+// The whole room if the plane fills a fair part of it, else the plane and its surroundings. Fits
+// wanted_px.
+PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
+                        const glm::dvec2& wanted_px);
+
+// Limits that can be read off the points of the drawing: maintained, every luminaire at full
+// output, in lx.
+struct PlanLimit {
+  std::string words;  // "average ≥ 500 lx"
+  double limit_lx = 0.0;
+};
+std::vector<PlanLimit> plan_limits(const PlanePart& plane);
+
+// The strictest limit that single points must meet on that side (minimum at least, maximum at
+// most).
+std::optional<Threshold> point_threshold(const PlanePart& plane, rules::Comparison comparison);
+
+// Length of a scale bar: 1, 2 or 5 times a power of ten, at most a third of width_m > 0.
+double scale_bar_m(double width_m);
+
+}  // namespace report

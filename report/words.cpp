@@ -1,0 +1,176 @@
+#include "report/words.h"
+
+#include "calc/units.h"
+#include "report/number_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace report {
+namespace {
+
+constexpr double kStraight = 1e-6;  // of a direction cosine
+
+std::string plural(int count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+const char* verdict_symbol(rules::Verdict verdict) {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      return "✓";
+    case rules::Verdict::fail:
+      return "✗";
+    case rules::Verdict::undecided:
+      return "?";
+    case rules::Verdict::not_judged:
+      break;
+  }
+  return "–";
+}
+
+const char* verdict_key(rules::Verdict verdict) {
+  return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
+}
+
+std::string quantity_words(const rules::Requirement& requirement) {
+  switch (requirement.metric) {
+    case rules::Metric::average:
+      return "average";
+    case rules::Metric::minimum:
+      return "minimum";
+    case rules::Metric::maximum:
+      return "maximum";
+    case rules::Metric::uniformity_min_avg:
+      return "Uo (min/avg)";
+    case rules::Metric::uniformity_min_max:
+      return "Ud (min/max)";
+    case rules::Metric::percentile:
+      return format_shortest(requirement.percent) + " % percentile";
+    case rules::Metric::value_at_point:
+      break;
+  }
+  return requirement.point_m ? "value at " + format_position(*requirement.point_m)
+                             : "value at a point";
+}
+
+const char* state_name(rules::LightState state) {
+  return state == rules::LightState::maintained ? "maintained" : "initial";
+}
+
+const char* comparison_name(rules::Comparison comparison) {
+  return comparison == rules::Comparison::at_least ? "at_least" : "at_most";
+}
+
+std::string_view title_of(std::string_view name, std::string_view id) {
+  return name.empty() ? id : name;
+}
+
+const char* stop_key(calc::StopReason stop) {
+  switch (stop) {
+    case calc::StopReason::exact:
+      return "exact";
+    case calc::StopReason::accurate:
+      return "accurate";
+    case calc::StopReason::path_limit:
+      return "path-limit";
+    case calc::StopReason::time_limit:
+      return "time-limit";
+    case calc::StopReason::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+const char* stop_words(calc::StopReason stop) {
+  switch (stop) {
+    case calc::StopReason::exact:
+      return "exact, nothing had to be sampled";
+    case calc::StopReason::accurate:
+      return "stopped when the intervals were narrow enough";
+    case calc::StopReason::path_limit:
+      return "stopped at the path limit, before the intervals were narrow enough";
+    case calc::StopReason::time_limit:
+      return "stopped at the time limit, before the intervals were narrow enough";
+    case calc::StopReason::interrupted:
+      break;
+  }
+  return "interrupted, before the intervals were narrow enough";
+}
+
+const char* drop_key(calc::DropReason reason) {
+  switch (reason) {
+    case calc::DropReason::outside_area:
+      return "outside-area";
+    case calc::DropReason::within_margin:
+      return "within-margin";
+    case calc::DropReason::outside_room:
+      return "outside-room";
+    case calc::DropReason::inside_solid:
+      break;
+  }
+  return "inside-solid";
+}
+
+const char* drop_words(calc::DropReason reason) {
+  switch (reason) {
+    case calc::DropReason::outside_area:
+      return "outside the area";
+    case calc::DropReason::within_margin:
+      return "in the margin";
+    case calc::DropReason::outside_room:
+      return "outside the room";
+    case calc::DropReason::inside_solid:
+      break;
+  }
+  return "inside a solid";
+}
+
+std::string summary_words(const Document& document) {
+  VerdictCounts counts = count_verdicts(document);
+  const auto not_judged_projects = static_cast<int>(
+      std::count_if(document.projects.begin(), document.projects.end(),
+                    [](const ProjectPart& project) { return !project.is_judged; }));
+  counts.not_judged -= not_judged_projects;
+  const int total = counts.pass + counts.fail + counts.undecided + counts.not_judged;
+  std::string text = plural(total, "requirement");
+  const char* separator = ": ";
+  const auto add = [&](int count, const char* word) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}", separator, count, word);
+    separator = ", ";
+  };
+  add(counts.pass, "pass");
+  add(counts.fail, "fail");
+  add(counts.undecided, "undecided");
+  add(counts.not_judged, "not judged");
+  if (not_judged_projects > 0)
+    text += "; " + plural(not_judged_projects, "project") + " not judged";
+  return text;
+}
+
+rules::Verdict overall_verdict(const VerdictCounts& counts) {
+  if (counts.fail > 0) return rules::Verdict::fail;
+  if (counts.not_judged > 0) return rules::Verdict::not_judged;
+  if (counts.undecided > 0) return rules::Verdict::undecided;
+  return counts.pass > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
+}
+
+bool is_horizontal(const glm::dvec3& normal) { return std::abs(normal.z) > 1.0 - kStraight; }
+
+std::string orientation_words(const glm::dvec3& normal) {
+  if (is_horizontal(normal))
+    return normal.z > 0 ? "horizontal, facing up" : "horizontal, facing down";
+  if (std::abs(normal.z) < kStraight) {
+    return fmt::format("vertical, facing ({}, {})", format_fixed(normal.x, 2),
+                       format_fixed(normal.y, 2));
+  }
+  const double tilt_deg = calc::degrees_from_radians(std::acos(std::clamp(normal.z, -1.0, 1.0)));
+  return fmt::format("inclined by {}° from horizontal", format_fixed(tilt_deg, 1));
+}
+
+}  // namespace report

@@ -1,0 +1,46 @@
+#pragma once
+// Words and symbols that every format shares, so that all of them tell the same story.
+
+#include "report/document.h"
+
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// "✓", "✗", "?", "–": a verdict is never told by colour alone.
+const char* verdict_symbol(rules::Verdict verdict);
+
+// Name without blanks for class names and data: "pass", "fail", "undecided", "not-judged".
+const char* verdict_key(rules::Verdict verdict);
+
+// What a requirement looks at: "average", "minimum", "Uo (min/avg)", "5 % percentile", "value at
+// (1.00, 2.00, 0.80)".
+std::string quantity_words(const rules::Requirement& requirement);
+
+// "maintained" or "initial".
+const char* state_name(rules::LightState state);
+// "at_least" or "at_most".
+const char* comparison_name(rules::Comparison comparison);
+
+// Name as given, else the id.
+std::string_view title_of(std::string_view name, std::string_view id);
+
+// Stable kebab-case key for data, and a sentence part for people.
+const char* stop_key(calc::StopReason stop);
+const char* stop_words(calc::StopReason stop);
+const char* drop_key(calc::DropReason reason);
+const char* drop_words(calc::DropReason reason);
+
+// "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged".
+std::string summary_words(const Document& document);
+
+// The gravest of the counts: fail, then not_judged, then undecided, then pass. Nothing counted:
+// not_judged.
+rules::Verdict overall_verdict(const VerdictCounts& counts);
+
+// "horizontal, facing up", "vertical", "inclined by 30°" ... from the unit normal of a plane.
+std::string orientation_words(const glm::dvec3& normal);
+bool is_horizontal(const glm::dvec3& normal);
+
+}  // namespace report

@@ -1,0 +1,59 @@
+#include "report/plan_layout.h"
+
+#include "tests/support/sample_document.h"
+
+#include <gtest/gtest.h>
+
+namespace report {
+namespace {
+
+TEST(PlanLayout, ShowsTheRoomInThePlanesCoordinates) {
+  const Document document = small_document();
+  const SpacePart& space = document.projects[0].spaces[0];
+  const PlanLayout layout = lay_out_plan(space, space.planes[0], {640, 460});
+  ASSERT_EQ(layout.room_m.size(), 4U);
+  EXPECT_NEAR(layout.room_m[0].x, -0.5, 1e-12);  // the grid starts at (0.5, 0.25)
+  EXPECT_NEAR(layout.room_m[0].y, -0.25, 1e-12);
+  EXPECT_LE(layout.width_px(), 640 + 1e-9);
+  EXPECT_LE(layout.height_px(), 460 + 1e-9);
+  EXPECT_GT(layout.pixel({0, 0}).y, layout.pixel({0, 1}).y);  // v is up
+}
+
+TEST(PlanLayout, SmallPlaneInALargeRoomIsNotLost) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.footprint_m = {{0, 0}, {100, 0}, {100, 80}, {0, 80}};
+  space.luminaires = {{{90, 70, 5}, "far"}, {{2, 1, 5}, "near"}};
+  const PlanLayout layout = lay_out_plan(space, space.planes[0], {640, 460});
+  EXPECT_LT(layout.high_m.x - layout.low_m.x, 5);
+  EXPECT_EQ(layout.luminaires_m.size(), 1U);
+}
+
+TEST(PlanLayout, VerticalPlaneShowsNoRoom) {
+  const Document document = sample_document();
+  const SpacePart& space = document.projects[0].spaces[0];
+  const PlanLayout layout = lay_out_plan(space, space.planes[1], {640, 460});
+  EXPECT_TRUE(layout.room_m.empty());
+  EXPECT_TRUE(layout.luminaires_m.empty());
+}
+
+TEST(PlanLimits, OnlyThoseThatTheDrawnPointsMustMeet) {
+  PlanePart plane = small_document().projects[0].spaces[0].planes[0];
+  rules::Finding initial = plane.findings[1];
+  initial.requirement.state = rules::LightState::initial;
+  initial.requirement.limit = 700;
+  plane.findings.push_back(initial);
+  ASSERT_EQ(plan_limits(plane).size(), 2U);
+  EXPECT_EQ(plan_limits(plane)[0].words, "average ≥ 500 lx");
+  EXPECT_EQ(point_threshold(plane, rules::Comparison::at_least)->limit, 450);
+  EXPECT_FALSE(point_threshold(plane, rules::Comparison::at_most));
+}
+
+TEST(ScaleBar, IsRoundAndAtMostAThird) {
+  EXPECT_DOUBLE_EQ(scale_bar_m(9.4), 2.0);
+  EXPECT_DOUBLE_EQ(scale_bar_m(46), 10.0);
+  EXPECT_DOUBLE_EQ(scale_bar_m(2.6), 0.5);
+}
+
+}  // namespace
+}  // namespace report
