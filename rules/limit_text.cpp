@@ -5,8 +5,6 @@
 namespace rules {
 namespace {
 
-// 1 fc = 1 lm/ft^2
-
 constexpr calc::NumberRange kLuxLimit{0.0, 1.0e9, false, "a limit in lx from 0 to 1e9"};
 constexpr calc::NumberRange kFootcandleLimit{0.0, 1.0e9, false, "a limit in fc from 0 to 1e9"};
 constexpr calc::NumberRange kRatioLimit{0.0, 1.0, false, "a ratio from 0 to 1"};

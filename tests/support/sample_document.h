@@ -332,9 +332,10 @@ inline Document sample_document() {
   document.projects.push_back(std::move(project));
   ProjectPart broken;
   broken.path = "yard.xml";
-  broken.diagnostics = {{calc::DiagnosticId::file_not_readable,
-                         {"yard.xml", 12, 5},
-                         "cannot read 'yard.ies': No such file or directory"}};
+  const calc::SourceLocation where{"yard.xml", 12, 5};
+  calc::Diagnostics found;
+  found.report(calc::DiagnosticId::file_not_readable, where, "yard.ies", "No such file or directory");
+  broken.diagnostics = found.all();
   document.projects.push_back(std::move(broken));
   return document;
 }

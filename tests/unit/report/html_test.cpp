@@ -85,7 +85,9 @@ TEST(Html, NoFieldEscapesItsPlace) {
     row.type_id = row.name = row.photometry_file = row.format = row.sha256 = evil;
   }
   project.inputs = {{evil, evil}};
-  project.diagnostics = {{calc::DiagnosticId::file_not_readable, {evil, 1, 1}, evil}};
+  calc::Diagnostics found;
+  found.report(calc::DiagnosticId::file_not_readable, calc::SourceLocation{evil, 1, 1}, evil, evil);
+  project.diagnostics = found.all();
   const pugi::xml_document tree = parsed(render_html(document));
   EXPECT_TRUE(tree.select_nodes("//img | //@onerror").empty());
 }

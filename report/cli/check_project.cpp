@@ -1,0 +1,202 @@
+#include "report/cli/check_project.h"
+
+#include "calc/radiosity/solve.h"
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project_xml.h"
+#include "calc/scene/sensor_grid.h"
+#include "report/build.h"
+#include "report/cli/interrupt.h"
+#include "rules/accuracy.h"
+#include "rules/bind.h"
+#include "rules/judge.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace cli {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// A project that was read without error.
+struct LoadedProject {
+  calc::Project project;
+  std::vector<rules::Requirement> requirements;
+};
+
+std::optional<LoadedProject> load(const std::string& path, const calc::FileReader& files,
+                                  const std::vector<rules::RulePack>& packs,
+                                  calc::Diagnostics& diagnostics) {
+  std::optional<calc::Project> project = calc::load_project(files, path, diagnostics);
+  if (!project) return std::nullopt;
+  LoadedProject loaded{std::move(*project), {}};
+  loaded.requirements = rules::bind_requirements(loaded.project, packs, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  if (loaded.requirements.empty()) {
+    diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
+  }
+  return loaded;
+}
+
+report::ProjectPart unreadable_project(const std::string& path,
+                                       const calc::Diagnostics& diagnostics) {
+  report::ProjectPart part;
+  part.path = path;
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+// A plane on its way; without a grid `reason` says why it cannot be computed.
+struct PlaneWork {
+  const calc::CalcPlane* plane;
+  std::vector<rules::Requirement> requirements;
+  std::optional<calc::SensorGrid> grid;
+  std::string reason;
+};
+
+std::vector<PlaneWork> make_grids(const calc::Space& space, const LoadedProject& loaded,
+                                  calc::Diagnostics& diagnostics) {
+  std::vector<PlaneWork> works;
+  for (const calc::CalcPlane& plane : space.planes) {
+    PlaneWork& work = works.emplace_back();
+    work.plane = &plane;
+    work.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
+    work.grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (!work.grid) work.reason = diagnostics.all().back().message;
+  }
+  return works;
+}
+
+// The planes that have points; tasks keep their order.
+struct Tasks {
+  std::vector<calc::PlaneTask> list;
+  std::vector<const PlaneWork*> work;
+};
+
+Tasks make_tasks(const std::vector<PlaneWork>& works) {
+  Tasks tasks;
+  for (const PlaneWork& work : works) {
+    if (!work.grid) continue;
+    tasks.list.push_back({work.plane->id, &*work.grid});
+    tasks.work.push_back(&work);
+  }
+  return tasks;
+}
+
+// The project's settings with what is left of its time; a limit of 0 would mean none.
+calc::RadiositySettings remaining_settings(const Options& options, const Stopwatch& watch) {
+  calc::RadiositySettings settings = options.radiosity;
+  if (settings.time_limit_s > 0.0) {
+    constexpr double kShortest_s = 1e-3;
+    settings.time_limit_s = std::max(settings.time_limit_s - watch.seconds(), kShortest_s);
+  }
+  return settings;
+}
+
+calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
+                          const Tasks& tasks, const CheckContext& context, const Stopwatch& watch) {
+  const Options& options = context.options;
+  const auto is_accurate = [&](std::size_t task, const calc::PlaneField& field) {
+    const PlaneWork& work = *tasks.work[task];
+    return rules::is_accurate(work.requirements, *work.grid, field, project.scenes,
+                              options.tolerance, options.confidence);
+  };
+  const auto progress = [&](const calc::SolveProgress& solve_progress) {
+    context.progress.update(solve_progress);
+    return !interrupted();
+  };
+  return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
+                                 options.confidence, context.gatherer, is_accurate, progress);
+}
+
+report::PlanePart judge(const PlaneWork& work, const calc::PlaneField* field,
+                        const std::vector<calc::LightScene>& scenes, double confidence) {
+  if (field == nullptr) {
+    return report::build_uncomputed_plane(*work.plane, work.reason,
+                                          rules::not_judged_plane(work.requirements, work.reason));
+  }
+  return report::build_plane(
+      *work.plane, *work.grid, *field,
+      rules::judge_plane(work.requirements, *work.grid, *field, scenes, confidence), confidence);
+}
+
+void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
+  times.prepare_s += solution.times.build_s;
+  times.direct_s += solution.times.direct_s;
+  times.pool_s += solution.times.pool_s;
+  times.connect_s += solution.times.connect_s;
+  times.near_s += solution.times.near_s;
+}
+
+report::SpacePart check_space(const calc::Space& space, const LoadedProject& loaded,
+                              const CheckContext& context, const Stopwatch& watch,
+                              calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
+  const Stopwatch prepare_watch;
+  const std::vector<PlaneWork> works = make_grids(space, loaded, diagnostics);
+  const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
+  const Tasks tasks = make_tasks(works);
+  times.prepare_s += prepare_watch.seconds();
+
+  calc::SpaceSolution solution;
+  if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch);
+  add_times(solution, times);
+
+  const Stopwatch judge_watch;
+  std::vector<report::PlanePart> planes;
+  std::size_t task = 0;
+  for (const PlaneWork& work : works) {
+    const calc::PlaneField* field = work.grid ? &solution.fields[task++] : nullptr;
+    planes.push_back(judge(work, field, loaded.project.scenes, context.options.confidence));
+  }
+  times.judge_s += judge_watch.seconds();
+  return report::build_space(space, scene, solution.balance, std::move(planes));
+}
+
+}  // namespace
+
+report::ProjectPart check_project(const std::string& path, const CheckContext& context) {
+  const Stopwatch watch;
+  calc::Diagnostics diagnostics;
+  const std::optional<LoadedProject> loaded = load(path, context.files, context.packs, diagnostics);
+  if (!loaded) return unreadable_project(path, diagnostics);
+
+  report::ProjectPart part = report::build_project(loaded->project);
+  report::PhaseTimes times;
+  times.load_s = watch.seconds();
+  for (const calc::Space& space : loaded->project.spaces) {
+    context.progress.start_space(space.id);
+    part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
+    if (interrupted()) break;
+  }
+  part.is_judged = true;
+  part.diagnostics = diagnostics.all();
+  times.total_s = watch.seconds();
+  if (context.options.timing) part.times = times;
+  return part;
+}
+
+report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
+                                     const std::vector<rules::RulePack>& packs) {
+  calc::Diagnostics diagnostics;
+  const std::optional<LoadedProject> loaded = load(path, files, packs, diagnostics);
+  if (!loaded) return unreadable_project(path, diagnostics);
+
+  report::ProjectPart part = report::build_project(loaded->project);
+  for (const calc::Space& space : loaded->project.spaces) make_grids(space, *loaded, diagnostics);
+  part.is_judged = !diagnostics.has_errors();
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+}  // namespace cli

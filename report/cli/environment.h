@@ -1,0 +1,22 @@
+#pragma once
+// What the program takes from its surroundings, as a value so that tests can choose it.
+
+#include "report/cli/options.h"
+
+#include <string>
+
+namespace cli {
+
+struct Environment {
+  std::string source_date_epoch, no_color, clicolor_force, term;  // "" = not set
+  bool stdout_is_terminal = false;
+  bool stderr_is_terminal = false;
+  int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known
+};
+Environment read_environment();
+
+// For standard output: --color, then NO_COLOR (set: off), CLICOLOR_FORCE (set and not "0": on),
+// TERM=dumb (off), then whether standard output is a terminal.
+bool use_color(ColorChoice choice, const Environment& environment);
+
+}  // namespace cli

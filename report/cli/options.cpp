@@ -1,0 +1,245 @@
+#include "report/cli/options.h"
+
+#include "report/cli/exit_code.h"
+#include "report/cli/option_values.h"
+#include "report/cli/version.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes:\n"
+    "  0    every requirement is met (also if none is stated: a warning says so)\n"
+    "  1    at least one requirement is not met\n"
+    "  2    usage, input or file error, or a plane or project that could not be judged\n"
+    "  3    nothing failed, but a result's interval holds its limit: undecided\n"
+    "  130  interrupted; nothing was written\n"
+    "The worst of all projects counts; worst first: 2, 1, 3, 0.";
+
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value_name,
+                       const std::string& help, ValueParser parser) {
+  const auto apply = [name, parser = std::move(parser)](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::string problem = parser(text);
+      if (!problem.empty())
+        throw CLI::ValidationError(name, fmt::format("'{}': {}", text, problem));
+    }
+  };
+  return app.add_option_function<std::vector<std::string>>(name, apply, help)
+      ->type_name(value_name)
+      ->expected(1);
+}
+
+void allow_repeats(CLI::Option* option) {
+  option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
+}
+
+void add_projects(CLI::App& app, Options& options) {
+  app.add_option("projects", options.projects, "Project files")
+      ->required()
+      ->type_name("PROJECT.xml");
+  allow_repeats(app.add_option("--rules", options.rule_files,
+                               "Rule pack to know besides those delivered; may be repeated")
+                    ->type_name("FILE"));
+}
+
+void add_output(CLI::App& app, Options& options) {
+  allow_repeats(
+      add_value(app, "--format", "KIND[=FILE]",
+                "text, csv, points-csv, json or html, to FILE or (one kind only) to\n"
+                "standard output, where text goes unless another kind does; may be repeated",
+                format_item(options.formats)));
+  app.add_option("--output", options.output_folder,
+                 "Folder for results.csv, points.csv, result.json and report.html; made if needed")
+      ->type_name("FOLDER");
+  app.add_flag("--images", options.images, "With --output: a PNG and an EXR file per plane too");
+  add_value(
+      app, "--timestamp", "WHEN",
+      "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"
+      "else no date, so that equal inputs give equal files",
+      moment(options.timestamp));
+  app.add_flag("--timing", options.timing,
+               "Print times and counts of rays to standard error and put them into reports");
+  add_value(
+      app, "--color", "WHEN",
+      "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
+      choice<ColorChoice>(options.color, {{"auto", ColorChoice::automatic},
+                                          {"always", ColorChoice::always},
+                                          {"never", ColorChoice::never}}));
+}
+
+void add_calculation(CLI::App& app, Options& options) {
+  constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
+  calc::RadiositySettings& settings = options.radiosity;
+  add_value(app, "--tolerance", "SHARE",
+            "Relative half-width of the intervals to aim at, as 0.02 or 2%; default 0.02",
+            share_between(options.tolerance, 0.0, 1.0));
+  add_value(app, "--confidence", "SHARE", "Level of the intervals, as 0.95 or 95%; default 0.95",
+            share_between(options.confidence, 0.5, 1.0));
+  add_value(app, "--seed", "N", "Seed of the random numbers; default 1",
+            whole_number(settings.seed, 0, UINT64_MAX));
+  add_value(app, "--replicates", "N",
+            "Independent repetitions behind each interval, 4 to 64; default 16",
+            whole_number(settings.replicates, 4, 64));
+  add_value(app, "--max-paths", "N",
+            "At most so many light paths per replicate and plane, a power of two; default 65536",
+            power_of_two(settings.max_paths, 1, kMostPaths));
+  add_value(app, "--time-limit", "SECONDS",
+            "Stop refining a project after this time; results then depend on the machine's speed",
+            seconds(settings.time_limit_s));
+  add_value(app, "--jobs", "N", "Threads; default one per core. Never changes a result",
+            whole_number(settings.jobs, 1, 1024));
+  add_value(app, "--backend", "NAME", "cpu or gpu; default cpu",
+            choice<Backend>(options.backend, {{"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
+}
+
+// What can only be seen with all options together; "" = nothing is wrong.
+std::string contradiction(const Options& options) {
+  const auto stdout_formats =
+      std::count_if(options.formats.begin(), options.formats.end(),
+                    [](const OutputFormat& format) { return format.file.empty(); });
+  if (stdout_formats > 1) {
+    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  if (options.images && options.output_folder.empty()) return "--images needs --output FOLDER";
+  for (std::size_t i = 0; i < options.projects.size(); ++i) {
+    const auto normal = std::filesystem::path(options.projects[i]).lexically_normal();
+    for (std::size_t k = 0; k < i; ++k) {
+      if (std::filesystem::path(options.projects[k]).lexically_normal() != normal) continue;
+      return fmt::format("project '{}' is given twice", options.projects[i]);
+    }
+  }
+  return "";
+}
+
+ParseResult usage_error(const std::string& message, const std::string& help_command) {
+  return {std::nullopt, kNotJudged, "",
+          fmt::format("luxgate: error: {}\nSee '{} --help'.\n", message, help_command)};
+}
+
+// CLI11 would only say that a subcommand is required. "" = `first` is a command or an option.
+std::string problem_with_command(const CLI::App& app, std::string_view first) {
+  const std::vector<const CLI::App*> commands =
+      app.get_subcommands(std::function<bool(const CLI::App*)>());
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  if (first.starts_with('-') || std::find(names.begin(), names.end(), first) != names.end()) {
+    return "";
+  }
+  const std::string needed = one_of_message(first, {names.begin(), names.end()});
+  return first.empty() ? "no command: " + needed : fmt::format("'{}': {}", first, needed);
+}
+
+ParseResult from_cli11(const CLI::App& app, const CLI::Error& error) {
+  if (error.get_exit_code() == 0) {  // --help, --version
+    std::ostringstream out, err;
+    app.exit(error, out, err);
+    return {std::nullopt, kAllMet, out.str(), ""};
+  }
+  const auto chosen = app.get_subcommands();
+  return usage_error(error.what(),
+                     chosen.empty() ? "luxgate" : "luxgate " + chosen.front()->get_name());
+}
+
+std::string shell_quoted(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_-./=%+,:@").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+ParseResult parse_options(int argc, const char* const* argv, const std::string& source_date_epoch) {
+  Options options;
+  CLI::App app{"luxgate checks calculated illuminance against lighting requirements.", "luxgate"};
+  app.set_version_flag("--version", "luxgate " + program_version());
+  app.require_subcommand(1);
+  app.footer("'luxgate COMMAND --help' explains a command.");
+
+  CLI::App& check = *app.add_subcommand("check", "Calculate projects and judge their requirements");
+  add_projects(check, options);
+  add_output(check, options);
+  add_calculation(check, options);
+  check.footer(kExitCodes);
+  CLI::App& validate =
+      *app.add_subcommand("validate", "Check projects for errors without calculating");
+  add_projects(validate, options);
+  validate.footer("Exit codes: 0 no error, 2 at least one error.");
+  for (CLI::App* command : {&check, &validate}) {
+    command->add_flag("-q,--quiet", options.quiet,
+                      "Print errors and what --format asks for, nothing else");
+  }
+  CLI::App& schema = *app.add_subcommand("schema", "Print the XML schema of project files");
+  CLI::App& init = *app.add_subcommand("init", "Write a small project that runs and passes");
+  init.add_option("folder", options.init_folder, "Where; made if needed. Existing files are kept")
+      ->type_name("FOLDER");
+  CLI::App& version = *app.add_subcommand("version", "Print versions of the program and libraries");
+  version.add_flag("--json", options.version_as_json, "As JSON");
+
+  const std::string no_command = problem_with_command(app, argc < 2 ? "" : argv[1]);
+  if (!no_command.empty()) return usage_error(no_command, "luxgate");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Error& error) {
+    return from_cli11(app, error);
+  }
+
+  if (validate.parsed()) options.command = Command::validate;
+  if (schema.parsed()) options.command = Command::schema;
+  if (init.parsed()) options.command = Command::init;
+  if (version.parsed()) options.command = Command::version;
+
+  if (check.parsed() && options.timestamp.empty() && !source_date_epoch.empty()) {
+    const std::string problem = moment(options.timestamp)(source_date_epoch);
+    if (!problem.empty() || source_date_epoch == "now") {
+      return usage_error(
+          fmt::format("SOURCE_DATE_EPOCH is '{}': whole seconds since 1970 are needed",
+                      source_date_epoch),
+          "luxgate check");
+    }
+  }
+  const std::string problem = contradiction(options);
+  if (!problem.empty()) {
+    return usage_error(problem, "luxgate " + app.get_subcommands().front()->get_name());
+  }
+  calc::RadiositySettings& settings = options.radiosity;
+  settings.first_paths = std::min(settings.first_paths, settings.max_paths);
+  return {std::move(options), kAllMet, "", ""};
+}
+
+std::string reproducible_command(const Options& options) {
+  const Options defaults;
+  std::string command = "luxgate check";
+  for (const std::string& project : options.projects) command += " " + shell_quoted(project);
+  for (const std::string& file : options.rule_files) command += " --rules " + shell_quoted(file);
+  const auto add = [&command](const char* name, const auto& value, const auto& default_value) {
+    if (value != default_value) command += fmt::format(" {} {}", name, value);
+  };
+  const calc::RadiositySettings& used = options.radiosity;
+  add("--seed", used.seed, defaults.radiosity.seed);
+  add("--tolerance", options.tolerance, defaults.tolerance);
+  add("--confidence", options.confidence, defaults.confidence);
+  add("--replicates", used.replicates, defaults.radiosity.replicates);
+  add("--max-paths", used.max_paths, defaults.radiosity.max_paths);
+  add("--time-limit", used.time_limit_s, defaults.radiosity.time_limit_s);
+  if (options.backend == Backend::gpu) command += " --backend gpu";
+  return command;
+}
+
+}  // namespace cli

@@ -1,0 +1,59 @@
+#pragma once
+// The command line as a value. options.cpp is the only file that includes CLI11.
+
+#include "calc/radiosity/settings.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+enum class Command { check, validate, schema, init, version };
+// How results are written; see report/.
+enum class FormatKind { text, csv, points_csv, json, html };
+enum class Backend { cpu, gpu };
+enum class ColorChoice { automatic, always, never };
+
+struct OutputFormat {
+  FormatKind kind = FormatKind::text;
+  std::string file;  // "" = standard output; at most one format goes there
+};
+
+struct Options {
+  Command command = Command::check;
+  std::vector<std::string> projects;
+  std::vector<std::string> rule_files;
+
+  std::vector<OutputFormat> formats;
+  std::string output_folder;  // "" = none
+  bool images = false;
+  std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
+  bool timing = false;
+  bool quiet = false;
+  ColorChoice color = ColorChoice::automatic;
+
+  double tolerance = 0.02;   // relative half-width aimed at, in (0, 1)
+  double confidence = 0.95;  // in (0.5, 1)
+  calc::RadiositySettings radiosity;
+  Backend backend = Backend::cpu;
+
+  std::string init_folder = ".";
+  bool version_as_json = false;
+};
+
+// Either options, or what to print and the exit code: 0 for --help, 2 for every usage error.
+struct ParseResult {
+  std::optional<Options> options;
+  int exit_code = 0;
+  std::string out, err;
+};
+// source_date_epoch: the environment variable's value, "" = not set.
+ParseResult parse_options(int argc, const char* const* argv, const std::string& source_date_epoch);
+
+// A command that makes the same numbers again: paths and every option that changes results, quoted
+// for a shell. Options that do not (--jobs, --format, ...) are left out, so that reports do not
+// depend on them.
+std::string reproducible_command(const Options& options);
+
+}  // namespace cli

@@ -1,0 +1,164 @@
+#include "report/cli/outputs.h"
+
+#include "report/csv.h"
+#include "report/exr.h"
+#include "report/heatmap.h"
+#include "report/html.h"
+#include "report/json.h"
+#include "report/png.h"
+#include "report/write.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <system_error>
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The closest folder at or above `path` that exists.
+fs::path existing_folder(fs::path path) {
+  std::error_code ignored;
+  while (!path.empty() && !fs::exists(path, ignored)) {
+    if (path == path.parent_path()) break;
+    path = path.parent_path();
+  }
+  return path.empty() ? fs::path(".") : path;
+}
+
+std::string writability(const std::string& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored))
+    return fmt::format("cannot write '{}': it is a folder", file);
+  const fs::path folder = existing_folder(fs::path(file).parent_path());
+  if (!fs::is_directory(folder, ignored)) {
+    return fmt::format("cannot write '{}': '{}' is not a folder", file, folder.string());
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    return fmt::format("cannot write '{}': no permission to write to '{}'", file, folder.string());
+  }
+  return "";
+}
+
+std::string identity(const std::string& file) {
+  std::error_code ignored;
+  const fs::path path = fs::weakly_canonical(file, ignored);
+  return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
+}
+
+// Writes what `make` gives; "" or a message.
+std::string write_made(const std::string& path, const std::function<std::string()>& make) {
+  try {
+    const std::string problem = report::write_file_atomically(path, make());
+    return problem.empty() ? "" : fmt::format("cannot write '{}': {}", path, problem);
+  } catch (const std::exception& error) {
+    return fmt::format("cannot write '{}': {}", path, error.what());
+  }
+}
+
+std::vector<std::string> write_images(const std::string& folder, const report::Document& document) {
+  std::vector<std::string> problems;
+  std::set<std::string> taken;
+  const auto write = [&problems](const std::string& path, const auto& make) {
+    std::string problem = write_made(path, make);
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  };
+  for (const report::ProjectPart& project : document.projects) {
+    for (const report::SpacePart& space : project.spaces) {
+      for (const report::PlanePart& plane : space.planes) {
+        if (!plane.is_computed || !report::has_cells(plane)) continue;
+        const std::string wanted = image_stem(project, plane);
+        std::string stem = wanted;
+        for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
+        const std::string path = (fs::path(folder) / stem).string();
+        write(path + ".png", [&] { return report::render_heatmap_png(plane); });
+        write(path + ".exr", [&] { return report::render_exr(document, project, space, plane); });
+      }
+    }
+  }
+  return problems;
+}
+
+}  // namespace
+
+std::vector<OutputFormat> planned_files(const Options& options) {
+  std::vector<OutputFormat> files;
+  for (const OutputFormat& format : options.formats) {
+    if (!format.file.empty()) files.push_back(format);
+  }
+  if (!options.output_folder.empty()) {
+    const fs::path folder = options.output_folder;
+    files.push_back({FormatKind::csv, (folder / "results.csv").string()});
+    files.push_back({FormatKind::points_csv, (folder / "points.csv").string()});
+    files.push_back({FormatKind::json, (folder / "result.json").string()});
+    files.push_back({FormatKind::html, (folder / "report.html").string()});
+  }
+  return files;
+}
+
+std::string check_outputs(const Options& options) {
+  std::set<std::string> inputs, seen;
+  for (const std::string& file : options.projects) inputs.insert(identity(file));
+  for (const std::string& file : options.rule_files) inputs.insert(identity(file));
+  for (const OutputFormat& format : planned_files(options)) {
+    const std::string name = identity(format.file);
+    if (inputs.contains(name)) {
+      return fmt::format("'{}' is an input and would be overwritten", format.file);
+    }
+    if (!seen.insert(name).second) {
+      return fmt::format("'{}' would be written twice", format.file);
+    }
+    std::string problem = writability(format.file);
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+std::vector<std::string> write_outputs(const Options& options, const report::Document& document) {
+  std::vector<std::string> problems;
+  for (const OutputFormat& format : planned_files(options)) {
+    std::string problem = write_made(format.file, [&] { return render(format.kind, document); });
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  }
+  if (options.images) {
+    for (std::string& problem : write_images(options.output_folder, document)) {
+      problems.push_back(std::move(problem));
+    }
+  }
+  return problems;
+}
+
+std::string render(FormatKind kind, const report::Document& document,
+                   const report::TextOptions& text) {
+  switch (kind) {
+    case FormatKind::text:
+      return report::render_text(document, text);
+    case FormatKind::csv:
+      return report::render_results_csv(document);
+    case FormatKind::points_csv:
+      return report::render_points_csv(document);
+    case FormatKind::json:
+      return report::render_json(document);
+    case FormatKind::html:
+      return report::render_html(document);
+  }
+  return "";
+}
+
+std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {
+  std::string stem = fs::path(project.path).stem().string() + "-" + plane.id;
+  for (char& c : stem) {
+    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    if (!is_kept) c = '_';
+  }
+  return stem;
+}
+
+}  // namespace cli

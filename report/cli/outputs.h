@@ -1,0 +1,33 @@
+#pragma once
+// Which files a run writes: decided and checked before the calculation, written whole after it.
+
+#include "report/cli/options.h"
+#include "report/console.h"
+#include "report/document.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// --format items and the files of --output, in that order. Standard output has an empty file name
+// and is not here.
+std::vector<OutputFormat> planned_files(const Options& options);
+
+// "" if every planned file can be written, else what is wrong: the same file twice, a file that is
+// also an input, a folder that cannot be written. Touches nothing.
+std::string check_outputs(const Options& options);
+
+// Writes all planned files, and with --images a PNG and an EXR of every computed plane. Returns one
+// message per file that could not be written.
+std::vector<std::string> write_outputs(const Options& options, const report::Document& document);
+
+// The document in one format. text: for FormatKind::text only.
+std::string render(FormatKind kind, const report::Document& document,
+                   const report::TextOptions& text = {});
+
+// "<project file's stem>-<plane id>", other characters than letters, digits, '-', '_' and '.'
+// replaced by '_'.
+std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane);
+
+}  // namespace cli

@@ -1,0 +1,17 @@
+#pragma once
+// A whole run of the program.
+
+#include "report/cli/environment.h"
+#include "report/cli/exit_code.h"
+#include "report/cli/options.h"
+
+namespace cli {
+
+// Results go to standard output, everything else to standard error. Throws what our own mistakes
+// and the machine throw (std::bad_alloc, ...).
+ExitCode run(const Options& options, const Environment& environment);
+
+// The program: parses, runs, turns exceptions into a message and kNotJudged.
+int run_program(int argc, const char* const* argv);
+
+}  // namespace cli

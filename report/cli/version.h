@@ -1,0 +1,12 @@
+#pragma once
+// What this program is made of.
+
+#include <string>
+
+namespace cli {
+
+std::string program_version();  // "0.1.0"
+// The answer to `luxgate version`: program, compiler, build type, Embree. Lines, or a JSON object.
+std::string version_text(bool as_json);
+
+}  // namespace cli

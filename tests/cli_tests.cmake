@@ -1,0 +1,60 @@
+# The program from outside: examples, golden cases, independence of threads and neighbours; and the tree's own rules.
+luxgate_test(cli_tests
+  SOURCES
+    unit/report/build_test.cpp
+    unit/report/cli/environment_test.cpp
+    unit/report/cli/exit_code_test.cpp
+    unit/report/cli/init_test.cpp
+    unit/report/cli/options_test.cpp
+    unit/report/cli/outputs_test.cpp
+  LIBRARIES luxgate_cli)
+
+add_executable(compare_csv tools/compare_csv.cpp)
+target_link_libraries(compare_csv PRIVATE calc_model)
+
+# Every folder in golden/ is a case. A new one is found at the next configure.
+file(GLOB golden_cases CONFIGURE_DEPENDS LIST_DIRECTORIES true ${CMAKE_CURRENT_SOURCE_DIR}/golden/*)
+foreach(case IN LISTS golden_cases)
+  if(IS_DIRECTORY ${case})
+    get_filename_component(name ${case} NAME)
+    add_test(NAME golden.${name} COMMAND ${CMAKE_COMMAND}
+      -DLUXGATE=$<TARGET_FILE:luxgate> -DCOMPARE_CSV=$<TARGET_FILE:compare_csv>
+      -DCASE=${case} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/golden
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_golden.cmake)
+  endif()
+endforeach()
+
+# Every numbered folder in examples/ is a test of its exit code; one without expected_exit fails.
+file(GLOB examples CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/examples/[0-9]*)
+foreach(example IN LISTS examples)
+  get_filename_component(name ${example} NAME)
+  add_test(NAME example.${name} COMMAND ${CMAKE_COMMAND}
+    -DLUXGATE=$<TARGET_FILE:luxgate> -DEXAMPLE=${example}
+    -DWORK=${CMAKE_CURRENT_BINARY_DIR}/examples/${name}
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_example.cmake)
+endforeach()
+
+add_test(NAME cli.same_bytes_for_any_jobs COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DPROJECT=${PROJECT_SOURCE_DIR}/examples/04-office/project.xml
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/same_bytes
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_same_bytes.cmake)
+
+add_test(NAME cli.planes_do_not_touch_each_other COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DFOLDER=${CMAKE_CURRENT_SOURCE_DIR}/plane_independence
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_plane_independence.cmake)
+
+add_test(NAME cli.init_project_passes COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DWORK=${CMAKE_CURRENT_BINARY_DIR}/init
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_init.cmake)
+
+add_test(NAME cli.interrupt_leaves_nothing COMMAND bash
+  ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_interrupt.sh $<TARGET_FILE:luxgate>
+  ${PROJECT_SOURCE_DIR}/examples/04-office/project.xml ${CMAKE_CURRENT_BINARY_DIR}/interrupt)
+
+add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)
+add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}
+  -DSCRIPT=${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/layering
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering_fails.cmake)
+include(tools/check_headers.cmake)

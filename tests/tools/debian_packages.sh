@@ -1,0 +1,33 @@
+# Sourced by examples/run and tests/run: installs the Debian packages named, if any is missing.
+# Quick when nothing is missing (one dpkg query). Needs root or sudo only to install.
+
+luxgate_build_packages=(
+  cmake ninja-build g++
+  libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev
+  nlohmann-json3-dev libpng-dev libtinyobjloader-dev libssl-dev libegl-dev libepoxy-dev
+)
+luxgate_test_packages=(libgtest-dev libgmock-dev libxml2-utils)
+
+# install_debian_packages NAME...
+install_debian_packages() {
+  local missing=() name
+  for name in "$@"; do
+    [[ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" == installed ]] ||
+      missing+=("$name")
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return 0
+
+  local as_root=()
+  if [[ $EUID -ne 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Missing Debian packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+      return 2
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing Debian packages: ${missing[*]}" >&2
+  # env: sudo drops variables set before it. Standard output is left to the program's results.
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}

@@ -1,0 +1,25 @@
+# Runs one example from its own folder and compares the exit code with the file expected_exit.
+#   cmake -DLUXGATE=<binary> -DEXAMPLE=<folder> -DWORK=<scratch> -P run_example.cmake
+cmake_minimum_required(VERSION 3.25)
+
+foreach(file README.md project.xml expected_exit)
+  if(NOT EXISTS ${EXAMPLE}/${file})
+    message(FATAL_ERROR "${EXAMPLE} has no ${file}")
+  endif()
+endforeach()
+file(STRINGS ${EXAMPLE}/expected_exit expected)
+file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND ${LUXGATE} check project.xml --output ${WORK} --images
+  WORKING_DIRECTORY ${EXAMPLE} RESULT_VARIABLE exit_code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+message("${out}${err}")
+if(NOT exit_code STREQUAL expected)
+  message(FATAL_ERROR "exit code ${exit_code}, expected ${expected}")
+endif()
+if(NOT err STREQUAL "")
+  message(FATAL_ERROR "an example must run without warnings")
+endif()
+foreach(file results.csv points.csv result.json report.html)
+  if(NOT EXISTS ${WORK}/${file})
+    message(FATAL_ERROR "${file} was not written")
+  endif()
+endforeach()
