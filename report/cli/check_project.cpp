@@ -58,38 +58,38 @@ report::ProjectPart unreadable_project(const std::string& path,
 }
 
 // A plane on its way; without a grid `reason` says why it cannot be computed.
-struct PlaneWork {
+struct PlaneJob {
   const calc::CalcPlane* plane;
   std::vector<rules::Requirement> requirements;
   std::optional<calc::SensorGrid> grid;
   std::string reason;
 };
 
-std::vector<PlaneWork> make_grids(const calc::Space& space, const LoadedProject& loaded,
+std::vector<PlaneJob> make_grids(const calc::Space& space, const LoadedProject& loaded,
                                   calc::Diagnostics& diagnostics) {
-  std::vector<PlaneWork> works;
+  std::vector<PlaneJob> jobs;
   for (const calc::CalcPlane& plane : space.planes) {
-    PlaneWork& work = works.emplace_back();
-    work.plane = &plane;
-    work.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
-    work.grid = calc::make_sensor_grid(plane, space, diagnostics);
-    if (!work.grid) work.reason = diagnostics.all().back().message;
+    PlaneJob& job = jobs.emplace_back();
+    job.plane = &plane;
+    job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
+    job.grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (!job.grid) job.reason = diagnostics.all().back().message;
   }
-  return works;
+  return jobs;
 }
 
 // The planes that have points; tasks keep their order.
 struct Tasks {
   std::vector<calc::PlaneTask> list;
-  std::vector<const PlaneWork*> work;
+  std::vector<const PlaneJob*> job;
 };
 
-Tasks make_tasks(const std::vector<PlaneWork>& works) {
+Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
   Tasks tasks;
-  for (const PlaneWork& work : works) {
-    if (!work.grid) continue;
-    tasks.list.push_back({work.plane->id, &*work.grid});
-    tasks.work.push_back(&work);
+  for (const PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    tasks.list.push_back({job.plane->id, &*job.grid});
+    tasks.job.push_back(&job);
   }
   return tasks;
 }
@@ -108,8 +108,8 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
                           const Tasks& tasks, const CheckContext& context, const Stopwatch& watch) {
   const Options& options = context.options;
   const auto is_accurate = [&](std::size_t task, const calc::PlaneField& field) {
-    const PlaneWork& work = *tasks.work[task];
-    return rules::is_accurate(work.requirements, *work.grid, field, project.scenes,
+    const PlaneJob& job = *tasks.job[task];
+    return rules::is_accurate(job.requirements, *job.grid, field, project.scenes,
                               options.tolerance, options.confidence);
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
@@ -120,15 +120,15 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
                                  options.confidence, context.gatherer, is_accurate, progress);
 }
 
-report::PlanePart judge(const PlaneWork& work, const calc::PlaneField* field,
+report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
                         const std::vector<calc::LightScene>& scenes, double confidence) {
   if (field == nullptr) {
-    return report::build_uncomputed_plane(*work.plane, work.reason,
-                                          rules::not_judged_plane(work.requirements, work.reason));
+    return report::build_uncomputed_plane(*job.plane, job.reason,
+                                          rules::not_judged_plane(job.requirements, job.reason));
   }
   return report::build_plane(
-      *work.plane, *work.grid, *field,
-      rules::judge_plane(work.requirements, *work.grid, *field, scenes, confidence), confidence);
+      *job.plane, *job.grid, *field,
+      rules::judge_plane(job.requirements, *job.grid, *field, scenes, confidence), confidence);
 }
 
 void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
@@ -143,9 +143,9 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
                               const CheckContext& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
-  const std::vector<PlaneWork> works = make_grids(space, loaded, diagnostics);
+  const std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
-  const Tasks tasks = make_tasks(works);
+  const Tasks tasks = make_tasks(jobs);
   times.prepare_s += prepare_watch.seconds();
 
   calc::SpaceSolution solution;
@@ -155,9 +155,9 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   const Stopwatch judge_watch;
   std::vector<report::PlanePart> planes;
   std::size_t task = 0;
-  for (const PlaneWork& work : works) {
-    const calc::PlaneField* field = work.grid ? &solution.fields[task++] : nullptr;
-    planes.push_back(judge(work, field, loaded.project.scenes, context.options.confidence));
+  for (const PlaneJob& job : jobs) {
+    const calc::PlaneField* field = job.grid ? &solution.fields[task++] : nullptr;
+    planes.push_back(judge(job, field, loaded.project.scenes, context.options.confidence));
   }
   times.judge_s += judge_watch.seconds();
   return report::build_space(space, scene, solution.balance, std::move(planes));
