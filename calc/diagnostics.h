@@ -1,6 +1,7 @@
 #pragma once
 // Everything the program has to say about its input: one table of ids and message templates
-// (diagnostics.def), one collector, one text form. Libraries report here; only the command line prints.
+// (diagnostics.def), one collector, one text form. Libraries report here; only the command line
+// prints.
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 
 namespace calc {
 
-// A value with its confidence interval at the level of the run (95 % by default); low <= value <= high.
-// The unit is that of the field that holds it. low == high: exact (nothing was sampled).
+// A value with its confidence interval at the level of the run (95 % by default); low <= value <=
+// high. The unit is that of the field that holds it. low == high: exact (nothing was sampled).
 struct Estimate {
   double value = 0.0;
   double low = 0.0;
@@ -18,8 +18,8 @@ struct Estimate {
   double half_width() const { return 0.5 * (high - low); }
 };
 
-// Luminaires that share a dimming group and a maintenance factor: results are linear in both, so that
-// every scene and state is a weighted sum over channels.
+// Luminaires that share a dimming group and a maintenance factor: results are linear in both, so
+// that every scene and state is a weighted sum over channels.
 struct LightChannel {
   std::string group;
   double maintenance_factor = 1.0;
@@ -30,24 +30,28 @@ enum class StopReason { exact, accurate, path_limit, time_limit, interrupted };
 
 // Counts of what was done for one plane; for reports and benchmarks.
 struct SolveCounters {
-  std::uint64_t paths = 0;                // light paths of all replicates together
-  std::uint64_t direct_rays = 0;          // shadow rays towards luminaires
-  std::uint64_t connection_rays = 0;      // shadow rays towards light vertices
-  std::uint64_t near_rays = 0;            // rays of the near-field part, continuation included
+  std::uint64_t paths = 0;            // light paths of all replicates together
+  std::uint64_t direct_rays = 0;      // shadow rays towards luminaires
+  std::uint64_t connection_rays = 0;  // shadow rays towards light vertices
+  std::uint64_t near_rays = 0;        // rays of the near-field part, continuation included
 };
 
-// Initial illuminance (new lamps, full output) at the points of one plane, on the side of their normals.
-// E[replicate][channel][point] = direct_exact + direct_sampled + indirect; replicates are independent and
-// identically distributed, each an unbiased estimate. No value is clamped.
+// Initial illuminance (new lamps, full output) at the points of one plane, on the side of their
+// normals. E[replicate][channel][point] = direct_exact + direct_sampled + indirect; replicates are
+// independent and identically distributed, each an unbiased estimate. No value is clamped.
 struct PlaneField {
   std::string plane_id;
-  std::string problem;                        // why the plane could not be computed; "" = it was
+  std::string problem;  // why the plane could not be computed; "" = it was
   std::size_t points = 0;
-  std::size_t replicates = 0;                 // >= 2; the sampled parts are empty when nothing was sampled
+  std::size_t replicates = 0;  // >= 2; the sampled parts are empty when nothing was sampled
   std::vector<LightChannel> channels;
-  std::vector<double> direct_exact_lx;        // [channel][point]
-  std::vector<double> direct_sampled_lx;      // [replicate][channel][point]; empty without extended luminaires
-  std::vector<double> indirect_lx;            // [replicate][channel][point]; empty without reflection
+  std::vector<double> direct_exact_lx;  // [channel][point]
+  std::vector<double>
+      direct_sampled_lx;  // [replicate][channel][point]; empty without extended luminaires
+  std::vector<double> indirect_lx;  // [replicate][channel][point]; empty without reflection
+  // [point]: 1 if sampled light may reach the point but no sample has: its 0 lx is then not a
+  // measurement, and its interval of width 0 means nothing. Empty when nothing was sampled.
+  std::vector<std::uint8_t> unseen;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
   double seconds = 0.0;
@@ -55,7 +59,8 @@ struct PlaneField {
   bool is_exact() const { return direct_sampled_lx.empty() && indirect_lx.empty(); }
 };
 
-// Light budget of one space, all luminaires at full output, new: emitted = absorbed + escaped up to sampling noise.
+// Light budget of one space, all luminaires at full output, new: emitted = absorbed + escaped up to
+// sampling noise.
 struct FluxBalance {
   double emitted_lm = 0.0;  // exact: integrals of the photometry
   Estimate absorbed_lm;     // by surfaces

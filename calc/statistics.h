@@ -7,8 +7,8 @@
 
 namespace calc {
 
-// x with P(T <= x) = probability for Student's t with degrees_of_freedom >= 1; probability in (0, 1).
-// Relative error below 1e-10 (tested against published tables and symmetry).
+// x with P(T <= x) = probability for Student's t with degrees_of_freedom >= 1; probability in (0,
+// 1). Relative error below 1e-10 (tested against published tables and symmetry).
 double student_t_quantile(double probability, int degrees_of_freedom);
 
 // Mean of independent replicates of one quantity.
@@ -18,7 +18,8 @@ struct ReplicateMean {
 };
 ReplicateMean replicate_mean(std::span<const double> replicates);
 
-// Two-sided Student-t interval at `confidence` in (0, 1). One replicate counts as exact: low = high.
+// Two-sided Student-t interval at `confidence` in (0, 1). One replicate counts as exact: low =
+// high.
 Estimate t_interval(std::span<const double> replicates, double confidence);
 
 }  // namespace calc

@@ -12,7 +12,8 @@ namespace calc {
 std::vector<std::string_view> split_words(std::string_view text);
 std::string_view trim(std::string_view text);
 
-// A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing text.
+// A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing
+// text.
 std::optional<double> parse_number(std::string_view text);
 std::optional<int> parse_integer(std::string_view text);
 

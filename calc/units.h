@@ -8,11 +8,10 @@ namespace calc {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kRadiansPerDegree = kPi / 180.0;
-inline constexpr double kMetresPerFoot = 0.3048;          // international foot, exact
-inline constexpr double kMetresPerInch = 0.0254;          // international inch, exact
-inline constexpr double kMetresPerMillimetre = 1.0e-3;    // exact
-inline constexpr double kMetresPerCentimetre = 1.0e-2;    // exact
-
+inline constexpr double kMetresPerFoot = 0.3048;        // international foot, exact
+inline constexpr double kMetresPerInch = 0.0254;        // international inch, exact
+inline constexpr double kMetresPerMillimetre = 1.0e-3;  // exact
+inline constexpr double kMetresPerCentimetre = 1.0e-2;  // exact
 
 inline constexpr double kLuxPerFootcandle = 1.0 / (kMetresPerFoot * kMetresPerFoot);  // lm/ft2
 static_assert(kLuxPerFootcandle > 10.76391041670972 && kLuxPerFootcandle < 10.76391041670973);

@@ -1,6 +1,6 @@
 #pragma once
-// Everything a report says, in no particular format. Renderers read this and nothing else, so that every
-// format tells the same story.
+// Everything a report says, in no particular format. Renderers read this and nothing else, so that
+// every format tells the same story.
 
 #include "calc/diagnostics.h"
 #include "calc/field.h"
@@ -17,33 +17,35 @@
 
 namespace report {
 
-// Seconds by phase; absent from formats unless timing was asked for, since they change from run to run.
+// Seconds by phase; absent from formats unless timing was asked for, since they change from run to
+// run.
 struct PhaseTimes {
-  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0, judge_s = 0;
+  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0,
+         judge_s = 0;
   double total_s = 0;
 };
 
 struct Provenance {
-  std::string program_version;   // "0.1.0"
-  std::string command_line;      // copyable: "luxgate check office.xml --seed 1"
-  std::string timestamp;         // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
+  std::string program_version;  // "0.1.0"
+  std::string command_line;     // copyable: "luxgate check office.xml --seed 1"
+  std::string timestamp;        // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
   std::uint64_t seed = 0;
   double confidence = 0.95;
-  double tolerance = 0.02;       // relative half-width aimed at
-  std::uint64_t max_paths = 0;   // per plane and replicate
+  double tolerance = 0.02;      // relative half-width aimed at
+  std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
-  std::string backend;           // "cpu (Embree 3.13.5)"
+  std::string backend;  // "cpu (Embree 3.13.5)"
 };
 
 struct LuminaireRow {
   std::string type_id, photometry_file, name, format;
   int count = 0;
-  double flux_lm = 0;         // one luminaire, after any override
-  double power_w = 0;         // 0 = not stated
+  double flux_lm = 0;  // one luminaire, after any override
+  double power_w = 0;  // 0 = not stated
   double max_intensity_cd = 0;
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
-  std::string sha256;         // of the photometry file
+  std::string sha256;  // of the photometry file
 };
 
 struct PointRow {
@@ -57,15 +59,17 @@ struct PointRow {
 struct PlanePart {
   std::string id, name, space_id;
   calc::SourceLocation where;
-  bool is_computed = false;      // false: `reason` says why; the rest is then empty
+  bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
-  calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
+  calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
-  calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg, uniformity_min_max;  // maintained
+  calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
+      uniformity_min_max;  // maintained
   std::vector<rules::Finding> findings;
   calc::StopReason stop = calc::StopReason::exact;
   calc::SolveCounters counters;
-  std::vector<glm::dvec2> outline_m;  // of the plane, in its (u, v) from grid.origin_m; empty for point lists
+  std::vector<glm::dvec2>
+      outline_m;  // of the plane, in its (u, v) from grid.origin_m; empty for point lists
   std::vector<std::vector<glm::dvec2>> holes_m;
 };
 
@@ -87,8 +91,8 @@ struct SpacePart {
 
 struct ProjectPart {
   std::string path, name;
-  bool is_judged = false;                      // false: it could not be read or calculated; see diagnostics
-  std::vector<calc::Diagnostic> diagnostics;   // warnings and errors, in order
+  bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
+  std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
   std::vector<LuminaireRow> luminaires;
   std::vector<SpacePart> spaces;
   std::vector<calc::InputFile> inputs;

@@ -24,6 +24,7 @@ bool is_accurate(const std::vector<Requirement>& requirements, const calc::Senso
       requirements.empty() ? default_quantities() : requirements;
   return std::all_of(judged.begin(), judged.end(), [&](const Requirement& requirement) {
     const Measurement measurement = measure(requirement, grid, field, scenes, confidence);
+    if (measurement.unseen_points > 0) return false;
     if (!measurement.metric) return true;
     const calc::Estimate& estimate = measurement.metric->estimate;
     return estimate.half_width() <= tolerance * estimate.value;  // 0 <= 0 for an exact darkness

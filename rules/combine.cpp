@@ -22,13 +22,40 @@ void add_weighted(const std::vector<double>& from_lx, std::size_t row, double we
   for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
 }
 
+// [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
+// own marks speak of all channels together; a scene with fewer of them may miss more points.
+std::vector<std::uint8_t> find_unseen(
+    const calc::PlaneField& field, LightState state,
+    const std::vector<std::pair<std::string, double>>& level_of_group) {
+  std::vector<std::uint8_t> unseen(field.points, 0);
+  if (field.unseen.empty()) return unseen;
+  for (std::size_t i = 0; i < field.points; ++i) {
+    double weighted_lx = 0.0, all_lx = 0.0;
+    for (const std::vector<double>* part : {&field.direct_sampled_lx, &field.indirect_lx}) {
+      for (std::size_t k = i; k < part->size(); k += field.points) {
+        const calc::LightChannel& channel =
+            field.channels[k / field.points % field.channels.size()];
+        all_lx += (*part)[k];
+        weighted_lx += weight_of(channel, state, level_of_group) * (*part)[k];
+      }
+    }
+    unseen[i] = weighted_lx == 0.0 && (field.unseen[i] != 0 || all_lx > 0.0) ? 1 : 0;
+  }
+  return unseen;
+}
+
 }  // namespace
 
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group) {
   PointValues values;
   values.points = field.points;
-  values.replicates = field.is_exact() ? 1 : field.replicates;
+  // A scene that dims everything to 0 is exactly dark, whatever was sampled.
+  const bool has_light = std::any_of(
+      field.channels.begin(), field.channels.end(),
+      [&](const calc::LightChannel& c) { return weight_of(c, state, level_of_group) > 0.0; });
+  values.replicates = field.is_exact() || !has_light ? 1 : field.replicates;
+  if (has_light) values.unseen = find_unseen(field, state, level_of_group);
   values.value_lx.assign(values.replicates * values.points, 0.0);
   const std::size_t channels = field.channels.size();
   for (std::size_t r = 0; r < values.replicates; ++r) {

@@ -48,14 +48,26 @@ Finding judge_one(const Requirement& requirement, const calc::SensorGrid& grid,
     finding.reason = measurement.reason;
     return finding;
   }
+  const calc::Estimate& estimate = measurement.metric->estimate;
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.value) ||
+      !std::isfinite(estimate.high)) {
+    finding.reason = "the result is not a finite number";
+    return finding;
+  }
   const Comparison comparison = requirement.comparison;
   const double limit = requirement.limit;
-  finding.measured = measurement.metric->estimate;
+  finding.measured = estimate;
   finding.verdict = compare(finding.measured, comparison, limit);
   finding.margin = margin(finding.measured.value, comparison, limit);
   finding.is_close = is_close_call(finding.measured.value, requirement.metric, comparison, limit);
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
-  if (finding.verdict == Verdict::undecided) {
+  if (measurement.unseen_points > 0) {
+    finding.verdict = Verdict::undecided;
+    finding.is_close = false;
+    finding.reason = fmt::format(
+        "no sampled light reached {} of {} points: their illuminance is small, but not known",
+        measurement.unseen_points, field.points);
+  } else if (finding.verdict == Verdict::undecided) {
     finding.reason = undecided_text(finding.measured, limit, requirement.metric);
   }
   return finding;
@@ -66,6 +78,7 @@ Finding judge_one(const Requirement& requirement, const calc::SensorGrid& grid,
 std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence) {
+  if (!field.problem.empty()) return not_judged_plane(requirements, field.problem);
   std::vector<Finding> findings;
   findings.reserve(requirements.size());
   for (const Requirement& requirement : requirements) {

@@ -54,6 +54,15 @@ std::string undefined_text(Metric metric) {
                      metric == Metric::uniformity_min_max ? "maximum" : "average");
 }
 
+// The average does not hang on single points: it only matters if all of them are unseen.
+std::size_t count_unseen(const PointValues& values, Metric metric,
+                         std::optional<std::size_t> point) {
+  if (point) return values.unseen.empty() ? 0 : values.unseen[*point];
+  const auto unseen = std::count(values.unseen.begin(), values.unseen.end(), 1);
+  const auto count = static_cast<std::size_t>(unseen);
+  return metric == Metric::average && count < values.points ? 0 : count;
+}
+
 }  // namespace
 
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
@@ -78,6 +87,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   Measurement result{
       compute_metric(values, requirement.metric, requirement.percent, point, confidence), ""};
   if (!result.metric) result.reason = undefined_text(requirement.metric);
+  result.unseen_points = count_unseen(values, requirement.metric, point);
   return result;
 }
 

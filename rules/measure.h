@@ -7,6 +7,7 @@
 #include "rules/metrics.h"
 #include "rules/requirement.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ namespace rules {
 struct Measurement {
   std::optional<MetricEstimate> metric;
   std::string reason;
+  // Points whose value is not known to be what was measured, because no sampled light has reached
+  // them although some may; only as far as they matter for this quantity. While there are any,
+  // neither pass nor fail is proved.
+  std::size_t unseen_points = 0;
 };
 
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,

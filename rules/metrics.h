@@ -5,6 +5,7 @@
 #include "rules/requirement.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,9 @@ struct PointValues {
   std::size_t points = 0;
   std::size_t replicates = 0;
   std::vector<double> value_lx;
+  // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
+  // May be empty.
+  std::vector<std::uint8_t> unseen;
 
   bool is_exact() const { return replicates == 1; }
   double at(std::size_t replicate, std::size_t point) const {

@@ -15,7 +15,8 @@ bool is_point(const PlacedLuminaire& luminaire) {
 }
 
 void add_source(ShadowBatch& batch, const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
-                const glm::dvec3& position_m, const glm::dvec3& normal, double weight, double offset_m) {
+                const glm::dvec3& position_m, const glm::dvec3& normal, double weight,
+                double offset_m) {
   const double lx = point_illuminance_lx(luminaire, source_m, position_m, normal);
   if (lx <= 0.0) return;
   batch.add(glm::vec3(lifted_source_m(luminaire, source_m, position_m, offset_m)), weight * lx,
@@ -38,14 +39,16 @@ CellExtent cell_extent(const PlacedLuminaire& luminaire, const OpeningCell& cell
   const glm::dvec3 centre = at(0.5, 0.5);
   double radius = 0.0;
   for (const double s : {0.0, 0.5, 1.0}) {
-    for (const double t : {0.0, 0.5, 1.0}) radius = std::max(radius, glm::length(at(s, t) - centre));
+    for (const double t : {0.0, 0.5, 1.0})
+      radius = std::max(radius, glm::length(at(s, t) - centre));
   }
   return {centre, 2.0 * radius};
 }
 
 std::uint32_t cell_samples(double diameter_m, double distance_m) {
-  // n points of a scrambled net on a part are off by 0.8 diameter / distance * n^-1.5.  [measured for a Lambertian panel
-  // at 45 degrees: within 35 % of that for 1 to 64 points and 1 to 8 diameters]
+  // n points of a scrambled net on a part are off by 0.8 diameter / distance * n^-1.5.  [measured
+  // for a Lambertian panel at 45 degrees: within 35 % of that for 1 to 64 points and 1 to 8
+  // diameters]
   constexpr double kOneSampleError = 0.8;
   constexpr double kWantedError = 0.005;
   const double ratio = std::min(1.0, diameter_m / distance_m);
@@ -53,11 +56,12 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
       std::ceil(std::pow(kOneSampleError * ratio / kWantedError, 2.0 / 3.0))));
 }
 
-// A receiver in touch with the opening would split for ever; 2^-12 of an opening is a fraction of a millimetre.
+// A receiver in touch with the opening would split for ever; 2^-12 of an opening is a fraction of a
+// millimetre.
 constexpr int kDeepestSplit = 12;
 
-void split_cell(const PlacedLuminaire& luminaire, const glm::dvec3& position_m, const OpeningCell& cell,
-                int depth, std::vector<OpeningCell>& cells) {
+void split_cell(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
+                const OpeningCell& cell, int depth, std::vector<OpeningCell>& cells) {
   const CellExtent extent = cell_extent(luminaire, cell);
   const double distance = glm::length(extent.centre_m - position_m);
   if (extent.diameter_m <= distance || depth == kDeepestSplit) {
@@ -90,8 +94,9 @@ std::uint64_t add_point_sources(const Tracer& tracer, const glm::dvec3& position
 }
 
 std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& position_m,
-                                   const glm::dvec3& normal, RandomKey key, std::uint32_t first_round,
-                                   std::uint32_t last_round, double* sums, std::size_t stride) {
+                                   const glm::dvec3& normal, RandomKey key,
+                                   std::uint32_t first_round, std::uint32_t last_round,
+                                   double* sums, std::size_t stride) {
   ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
@@ -99,7 +104,8 @@ std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& posit
     const std::vector<OpeningCell> cells = opening_cells(luminaires[l], position_m);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const OpeningCell& cell = cells[c];
-      const double weight = cell.size * cell.size / cell.samples;  // the sample square is area-preserving
+      const double weight =
+          cell.size * cell.size / cell.samples;  // the sample square is area-preserving
       const ScrambledSobol sobol(key.with(l).with(c));
       for (std::uint32_t i = first_round * cell.samples; i < last_round * cell.samples; ++i) {
         const auto u = sobol.sample_pair(i, 0);
@@ -114,8 +120,8 @@ std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& posit
 }
 
 std::uint64_t add_direct_sample(const Tracer& tracer, const glm::dvec3& position_m,
-                                const glm::dvec3& normal, RandomKey key, double weight, double* sums,
-                                std::size_t stride) {
+                                const glm::dvec3& normal, RandomKey key, double weight,
+                                double* sums, std::size_t stride) {
   ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
@@ -128,7 +134,8 @@ std::uint64_t add_direct_sample(const Tracer& tracer, const glm::dvec3& position
   return batch.rays();
 }
 
-std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire, const glm::dvec3& position_m) {
+std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
+                                       const glm::dvec3& position_m) {
   std::vector<OpeningCell> cells;
   split_cell(luminaire, position_m, {}, 0, cells);
   return cells;

@@ -47,7 +47,8 @@ double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& 
   const double distance2 = glm::dot(to_source, to_source);
   const double distance = std::sqrt(distance2);
   const glm::dvec3 out = glm::transpose(luminaire.world_from_luminaire) * (to_source / -distance);
-  const double intensity = luminaire.web->intensity_cd({out.x, out.y, out.z}) * luminaire.flux_scale;
+  const double intensity =
+      luminaire.web->intensity_cd({out.x, out.y, out.z}) * luminaire.flux_scale;
   return intensity * cosine_times_distance / (distance2 * distance);
 }
 
@@ -68,7 +69,8 @@ Emitter::Emitter(const PreparedScene& scene) : scene_(scene), cumulative_lm_{0.0
 }
 
 std::size_t Emitter::choose_luminaire(double u) const {
-  const auto next = std::upper_bound(cumulative_lm_.begin() + 1, cumulative_lm_.end() - 1, u * flux_lm_);
+  const auto next =
+      std::upper_bound(cumulative_lm_.begin() + 1, cumulative_lm_.end() - 1, u * flux_lm_);
   return static_cast<std::size_t>(next - cumulative_lm_.begin()) - 1;
 }
 
@@ -82,7 +84,8 @@ EmittedRay Emitter::emit(std::size_t luminaire, std::array<double, 2> direction_
   return {lift_along_axis(placed, source, direction, offset_m), direction};
 }
 
-int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m, double distance_m) {
+int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m,
+                            double distance_m) {
   for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
     const PlacedLuminaire& luminaire = scene.luminaires[l];
     if (luminaire.opening.shape != OpeningShape::point) continue;

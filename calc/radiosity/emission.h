@@ -14,17 +14,19 @@
 
 namespace calc {
 
-// A luminaire's opening point k of n: a square sample mapped onto rectangle or disk, local coordinates.
+// A luminaire's opening point k of n: a square sample mapped onto rectangle or disk, local
+// coordinates.
 glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);
 
-// Unoccluded illuminance (lx) at a point with unit normal from intensity leaving `source_m`, with all of the
-// luminaire's intensity put into that one point: E = I cos / d^2. 0 behind the surface. Times flux_scale.
-// d = 0 gives 0: a receiver on the luminaire itself is refused before (find_touching_luminaire).
+// Unoccluded illuminance (lx) at a point with unit normal from intensity leaving `source_m`, with
+// all of the luminaire's intensity put into that one point: E = I cos / d^2. 0 behind the surface.
+// Times flux_scale. d = 0 gives 0: a receiver on the luminaire itself is refused before
+// (find_touching_luminaire).
 double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                             const glm::dvec3& receiver_m, const glm::dvec3& normal);
 
-// Where shadow rays towards `source_m` end: lifted along the luminaire's axis to the receiver's side, so that a
-// luminaire flush with the ceiling is not hidden by the ceiling.
+// Where shadow rays towards `source_m` end: lifted along the luminaire's axis to the receiver's
+// side, so that a luminaire flush with the ceiling is not hidden by the ceiling.
 glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                            const glm::dvec3& receiver_m, double offset_m);
 
@@ -39,7 +41,9 @@ class Emitter {
   explicit Emitter(const PreparedScene& scene);
 
   double flux_lm() const { return flux_lm_; }  // of all luminaires, initial, full output
-  double flux_lm(std::size_t luminaire) const { return cumulative_lm_[luminaire + 1] - cumulative_lm_[luminaire]; }
+  double flux_lm(std::size_t luminaire) const {
+    return cumulative_lm_[luminaire + 1] - cumulative_lm_[luminaire];
+  }
 
   // u in [0, 1): luminaire with probability flux / total flux, in file order.
   std::size_t choose_luminaire(double u) const;
@@ -49,14 +53,15 @@ class Emitter {
 
  private:
   const PreparedScene& scene_;
-  std::vector<WebSampler> samplers_;          // one per distinct web
-  std::vector<std::size_t> sampler_of_;       // per luminaire
-  std::vector<double> cumulative_lm_;         // luminaires + 1 entries
+  std::vector<WebSampler> samplers_;     // one per distinct web
+  std::vector<std::size_t> sampler_of_;  // per luminaire
+  std::vector<double> cumulative_lm_;    // luminaires + 1 entries
   double flux_lm_ = 0.0;
 };
 
-// Index of a luminaire so near to the point (within `distance_m` of its centre, point openings only) that its
-// illuminance there has no meaning, or -1.
-int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m, double distance_m);
+// Index of a luminaire so near to the point (within `distance_m` of its centre, point openings
+// only) that its illuminance there has no meaning, or -1.
+int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m,
+                            double distance_m);
 
 }  // namespace calc

@@ -1,5 +1,6 @@
 #pragma once
-// The batch seam between the calculation and whatever sums light vertices: CPU here, OpenGL in gpu/.
+// The batch seam between the calculation and whatever sums light vertices: CPU here, OpenGL in
+// gpu/.
 
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/rays.h"
@@ -25,10 +26,12 @@ class Gatherer {
  public:
   virtual ~Gatherer() = default;
 
-  // Adds to sum_lx[channel * receivers + i], in units of lx, the illuminance at receiver i from every light vertex,
-  //   sum over vertices v of flux_v / pi * min(G(x_i, v), bound_v) * V(x_i, v),   G = cos_x cos_v / d^2,
-  // always summed in the same order, so that the result is the same in bits for any number of threads.
-  // Returns the number of shadow rays traced.
+  // Adds to sum_lx[channel * receivers + i], in units of lx, the illuminance at receiver i from
+  // every light vertex,
+  //   sum over vertices v of flux_v / pi * min(G(x_i, v), bound_v) * V(x_i, v),   G = cos_x cos_v /
+  //   d^2,
+  // always summed in the same order, so that the result is the same in bits for any number of
+  // threads. Returns the number of shadow rays traced.
   virtual std::uint64_t gather(const Tracer& tracer, const Receivers& receivers,
                                const LightVertices& vertices, std::span<double> sum_lx) = 0;
 

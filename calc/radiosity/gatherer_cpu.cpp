@@ -11,16 +11,18 @@
 namespace calc {
 namespace {
 
-// Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages out; the sums
-// are double.
-std::uint64_t gather_point(const Tracer& tracer, const glm::dvec3& position_m, const glm::dvec3& normal,
-                           const LightVertices& vertices, double* sums, std::size_t stride) {
+// Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages out;
+// the sums are double.
+std::uint64_t gather_point(const Tracer& tracer, const glm::dvec3& position_m,
+                           const glm::dvec3& normal, const LightVertices& vertices, double* sums,
+                           std::size_t stride) {
   ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
   const glm::vec3 x(position_m);
   const glm::vec3 nx(normal);
   const auto offset = static_cast<float>(tracer.offset_m());
   for (std::uint32_t channel = 0; channel < vertices.channels(); ++channel) {
-    for (std::size_t j = vertices.channel_begin[channel]; j < vertices.channel_begin[channel + 1]; ++j) {
+    for (std::size_t j = vertices.channel_begin[channel]; j < vertices.channel_begin[channel + 1];
+         ++j) {
       const glm::vec3 w = vertices.position_m[j] - x;
       const float cx = glm::dot(nx, w);
       const float cy = -glm::dot(vertices.normal[j], w);
@@ -37,13 +39,13 @@ std::uint64_t gather_point(const Tracer& tracer, const glm::dvec3& position_m, c
 
 class CpuGatherer : public Gatherer {
  public:
-  std::uint64_t gather(const Tracer& tracer, const Receivers& receivers, const LightVertices& vertices,
-                       std::span<double> sum_lx) override {
+  std::uint64_t gather(const Tracer& tracer, const Receivers& receivers,
+                       const LightVertices& vertices, std::span<double> sum_lx) override {
     std::atomic<std::uint64_t> rays{0};
     tbb::parallel_for(std::size_t{0}, receivers.size(), [&](std::size_t i) {
       const FlushDenormals flush;
-      rays += gather_point(tracer, receivers.position_m[i], receivers.normal[i], vertices, &sum_lx[i],
-                           receivers.size());
+      rays += gather_point(tracer, receivers.position_m[i], receivers.normal[i], vertices,
+                           &sum_lx[i], receivers.size());
     });
     return rays;
   }

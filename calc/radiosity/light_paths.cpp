@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -13,15 +14,16 @@
 namespace calc {
 namespace {
 
-constexpr std::uint32_t kPathsPerChunk = 64;  // fixed: sums are grouped the same way for any thread count
-constexpr int kFreeReflections = 1;           // reflections before roulette begins
+constexpr std::uint32_t kPathsPerChunk =
+    64;                              // fixed: sums are grouped the same way for any thread count
+constexpr int kFreeReflections = 1;  // reflections before roulette begins
 
 // Sobol' dimensions of a path.
 constexpr int kLuminaireDimension = 0;
-constexpr int kDirectionDimension = 1;   // and 2
+constexpr int kDirectionDimension = 1;  // and 2
 constexpr int kRouletteDimension = 3;
-constexpr int kOpeningDimension = 4;     // and 5
-constexpr int kBounceDimension = 6;      // and 7, two more for every reflection
+constexpr int kOpeningDimension = 4;  // and 5
+constexpr int kBounceDimension = 6;   // and 7, two more for every reflection
 
 struct Vertex {
   glm::vec3 position_m, normal;
@@ -38,7 +40,8 @@ struct Chunk {
 };
 
 void trace_path(const Tracer& tracer, const Emitter& emitter, const GeometryBound& bound,
-                const ScrambledSobol& sobol, std::uint32_t index, double path_flux_lm, Chunk& chunk) {
+                const ScrambledSobol& sobol, std::uint32_t index, double path_flux_lm,
+                Chunk& chunk) {
   const PreparedScene& scene = tracer.scene();
   const std::size_t luminaire = emitter.choose_luminaire(sobol.sample(index, kLuminaireDimension));
   EmittedRay ray = emitter.emit(luminaire, sobol.sample_pair(index, kDirectionDimension),
@@ -50,7 +53,8 @@ void trace_path(const Tracer& tracer, const Emitter& emitter, const GeometryBoun
   for (int reflection = 0; reflection < kMostReflections; ++reflection) {
     SurfaceHit hit;
     ++chunk.rays;
-    if (!tracer.closest_hit(ray.origin_m, ray.direction, std::numeric_limits<float>::infinity(), hit)) {
+    if (!tracer.closest_hit(ray.origin_m, ray.direction, std::numeric_limits<float>::infinity(),
+                            hit)) {
       chunk.escaped_lm += weight_lm;
       return;
     }
@@ -99,18 +103,20 @@ LightVertices merge(const std::vector<Chunk>& chunks, std::size_t channels) {
 
 }  // namespace
 
-TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const GeometryBound& bound,
-                              const PathBatch& batch) {
+TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
+                              const GeometryBound& bound, const PathBatch& batch) {
   const std::uint32_t paths = batch.last - batch.first;
   const double path_flux_lm = emitter.flux_lm() / paths;
   const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate));
+  std::atomic<bool> is_endless{false};  // one endless path refuses the scene: the rest need not run
   std::vector<Chunk> chunks((paths + kPathsPerChunk - 1) / kPathsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
     const FlushDenormals flush;
     const std::uint32_t begin = batch.first + static_cast<std::uint32_t>(c) * kPathsPerChunk;
     const std::uint32_t end = std::min(begin + kPathsPerChunk, batch.last);
-    for (std::uint32_t i = begin; i < end; ++i) {
+    for (std::uint32_t i = begin; i < end && !is_endless; ++i) {
       trace_path(tracer, emitter, bound, sobol, i, path_flux_lm, chunks[c]);
+      if (chunks[c].has_endless_path) is_endless = true;
     }
   });
 

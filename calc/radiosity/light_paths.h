@@ -22,15 +22,16 @@ struct TracedPaths {
   double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
-  bool has_endless_path = false;  // a path did not end after kMostReflections: there is no steady state
+  bool has_endless_path =
+      false;  // a path did not end after kMostReflections: there is no steady state
 };
 
 inline constexpr int kMostReflections = 100000;
 
-// Paths end by one random number each: after the first reflection a path lives until the product of reflectances
-// falls to that number. Exact in the mean, and path lengths come out stratified.  [method 02, section 3]
-// Parallel inside; the result does not depend on the number of threads.
-TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const GeometryBound& bound,
-                              const PathBatch& batch);
+// Paths end by one random number each: after the first reflection a path lives until the product of
+// reflectances falls to that number. Exact in the mean, and path lengths come out stratified.
+// [method 02, section 3] Parallel inside; the result does not depend on the number of threads.
+TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
+                              const GeometryBound& bound, const PathBatch& batch);
 
 }  // namespace calc

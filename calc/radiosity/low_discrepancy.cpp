@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kBits = 32;
 
-// Primitive polynomial (degree, inner coefficients) and first direction integers of dimensions 2, 3, ...
-// [JoeKuo08, new-joe-kuo-6]
+// Primitive polynomial (degree, inner coefficients) and first direction integers of dimensions 2,
+// 3, ... [JoeKuo08, new-joe-kuo-6]
 struct SobolSeed {
   int degree;
   std::uint32_t coefficients;
@@ -72,8 +72,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return (x << 16) | (x >> 16);
 }
 
-// Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2, by hashing
-// the reversed word with a permutation whose carries run upwards.  [Burley20; constants: Vegdahl]
+// Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2,
+// by hashing the reversed word with a permutation whose carries run upwards.  [Burley20; constants:
+// Vegdahl]
 constexpr std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
   x = reverse_bits(x);
   x ^= x * 0x3d20adeau;

@@ -8,12 +8,12 @@
 
 namespace calc {
 
-// Dimensions with tabulated direction numbers [JoeKuo08]; later ones are hashed random numbers, which is
-// harmless for the late bounces of a light path.
+// Dimensions with tabulated direction numbers [JoeKuo08]; later ones are hashed random numbers,
+// which is harmless for the late bounces of a light path.
 inline constexpr int kSobolDimensions = 21;
 
-// One independent scramble of the Sobol' sequence. Any first 2^m points are a digital net; two keys give
-// independent sequences, and every single point is uniform on [0, 1)^d.  [Owen95, Burley20]
+// One independent scramble of the Sobol' sequence. Any first 2^m points are a digital net; two keys
+// give independent sequences, and every single point is uniform on [0, 1)^d.  [Owen95, Burley20]
 class ScrambledSobol {
  public:
   explicit ScrambledSobol(RandomKey key) : key_(key) {}

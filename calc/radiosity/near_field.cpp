@@ -13,8 +13,9 @@
 namespace calc {
 namespace {
 
-// Share of the local vertex density at which short rays take over: a vertex then adds at most kappa / pi of the
-// illuminance it stands for.  [measured: 0.01 keeps points beside luminaire hot spots within 2 %]
+// Share of the local vertex density at which short rays take over: a vertex then adds at most kappa
+// / pi of the illuminance it stands for.  [measured: 0.01 keeps points beside luminaire hot spots
+// within 2 %]
 constexpr double kKappa = 0.01;
 constexpr double kMeanFreePathsPerReach = 1.0 / 3.0;
 constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; never a result
@@ -43,8 +44,8 @@ SurfaceSummary summarise(const PreparedScene& scene) {
     high = glm::max(high, glm::max(a, glm::max(b, c)));
   }
   if (summary.area_m2 > 0.0) summary.mean_reflectance /= summary.area_m2;
-  // 4 V / S of the bounding box: the mean chord of a convex body [Cauchy]. A flat scene has no volume and
-  // takes its extent.
+  // 4 V / S of the bounding box: the mean chord of a convex body [Cauchy]. A flat scene has no
+  // volume and takes its extent.
   const glm::dvec3 size = glm::max(high - low, glm::dvec3(0.0));
   const double surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
   const double chord = surface > 0.0 ? 4.0 * size.x * size.y * size.z / surface : 0.0;
@@ -55,8 +56,9 @@ SurfaceSummary summarise(const PreparedScene& scene) {
 double dot_self(const glm::dvec3& v) { return glm::dot(v, v); }
 
 // Illuminance at y from `kFarDraws` vertices, evenly spaced in the batch from a random start.
-std::uint64_t add_far_draws(const Tracer& tracer, const LightVertices& vertices, const SurfaceHit& at,
-                            double u, double weight, double* sums, std::size_t stride) {
+std::uint64_t add_far_draws(const Tracer& tracer, const LightVertices& vertices,
+                            const SurfaceHit& at, double u, double weight, double* sums,
+                            std::size_t stride) {
   const auto count = static_cast<std::uint32_t>(vertices.size());
   if (count == 0) return 0;
   const std::uint32_t draws = std::min(kFarDraws, count);
@@ -160,7 +162,8 @@ std::uint64_t add_near_field(const Tracer& tracer, const GeometryBound& bound,
       } else if (key.with(0).uniform() >= factor) {
         break;  // roulette with survival probability `factor`: the weight stays
       }
-      rays += add_direct_sample(tracer, hit.position_m, hit.normal, key.with(1), weight, sums, stride);
+      rays +=
+          add_direct_sample(tracer, hit.position_m, hit.normal, key.with(1), weight, sums, stride);
       rays += add_far_draws(tracer, vertices, hit, key.with(2).uniform(), weight, sums, stride);
       u = {key.with(3).uniform(), key.with(4).uniform()};
       position = hit.position_m;

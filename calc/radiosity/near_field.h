@@ -1,6 +1,7 @@
 #pragma once
-// The geometry term near surfaces: bounded for light vertices, the rest by short rays. Together they are the
-// whole: nothing is clamped away.  [method of Kollig and Keller 2004 with a bound that follows the photon density]
+// The geometry term near surfaces: bounded for light vertices, the rest by short rays. Together
+// they are the whole: nothing is clamped away.  [method of Kollig and Keller 2004 with a bound that
+// follows the photon density]
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"
@@ -14,9 +15,10 @@
 
 namespace calc {
 
-// b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices per m^2, hence 1 / b is the
-// area that 1 / kappa of them share. Closer than its own spacing the pool cannot resolve 1/d^2, so there, and only
-// there, short rays take over. Any function of y alone keeps the sum unbiased as long as both sides use the same.
+// b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices
+// per m^2, hence 1 / b is the area that 1 / kappa of them share. Closer than its own spacing the
+// pool cannot resolve 1/d^2, so there, and only there, short rays take over. Any function of y
+// alone keeps the sum unbiased as long as both sides use the same.
 class GeometryBound {
  public:
   // paths: light paths of the batch whose vertices are bounded.
@@ -30,10 +32,10 @@ class GeometryBound {
 
  private:
   const Tracer& tracer_;
-  double smallest_ = 1.0;           // 1/m^2
+  double smallest_ = 1.0;  // 1/m^2
   double reach_m_ = 1.0;
-  double vertices_per_lumen_ = 0.0; // kappa N / Phi
-  double ambient_per_m2_ = 0.0;     // kappa N E_amb / Phi
+  double vertices_per_lumen_ = 0.0;  // kappa N / Phi
+  double ambient_per_m2_ = 0.0;      // kappa N E_amb / Phi
 };
 
 // cos_x cos_y / d^2 between x with normal nx and y with normal ny; 0 if either faces away or d = 0.
@@ -55,9 +57,10 @@ struct NearFieldRequest {
 };
 
 // Adds to sums[channel * stride] the mean over rays first..last of
-//   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a cosine ray within reach,
-// where E_far(y) uses a few vertices drawn systematically from the batch and E_near(y) one more ray, ended by
-// roulette on its weight. Returns the rays traced.
+//   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a cosine ray
+//   within reach,
+// where E_far(y) uses a few vertices drawn systematically from the batch and E_near(y) one more
+// ray, ended by roulette on its weight. Returns the rays traced.
 std::uint64_t add_near_field(const Tracer& tracer, const GeometryBound& bound,
                              const LightVertices& vertices, const NearFieldRequest& request,
                              double* sums, std::size_t stride);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 namespace calc {
 namespace {
@@ -38,8 +39,36 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
 
 std::vector<double> divided(const std::vector<double>& sums, double divisor) {
   std::vector<double> result(sums.size());
-  std::transform(sums.begin(), sums.end(), result.begin(), [divisor](double s) { return s / divisor; });
+  std::transform(sums.begin(), sums.end(), result.begin(),
+                 [divisor](double s) { return s / divisor; });
   return result;
+}
+
+// [point]: 1 if some reflecting surface reaches in front of the point's tangent plane; else
+// indirect light is exactly 0.
+std::vector<std::uint8_t> see_reflecting_surface(const Tracer& tracer,
+                                                 const std::vector<glm::dvec3>& position_m,
+                                                 const std::vector<glm::dvec3>& normal) {
+  const PreparedScene& scene = tracer.scene();
+  std::vector<std::uint8_t> sees(position_m.size(), 0);
+  glm::dvec3 direction(0.0);
+  double farthest_m =
+      0.0;  // of all corners along `direction`; neighbours mostly share their normal
+  for (std::size_t i = 0; i < position_m.size(); ++i) {
+    if (i == 0 || normal[i] != direction) {
+      direction = normal[i];
+      farthest_m = -std::numeric_limits<double>::max();
+      for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
+        if (scene.reflectance[t] <= 0.0) continue;
+        for (int k = 0; k < 3; ++k) {
+          const glm::dvec3 corner(scene.vertex_m[scene.triangle[t][k]]);
+          farthest_m = std::max(farthest_m, glm::dot(direction, corner));
+        }
+      }
+    }
+    sees[i] = farthest_m > glm::dot(direction, position_m[i]) + tracer.offset_m() ? 1 : 0;
+  }
+  return sees;
 }
 
 }  // namespace
@@ -56,12 +85,14 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   field_.replicates = replicates;
   field_.channels = tracer.scene().channels;
   field_.direct_exact_lx.assign(channels() * points(), 0.0);
+  may_be_sampled_ = see_reflecting_surface(tracer, position_m_, normal_);
   for (std::size_t i = 0; i < points(); ++i) {
     if (find_touching_luminaire(tracer.scene(), position_m_[i], tracer.offset_m()) < 0) continue;
     const glm::dvec3& p = grid.position_m[i];
-    refuse(fmt::format("the point ({:.6g} {:.6g} {:.6g}) lies at a luminaire without size: illuminance is "
-                       "unbounded there",
-                       p.x, p.y, p.z));
+    refuse(fmt::format(
+        "the point ({:.6g} {:.6g} {:.6g}) lies at a luminaire without size: illuminance is "
+        "unbounded there",
+        p.x, p.y, p.z));
     return;
   }
 }
@@ -79,7 +110,8 @@ void PlaneWork::finish(StopReason reason) {
 void PlaneWork::add_exact(SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
-    return add_point_sources(tracer_, position_m_[i], normal_[i], &field_.direct_exact_lx[i], points());
+    return add_point_sources(tracer_, position_m_[i], normal_[i], &field_.direct_exact_lx[i],
+                             points());
   });
 }
 
@@ -92,16 +124,20 @@ void PlaneWork::sample_openings(SolveTimes& times) {
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     std::uint64_t rays = 0;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
-      rays += add_extended_sources(tracer_, position_m_[i], normal_[i], opening_key_.with(i).with(r), first,
-                                   rounds_, &direct_sum_lx_[r * channels() * points() + i], points());
+      rays += add_extended_sources(tracer_, position_m_[i], normal_[i],
+                                   opening_key_.with(i).with(r), first, rounds_,
+                                   &direct_sum_lx_[r * channels() * points() + i], points());
     }
+    if (rays > 0) may_be_sampled_[i] = 1;  // no ray is traced where the unoccluded light is 0
     return rays;
   });
 }
 
 bool PlaneWork::opening_error_matters() const {
+  if (std::find(field_.unseen.begin(), field_.unseen.end(), 1) != field_.unseen.end()) return true;
   if (field_.indirect_lx.empty()) return true;
-  return squared_error(field_.direct_sampled_lx) > kNegligibleVariance * squared_error(field_.indirect_lx);
+  return squared_error(field_.direct_sampled_lx) >
+         kNegligibleVariance * squared_error(field_.indirect_lx);
 }
 
 // Sum over points of the squared standard error, all channels at full output.
@@ -132,8 +168,8 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
     const PhaseTimer timer(times.near_s);
     const std::uint32_t last_ray = near_rays_ + near_rays_for(batch.paths);
     field_.counters.near_rays += for_each_point(points(), [&](std::size_t i) {
-      const NearFieldRequest request{position_m_[i], normal_[i], near_key_.with(i).with(batch.replicate),
-                                     near_rays_, last_ray};
+      const NearFieldRequest request{position_m_[i], normal_[i],
+                                     near_key_.with(i).with(batch.replicate), near_rays_, last_ray};
       return add_near_field(tracer_, batch.bound, batch.vertices, request, &batch_lx[i], points());
     });
   }
@@ -153,6 +189,16 @@ void PlaneWork::finish_look(std::uint64_t paths, std::uint64_t batch_paths) {
 void PlaneWork::publish() {
   if (rounds_ > 0) field_.direct_sampled_lx = divided(direct_sum_lx_, rounds_);
   if (paths_ > 0) field_.indirect_lx = divided(indirect_sum_lx_, static_cast<double>(paths_));
+  if (!field_.is_exact()) find_unseen();
+}
+
+void PlaneWork::find_unseen() {
+  field_.unseen = may_be_sampled_;
+  for (const std::vector<double>* sums : {&direct_sum_lx_, &indirect_sum_lx_}) {
+    for (std::size_t k = 0; k < sums->size(); ++k) {
+      if ((*sums)[k] > 0.0) field_.unseen[k % points()] = 0;
+    }
+  }
 }
 
 }  // namespace calc

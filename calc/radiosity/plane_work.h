@@ -1,5 +1,6 @@
 #pragma once
-// One plane while it is being computed: its points, its random keys, and the sums that become its field.
+// One plane while it is being computed: its points, its random keys, and the sums that become its
+// field.
 
 #include "calc/field.h"
 #include "calc/radiosity/gatherer.h"
@@ -32,8 +33,8 @@ struct VertexBatch {
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
-  PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid, std::uint64_t seed,
-            std::size_t replicates);
+  PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
+            std::uint64_t seed, std::size_t replicates);
 
   // Whether looks still add to this plane.
   bool is_active() const { return is_active_; }
@@ -44,7 +45,8 @@ class PlaneWork {
 
   // Direct light from point openings, once.
   void add_exact(SolveTimes& times);
-  // Doubles the rounds of samples on extended openings, but only while their error matters beside the indirect part.
+  // Doubles the rounds of samples on extended openings, but only while their error matters beside
+  // the indirect part.
   void sample_openings(SolveTimes& times);
   // One replicate's indirect light: connections and near field.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
@@ -58,13 +60,16 @@ class PlaneWork {
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
   bool opening_error_matters() const;
+  // Marks points that sampled light may reach but has not.
+  void find_unseen();
   double squared_error(const std::vector<double>& values_lx) const;
 
   const Tracer& tracer_;
   RandomKey opening_key_, near_key_;
   std::vector<glm::dvec3> position_m_, normal_;  // local
   std::vector<double> direct_sum_lx_;            // [replicate][channel][point], sum over rounds
-  std::vector<double> indirect_sum_lx_;          // the same, sum over batches of estimate times paths
+  std::vector<double> indirect_sum_lx_;       // the same, sum over batches of estimate times paths
+  std::vector<std::uint8_t> may_be_sampled_;  // [point]
   std::uint32_t rounds_ = 0;
   std::uint32_t near_rays_ = 0;
   std::uint64_t paths_ = 0;

@@ -1,13 +1,15 @@
 #pragma once
-// Counter-based random numbers: a value is a function of what it is for (seed, stage, replicate, index),
-// never of what was drawn before. So results do not depend on threads or on the order of work.
+// Counter-based random numbers: a value is a function of what it is for (seed, stage, replicate,
+// index), never of what was drawn before. So results do not depend on threads or on the order of
+// work.
 
 #include <cstdint>
 #include <string_view>
 
 namespace calc {
 
-// Finaliser of splitmix64: a bijection of 64-bit words with full avalanche (Steele, Lea, Flood 2014).
+// Finaliser of splitmix64: a bijection of 64-bit words with full avalanche (Steele, Lea, Flood
+// 2014).
 constexpr std::uint64_t mix_bits(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -19,7 +19,8 @@ void throw_embree_error(void* /*user*/, RTCError code, const char* text) {
 }
 
 template <class T>
-void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& from) {
+void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                 const std::vector<T>& from) {
   void* to = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), from.size());
   std::memcpy(to, from.data(), from.size() * sizeof(T));
 }
@@ -58,8 +59,8 @@ Tracer::Tracer(const PreparedScene& scene)
 
 Tracer::~Tracer() = default;
 
-bool Tracer::closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction, double max_distance_m,
-                         SurfaceHit& hit) const {
+bool Tracer::closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction,
+                         double max_distance_m, SurfaceHit& hit) const {
   if (embree_->scene == nullptr) return false;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -126,13 +127,24 @@ std::uint32_t Tracer::blocked(const glm::vec3& from_m, const SegmentPacket& pack
     ray.mask[k] = ~0u;
     ray.id[k] = 0;
     ray.flags[k] = 0;
-    // Two points nearer than both margins have nothing between them that could be told apart from them.
+    // Two points nearer than both margins have nothing between them that could be told apart from
+    // them.
     if (!(ray.tnear[k] < ray.tfar[k])) valid[i] = 0;
   }
   if (packet.count == 1) {
     if (valid[0] == 0) return 0;
-    RTCRay single{ray.org_x[0], ray.org_y[0], ray.org_z[0], ray.tnear[0], ray.dir_x[0], ray.dir_y[0],
-                  ray.dir_z[0], 0.0f,         ray.tfar[0],  ~0u,          0,            0};
+    RTCRay single{ray.org_x[0],
+                  ray.org_y[0],
+                  ray.org_z[0],
+                  ray.tnear[0],
+                  ray.dir_x[0],
+                  ray.dir_y[0],
+                  ray.dir_z[0],
+                  0.0f,
+                  ray.tfar[0],
+                  ~0u,
+                  0,
+                  0};
     rtcOccluded1(embree_->scene, &context, &single);
     return single.tfar < 0.0f ? 1u : 0u;
   }

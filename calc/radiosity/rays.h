@@ -28,9 +28,9 @@ struct SegmentPacket {
 
 // Ray queries on one prepared scene. Queries are const and may run on many threads at once.
 //
-// Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points along their
-// normals; the query leaves out the last stretch of that length at either end as well, so that a point in the
-// plane of a wall does not hit the wall it lies in.  [method 02, section 7]
+// Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points
+// along their normals; the query leaves out the last stretch of that length at either end as well,
+// so that a point in the plane of a wall does not hit the wall it lies in.  [method 02, section 7]
 class Tracer {
  public:
   explicit Tracer(const PreparedScene& scene);
@@ -46,7 +46,8 @@ class Tracer {
     return position_m + offset_m_ * normal;
   }
 
-  // First surface from a lifted origin along a unit direction within max_distance_m; false if there is none.
+  // First surface from a lifted origin along a unit direction within max_distance_m; false if there
+  // is none.
   bool closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction, double max_distance_m,
                    SurfaceHit& hit) const;
 

@@ -20,8 +20,8 @@ bool is_path_count(std::uint64_t paths) {
 
 std::string validate(const RadiositySettings& settings) {
   if (settings.replicates < kFewestReplicates || settings.replicates > kMostReplicates) {
-    return fmt::format("replicates is {}; allowed: {} to {}", settings.replicates, kFewestReplicates,
-                       kMostReplicates);
+    return fmt::format("replicates is {}; allowed: {} to {}", settings.replicates,
+                       kFewestReplicates, kMostReplicates);
   }
   if (!is_path_count(settings.first_paths)) {
     return fmt::format("first paths is {}; allowed: a power of two, 16 to {}", settings.first_paths,

@@ -1,5 +1,6 @@
 #pragma once
-// Sums light contributions at one point whose visibility is still open, sixteen shadow rays at a time.
+// Sums light contributions at one point whose visibility is still open, sixteen shadow rays at a
+// time.
 
 #include "calc/radiosity/rays.h"
 
@@ -11,8 +12,8 @@
 
 namespace calc {
 
-// add() and flush() add visible contributions to sums[channel * stride] in the order in which they were added,
-// so that the sum is the same in bits whatever else runs at the same time.
+// add() and flush() add visible contributions to sums[channel * stride] in the order in which they
+// were added, so that the sum is the same in bits whatever else runs at the same time.
 class ShadowBatch {
  public:
   // from_m: lifted receiver, local. sums must outlive the batch.

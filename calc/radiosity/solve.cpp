@@ -31,8 +31,8 @@ class Solver {
         emitter_(scene) {
     solution_.times.build_s = now_s() - start_s_;
     solution_.balance.emitted_lm = emitter_.flux_lm();
-    const bool has_reflection =
-        std::any_of(scene.reflectance.begin(), scene.reflectance.end(), [](double rho) { return rho > 0.0; });
+    const bool has_reflection = std::any_of(scene.reflectance.begin(), scene.reflectance.end(),
+                                            [](double rho) { return rho > 0.0; });
     samples_indirect_ = has_reflection && emitter_.flux_lm() > 0.0;
     samples_openings_ = has_extended_luminaires(scene);
   }
@@ -62,7 +62,8 @@ class Solver {
   std::size_t replicates() const { return static_cast<std::size_t>(settings_.replicates); }
 
   bool any_active() const {
-    return std::any_of(planes_.begin(), planes_.end(), [](const PlaneWork& p) { return p.is_active(); });
+    return std::any_of(planes_.begin(), planes_.end(),
+                       [](const PlaneWork& p) { return p.is_active(); });
   }
 
   void finish_active(StopReason reason) {
@@ -103,8 +104,8 @@ class Solver {
     }
   }
 
-  // Adds paths done_paths..paths of every replicate to every active plane. Gives a reason if it was stopped half-way;
-  // what was published before then stands.
+  // Adds paths done_paths..paths of every replicate to every active plane. Gives a reason if it was
+  // stopped half-way; what was published before then stands.
   std::optional<StopReason> look(std::uint64_t done_paths, std::uint64_t paths) {
     for (PlaneWork& plane : planes_) {
       if (samples_openings_ && plane.is_active()) plane.sample_openings(solution_.times);
@@ -116,10 +117,11 @@ class Solver {
     for (std::size_t r = 0; r < replicates(); ++r) {
       const TracedPaths traced = trace(bound, r, done_paths, paths);
       if (traced.has_endless_path) {
-        refuse_active(fmt::format(
-            "a light path did not end after {} reflections: a closed space whose surfaces absorb nothing "
-            "has no steady state",
-            kMostReflections));
+        refuse_active(
+            fmt::format("a light path did not end after {} reflections: a closed space whose "
+                        "surfaces absorb next to "
+                        "nothing has no steady state within reach",
+                        kMostReflections));
         return std::nullopt;
       }
       for (PlaneWork& plane : planes_) {
@@ -138,9 +140,10 @@ class Solver {
   TracedPaths trace(const GeometryBound& bound, std::size_t replicate, std::uint64_t first,
                     std::uint64_t last) {
     const PhaseTimer timer(solution_.times.pool_s);
-    TracedPaths traced = trace_light_paths(tracer_, emitter_, bound,
-                                           {settings_.seed, replicate, static_cast<std::uint32_t>(first),
-                                            static_cast<std::uint32_t>(last)});
+    TracedPaths traced =
+        trace_light_paths(tracer_, emitter_, bound,
+                          {settings_.seed, replicate, static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>(last)});
     // Running means over all batches, weighted by paths.
     absorbed_lm_.resize(replicates());
     escaped_lm_.resize(replicates());
@@ -158,8 +161,8 @@ class Solver {
     if (!progress_) return std::nullopt;
     SolveProgress state;
     state.planes = planes_.size();
-    state.planes_done = static_cast<std::size_t>(
-        std::count_if(planes_.begin(), planes_.end(), [](const PlaneWork& p) { return !p.is_active(); }));
+    state.planes_done = static_cast<std::size_t>(std::count_if(
+        planes_.begin(), planes_.end(), [](const PlaneWork& p) { return !p.is_active(); }));
     state.paths_per_replicate = paths;
     if (!progress_(state)) return StopReason::interrupted;
     return std::nullopt;
@@ -182,8 +185,9 @@ class Solver {
 }  // namespace
 
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
-                                const RadiositySettings& settings, double confidence, Gatherer& gatherer,
-                                const AccuracyTest& is_accurate, const ProgressSink& progress) {
+                                const RadiositySettings& settings, double confidence,
+                                Gatherer& gatherer, const AccuracyTest& is_accurate,
+                                const ProgressSink& progress) {
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
   return arena.execute([&] {
     return Solver(scene, settings, confidence, gatherer, is_accurate, progress).run(tasks);

@@ -32,7 +32,8 @@ struct Body {
   SourceLocation where;
 };
 
-// The walls of a <room>: a vertical prism over a simple polygon (counter-clockwise, may be concave).
+// The walls of a <room>: a vertical prism over a simple polygon (counter-clockwise, may be
+// concave).
 struct RoomShell {
   std::vector<glm::dvec2> footprint_m;
   double floor_z_m = 0.0;
@@ -57,10 +58,11 @@ struct LuminaireType {
 
 struct Luminaire {
   std::string id;
-  std::size_t type = 0;             // index into Project::luminaire_types
-  glm::dvec3 position_m{0.0};       // centre of the luminous opening
-  glm::dmat3 world_from_luminaire;  // columns: C0, C90 and -axis (gamma = pi) directions, orthonormal
-  std::string group;                // dimming group; "" = none
+  std::size_t type = 0;        // index into Project::luminaire_types
+  glm::dvec3 position_m{0.0};  // centre of the luminous opening
+  glm::dmat3
+      world_from_luminaire;  // columns: C0, C90 and -axis (gamma = pi) directions, orthonormal
+  std::string group;         // dimming group; "" = none
   SourceLocation where;
 };
 
@@ -83,7 +85,8 @@ using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
 // A flat area: p = origin + x * u + y * v for (x, y) in the outline and in no hole.
 struct PlanarArea {
   glm::dvec3 origin_m{0.0};
-  glm::dvec3 u{1, 0, 0}, v{0, 1, 0};  // orthonormal; illuminance is measured on the side of normal()
+  glm::dvec3 u{1, 0, 0},
+      v{0, 1, 0};  // orthonormal; illuminance is measured on the side of normal()
   std::vector<glm::dvec2> outline_m;  // simple polygon, in (u, v)
   std::vector<std::vector<glm::dvec2>> holes_m;
   double margin_m = 0.0;  // strip along the outline without points
@@ -116,13 +119,14 @@ struct CalcPlane {
   SourceLocation where;
 };
 
-// A unit of calculation: a room, or the open space with everything outside all rooms. Rooms are closed and
-// opaque, so that nothing in one space changes the light in another.
+// A unit of calculation: a room, or the open space with everything outside all rooms. Rooms are
+// closed and opaque, so that nothing in one space changes the light in another.
 struct Space {
   std::string id;
   std::string name;
   std::optional<RoomShell> shell;  // empty for the open space
-  std::vector<Body> bodies;        // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
+  std::vector<Body>
+      bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
   SourceLocation where;

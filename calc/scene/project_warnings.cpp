@@ -65,6 +65,26 @@ void warn_luminaires_outside(const Space& room, Diagnostics& diagnostics) {
   });
 }
 
+void warn_objects_outside(const Space& room, Diagnostics& diagnostics) {
+  glm::dvec3 low(room.shell->footprint_m.front(), room.shell->floor_z_m);
+  glm::dvec3 high(low.x, low.y, room.shell->floor_z_m + room.shell->height_m);
+  for (const glm::dvec2& corner : room.shell->footprint_m) {
+    low = glm::min(low, glm::dvec3(corner, low.z));
+    high = glm::max(high, glm::dvec3(corner, high.z));
+  }
+  PerElement outside;
+  for (const Body& body : room.bodies) {
+    const BoundingBox box = bounding_box(body.vertex_m);
+    const bool is_apart =
+        glm::any(glm::greaterThan(box.lower, high)) || glm::any(glm::lessThan(box.upper, low));
+    if (is_apart) outside.add(body.id, body.where);
+  }
+  outside.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::object_outside_room, first.where, first.id,
+                       and_others(first.others), room.id);
+  });
+}
+
 glm::dvec3 centre_of(const Body& body) {
   const BoundingBox box = bounding_box(body.vertex_m);
   return 0.5 * (box.lower + box.upper);
@@ -117,6 +137,7 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
     }
     if (space.shell) {
       warn_luminaires_outside(space, diagnostics);
+      warn_objects_outside(space, diagnostics);
     } else {
       for (const Space& room : project.spaces) {
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);

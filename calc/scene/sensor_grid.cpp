@@ -169,6 +169,7 @@ class GridMaker {
     const auto* area = std::get_if<PlanarArea>(&plane_.area);
     const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
     if (!made || is_empty()) return std::nullopt;
+    warn_about_lost_points(area == nullptr);
     return std::move(grid_);
   }
 
@@ -240,6 +241,19 @@ class GridMaker {
         builder.add(point, normal, column, row, reason_to_drop(area, at));
       }
     }
+  }
+
+  // Points outside the room, and points of a list that are not measured, were asked for by mistake.
+  // Furniture that stands in a grid is not a mistake.
+  void warn_about_lost_points(bool is_list) {
+    std::size_t outside = 0, inside = 0;
+    for (const DroppedPoint& point : grid_.dropped) {
+      if (point.reason == DropReason::outside_room) ++outside;
+      if (point.reason == DropReason::inside_solid) ++inside;
+    }
+    if (outside == 0 && (inside == 0 || !is_list)) return;
+    diagnostics_.report(DiagnosticId::points_left_out, plane_.where, plane_.id, outside + inside,
+                        grid_.position_m.size() + grid_.dropped.size(), outside, inside);
   }
 
   // A plane without points would pass every limit unnoticed.

@@ -66,7 +66,7 @@ struct PlaneJob {
 };
 
 std::vector<PlaneJob> make_grids(const calc::Space& space, const LoadedProject& loaded,
-                                  calc::Diagnostics& diagnostics) {
+                                 calc::Diagnostics& diagnostics) {
   std::vector<PlaneJob> jobs;
   for (const calc::CalcPlane& plane : space.planes) {
     PlaneJob& job = jobs.emplace_back();
@@ -109,8 +109,8 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
   const Options& options = context.options;
   const auto is_accurate = [&](std::size_t task, const calc::PlaneField& field) {
     const PlaneJob& job = *tasks.job[task];
-    return rules::is_accurate(job.requirements, *job.grid, field, project.scenes,
-                              options.tolerance, options.confidence);
+    return rules::is_accurate(job.requirements, *job.grid, field, project.scenes, options.tolerance,
+                              options.confidence);
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
     context.progress.update(solve_progress);
@@ -120,9 +120,31 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
                                  options.confidence, context.gatherer, is_accurate, progress);
 }
 
+// Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
+void warn_about_lost_light(const calc::Space& space, const calc::FluxBalance& balance,
+                           calc::Diagnostics& diagnostics) {
+  constexpr double kNegligibleShare = 1e-3;
+  if (!space.shell || !(balance.escaped_lm.value > kNegligibleShare * balance.emitted_lm)) return;
+  diagnostics.report(calc::DiagnosticId::light_leaves_room, space.where,
+                     100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id);
+}
+
+// What the calculation refused is an error of that plane.
+void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneField>& fields,
+                   calc::Diagnostics& diagnostics) {
+  std::size_t task = 0;
+  for (PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    job.reason = fields[task++].problem;
+    if (job.reason.empty()) continue;
+    diagnostics.report(calc::DiagnosticId::plane_not_computed, job.plane->where, job.plane->id,
+                       job.reason);
+  }
+}
+
 report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
                         const std::vector<calc::LightScene>& scenes, double confidence) {
-  if (field == nullptr) {
+  if (field == nullptr || !job.reason.empty()) {
     return report::build_uncomputed_plane(*job.plane, job.reason,
                                           rules::not_judged_plane(job.requirements, job.reason));
   }
@@ -143,7 +165,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
                               const CheckContext& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
-  const std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
+  std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
   const Tasks tasks = make_tasks(jobs);
   times.prepare_s += prepare_watch.seconds();
@@ -151,6 +173,8 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   calc::SpaceSolution solution;
   if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch);
   add_times(solution, times);
+  take_problems(jobs, solution.fields, diagnostics);
+  warn_about_lost_light(space, solution.balance, diagnostics);
 
   const Stopwatch judge_watch;
   std::vector<report::PlanePart> planes;

@@ -62,13 +62,30 @@ std::string write_made(const std::string& path, const std::function<std::string(
   }
 }
 
-std::vector<std::string> write_images(const std::string& folder, const report::Document& document) {
-  std::vector<std::string> problems;
+// Writes files one by one, but never over an input.
+class Writer {
+ public:
+  explicit Writer(const std::set<std::string>& inputs) {
+    for (const std::string& input : inputs) inputs_.insert(identity(input));
+  }
+
+  void write(const std::string& path, const std::function<std::string()>& make) {
+    std::string problem =
+        inputs_.contains(identity(path))
+            ? fmt::format("'{}' was read as an input and is not overwritten", path)
+            : write_made(path, make);
+    if (!problem.empty()) problems_.push_back(std::move(problem));
+  }
+
+  const std::vector<std::string>& problems() const { return problems_; }
+
+ private:
+  std::set<std::string> inputs_;
+  std::vector<std::string> problems_;
+};
+
+void write_images(const std::string& folder, const report::Document& document, Writer& writer) {
   std::set<std::string> taken;
-  const auto write = [&problems](const std::string& path, const auto& make) {
-    std::string problem = write_made(path, make);
-    if (!problem.empty()) problems.push_back(std::move(problem));
-  };
   for (const report::ProjectPart& project : document.projects) {
     for (const report::SpacePart& space : project.spaces) {
       for (const report::PlanePart& plane : space.planes) {
@@ -77,12 +94,12 @@ std::vector<std::string> write_images(const std::string& folder, const report::D
         std::string stem = wanted;
         for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
         const std::string path = (fs::path(folder) / stem).string();
-        write(path + ".png", [&] { return report::render_heatmap_png(plane); });
-        write(path + ".exr", [&] { return report::render_exr(document, project, space, plane); });
+        writer.write(path + ".png", [&] { return report::render_heatmap_png(plane); });
+        writer.write(path + ".exr",
+                     [&] { return report::render_exr(document, project, space, plane); });
       }
     }
   }
-  return problems;
 }
 
 }  // namespace
@@ -120,18 +137,14 @@ std::string check_outputs(const Options& options) {
   return "";
 }
 
-std::vector<std::string> write_outputs(const Options& options, const report::Document& document) {
-  std::vector<std::string> problems;
+std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
+                                       const std::set<std::string>& inputs) {
+  Writer writer(inputs);
   for (const OutputFormat& format : planned_files(options)) {
-    std::string problem = write_made(format.file, [&] { return render(format.kind, document); });
-    if (!problem.empty()) problems.push_back(std::move(problem));
+    writer.write(format.file, [&] { return render(format.kind, document); });
   }
-  if (options.images) {
-    for (std::string& problem : write_images(options.output_folder, document)) {
-      problems.push_back(std::move(problem));
-    }
-  }
-  return problems;
+  if (options.images) write_images(options.output_folder, document, writer);
+  return writer.problems();
 }
 
 std::string render(FormatKind kind, const report::Document& document,
@@ -152,13 +165,16 @@ std::string render(FormatKind kind, const report::Document& document,
 }
 
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {
-  std::string stem = fs::path(project.path).stem().string() + "-" + plane.id;
-  for (char& c : stem) {
+  const std::string stem = fs::path(project.path).stem().string() + "-" + plane.id;
+  std::string safe;
+  for (const char c : stem) {
     const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    if (!is_kept) c = '_';
+    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;  // of UTF-8
+    if (is_continuation) continue;
+    safe += is_kept ? c : '_';
   }
-  return stem;
+  return safe;
 }
 
 }  // namespace cli

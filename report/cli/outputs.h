@@ -5,6 +5,7 @@
 #include "report/console.h"
 #include "report/document.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,11 @@ std::vector<OutputFormat> planned_files(const Options& options);
 // also an input, a folder that cannot be written. Touches nothing.
 std::string check_outputs(const Options& options);
 
-// Writes all planned files, and with --images a PNG and an EXR of every computed plane. Returns one
-// message per file that could not be written.
-std::vector<std::string> write_outputs(const Options& options, const report::Document& document);
+// Writes all planned files, and with --images a PNG and an EXR of every computed plane. inputs:
+// files that were read and must not be overwritten. Returns one message per file that could not be
+// written.
+std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
+                                       const std::set<std::string>& inputs);
 
 // The document in one format. text: for FormatKind::text only.
 std::string render(FormatKind kind, const report::Document& document,

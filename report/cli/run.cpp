@@ -7,6 +7,7 @@
 #include "report/cli/interrupt.h"
 #include "report/cli/outputs.h"
 #include "report/cli/progress.h"
+#include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace cli {
@@ -131,9 +134,9 @@ std::optional<FormatKind> stdout_format(const Options& options) {
 }
 
 ExitCode write_results(const Options& options, const Environment& environment,
-                       const report::Document& document) {
+                       const report::Document& document, const std::set<std::string>& inputs) {
   ExitCode code = exit_code_for(document);
-  for (const std::string& problem : write_outputs(options, document)) {
+  for (const std::string& problem : write_outputs(options, document, inputs)) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
     code = kNotJudged;
   }
@@ -149,7 +152,8 @@ ExitCode write_results(const Options& options, const Environment& environment,
 }
 
 ExitCode run_check(const Options& options, const Environment& environment) {
-  const calc::DiskFileReader files;
+  const calc::DiskFileReader disk;
+  const RecordingReader files(disk);
   const std::string problem = check_outputs(options);
   if (!problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
@@ -177,7 +181,7 @@ ExitCode run_check(const Options& options, const Environment& environment) {
     if (options.timing && document.projects.back().is_judged)
       print_timing(document.projects.back());
   }
-  return write_results(options, environment, document);
+  return write_results(options, environment, document, files.paths());
 }
 
 ExitCode run_validate(const Options& options) {

@@ -1,5 +1,5 @@
-// A closed box of equal reflectance against classical radiosity on a fine mesh, solved here: form factors by
-// Lambert's contour formula, no ray and no random number in common with the program.
+// A closed box of equal reflectance against classical radiosity on a fine mesh, solved here: form
+// factors by Lambert's contour formula, no ray and no random number in common with the program.
 #include "calc/statistics.h"
 #include "tests/support/scenes.h"
 
@@ -22,20 +22,22 @@ struct Patch {
   double area;
 };
 
-// Form factor from a differential element at x with normal n to a convex polygon, clipped at the element's
-// horizon.  [Lambert 1760]
+// Form factor from a differential element at x with normal n to a convex polygon, clipped at the
+// element's horizon.  [Lambert 1760]
 double form_factor(const glm::dvec3& x, const glm::dvec3& n, const Patch& patch) {
   std::array<glm::dvec3, 8> v;
   std::size_t count = 0;
   double highest = 0.0;
-  for (const glm::dvec3& corner : patch.corner) highest = std::max(highest, glm::dot(corner - x, n));
+  for (const glm::dvec3& corner : patch.corner)
+    highest = std::max(highest, glm::dot(corner - x, n));
   if (highest < 1e-12) return 0.0;  // in the element's own plane or behind it
   for (std::size_t k = 0; k < 4; ++k) {
     const glm::dvec3 a = patch.corner[k] - x;
     const glm::dvec3 b = patch.corner[(k + 1) % 4] - x;
     const double ha = glm::dot(a, n), hb = glm::dot(b, n);
     if (ha >= 0.0) v[count++] = a;
-    if ((ha > 0.0 && hb < 0.0) || (ha < 0.0 && hb > 0.0)) v[count++] = a + (b - a) * (ha / (ha - hb));
+    if ((ha > 0.0 && hb < 0.0) || (ha < 0.0 && hb > 0.0))
+      v[count++] = a + (b - a) * (ha / (ha - hb));
   }
   if (count < 3) return 0.0;
   double sum = 0.0;
@@ -81,7 +83,8 @@ std::vector<Patch> mesh_box(const glm::dvec3& size, int n) {
   return patches;
 }
 
-double direct_lx(double intensity_cd, const glm::dvec3& source, const glm::dvec3& x, const glm::dvec3& n) {
+double direct_lx(double intensity_cd, const glm::dvec3& source, const glm::dvec3& x,
+                 const glm::dvec3& n) {
   const glm::dvec3 w = source - x;
   const double d = glm::length(w);
   return std::max(0.0, intensity_cd * glm::dot(n, w) / (d * d * d));
@@ -107,7 +110,8 @@ struct Radiosity {
   std::vector<Patch> patches;
   std::vector<double> exitance;
 
-  Radiosity(const glm::dvec3& size, double rho_, double intensity_cd_, const glm::dvec3& source_, int n)
+  Radiosity(const glm::dvec3& size, double rho_, double intensity_cd_, const glm::dvec3& source_,
+            int n)
       : rho(rho_), intensity_cd(intensity_cd_), source(source_), patches(mesh_box(size, n)) {
     const std::size_t count = patches.size();
     std::vector<double> factor(count * count), direct(count), next(count);
@@ -197,15 +201,16 @@ TEST(BoxRadiosity, PointsOfARoomAgreeWithTheMatrixSolution) {
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
     SCOPED_TRACE(i);
     const double truth = fine.indirect_lx(grid.position_m[i], grid.normal[i]);
-    const double mesh_error = std::abs(truth - coarse.indirect_lx(grid.position_m[i], grid.normal[i]));
+    const double mesh_error =
+        std::abs(truth - coarse.indirect_lx(grid.position_m[i], grid.normal[i]));
     std::vector<double> indirect;
     for (std::size_t r = 0; r < field.replicates; ++r) {
       indirect.push_back(total_lx(field, r, i) - field.direct_exact_lx[i]);
     }
     const calc::Estimate measured = calc::t_interval(indirect, 0.999);
-    std::printf("point %zu: matrix %.4f +- %.2f %%, luxgate %.4f +- %.2f %%, ratio %.4f\n", i, truth,
-                100 * mesh_error / truth, measured.value, 100 * measured.half_width() / measured.value,
-                measured.value / truth);
+    std::printf("point %zu: matrix %.4f +- %.2f %%, luxgate %.4f +- %.2f %%, ratio %.4f\n", i,
+                truth, 100 * mesh_error / truth, measured.value,
+                100 * measured.half_width() / measured.value, measured.value / truth);
     EXPECT_LE(measured.low, truth + mesh_error);
     EXPECT_GE(measured.high, truth - mesh_error);
     EXPECT_NEAR(measured.value / truth, 1.0, 0.02);

@@ -1,4 +1,5 @@
-// Energy: in a closed room everything emitted is absorbed, sum over surfaces of (1 - rho) E A = Phi.
+// Energy: in a closed room everything emitted is absorbed, sum over surfaces of (1 - rho) E A =
+// Phi.
 #include "calc/statistics.h"
 #include "tests/support/scenes.h"
 

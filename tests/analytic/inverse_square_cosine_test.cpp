@@ -14,8 +14,11 @@ TEST(InverseSquareCosine, HoldsForTiltedReceiversAtAnyDistance) {
   add_luminaire(scene, web, {0.3, -0.2, 2.5});
   set_extent(scene);
   calc::SensorGrid grid;
-  const std::vector<glm::dvec3> positions{{0, 0, 0}, {2, 1, 0.75}, {0.3, -0.2, 2.49}, {-800, 300, 1}};
-  const std::vector<glm::dvec3> normals{{0, 0, 1}, glm::normalize(glm::dvec3(-1, 0.5, 2)), {0, 0, 1},
+  const std::vector<glm::dvec3> positions{
+      {0, 0, 0}, {2, 1, 0.75}, {0.3, -0.2, 2.49}, {-800, 300, 1}};
+  const std::vector<glm::dvec3> normals{{0, 0, 1},
+                                        glm::normalize(glm::dvec3(-1, 0.5, 2)),
+                                        {0, 0, 1},
                                         glm::normalize(glm::dvec3(1, 0.1, 0.1))};
   grid.position_m = positions;
   grid.normal = normals;

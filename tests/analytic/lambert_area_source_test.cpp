@@ -11,8 +11,8 @@ namespace {
 
 using namespace test_support;
 
-// Configuration factor of a rectangle a x b from a point at distance h under one corner, receiver parallel.
-// [e.g. Howell, catalog of configuration factors, B-3]
+// Configuration factor of a rectangle a x b from a point at distance h under one corner, receiver
+// parallel. [e.g. Howell, catalog of configuration factors, B-3]
 double corner_factor(double a, double b, double h) {
   const double x = a / h, y = b / h;
   return (x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
@@ -36,7 +36,8 @@ Measured rectangle_at(double a, double b, double h, const glm::dvec2& offset, do
   grid.position_m = {{offset.x, offset.y, 0.0}};
   grid.normal = {{0, 0, 1}};
   const calc::SpaceSolution solution = solve_with_paths(scene, grid, 7, 256, 16, 4);
-  return {calc::t_interval(replicates_at(solution.fields[0], 0), 0.999), calc::kPi * luminance * factor};
+  return {calc::t_interval(replicates_at(solution.fields[0], 0), 0.999),
+          calc::kPi * luminance * factor};
 }
 
 void expect_match(const Measured& m) {
@@ -57,7 +58,8 @@ TEST(LambertRectangle, UnderItsCornerAndOutside) {
   const double h = 1.0;
   expect_match(rectangle_at(0.6, 1.2, h, {0.3, 0.6}, corner_factor(0.6, 1.2, h)));
   // Outside: the four corner rectangles with their signs.
-  const double outside = 0.5 * (2.0 * corner_factor(1.3, 0.6, h) - 2.0 * corner_factor(0.7, 0.6, h)) * 2.0;
+  const double outside =
+      0.5 * (2.0 * corner_factor(1.3, 0.6, h) - 2.0 * corner_factor(0.7, 0.6, h)) * 2.0;
   expect_match(rectangle_at(0.6, 1.2, h, {1.0, 0.0}, outside));
 }
 
@@ -69,7 +71,8 @@ TEST(LambertRectangle, VeryNearIsNeitherSingularNorClamped) {
 TEST(LambertDisk, UnderItsCentre) {
   const double radius = 0.5, luminance = 1000.0;
   const calc::LuminousOpening opening{calc::OpeningShape::disk, 2 * radius, 2 * radius, 0.0};
-  const calc::PhotometricWeb web = lambert_web(luminance * calc::kPi * radius * radius, 900, opening);
+  const calc::PhotometricWeb web =
+      lambert_web(luminance * calc::kPi * radius * radius, 900, opening);
   for (const double h : {0.1, 0.5, 3.0}) {
     calc::PreparedScene scene;
     add_luminaire(scene, web, {0, 0, h});

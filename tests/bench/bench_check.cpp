@@ -1,7 +1,9 @@
-// Time of a project's calculation by phase, and the share of it that the ray tracer alone would need.
+// Time of a project's calculation by phase, and the share of it that the ray tracer alone would
+// need.
 //   bench_check PROJECT.xml [TOLERANCE]
-// Prints one line per space: points, paths, seconds by phase, rays per second, and the ratio of the connection
-// phase to Embree's raw occlusion time for as many of the same rays, measured in the same process.
+// Prints one line per space: points, paths, seconds by phase, rays per second, and the ratio of the
+// connection phase to Embree's raw occlusion time for as many of the same rays, measured in the
+// same process.
 #include "calc/file_reader.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_paths.h"
@@ -35,7 +37,8 @@ struct PacketFrom {
 };
 
 // Front-facing pairs of points and light vertices as ready-made packets, in gathering order.
-std::vector<PacketFrom> make_packets(const calc::Tracer& tracer, const calc::LightVertices& vertices,
+std::vector<PacketFrom> make_packets(const calc::Tracer& tracer,
+                                     const calc::LightVertices& vertices,
                                      const calc::SensorGrid& grid, std::size_t most) {
   std::vector<PacketFrom> packets;
   for (std::size_t i = 0; i < grid.position_m.size() && packets.size() < most; ++i) {
@@ -91,11 +94,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   const double load_s = now_s() - load_begin;
-  const auto requirements = rules::bind_requirements(*project, rules::builtin_rule_packs(), diagnostics);
+  const auto requirements =
+      rules::bind_requirements(*project, rules::builtin_rule_packs(), diagnostics);
   for (const calc::Space& space : project->spaces) {
     std::vector<calc::SensorGrid> grids;
     for (const calc::CalcPlane& plane : space.planes) {
-      if (auto grid = calc::make_sensor_grid(plane, space, diagnostics)) grids.push_back(std::move(*grid));
+      if (auto grid = calc::make_sensor_grid(plane, space, diagnostics))
+        grids.push_back(std::move(*grid));
     }
     if (grids.size() != space.planes.size()) return 2;
     std::vector<calc::PlaneTask> tasks;
@@ -126,20 +131,23 @@ int main(int argc, char** argv) {
     const calc::SolveTimes& t = solution.times;
     fmt::print("space {}: {} planes, {} points, {} triangles, {} paths, tolerance {} %\n", space.id,
                tasks.size(), points, scene.triangle.size(), paths, 100 * tolerance);
-    fmt::print("  seconds: load {:.3f} build {:.3f} direct {:.3f} pool {:.3f} connect {:.3f} near {:.3f} total {:.3f}\n",
-               load_s, t.build_s, t.direct_s, t.pool_s, t.connect_s, t.near_s, total_s);
+    fmt::print(
+        "  seconds: load {:.3f} build {:.3f} direct {:.3f} pool {:.3f} connect {:.3f} near {:.3f} "
+        "total {:.3f}\n",
+        load_s, t.build_s, t.direct_s, t.pool_s, t.connect_s, t.near_s, total_s);
     fmt::print("  rays: direct {} pool {} connect {} near {}\n", direct_rays, solution.pool_rays,
                connection_rays, near_rays);
     if (connection_rays == 0) continue;
     const calc::Tracer tracer(scene);
     const calc::Emitter emitter(scene);
     const calc::GeometryBound bound(tracer, emitter, 1024);
-    const calc::TracedPaths traced = calc::trace_light_paths(tracer, emitter, bound, {1, 0, 0, 1024});
+    const calc::TracedPaths traced =
+        calc::trace_light_paths(tracer, emitter, bound, {1, 0, 0, 1024});
     const auto packets = make_packets(tracer, traced.vertices, grids[0], 200000);
     const double raw = raw_occlusion_rate(tracer, packets);
     const double connect = static_cast<double>(connection_rays) / t.connect_s;
-    fmt::print("  connection rays/s {:.1f} M, Embree alone {:.1f} M, ratio {:.2f}\n", connect / 1e6, raw / 1e6,
-               connect / raw);
+    fmt::print("  connection rays/s {:.1f} M, Embree alone {:.1f} M, ratio {:.2f}\n", connect / 1e6,
+               raw / 1e6, connect / raw);
   }
   return 0;
 }

@@ -29,11 +29,14 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
   }
   std::vector<glm::dvec3> position, normal;
   for (std::size_t i = 0; i < 40; ++i) {
-    position.emplace_back(3.8 * key.with(1000 + i).uniform() - 1.9, 3.8 * key.with(2000 + i).uniform() - 1.9, 0.5);
-    normal.emplace_back(glm::normalize(glm::dvec3(0.3, 0.1 * static_cast<double>(i % 3), i % 4 == 0 ? -1.0 : 1.0)));
+    position.emplace_back(3.8 * key.with(1000 + i).uniform() - 1.9,
+                          3.8 * key.with(2000 + i).uniform() - 1.9, 0.5);
+    normal.emplace_back(
+        glm::normalize(glm::dvec3(0.3, 0.1 * static_cast<double>(i % 3), i % 4 == 0 ? -1.0 : 1.0)));
   }
   std::vector<double> sum(2 * position.size(), 1.0);  // gather adds
-  const std::uint64_t rays = calc::make_cpu_gatherer()->gather(tracer, {position, normal}, vertices, sum);
+  const std::uint64_t rays =
+      calc::make_cpu_gatherer()->gather(tracer, {position, normal}, vertices, sum);
 
   std::uint64_t expected_rays = 0, blocked = 0, bounded = 0;
   for (std::size_t i = 0; i < position.size(); ++i) {

@@ -15,7 +15,8 @@ struct Room {
   Room() {
     add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.6);
     add_box(scene, {1, 1, 0}, {1, 0.8, 0.7}, 0.4);
-    add_quad(scene, {0, 0, 0}, {4, 0, 0}, {0, 3, 0}, 0.2);  // a floor twice: a tie for every ray that meets it
+    add_quad(scene, {0, 0, 0}, {4, 0, 0}, {0, 3, 0},
+             0.2);  // a floor twice: a tie for every ray that meets it
     add_luminaire(scene, web, {1.5, 1.5, 2.5});
     add_luminaire(scene, web, {3.0, 1.5, 2.5});
     scene.channels.push_back({"second", 0.8});
@@ -36,12 +37,12 @@ struct Room {
     settings.jobs = jobs;
     const auto gatherer = calc::make_cpu_gatherer();
     // "wall" stops a look earlier than "task", so that planes drop out at different times.
-    return calc::solve_illuminance(
-        scene, tasks, settings, 0.95, *gatherer,
-        [&](std::size_t t, const calc::PlaneField& field) {
-          return tasks[t].plane_id == "wall" && field.counters.paths >= 128 * 16;
-        },
-        {});
+    return calc::solve_illuminance(scene, tasks, settings, 0.95, *gatherer,
+                                   [&](std::size_t t, const calc::PlaneField& field) {
+                                     return tasks[t].plane_id == "wall" &&
+                                            field.counters.paths >= 128 * 16;
+                                   },
+                                   {});
   }
 };
 
@@ -78,6 +79,27 @@ TEST(SameBits, WhenPlanesAreReorderedOrOneIsRemoved) {
   expect_same_bits(both.fields[0], turned.fields[1]);
   expect_same_bits(both.fields[1], turned.fields[0]);
   expect_same_bits(both.fields[0], alone.fields[0]);
+}
+
+// Two closed boxes: no path from the one can reach the point in the other, but only its reflecting
+// walls are known to the program, so its zeros stay unproved. With black walls nothing can be
+// reflected: a proved 0.
+TEST(Unseen, MarksPointsThatSamplesMayReachButDidNot) {
+  for (const double rho : {0.5, 0.0}) {
+    const calc::PhotometricWeb web = isotropic_web(100.0);
+    calc::PreparedScene scene;
+    add_box(scene, {0, 0, 0}, {2, 2, 2}, 0.5);
+    add_box(scene, {5, 0, 0}, {2, 2, 2}, rho);
+    add_luminaire(scene, web, {1, 1, 1});
+    set_extent(scene);
+    calc::SensorGrid grid;
+    grid.position_m = {{6, 1, 1}, {0.5, 0.5, 0.5}};
+    grid.normal = {{1, 0, 0}, {0, 0, 1}};
+    const calc::PlaneField field = solve_with_paths(scene, grid, 1, 64).fields[0];
+    ASSERT_EQ(field.unseen.size(), 2u);
+    EXPECT_EQ(field.unseen[0], rho > 0.0 ? 1 : 0);
+    EXPECT_EQ(field.unseen[1], 0);
+  }
 }
 
 TEST(SameBits, AnotherSeedGivesOtherBits) {

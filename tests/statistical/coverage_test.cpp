@@ -1,5 +1,6 @@
-// Do the 95 % intervals hold the truth in 95 % of runs? 120 independent seeds, points in the open, 5 mm from a wall and in
-// a corner, and the plane average; the truth is a run with 256 times the paths under other seeds.
+// Do the 95 % intervals hold the truth in 95 % of runs? 120 independent seeds, points in the open,
+// 5 mm from a wall and in a corner, and the plane average; the truth is a run with 256 times the
+// paths under other seeds.
 #include "calc/statistics.h"
 #include "tests/support/scenes.h"
 
@@ -28,15 +29,17 @@ class Coverage : public testing::TestWithParam<Case> {};
 TEST_P(Coverage, OfPointsAndAverageIsNominal) {
   const Case& test = GetParam();
   const calc::LuminousOpening panel{calc::OpeningShape::rectangle, 0.6, 0.6, 0.0};
-  const calc::PhotometricWeb web = lambert_web(500.0, 45, test.is_extended ? panel : calc::LuminousOpening{});
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 45, test.is_extended ? panel : calc::LuminousOpening{});
   calc::PreparedScene scene;
   add_box(scene, {0, 0, 0}, {4, 3, 2.5}, test.reflectance);
   add_box(scene, {1.0, 1.0, 0}, {1.2, 0.6, 0.6}, 0.4);
   add_luminaire(scene, web, test.source);
   set_extent(scene);
   calc::SensorGrid grid;
-  grid.position_m = {{2.5, 2.2, 0.75}, {0.7, 0.6, 0.75}, {0.005, 1.5, 0.75}, {2.0, 2.995, 0.75},
-                     {0.005, 0.005, 0.75}, {3.995, 2.995, 0.005}, {0.995, 1.3, 0.3}, {1.5, 1.2, 0.6}};
+  grid.position_m = {{2.5, 2.2, 0.75},   {0.7, 0.6, 0.75},     {0.005, 1.5, 0.75},
+                     {2.0, 2.995, 0.75}, {0.005, 0.005, 0.75}, {3.995, 2.995, 0.005},
+                     {0.995, 1.3, 0.3},  {1.5, 1.2, 0.6}};
   grid.normal.assign(grid.position_m.size(), {0, 0, 1});
   const std::size_t points = grid.position_m.size();
 
@@ -51,7 +54,8 @@ TEST_P(Coverage, OfPointsAndAverageIsNominal) {
   std::vector<int> covered(points + 1, 0);
   std::vector<double> mean(points + 1, 0.0), mean_square(points + 1, 0.0);
   for (int seed = 1; seed <= kSeeds; ++seed) {
-    const calc::SpaceSolution run = solve_with_paths(scene, grid, static_cast<std::uint64_t>(seed), 256);
+    const calc::SpaceSolution run =
+        solve_with_paths(scene, grid, static_cast<std::uint64_t>(seed), 256);
     for (std::size_t i = 0; i <= points; ++i) {
       const std::vector<double> replicates =
           i < points ? replicates_at(run.fields[0], i) : replicate_averages(run.fields[0]);
@@ -65,12 +69,14 @@ TEST_P(Coverage, OfPointsAndAverageIsNominal) {
   for (std::size_t i = 0; i <= points; ++i) {
     const double spread = std::sqrt(std::max(0.0, mean_square[i] - mean[i] * mean[i]));
     const double bias = mean[i] - truth[i];
-    std::printf("%s %zu: truth %.3f lx, sd of a run %.2f %%, bias %.3f %%, coverage %.1f %%\n", test.name, i,
-                truth[i], 100 * spread / truth[i], 100 * bias / truth[i], 100.0 * covered[i] / kSeeds);
+    std::printf("%s %zu: truth %.3f lx, sd of a run %.2f %%, bias %.3f %%, coverage %.1f %%\n",
+                test.name, i, truth[i], 100 * spread / truth[i], 100 * bias / truth[i],
+                100.0 * covered[i] / kSeeds);
     if (i < points) all_points += covered[i];
     // 120 runs at 95 %: P(covered < 105) = 0.1 %, over 9 quantities 1 %.
     EXPECT_GE(covered[i], 105) << i;
-    // Bias: four standard errors of the mean of 120 runs, and the reference's own error (1/16 of a run's).
+    // Bias: four standard errors of the mean of 120 runs, and the reference's own error (1/16 of a
+    // run's).
     EXPECT_LT(std::abs(bias), 4.0 * spread * (1.0 / std::sqrt(kSeeds) + 1.0 / 16.0)) << i;
   }
   const double share = static_cast<double>(all_points) / static_cast<double>(points * kSeeds);

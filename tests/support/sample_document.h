@@ -334,7 +334,8 @@ inline Document sample_document() {
   broken.path = "yard.xml";
   const calc::SourceLocation where{"yard.xml", 12, 5};
   calc::Diagnostics found;
-  found.report(calc::DiagnosticId::file_not_readable, where, "yard.ies", "No such file or directory");
+  found.report(calc::DiagnosticId::file_not_readable, where, "yard.ies",
+               "No such file or directory");
   broken.diagnostics = found.all();
   document.projects.push_back(std::move(broken));
   return document;

@@ -25,8 +25,10 @@ inline calc::PhotometricWeb isotropic_web(double intensity_cd) {
                                     {intensity_cd, intensity_cd, intensity_cd}, {}, {});
 }
 
-// I(gamma) = axis_cd * cos(gamma) for gamma <= 90 degrees, tabulated in steps of 90 / steps degrees.
-inline calc::PhotometricWeb lambert_web(double axis_cd, int steps, calc::LuminousOpening opening = {}) {
+// I(gamma) = axis_cd * cos(gamma) for gamma <= 90 degrees, tabulated in steps of 90 / steps
+// degrees.
+inline calc::PhotometricWeb lambert_web(double axis_cd, int steps,
+                                        calc::LuminousOpening opening = {}) {
   std::vector<double> gamma_rad, cd;
   for (int k = 0; k <= steps; ++k) {
     gamma_rad.push_back(calc::kPi / 2 * k / steps);
@@ -92,10 +94,11 @@ inline void set_extent(calc::PreparedScene& scene) {
 
 // Icosahedron subdivided `levels` times, corners on the sphere of radius_m about the origin.
 inline void add_sphere(calc::PreparedScene& scene, double radius_m, int levels,
-                                   double reflectance) {
+                       double reflectance) {
   const double t = (1.0 + std::sqrt(5.0)) / 2.0;
-  std::vector<glm::dvec3> p{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-                            {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}};
+  std::vector<glm::dvec3> p{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0},
+                            {0, -1, t}, {0, 1, t}, {0, -1, -t}, {0, 1, -t},
+                            {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}};
   std::vector<glm::uvec3> f{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
                             {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                             {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
@@ -103,7 +106,8 @@ inline void add_sphere(calc::PreparedScene& scene, double radius_m, int levels,
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
     const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(p.size()));
+      const auto [entry, is_new] =
+          middle.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(p.size()));
       if (is_new) p.push_back(glm::normalize(p[a]) + glm::normalize(p[b]));
       return entry->second;
     };
@@ -130,7 +134,8 @@ inline double surface_area_m2(const calc::PreparedScene& scene) {
 // One plane, a fixed number of paths per replicate, in `looks` looks.
 inline calc::SpaceSolution solve_with_paths(const calc::PreparedScene& scene,
                                             const calc::SensorGrid& grid, std::uint64_t seed,
-                                            std::uint64_t paths, int replicates = 16, int looks = 1) {
+                                            std::uint64_t paths, int replicates = 16,
+                                            int looks = 1) {
   calc::RadiositySettings settings;
   settings.seed = seed;
   settings.first_paths = paths >> (looks - 1);

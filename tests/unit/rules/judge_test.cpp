@@ -62,6 +62,33 @@ TEST(Judge, PassesWithValueMarginAndPlace) {
   EXPECT_EQ(finding.requirement.metric, Metric::minimum);
 }
 
+// A refused plane has no values: its zeros must never be judged.
+TEST(Judge, ARefusedPlaneIsNotJudged) {
+  calc::PlaneField field = exact_field({0, 0, 0});
+  field.problem = "no steady state";
+  Requirement at_most = at_least(Metric::maximum, 1000);
+  at_most.comparison = Comparison::at_most;
+  for (const Requirement& requirement : {at_most, at_least(Metric::average, 100)}) {
+    const Finding finding = judge(requirement, field);
+    EXPECT_EQ(finding.verdict, Verdict::not_judged);
+    EXPECT_EQ(finding.reason, "no steady state");
+  }
+}
+
+// Sampled light may reach point 1 but no sample has: its 0 lx +- 0 proves nothing.
+TEST(Judge, PointsThatNoSampleReachedLeaveTheVerdictOpen) {
+  calc::PlaneField field = sampled_field(500, 1);
+  for (std::size_t r = 0; r < 4; ++r) field.indirect_lx[3 * r + 1] = 0.0;
+  field.unseen = {0, 1, 0};
+  const Finding minimum = judge(at_least(Metric::minimum, 100), field);
+  EXPECT_EQ(minimum.verdict, Verdict::undecided);
+  EXPECT_EQ(minimum.reason,
+            "no sampled light reached 1 of 3 points: their illuminance is small, but not known");
+  EXPECT_EQ(judge(at_least(Metric::average, 100), field).verdict, Verdict::pass);
+  field.unseen = {0, 0, 0};  // nothing can reach it: 0 lx is the truth
+  EXPECT_EQ(judge(at_least(Metric::minimum, 100), field).verdict, Verdict::fail);
+}
+
 TEST(Judge, FailsWithANegativeMargin) {
   const Finding finding = judge(at_least(Metric::average, 400), exact_field({500, 300, 400}));
   EXPECT_EQ(finding.verdict, Verdict::fail);

@@ -34,7 +34,8 @@ TEST(Emitter, EmitsAlongTheLuminairesOwnAxes) {
       {0, 0, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 9, 0, 0}, {}, {});
   calc::PreparedScene scene;
   add_luminaire(scene, web, {1, 2, 3});
-  scene.luminaires[0].world_from_luminaire = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0));
+  scene.luminaires[0].world_from_luminaire =
+      glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0));
   const calc::Emitter emitter(scene);
   for (const double u : {0.01, 0.5, 0.99}) {
     const calc::EmittedRay ray = emitter.emit(0, {u, 1.0 - u}, {0.5, 0.5}, 1e-6);

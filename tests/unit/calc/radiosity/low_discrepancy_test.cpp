@@ -28,7 +28,8 @@ TEST(ScrambledSobol, EveryDimensionIsStratified) {
   }
 }
 
-// The first two dimensions form a (0, 2)-sequence: every elementary rectangle of area 1/n holds one point.
+// The first two dimensions form a (0, 2)-sequence: every elementary rectangle of area 1/n holds one
+// point.
 TEST(ScrambledSobol, FirstTwoDimensionsAreAZeroTwoSequence) {
   const ScrambledSobol sobol(RandomKey(77));
   constexpr std::uint32_t kPoints = 256;
@@ -60,8 +61,8 @@ TEST(ScrambledSobol, DimensionsAreUncorrelated) {
   }
 }
 
-// Replicates must be independent, or error bars lie: means over different keys of one point are uniform, and
-// neighbouring keys are uncorrelated.
+// Replicates must be independent, or error bars lie: means over different keys of one point are
+// uniform, and neighbouring keys are uncorrelated.
 TEST(ScrambledSobol, KeysGiveIndependentSequences) {
   constexpr int kKeys = 4096;
   for (const std::uint32_t index : {0u, 1u, 100u}) {

@@ -27,7 +27,8 @@ TEST(GeometryBound, FollowsTheLightOnASurface) {
   const calc::GeometryBound bound(tracer, emitter, 1024);
   const double hot = bound.at({0, 1.5, 1.5}, {1, 0, 0});
   const double cold = bound.at({4, 1.5, 1.5}, {-1, 0, 0});
-  // N E / Phi kappa with E = I / d^2 = 111,111 lx and Phi = 4 pi 100 lm, beside a small ambient part.
+  // N E / Phi kappa with E = I / d^2 = 111,111 lx and Phi = 4 pi 100 lm, beside a small ambient
+  // part.
   EXPECT_NEAR(hot, 0.01 * 1024 * (100.0 / 0.0009) / (400.0 * calc::kPi), 0.01 * hot);
   EXPECT_LT(cold, 3.0);
   EXPECT_GE(cold, bound.smallest());
@@ -35,7 +36,8 @@ TEST(GeometryBound, FollowsTheLightOnASurface) {
   EXPECT_GT(calc::GeometryBound(tracer, emitter, 4096).at({0, 1.5, 1.5}, {1, 0, 0}), 3.9 * hot);
 }
 
-// Two techniques, one sum: whatever the number of paths (and with it the bound), the mean must not move.
+// Two techniques, one sum: whatever the number of paths (and with it the bound), the mean must not
+// move.
 TEST(NearField, TheBoundShiftsWorkButNotTheResult) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   calc::PreparedScene scene;

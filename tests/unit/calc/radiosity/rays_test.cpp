@@ -61,11 +61,13 @@ TEST(Tracer, NoRayLeavesAClosedRoom) {
   calc::SurfaceHit hit;
   for (std::uint64_t i = 0; i < 100000; ++i) {
     // A third of the rays aim exactly at edges and corners, where two triangles meet.
-    glm::dvec3 to(10 * key.with(i).with(0).uniform() - 5, 8 * key.with(i).with(1).uniform() - 4, -1.4);
+    glm::dvec3 to(10 * key.with(i).with(0).uniform() - 5, 8 * key.with(i).with(1).uniform() - 4,
+                  -1.4);
     if (i % 3 == 0) to.x = 5.0;
     if (i % 9 == 0) to.y = 4.0;
     const glm::dvec3 from(0.1, 0.2, 0.3);
-    if (!tracer.closest_hit(from, glm::normalize(to - from), std::numeric_limits<double>::infinity(), hit)) {
+    if (!tracer.closest_hit(from, glm::normalize(to - from),
+                            std::numeric_limits<double>::infinity(), hit)) {
       ++escaped;
     }
   }
@@ -90,7 +92,8 @@ TEST(Tracer, AThinWallBlocksFromBothSidesInPacketsToo) {
 }
 
 TEST(CosineDirection, HasCosineDistributionAboutAnyNormal) {
-  for (const glm::dvec3 n : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, -2, 0.3))}) {
+  for (const glm::dvec3 n :
+       {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, -2, 0.3))}) {
     glm::dvec3 mean(0.0);
     constexpr int kSide = 64;
     for (int i = 0; i < kSide; ++i) {

@@ -6,7 +6,9 @@
 
 namespace {
 
-TEST(RadiositySettings, DefaultsAreValid) { EXPECT_EQ(calc::validate(calc::RadiositySettings{}), ""); }
+TEST(RadiositySettings, DefaultsAreValid) {
+  EXPECT_EQ(calc::validate(calc::RadiositySettings{}), "");
+}
 
 TEST(RadiositySettings, SaysWhatIsAllowed) {
   calc::RadiositySettings settings;
@@ -14,13 +16,16 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
   EXPECT_EQ(calc::validate(settings), "replicates is 3; allowed: 4 to 64");
   settings = {};
   settings.max_paths = 1000;
-  EXPECT_EQ(calc::validate(settings), "max paths is 1000; allowed: a power of two, 256 to 1073741824");
+  EXPECT_EQ(calc::validate(settings),
+            "max paths is 1000; allowed: a power of two, 256 to 1073741824");
   settings = {};
   settings.max_paths = 128;
-  EXPECT_EQ(calc::validate(settings), "max paths is 128; allowed: a power of two, 256 to 1073741824");
+  EXPECT_EQ(calc::validate(settings),
+            "max paths is 128; allowed: a power of two, 256 to 1073741824");
   settings = {};
   settings.first_paths = 0;
-  EXPECT_EQ(calc::validate(settings), "first paths is 0; allowed: a power of two, 16 to 1073741824");
+  EXPECT_EQ(calc::validate(settings),
+            "first paths is 0; allowed: a power of two, 16 to 1073741824");
   settings = {};
   settings.time_limit_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(calc::validate(settings), "");
