@@ -21,7 +21,7 @@ struct PointValues {
   std::vector<double> value_lx;
   // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
   // May be empty.
-  std::vector<std::uint8_t> unseen;
+  std::vector<std::uint8_t> unseen = {};
 
   bool is_exact() const { return replicates == 1; }
   double at(std::size_t replicate, std::size_t point) const {

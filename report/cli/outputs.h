@@ -30,7 +30,7 @@ std::string render(FormatKind kind, const report::Document& document,
                    const report::TextOptions& text = {});
 
 // "<project file's stem>-<plane id>", other characters than letters, digits, '-', '_' and '.'
-// replaced by '_'.
+// (UTF-8) each replaced by one '_'.
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane);
 
 }  // namespace cli
