@@ -25,8 +25,9 @@ struct LightChannel {
   double maintenance_factor = 1.0;
 };
 
-// Why the work on a plane ended. exact: nothing was sampled; accurate: the accuracy test was met.
-enum class StopReason { exact, accurate, path_limit, time_limit, interrupted };
+// Why the work on a plane ended. exact: nothing was sampled; decided: every verdict stands;
+// accurate: every quantity has the accuracy asked for.
+enum class StopReason { exact, decided, accurate, path_limit, time_limit, interrupted };
 
 // Counts of what was done for one plane; for reports and benchmarks.
 struct SolveCounters {
@@ -34,6 +35,8 @@ struct SolveCounters {
   std::uint64_t direct_rays = 0;      // shadow rays towards luminaires
   std::uint64_t connection_rays = 0;  // shadow rays towards light vertices
   std::uint64_t near_rays = 0;        // rays of the near-field part, continuation included
+  // Points that took part in each look; the size is the number of looks.
+  std::vector<std::size_t> active_points;
 };
 
 // Initial illuminance (new lamps, full output) at the points of one plane, on the side of their
@@ -52,6 +55,10 @@ struct PlaneField {
   // [point]: 1 if sampled light may reach the point but no sample has: its 0 lx is then not a
   // measurement, and its interval of width 0 means nothing. Empty when nothing was sampled.
   std::vector<std::uint8_t> unseen;
+  // [point]: the largest single sample's share of the point's illuminance (all channels at full
+  // output), [0, 1]. Near 1 the value rests on one sample and its t-interval is not to be trusted.
+  // Empty when nothing was sampled.
+  std::vector<float> largest_share;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
   double seconds = 0.0;

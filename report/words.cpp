@@ -74,6 +74,8 @@ const char* stop_key(calc::StopReason stop) {
   switch (stop) {
     case calc::StopReason::exact:
       return "exact";
+    case calc::StopReason::decided:
+      return "decided";
     case calc::StopReason::accurate:
       return "accurate";
     case calc::StopReason::path_limit:
@@ -90,6 +92,8 @@ const char* stop_words(calc::StopReason stop) {
   switch (stop) {
     case calc::StopReason::exact:
       return "exact, nothing had to be sampled";
+    case calc::StopReason::decided:
+      return "stopped when every verdict was decided";
     case calc::StopReason::accurate:
       return "stopped when the intervals were narrow enough";
     case calc::StopReason::path_limit:

@@ -1,12 +1,21 @@
 #pragma once
 // How much work the calculation may do.
 
+#include "calc/radiosity/skips.h"
+
 #include <cstdint>
 #include <string>
 
 namespace calc {
 
+// light_pool: many light vertices, of which every point draws its own few by importance.
+// instant_radiosity: every point is connected to every vertex of a small shared set [Keller97],
+// for comparison.
+enum class Method { light_pool, instant_radiosity };
+
 struct RadiositySettings {
+  Method method = Method::light_pool;
+  SkipSet skips;  // what may be left out once a proof holds; all by default
   std::uint64_t seed = 1;
   int replicates = 16;  // independent repetitions that give the intervals, 4 to 64
   std::uint64_t first_paths =

@@ -11,6 +11,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <optional>
 
@@ -20,11 +21,11 @@ namespace {
 class Solver {
  public:
   Solver(const PreparedScene& scene, const RadiositySettings& settings, double confidence,
-         Gatherer& gatherer, const AccuracyTest& is_accurate, const ProgressSink& progress)
+         Gatherer& gatherer, const LookTest& test, const ProgressSink& progress)
       : settings_(settings),
         confidence_(confidence),
         gatherer_(gatherer),
-        is_accurate_(is_accurate),
+        test_(test),
         progress_(progress),
         start_s_(now_s()),
         tracer_(scene),
@@ -81,7 +82,9 @@ class Solver {
   // Looks with doubling numbers of paths until every plane is accurate, or a limit ends the work.
   void take_looks() {
     std::uint64_t done_paths = 0;
-    for (std::uint64_t paths = settings_.first_paths; any_active(); paths *= 2) {
+    Look look_number{0, std::countr_zero(settings_.max_paths / settings_.first_paths) + 1};
+    for (std::uint64_t paths = settings_.first_paths; any_active();
+         paths *= 2, ++look_number.index) {
       if (const auto stopped = look(done_paths, paths)) {
         if (done_paths == 0) {
           refuse_active(*stopped == StopReason::time_limit
@@ -95,8 +98,9 @@ class Solver {
         PlaneWork& plane = planes_[p];
         if (!plane.is_active()) continue;
         plane.publish();
-        if (is_accurate_(p, plane.field())) {
-          plane.finish(StopReason::accurate);
+        LookAnswer answer = test_(p, plane.field(), look_number);
+        if (answer.finished) {
+          plane.finish(*answer.finished);
         } else if (paths * 2 > settings_.max_paths) {
           plane.finish(StopReason::path_limit);
         }
@@ -171,7 +175,7 @@ class Solver {
   const RadiositySettings& settings_;
   double confidence_;
   Gatherer& gatherer_;
-  const AccuracyTest& is_accurate_;
+  const LookTest& test_;
   const ProgressSink& progress_;
   double start_s_;
   Tracer tracer_;
@@ -186,12 +190,11 @@ class Solver {
 
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
-                                Gatherer& gatherer, const AccuracyTest& is_accurate,
+                                Gatherer& gatherer, const LookTest& test,
                                 const ProgressSink& progress) {
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
-  return arena.execute([&] {
-    return Solver(scene, settings, confidence, gatherer, is_accurate, progress).run(tasks);
-  });
+  return arena.execute(
+      [&] { return Solver(scene, settings, confidence, gatherer, test, progress).run(tasks); });
 }
 
 }  // namespace calc

@@ -9,7 +9,9 @@
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,24 @@ struct PlaneTask {
   const SensorGrid* grid;
 };
 
-// Asked after every look (sample sizes double): is this plane's field accurate enough?
-using AccuracyTest = std::function<bool(std::size_t task, const PlaneField& field)>;
+// Which look it is: a plane takes at most `planned` looks (sample sizes double), a number fixed
+// before the first, so that a test may spend its error probability over them.
+struct Look {
+  int index = 0;  // 0 = first
+  int planned = 1;
+};
+
+// What the answer to a look asks for next.
+struct LookAnswer {
+  // Empty: go on. decided or accurate: the plane is finished.
+  std::optional<StopReason> finished;
+  // [point], 1: further looks add to this point; empty: to all. Not used when finished. Points left
+  // out keep the estimate they have.
+  std::vector<std::uint8_t> active;
+};
+
+// Asked after every look of every plane that is still at work, with the plane's results so far.
+using LookTest = std::function<LookAnswer(std::size_t task, const PlaneField& field, Look look)>;
 
 // Told after every look; may be empty. Return false to stop the calculation
 // (StopReason::interrupted).
@@ -44,7 +62,7 @@ struct SpaceSolution {
 // any other tasks, unless a time limit or the progress sink stopped the run.
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
-                                Gatherer& gatherer, const AccuracyTest& is_accurate,
+                                Gatherer& gatherer, const LookTest& test,
                                 const ProgressSink& progress);
 
 }  // namespace calc

@@ -107,17 +107,21 @@ calc::RadiositySettings remaining_settings(const Options& options, const Stopwat
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
                           const Tasks& tasks, const CheckContext& context, const Stopwatch& watch) {
   const Options& options = context.options;
-  const auto is_accurate = [&](std::size_t task, const calc::PlaneField& field) {
+  const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
     const PlaneJob& job = *tasks.job[task];
-    return rules::is_accurate(job.requirements, *job.grid, field, project.scenes, options.tolerance,
-                              options.confidence);
+    calc::LookAnswer answer;
+    if (rules::is_accurate(job.requirements, *job.grid, field, project.scenes, options.tolerance,
+                           options.confidence)) {
+      answer.finished = calc::StopReason::accurate;
+    }
+    return answer;
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
     context.progress.update(solve_progress);
     return !interrupted();
   };
   return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
-                                 options.confidence, context.gatherer, is_accurate, progress);
+                                 options.confidence, context.gatherer, test, progress);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.

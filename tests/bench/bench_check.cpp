@@ -115,9 +115,13 @@ int main(int argc, char** argv) {
     const double begin = now_s();
     const calc::SpaceSolution solution = calc::solve_illuminance(
         scene, tasks, {}, 0.95, *gatherer,
-        [&](std::size_t task, const calc::PlaneField& field) {
+        [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
           const auto own = rules::requirements_of_plane(requirements, tasks[task].plane_id);
-          return rules::is_accurate(own, grids[task], field, project->scenes, tolerance, 0.95);
+          calc::LookAnswer answer;
+          if (rules::is_accurate(own, grids[task], field, project->scenes, tolerance, 0.95)) {
+            answer.finished = calc::StopReason::accurate;
+          }
+          return answer;
         },
         {});
     const double total_s = now_s() - begin;

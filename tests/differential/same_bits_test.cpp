@@ -37,12 +37,16 @@ struct Room {
     settings.jobs = jobs;
     const auto gatherer = calc::make_cpu_gatherer();
     // "wall" stops a look earlier than "task", so that planes drop out at different times.
-    return calc::solve_illuminance(scene, tasks, settings, 0.95, *gatherer,
-                                   [&](std::size_t t, const calc::PlaneField& field) {
-                                     return tasks[t].plane_id == "wall" &&
-                                            field.counters.paths >= 128 * 16;
-                                   },
-                                   {});
+    return calc::solve_illuminance(
+        scene, tasks, settings, 0.95, *gatherer,
+        [&](std::size_t t, const calc::PlaneField& field, calc::Look) {
+          calc::LookAnswer answer;
+          if (tasks[t].plane_id == "wall" && field.counters.paths >= 128 * 16) {
+            answer.finished = calc::StopReason::accurate;
+          }
+          return answer;
+        },
+        {});
   }
 };
 

@@ -142,8 +142,9 @@ inline calc::SpaceSolution solve_with_paths(const calc::PreparedScene& scene,
   settings.max_paths = paths;
   settings.replicates = replicates;
   const auto gatherer = calc::make_cpu_gatherer();
-  return calc::solve_illuminance(scene, {{"plane", &grid}}, settings, 0.95, *gatherer,
-                                 [](std::size_t, const calc::PlaneField&) { return false; }, {});
+  return calc::solve_illuminance(
+      scene, {{"plane", &grid}}, settings, 0.95, *gatherer,
+      [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; }, {});
 }
 
 // Total illuminance of replicate r at point i, all channels.
