@@ -26,8 +26,17 @@ struct LightChannel {
 };
 
 // Why the work on a plane ended. exact: nothing was sampled; decided: every verdict stands;
-// accurate: every quantity has the accuracy asked for.
-enum class StopReason { exact, decided, accurate, path_limit, time_limit, interrupted };
+// accurate: every quantity has the accuracy asked for; endless_path: light that is hardly absorbed
+// at all would not end.
+enum class StopReason {
+  exact,
+  decided,
+  accurate,
+  path_limit,
+  time_limit,
+  endless_path,
+  interrupted
+};
 
 // Counts of what was done for one plane; for reports and benchmarks.
 struct SolveCounters {
@@ -59,6 +68,9 @@ struct PlaneField {
   // output), [0, 1]. Near 1 the value rests on one sample and its t-interval is not to be trusted.
   // Empty when nothing was sampled.
   std::vector<float> largest_share;
+  // Looks that the plane might have taken, a number fixed before the first: its intervals hold over
+  // all of them together. 1: only one was planned, or nothing was sampled.
+  int looks_planned = 1;
   StopReason stop = StopReason::exact;
   SolveCounters counters;
   double seconds = 0.0;

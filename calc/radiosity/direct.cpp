@@ -15,12 +15,12 @@ bool is_point(const PlacedLuminaire& luminaire) {
 }
 
 void add_source(ShadowBatch& batch, const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
-                const glm::dvec3& position_m, const glm::dvec3& normal, double weight,
-                double offset_m) {
-  const double lx = point_illuminance_lx(luminaire, source_m, position_m, normal);
+                const Receiver& receiver, const glm::vec3& from_m, double weight, double offset_m,
+                double* sums, std::size_t stride) {
+  const double lx = point_illuminance_lx(luminaire, source_m, receiver);
   if (lx <= 0.0) return;
-  batch.add(glm::vec3(lifted_source_m(luminaire, source_m, position_m, offset_m)), weight * lx,
-            luminaire.channel);
+  batch.add(from_m, glm::vec3(lifted_source_m(luminaire, source_m, receiver.position_m, offset_m)),
+            weight * lx, &sums[luminaire.channel * stride]);
 }
 
 struct CellExtent {
@@ -82,26 +82,28 @@ bool has_extended_luminaires(const PreparedScene& scene) {
   return !std::all_of(scene.luminaires.begin(), scene.luminaires.end(), is_point);
 }
 
-std::uint64_t add_point_sources(const Tracer& tracer, const glm::dvec3& position_m,
-                                const glm::dvec3& normal, double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
+std::uint64_t add_point_sources(const Tracer& tracer, const Receiver& receiver, double* sums,
+                                std::size_t stride) {
+  ShadowBatch batch(tracer);
+  const glm::vec3 from(tracer.lift(receiver));
   for (const PlacedLuminaire& luminaire : tracer.scene().luminaires) {
     if (!is_point(luminaire)) continue;
-    add_source(batch, luminaire, luminaire.position_m, position_m, normal, 1.0, tracer.offset_m());
+    add_source(batch, luminaire, luminaire.position_m, receiver, from, 1.0, tracer.offset_m(), sums,
+               stride);
   }
   batch.flush();
   return batch.rays();
 }
 
-std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& position_m,
-                                   const glm::dvec3& normal, RandomKey key,
+std::uint64_t add_extended_sources(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                    std::uint32_t first_round, std::uint32_t last_round,
                                    double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
+  ShadowBatch batch(tracer);
+  const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     if (is_point(luminaires[l])) continue;
-    const std::vector<OpeningCell> cells = opening_cells(luminaires[l], position_m);
+    const std::vector<OpeningCell> cells = opening_cells(luminaires[l], receiver.position_m);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const OpeningCell& cell = cells[c];
       const double weight =
@@ -111,7 +113,8 @@ std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& posit
         const auto u = sobol.sample_pair(i, 0);
         const glm::dvec3 source =
             opening_point_m(luminaires[l], cell.s + cell.size * u[0], cell.t + cell.size * u[1]);
-        add_source(batch, luminaires[l], source, position_m, normal, weight, tracer.offset_m());
+        add_source(batch, luminaires[l], source, receiver, from, weight, tracer.offset_m(), sums,
+                   stride);
       }
     }
   }
@@ -119,16 +122,17 @@ std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& posit
   return batch.rays();
 }
 
-std::uint64_t add_direct_sample(const Tracer& tracer, const glm::dvec3& position_m,
-                                const glm::dvec3& normal, RandomKey key, double weight,
-                                double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
+std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
+                                double weight, double* sums, std::size_t stride) {
+  ShadowBatch batch(tracer);
+  const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     const RandomKey opening_key = key.with(l);
     const glm::dvec3 source = opening_point_m(luminaires[l], opening_key.with(0).uniform(),
                                               opening_key.with(1).uniform());
-    add_source(batch, luminaires[l], source, position_m, normal, weight, tracer.offset_m());
+    add_source(batch, luminaires[l], source, receiver, from, weight, tracer.offset_m(), sums,
+               stride);
   }
   batch.flush();
   return batch.rays();

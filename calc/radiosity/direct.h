@@ -5,6 +5,7 @@
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
+#include "calc/radiosity/receiver.h"
 
 #include <glm/glm.hpp>
 
@@ -17,25 +18,23 @@ namespace calc {
 bool has_extended_luminaires(const PreparedScene& scene);
 
 // Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
-// opening at a point with unit normal:  E = sum I cos / d^2 V.  Exact. Returns the shadow rays
-// traced.
-std::uint64_t add_point_sources(const Tracer& tracer, const glm::dvec3& position_m,
-                                const glm::dvec3& normal, double* sums, std::size_t stride);
+// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact. Returns the shadow
+// rays traced.
+std::uint64_t add_point_sources(const Tracer& tracer, const Receiver& receiver, double* sums,
+                                std::size_t stride);
 
 // The same for luminaires with an opening of some size, each as points spread evenly over the
 // opening with the luminaire's whole intensity distribution [the usual subdivision, with random
 // instead of fixed parts: no far-field error near the luminaire, and soft shadows whose error shows
 // in the replicates]. first_round..last_round: rounds of samples; one round is what opening_cells()
 // gives. Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased.
-std::uint64_t add_extended_sources(const Tracer& tracer, const glm::dvec3& position_m,
-                                   const glm::dvec3& normal, RandomKey key,
+std::uint64_t add_extended_sources(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                    std::uint32_t first_round, std::uint32_t last_round,
                                    double* sums, std::size_t stride);
 
 // Adds one unbiased sample of the direct illuminance from all luminaires, times weight.
-std::uint64_t add_direct_sample(const Tracer& tracer, const glm::dvec3& position_m,
-                                const glm::dvec3& normal, RandomKey key, double weight,
-                                double* sums, std::size_t stride);
+std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
+                                double weight, double* sums, std::size_t stride);
 
 // A part of an opening in its sample square: [s, s + size] x [t, t + size], with its samples per
 // round.

@@ -40,16 +40,17 @@ glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t)
 }
 
 double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
-                            const glm::dvec3& receiver_m, const glm::dvec3& normal) {
-  const glm::dvec3 to_source = source_m - receiver_m;
-  const double cosine_times_distance = glm::dot(normal, to_source);
-  if (!(cosine_times_distance > 0.0)) return 0.0;
+                            const Receiver& receiver) {
+  const glm::dvec3 to_source = source_m - receiver.position_m;
+  const double response_times_d =
+      response_times_distance(receiver.kernel, receiver.axis, to_source);
+  if (!(response_times_d > 0.0)) return 0.0;
   const double distance2 = glm::dot(to_source, to_source);
   const double distance = std::sqrt(distance2);
   const glm::dvec3 out = glm::transpose(luminaire.world_from_luminaire) * (to_source / -distance);
   const double intensity =
       luminaire.web->intensity_cd({out.x, out.y, out.z}) * luminaire.flux_scale;
-  return intensity * cosine_times_distance / (distance2 * distance);
+  return intensity * response_times_d / (distance2 * distance);
 }
 
 glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
@@ -57,21 +58,34 @@ glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& s
   return lift_along_axis(luminaire, source_m, receiver_m - source_m, offset_m);
 }
 
-Emitter::Emitter(const PreparedScene& scene) : scene_(scene), cumulative_lm_{0.0} {
+Emitter::Emitter(const PreparedScene& scene) : scene_(scene), cumulative_{0.0} {
   std::map<const PhotometricWeb*, std::size_t> sampler_of_web;
+  std::vector<double> channel_lm(scene.channels.size(), 0.0);
   for (const PlacedLuminaire& luminaire : scene.luminaires) {
     const auto [entry, is_new] = sampler_of_web.try_emplace(luminaire.web, samplers_.size());
     if (is_new) samplers_.emplace_back(*luminaire.web);
     sampler_of_.push_back(entry->second);
-    flux_lm_ += luminaire.web->flux_lm() * luminaire.flux_scale;
-    cumulative_lm_.push_back(flux_lm_);
+    const double flux_lm = luminaire.web->flux_lm() * luminaire.flux_scale;
+    luminaire_flux_lm_.push_back(flux_lm);
+    channel_lm[luminaire.channel] += flux_lm;
+    flux_lm_ += flux_lm;
+  }
+  const auto lit_channels = static_cast<double>(
+      std::count_if(channel_lm.begin(), channel_lm.end(), [](double lm) { return lm > 0.0; }));
+  for (std::size_t l = 0; l < luminaire_flux_lm_.size(); ++l) {
+    const double flux_lm = luminaire_flux_lm_[l];
+    const double own_lm = channel_lm[scene.luminaires[l].channel];
+    const double probability =
+        flux_lm > 0.0 ? 0.5 * flux_lm / flux_lm_ + 0.5 * flux_lm / own_lm / lit_channels : 0.0;
+    path_flux_lm_.push_back(flux_lm > 0.0 ? flux_lm / probability : 0.0);
+    cumulative_.push_back(cumulative_.back() + probability);
   }
 }
 
 std::size_t Emitter::choose_luminaire(double u) const {
   const auto next =
-      std::upper_bound(cumulative_lm_.begin() + 1, cumulative_lm_.end() - 1, u * flux_lm_);
-  return static_cast<std::size_t>(next - cumulative_lm_.begin()) - 1;
+      std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u * cumulative_.back());
+  return static_cast<std::size_t>(next - cumulative_.begin()) - 1;
 }
 
 EmittedRay Emitter::emit(std::size_t luminaire, std::array<double, 2> direction_u,

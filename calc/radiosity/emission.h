@@ -3,6 +3,7 @@
 
 #include "calc/photometry/web_sampling.h"
 #include "calc/radiosity/rays.h"
+#include "calc/radiosity/receiver.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
@@ -18,12 +19,12 @@ namespace calc {
 // coordinates.
 glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);
 
-// Unoccluded illuminance (lx) at a point with unit normal from intensity leaving `source_m`, with
-// all of the luminaire's intensity put into that one point: E = I cos / d^2. 0 behind the surface.
-// Times flux_scale. d = 0 gives 0: a receiver on the luminaire itself is refused before
+// Unoccluded illuminance (lx) at a receiver from intensity leaving `source_m`, with
+// all of the luminaire's intensity put into that one point: E = I k / d^2 (k = cos for a plane, 0
+// behind it). Times flux_scale. d = 0 gives 0: a receiver on the luminaire itself is refused before
 // (find_touching_luminaire).
 double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
-                            const glm::dvec3& receiver_m, const glm::dvec3& normal);
+                            const Receiver& receiver);
 
 // Where shadow rays towards `source_m` end: lifted along the luminaire's axis to the receiver's
 // side, so that a luminaire flush with the ceiling is not hidden by the ceiling.
@@ -41,12 +42,13 @@ class Emitter {
   explicit Emitter(const PreparedScene& scene);
 
   double flux_lm() const { return flux_lm_; }  // of all luminaires, initial, full output
-  double flux_lm(std::size_t luminaire) const {
-    return cumulative_lm_[luminaire + 1] - cumulative_lm_[luminaire];
-  }
+  double flux_lm(std::size_t luminaire) const { return luminaire_flux_lm_[luminaire]; }
 
-  // u in [0, 1): luminaire with probability flux / total flux, in file order.
+  // u in [0, 1): luminaire in file order. Half of the probability goes by flux, half evenly to the
+  // channels and by flux within them, so that a weak channel is known as well as a strong one.
   std::size_t choose_luminaire(double u) const;
+  // Flux over probability of choosing it: what a path from this luminaire stands for.
+  double path_flux_lm(std::size_t luminaire) const { return path_flux_lm_[luminaire]; }
   // direction by exact inversion of the web; position uniform on the opening.
   EmittedRay emit(std::size_t luminaire, std::array<double, 2> direction_u,
                   std::array<double, 2> opening_u, double offset_m) const;
@@ -55,7 +57,8 @@ class Emitter {
   const PreparedScene& scene_;
   std::vector<WebSampler> samplers_;     // one per distinct web
   std::vector<std::size_t> sampler_of_;  // per luminaire
-  std::vector<double> cumulative_lm_;    // luminaires + 1 entries
+  std::vector<double> luminaire_flux_lm_, path_flux_lm_;
+  std::vector<double> cumulative_;  // probability; luminaires + 1 entries
   double flux_lm_ = 0.0;
 };
 

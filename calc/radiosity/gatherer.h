@@ -1,11 +1,12 @@
 #pragma once
-// The batch seam between the calculation and whatever sums light vertices: CPU here, OpenGL in
+// The batch seam between the calculation and whatever evaluates connections: CPU here, OpenGL in
 // gpu/.
 
+#include "calc/radiosity/draws.h"
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/rays.h"
-
-#include <glm/glm.hpp>
+#include "calc/radiosity/receiver.h"
+#include "calc/radiosity/vertex_bounds.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,32 +15,38 @@
 
 namespace calc {
 
-// Points that receive light, local coordinates.
-struct Receivers {
-  std::span<const glm::dvec3> position_m;
-  std::span<const glm::dvec3> normal;  // unit
+// A tile of receivers with its connections, in order of receivers.
+struct GatherBatch {
+  const Tracer& tracer;
+  std::span<const LightVertex> vertices;
+  const VertexBounds& bounds;
+  std::span<const Receiver> receivers;
+  std::span<const Connection> connections;
+};
 
-  std::size_t size() const { return position_m.size(); }
+// Where the results go: [channel * stride + receiver].
+struct GatherSums {
+  double* lx;
+  std::size_t stride;
+  float* largest_lx;  // [receiver], raised to the largest single contribution
 };
 
 class Gatherer {
  public:
   virtual ~Gatherer() = default;
 
-  // Adds to sum_lx[channel * receivers + i], in units of lx, the illuminance at receiver i from
-  // every light vertex,
-  //   sum over vertices v of flux_v / pi * min(G(x_i, v), bound_v) * V(x_i, v),   G = cos_x cos_v /
-  //   d^2,
-  // always summed in the same order, so that the result is the same in bits for any number of
-  // threads. Returns the number of shadow rays traced.
-  virtual std::uint64_t gather(const Tracer& tracer, const Receivers& receivers,
-                               const LightVertices& vertices, std::span<double> sum_lx) = 0;
+  // Adds to sums.lx, for every connection,
+  //   weight * flux_v / pi * min(G, bound_v) * V,   G = k(w) cos_v / d^2 (see receiver.h),
+  // always summed in the order of connections, so that the result is the same in bits for any
+  // number of threads and any other receivers. May be called from several threads at once. Returns
+  // the number of shadow rays traced.
+  virtual std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) = 0;
 
   // For reports: "cpu (Embree 3.13.5)".
   virtual std::string description() const = 0;
 };
 
-// Embree ray packets on all threads of the current TBB arena.
+// Embree ray packets.
 std::unique_ptr<Gatherer> make_cpu_gatherer();
 
 }  // namespace calc

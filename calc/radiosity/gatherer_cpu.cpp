@@ -2,52 +2,43 @@
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/units.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
 
 namespace calc {
 namespace {
 
-// Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages out;
-// the sums are double.
-std::uint64_t gather_point(const Tracer& tracer, const glm::dvec3& position_m,
-                           const glm::dvec3& normal, const LightVertices& vertices, double* sums,
-                           std::size_t stride) {
-  ShadowBatch batch(tracer, tracer.lift(position_m, normal), sums, stride);
-  const glm::vec3 x(position_m);
-  const glm::vec3 nx(normal);
-  const auto offset = static_cast<float>(tracer.offset_m());
-  for (std::uint32_t channel = 0; channel < vertices.channels(); ++channel) {
-    for (std::size_t j = vertices.channel_begin[channel]; j < vertices.channel_begin[channel + 1];
-         ++j) {
-      const glm::vec3 w = vertices.position_m[j] - x;
-      const float cx = glm::dot(nx, w);
-      const float cy = -glm::dot(vertices.normal[j], w);
-      if (!(cx > 0.0f) || !(cy > 0.0f)) continue;
-      const float d2 = glm::dot(w, w);
-      const float g = std::min(cx * cy / (d2 * d2), vertices.bound_per_m2[j]);
-      const double lx = vertices.flux_lm[j] / kPi * static_cast<double>(g);
-      batch.add(vertices.position_m[j] + offset * vertices.normal[j], lx, channel);
-    }
-  }
-  batch.flush();
-  return batch.rays();
-}
-
 class CpuGatherer : public Gatherer {
  public:
-  std::uint64_t gather(const Tracer& tracer, const Receivers& receivers,
-                       const LightVertices& vertices, std::span<double> sum_lx) override {
-    std::atomic<std::uint64_t> rays{0};
-    tbb::parallel_for(std::size_t{0}, receivers.size(), [&](std::size_t i) {
-      const FlushDenormals flush;
-      rays += gather_point(tracer, receivers.position_m[i], receivers.normal[i], vertices,
-                           &sum_lx[i], receivers.size());
-    });
-    return rays;
+  // Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages
+  // out; the sums are double.
+  std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) override {
+    constexpr auto kPerPi = static_cast<float>(1.0 / kPi);
+    ShadowBatch shadows(batch.tracer);
+    std::uint32_t current = ~0u;
+    glm::vec3 from(0.0f), x(0.0f), axis(0.0f);
+    ReceiverKernel kernel = ReceiverKernel::planar;
+    for (const Connection& connection : batch.connections) {
+      if (connection.receiver != current) {
+        current = connection.receiver;
+        const Receiver& receiver = batch.receivers[current];
+        from = glm::vec3(batch.tracer.lift(receiver));
+        x = glm::vec3(receiver.position_m);
+        axis = glm::vec3(receiver.axis);
+        kernel = receiver.kernel;
+      }
+      const LightVertex& v = batch.vertices[connection.vertex];
+      const glm::vec3 w = v.position_m - x;
+      const float response = response_times_distance(kernel, axis, w);
+      const float cy = -glm::dot(v.normal, w);
+      if (!(response > 0.0f) || !(cy > 0.0f)) continue;
+      const float d2 = glm::dot(w, w);
+      const float g = batch.bounds.limited(connection.vertex, response * cy / (d2 * d2));
+      const double lx = static_cast<double>(connection.weight * v.flux_lm * kPerPi * g);
+      shadows.add(from, v.position_m, lx, &sums.lx[v.channel * sums.stride + current],
+                  &sums.largest_lx[current]);
+    }
+    shadows.flush();
+    return shadows.rays();
   }
 
   std::string description() const override { return "cpu (" + tracer_version() + ")"; }

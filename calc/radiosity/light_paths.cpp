@@ -1,11 +1,13 @@
 #include "calc/radiosity/light_paths.h"
 
 #include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/near_field.h"
 #include "calc/radiosity/random.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -14,8 +16,8 @@
 namespace calc {
 namespace {
 
-constexpr std::uint32_t kPathsPerChunk =
-    64;                              // fixed: sums are grouped the same way for any thread count
+// Fixed: sums are grouped the same way for any thread count.
+constexpr std::uint32_t kPathsPerChunk = 256;
 constexpr int kFreeReflections = 1;  // reflections before roulette begins
 
 // Sobol' dimensions of a path.
@@ -25,88 +27,108 @@ constexpr int kRouletteDimension = 3;
 constexpr int kOpeningDimension = 4;  // and 5
 constexpr int kBounceDimension = 6;   // and 7, two more for every reflection
 
-struct Vertex {
-  glm::vec3 position_m, normal;
-  double flux_lm;
-  float bound_per_m2;
-  std::uint32_t channel;
-};
-
 struct Chunk {
-  std::vector<Vertex> vertices;
+  LightVertices vertices;
   double absorbed_lm = 0.0, escaped_lm = 0.0;
   std::uint64_t rays = 0;
   bool has_endless_path = false;
 };
 
-void trace_path(const Tracer& tracer, const Emitter& emitter, const GeometryBound& bound,
-                const ScrambledSobol& sobol, std::uint32_t index, double path_flux_lm,
-                Chunk& chunk) {
-  const PreparedScene& scene = tracer.scene();
-  const std::size_t luminaire = emitter.choose_luminaire(sobol.sample(index, kLuminaireDimension));
-  EmittedRay ray = emitter.emit(luminaire, sobol.sample_pair(index, kDirectionDimension),
-                                sobol.sample_pair(index, kOpeningDimension), tracer.offset_m());
-  const double roulette = sobol.sample(index, kRouletteDimension);
-  const std::uint32_t channel = scene.luminaires[luminaire].channel;
-  double weight_lm = path_flux_lm;
-  double survival = 1.0;
-  for (int reflection = 0; reflection < kMostReflections; ++reflection) {
-    SurfaceHit hit;
-    ++chunk.rays;
-    if (!tracer.closest_hit(ray.origin_m, ray.direction, std::numeric_limits<float>::infinity(),
-                            hit)) {
-      chunk.escaped_lm += weight_lm;
-      return;
-    }
-    const double rho = scene.reflectance[hit.triangle];
-    chunk.absorbed_lm += weight_lm * (1.0 - rho);
-    if (rho <= 0.0) return;
-    chunk.vertices.push_back({glm::vec3(hit.position_m), glm::vec3(hit.normal), weight_lm * rho,
-                              static_cast<float>(bound.at(hit.position_m, hit.normal)), channel});
-    if (reflection < kFreeReflections) {
-      weight_lm *= rho;
-    } else {
-      survival *= rho;
-      if (survival <= roulette) return;
-    }
-    const auto u = sobol.sample_pair(index, kBounceDimension + 2 * reflection);
-    ray = {tracer.lift(hit.position_m, hit.normal), cosine_direction(hit.normal, u[0], u[1])};
-  }
-  chunk.has_endless_path = true;
-}
+// A path on its way.
+struct Path {
+  std::uint32_t index;
+  std::uint32_t channel;
+  double weight_lm, survival, roulette;
+  EmittedRay ray;
+};
 
-// Chunks in order, grouped by channel.
-LightVertices merge(const std::vector<Chunk>& chunks, std::size_t channels) {
-  LightVertices merged;
-  merged.channel_begin.assign(channels + 1, 0);
-  for (const Chunk& chunk : chunks) {
-    for (const Vertex& vertex : chunk.vertices) ++merged.channel_begin[vertex.channel + 1];
+// All paths of a chunk advance together, one reflection at a time, so that their rays fill packets.
+class PathWave {
+ public:
+  PathWave(const Tracer& tracer, const ScrambledSobol& sobol, Chunk& chunk)
+      : tracer_(tracer), sobol_(sobol), chunk_(chunk) {}
+
+  void emit(const Emitter& emitter, std::uint32_t index, double paths) {
+    const std::size_t luminaire =
+        emitter.choose_luminaire(sobol_.sample(index, kLuminaireDimension));
+    paths_.push_back(
+        {index, tracer_.scene().luminaires[luminaire].channel,
+         emitter.path_flux_lm(luminaire) / paths, 1.0, sobol_.sample(index, kRouletteDimension),
+         emitter.emit(luminaire, sobol_.sample_pair(index, kDirectionDimension),
+                      sobol_.sample_pair(index, kOpeningDimension), tracer_.offset_m())});
   }
-  for (std::size_t c = 0; c < channels; ++c) merged.channel_begin[c + 1] += merged.channel_begin[c];
-  const std::size_t count = merged.channel_begin.back();
-  merged.position_m.resize(count);
-  merged.normal.resize(count);
-  merged.flux_lm.resize(count);
-  merged.bound_per_m2.resize(count);
-  std::vector<std::uint32_t> next(merged.channel_begin.begin(), merged.channel_begin.end() - 1);
-  for (const Chunk& chunk : chunks) {
-    for (const Vertex& vertex : chunk.vertices) {
-      const std::size_t i = next[vertex.channel]++;
-      merged.position_m[i] = vertex.position_m;
-      merged.normal[i] = vertex.normal;
-      merged.flux_lm[i] = vertex.flux_lm;
-      merged.bound_per_m2[i] = vertex.bound_per_m2;
+
+  void trace(const std::atomic<bool>& is_cancelled) {
+    for (int reflection = 0; !paths_.empty(); ++reflection) {
+      if (reflection >= kMostReflections) {
+        chunk_.has_endless_path = true;
+        return;
+      }
+      if (is_cancelled.load(std::memory_order_relaxed)) return;
+      std::size_t alive = 0;
+      for (std::size_t first = 0; first < paths_.size(); first += RayPacket::kSize) {
+        advance(first, std::min(paths_.size(), first + RayPacket::kSize), reflection, alive);
+      }
+      paths_.resize(alive);
     }
   }
-  return merged;
-}
+
+ private:
+  void advance(std::size_t first, std::size_t last, int reflection, std::size_t& alive) {
+    packet_.count = static_cast<int>(last - first);
+    for (std::size_t k = 0; k < last - first; ++k) {
+      const EmittedRay& ray = paths_[first + k].ray;
+      packet_.x[k] = static_cast<float>(ray.origin_m.x);
+      packet_.y[k] = static_cast<float>(ray.origin_m.y);
+      packet_.z[k] = static_cast<float>(ray.origin_m.z);
+      packet_.dx[k] = static_cast<float>(ray.direction.x);
+      packet_.dy[k] = static_cast<float>(ray.direction.y);
+      packet_.dz[k] = static_cast<float>(ray.direction.z);
+    }
+    chunk_.rays += last - first;
+    const std::uint32_t hits =
+        tracer_.closest_hits(packet_, std::numeric_limits<float>::infinity(), hit_);
+    for (std::size_t k = 0; k < last - first; ++k) {
+      if (((hits >> k) & 1u) == 0) {
+        chunk_.escaped_lm += paths_[first + k].weight_lm;
+      } else if (reflect(paths_[first + k], hit_[k], reflection)) {
+        paths_[alive++] = paths_[first + k];
+      }
+    }
+  }
+
+  // False if the path ends here.
+  bool reflect(Path& path, const SurfaceHit& hit, int reflection) {
+    const double rho = tracer_.scene().reflectance[hit.triangle];
+    chunk_.absorbed_lm += path.weight_lm * (1.0 - rho);
+    if (rho <= 0.0) return false;
+    const glm::dvec3 lifted = tracer_.lift(hit.position_m, hit.normal);
+    chunk_.vertices.push_back({glm::vec3(lifted), static_cast<float>(path.weight_lm * rho),
+                               glm::vec3(hit.normal), path.channel});
+    if (reflection < kFreeReflections) {
+      path.weight_lm *= rho;
+    } else {
+      path.survival *= rho;
+      if (path.survival <= path.roulette) return false;
+    }
+    const auto u = sobol_.sample_pair(path.index, kBounceDimension + 2 * reflection);
+    path.ray = {lifted, cosine_direction(hit.normal, u[0], u[1])};
+    return true;
+  }
+
+  const Tracer& tracer_;
+  const ScrambledSobol& sobol_;
+  Chunk& chunk_;
+  std::vector<Path> paths_;
+  RayPacket packet_;
+  std::array<SurfaceHit, RayPacket::kSize> hit_;
+};
 
 }  // namespace
 
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
-                              const GeometryBound& bound, const PathBatch& batch) {
+                              const PathBatch& batch) {
   const std::uint32_t paths = batch.last - batch.first;
-  const double path_flux_lm = emitter.flux_lm() / paths;
   const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate));
   std::atomic<bool> is_endless{false};  // one endless path refuses the scene: the rest need not run
   std::vector<Chunk> chunks((paths + kPathsPerChunk - 1) / kPathsPerChunk);
@@ -114,20 +136,23 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
     const FlushDenormals flush;
     const std::uint32_t begin = batch.first + static_cast<std::uint32_t>(c) * kPathsPerChunk;
     const std::uint32_t end = std::min(begin + kPathsPerChunk, batch.last);
-    for (std::uint32_t i = begin; i < end && !is_endless; ++i) {
-      trace_path(tracer, emitter, bound, sobol, i, path_flux_lm, chunks[c]);
-      if (chunks[c].has_endless_path) is_endless = true;
-    }
+    PathWave wave(tracer, sobol, chunks[c]);
+    for (std::uint32_t i = begin; i < end; ++i) wave.emit(emitter, i, paths);
+    wave.trace(is_endless);
+    if (chunks[c].has_endless_path) is_endless = true;
   });
 
   TracedPaths traced;
+  std::size_t vertices = 0;
+  for (const Chunk& chunk : chunks) vertices += chunk.vertices.size();
+  traced.vertices.reserve(vertices);
   for (const Chunk& chunk : chunks) {
+    traced.vertices.insert(traced.vertices.end(), chunk.vertices.begin(), chunk.vertices.end());
     traced.absorbed_lm += chunk.absorbed_lm;
     traced.escaped_lm += chunk.escaped_lm;
     traced.rays += chunk.rays;
     traced.has_endless_path = traced.has_endless_path || chunk.has_endless_path;
   }
-  traced.vertices = merge(chunks, tracer.scene().channels.size());
   return traced;
 }
 

@@ -3,7 +3,6 @@
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"
-#include "calc/radiosity/near_field.h"
 #include "calc/radiosity/rays.h"
 
 #include <cstdint>
@@ -18,7 +17,8 @@ struct PathBatch {
 };
 
 struct TracedPaths {
-  LightVertices vertices;    // flux such that their sum over the batch estimates all reflected flux
+  LightVertices vertices;  // in no useful order; flux such that their sum over the batch estimates
+                           // all reflected flux
   double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
@@ -31,7 +31,6 @@ inline constexpr int kMostReflections = 100000;
 // Paths end by one random number each: after the first reflection a path lives until the product of
 // reflectances falls to that number. Exact in the mean, and path lengths come out stratified.
 // [method 02, section 3] Parallel inside; the result does not depend on the number of threads.
-TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
-                              const GeometryBound& bound, const PathBatch& batch);
+TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const PathBatch& batch);
 
 }  // namespace calc

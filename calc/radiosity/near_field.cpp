@@ -1,14 +1,19 @@
 #include "calc/radiosity/near_field.h"
 
+#include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
+#include "calc/radiosity/draws.h"
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/shadow_batch.h"
+#include "calc/radiosity/vertex_bounds.h"
 #include "calc/units.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -20,7 +25,7 @@ constexpr double kKappa = 0.01;
 constexpr double kMeanFreePathsPerReach = 1.0 / 3.0;
 constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; never a result
 // Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
-constexpr std::uint32_t kFarDraws = 8;
+constexpr std::uint32_t kFarDraws = 4;
 
 struct SurfaceSummary {
   double area_m2 = 0.0;
@@ -55,31 +60,93 @@ SurfaceSummary summarise(const PreparedScene& scene) {
 
 double dot_self(const glm::dvec3& v) { return glm::dot(v, v); }
 
-// Illuminance at y from `kFarDraws` vertices, evenly spaced in the batch from a random start.
-std::uint64_t add_far_draws(const Tracer& tracer, const LightVertices& vertices,
-                            const SurfaceHit& at, double u, double weight, double* sums,
-                            std::size_t stride) {
-  const auto count = static_cast<std::uint32_t>(vertices.size());
-  if (count == 0) return 0;
-  const std::uint32_t draws = std::min(kFarDraws, count);
-  const double spacing = static_cast<double>(count) / draws;
-  ShadowBatch batch(tracer, tracer.lift(at.position_m, at.normal), sums, stride);
-  for (std::uint32_t k = 0; k < draws; ++k) {
-    const auto j = std::min(static_cast<std::uint32_t>((k + u) * spacing), count - 1);
-    const glm::dvec3 position(vertices.position_m[j]);
-    const glm::dvec3 normal(vertices.normal[j]);
-    const double g = geometry_term(at.position_m, at.normal, position, normal);
+// Illuminance at a short ray's hit from `kFarDraws` vertices.
+std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double u, double weight,
+                            double* sums, std::size_t stride) {
+  thread_local std::vector<float> scratch;
+  thread_local std::vector<Connection> connections;
+  connections.clear();
+  draw_connections(field.cut, field.channels, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
+                   connections);
+  ShadowBatch batch(field.tracer);
+  const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
+  for (const Connection& connection : connections) {
+    const LightVertex& v = field.vertices[connection.vertex];
+    const double g =
+        geometry_term(at.position_m, at.normal, glm::dvec3(v.position_m), glm::dvec3(v.normal));
     if (g <= 0.0) continue;
-    const double bounded = std::min(g, static_cast<double>(vertices.bound_per_m2[j]));
-    const auto channel =
-        std::upper_bound(vertices.channel_begin.begin() + 1, vertices.channel_begin.end(), j) -
-        vertices.channel_begin.begin() - 1;
-    batch.add(glm::vec3(tracer.lift(position, normal)),
-              weight * spacing * vertices.flux_lm[j] / kPi * bounded,
-              static_cast<std::uint32_t>(channel));
+    const float bounded = field.vertex_bounds.limited(connection.vertex, static_cast<float>(g));
+    const auto flux = static_cast<double>(connection.weight * v.flux_lm * bounded);
+    batch.add(from, v.position_m, weight * flux / kPi, &sums[v.channel * stride]);
   }
   batch.flush();
   return batch.rays();
+}
+
+// A short ray's direction, and its weight k(w) / (density pi).
+struct FirstRay {
+  glm::dvec3 origin_m, direction;
+  double weight;
+};
+
+FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<double, 2> u) {
+  if (has_back(receiver.kernel)) {
+    return {tracer.lift(receiver), cosine_direction(receiver.axis, u[0], u[1]), 1.0};
+  }
+  const double z = 1.0 - 2.0 * u[0];
+  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const double angle = 2.0 * kPi * u[1];
+  const glm::dvec3 direction(radius * std::cos(angle), radius * std::sin(angle), z);
+  return {receiver.position_m, direction,
+          4.0 * response_times_distance(receiver.kernel, receiver.axis, direction)};
+}
+
+double receiver_geometry(const Receiver& receiver, const SurfaceHit& hit) {
+  const glm::dvec3 w = hit.position_m - receiver.position_m;
+  const double cy = -glm::dot(hit.normal, w);
+  if (!(cy > 0.0)) return 0.0;
+  const double d2 = glm::dot(w, w);
+  return response_times_distance(receiver.kernel, receiver.axis, w) * cy / (d2 * d2);
+}
+
+// Light of one short ray's hit, and of further short rays from there.
+std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKey ray_key,
+                      double weight, double* sums, std::size_t stride) {
+  const Tracer& tracer = field.tracer;
+  std::uint64_t rays = 0;
+  for (std::uint64_t depth = 0;; ++depth) {
+    const double rho = tracer.scene().reflectance[hit.triangle];
+    if (rho <= 0.0 || g <= field.bound.smallest()) break;
+    const double missing = 1.0 - field.bound.at(hit.position_m, hit.normal) / g;
+    if (missing <= 0.0) break;
+
+    const RandomKey key = ray_key.with(depth);
+    const double factor = missing * rho;
+    if (depth == 0) {
+      weight *= factor;
+    } else if (key.with(0).uniform() >= factor) {
+      break;  // roulette with survival probability `factor`: the weight stays
+    }
+    rays +=
+        add_direct_sample(tracer, {hit.position_m, hit.normal}, key.with(1), weight, sums, stride);
+    rays += add_far_draws(field, hit, key.with(2).uniform(), weight, sums, stride);
+    const glm::dvec3 position = hit.position_m;
+    const glm::dvec3 normal = hit.normal;
+    ++rays;
+    if (!tracer.closest_hit(tracer.lift(position, normal),
+                            cosine_direction(normal, key.with(3).uniform(), key.with(4).uniform()),
+                            field.bound.reach_m(), hit)) {
+      break;
+    }
+    g = geometry_term(position, normal, hit.position_m, hit.normal);
+  }
+  return rays;
+}
+
+double sum_of_channels(const double* sums, std::size_t stride, std::size_t channels) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < channels; ++c) sum += sums[c * stride];
+  return sum;
 }
 
 }  // namespace
@@ -95,10 +162,12 @@ GeometryBound::GeometryBound(const Tracer& tracer, const Emitter& emitter, std::
   // Sumpner: E_amb = rho Phi / (A (1 - rho)), so that Phi cancels.
   if (summary.area_m2 > 0.0) {
     ambient_per_m2_ = kKappa * paths_number * rho / (summary.area_m2 * (1.0 - rho));
+    smallest_ = std::max(smallest_, ambient_per_m2_);
+    reach_m_ = 1.0 / std::sqrt(smallest_);
   }
 }
 
-double GeometryBound::at(const glm::dvec3& position_m, const glm::dvec3& normal) const {
+double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const {
   const auto& luminaires = tracer_.scene().luminaires;
   // A luminaire that could not lift the bound by its share of the smallest one is not worth a look.
   const double smallest_lx =
@@ -108,11 +177,11 @@ double GeometryBound::at(const glm::dvec3& position_m, const glm::dvec3& normal)
     const double most_lx = luminaire.web->max_intensity_cd() * luminaire.flux_scale /
                            dot_self(luminaire.position_m - position_m);
     if (most_lx < smallest_lx) continue;
-    const double lx = point_illuminance_lx(luminaire, luminaire.position_m, position_m, normal);
+    const double lx = point_illuminance_lx(luminaire, luminaire.position_m, {position_m, normal});
     if (lx < smallest_lx) continue;
     const glm::dvec3 source =
         lifted_source_m(luminaire, luminaire.position_m, position_m, tracer_.offset_m());
-    if (!tracer_.is_blocked(tracer_.lift(position_m, normal), source)) direct_lx += lx;
+    if (!tracer_.is_blocked(position_m, source)) direct_lx += lx;
   }
   return std::max(smallest_, vertices_per_lumen_ * direct_lx + ambient_per_m2_);
 }
@@ -130,44 +199,37 @@ glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1) {
                         std::sqrt(1.0 - u0) * normal);
 }
 
-std::uint64_t add_near_field(const Tracer& tracer, const GeometryBound& bound,
-                             const LightVertices& vertices, const NearFieldRequest& request,
-                             double* sums, std::size_t stride) {
+std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request, double* sums,
+                             std::size_t stride, float& largest) {
   const ScrambledSobol sobol(request.key);
-  const double ray_weight = 1.0 / (request.last_ray - request.first_ray);
-  std::uint64_t rays = 0;
-  for (std::uint32_t ray = request.first_ray; ray < request.last_ray; ++ray) {
-    const RandomKey ray_key = request.key.with(ray);
-    glm::dvec3 position = request.position_m;
-    glm::dvec3 normal = request.normal;
-    std::array<double, 2> u = sobol.sample_pair(ray, 0);
-    double weight = ray_weight;
-    for (std::uint64_t depth = 0;; ++depth) {
-      SurfaceHit hit;
-      ++rays;
-      if (!tracer.closest_hit(tracer.lift(position, normal), cosine_direction(normal, u[0], u[1]),
-                              bound.reach_m(), hit)) {
-        break;
-      }
-      const double rho = tracer.scene().reflectance[hit.triangle];
-      const double g = geometry_term(position, normal, hit.position_m, hit.normal);
-      if (rho <= 0.0 || g <= bound.smallest()) break;
-      const double missing = 1.0 - bound.at(hit.position_m, hit.normal) / g;
-      if (missing <= 0.0) break;
-
-      const RandomKey key = ray_key.with(depth);
-      const double factor = missing * rho;
-      if (depth == 0) {
-        weight *= factor;
-      } else if (key.with(0).uniform() >= factor) {
-        break;  // roulette with survival probability `factor`: the weight stays
-      }
-      rays +=
-          add_direct_sample(tracer, hit.position_m, hit.normal, key.with(1), weight, sums, stride);
-      rays += add_far_draws(tracer, vertices, hit, key.with(2).uniform(), weight, sums, stride);
-      u = {key.with(3).uniform(), key.with(4).uniform()};
-      position = hit.position_m;
-      normal = hit.normal;
+  const double ray_weight = 1.0 / request.rays;
+  std::uint64_t rays = request.rays;
+  RayPacket packet;
+  std::array<double, RayPacket::kSize> weight;
+  std::array<SurfaceHit, RayPacket::kSize> hit;
+  for (std::uint32_t first = 0; first < request.rays; first += RayPacket::kSize) {
+    packet.count =
+        static_cast<int>(std::min<std::uint32_t>(RayPacket::kSize, request.rays - first));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(packet.count); ++k) {
+      const FirstRay ray = first_ray(field.tracer, request.receiver,
+                                     sobol.sample_pair(first + static_cast<std::uint32_t>(k), 0));
+      packet.x[k] = static_cast<float>(ray.origin_m.x);
+      packet.y[k] = static_cast<float>(ray.origin_m.y);
+      packet.z[k] = static_cast<float>(ray.origin_m.z);
+      packet.dx[k] = static_cast<float>(ray.direction.x);
+      packet.dy[k] = static_cast<float>(ray.direction.y);
+      packet.dz[k] = static_cast<float>(ray.direction.z);
+      weight[k] = ray_weight * ray.weight;
+    }
+    std::uint32_t hits =
+        field.tracer.closest_hits(packet, static_cast<float>(field.bound.reach_m()), hit);
+    for (; hits != 0; hits &= hits - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(hits));
+      const double before = sum_of_channels(sums, stride, field.channels);
+      rays += add_hit(field, hit[k], receiver_geometry(request.receiver, hit[k]),
+                      request.key.with(first + k), weight[k], sums, stride);
+      const double added = sum_of_channels(sums, stride, field.channels) - before;
+      largest = std::max(largest, static_cast<float>(added));
     }
   }
   return rays;

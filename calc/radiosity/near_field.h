@@ -7,13 +7,18 @@
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
+#include "calc/radiosity/receiver.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace calc {
+
+class Cut;
+class VertexBounds;
 
 // b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices
 // per m^2, hence 1 / b is the area that 1 / kappa of them share. Closer than its own spacing the
@@ -25,7 +30,12 @@ class GeometryBound {
   GeometryBound(const Tracer& tracer, const Emitter& emitter, std::uint64_t paths);
 
   // 1/m^2 at a surface point with unit normal (the side in question).
-  double at(const glm::dvec3& position_m, const glm::dvec3& normal) const;
+  double at(const glm::dvec3& position_m, const glm::dvec3& normal) const {
+    return at_lifted(tracer_.lift(position_m, normal), normal);
+  }
+  // The same for a position already lifted off its surface.
+  double at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const;
+  // No bound is smaller.
   double smallest() const { return smallest_; }
   // Beyond this distance no geometry term exceeds any bound.
   double reach_m() const { return reach_m_; }
@@ -49,21 +59,31 @@ inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm
   return cx * cy / (d2 * d2);
 }
 
-// One point's near-field part for one batch of light vertices.
-struct NearFieldRequest {
-  glm::dvec3 position_m, normal;  // receiver, local
-  RandomKey key;                  // of point and replicate
-  std::uint32_t first_ray, last_ray;
+// What short rays of one replicate and look have in common.
+struct NearField {
+  const Tracer& tracer;
+  const GeometryBound& bound;
+  std::span<const LightVertex> vertices;
+  const VertexBounds& vertex_bounds;
+  const Cut& cut;  // of the whole pool; continues the rays
+  std::size_t channels;
 };
 
-// Adds to sums[channel * stride] the mean over rays first..last of
-//   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a cosine ray
-//   within reach,
-// where E_far(y) uses a few vertices drawn systematically from the batch and E_near(y) one more
-// ray, ended by roulette on its weight. Returns the rays traced.
-std::uint64_t add_near_field(const Tracer& tracer, const GeometryBound& bound,
-                             const LightVertices& vertices, const NearFieldRequest& request,
-                             double* sums, std::size_t stride);
+// One point's near-field part for one batch of light vertices.
+struct NearFieldRequest {
+  Receiver receiver;
+  RandomKey key;  // of point, replicate and batch
+  std::uint32_t rays;
+};
+
+// Adds to sums[channel * stride] the mean over the rays of
+//   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a ray within
+//   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
+// where E_far(y) uses a few vertices drawn from the pool and E_near(y) one more ray, ended by
+// roulette on its weight. largest: raised to the largest single ray's contribution. Returns the
+// rays traced.
+std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request, double* sums,
+                             std::size_t stride, float& largest);
 
 // Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
 glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1);

@@ -3,28 +3,31 @@
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/radix_sort.h"
 #include "calc/radiosity/random.h"
 #include "calc/statistics.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <limits>
+#include <numeric>
 
 namespace calc {
 namespace {
 
-constexpr std::uint64_t kPathsPerNearRay = 4;
-constexpr std::uint64_t kFewestNearRays = 4;
+constexpr std::size_t kTilePoints = 32;
+constexpr std::uint32_t kFewestDraws = 16;
+constexpr std::size_t kCutNodesPerDraw = 4;
+constexpr std::size_t kSmallestCut = 64;
+constexpr std::size_t kLargestCut = 512;
 
 // Share of the indirect part's variance below which openings need no more samples.
 constexpr double kNegligibleVariance = 0.1;
-
-std::uint32_t near_rays_for(std::uint64_t batch_paths) {
-  return static_cast<std::uint32_t>(std::max(kFewestNearRays, batch_paths / kPathsPerNearRay));
-}
 
 // Runs work(i) -> rays for every point on all threads and returns the sum of rays.
 template <class Work>
@@ -37,26 +40,18 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
   return rays;
 }
 
-std::vector<double> divided(const std::vector<double>& sums, double divisor) {
-  std::vector<double> result(sums.size());
-  std::transform(sums.begin(), sums.end(), result.begin(),
-                 [divisor](double s) { return s / divisor; });
-  return result;
-}
-
 // [point]: 1 if some reflecting surface reaches in front of the point's tangent plane; else
 // indirect light is exactly 0.
 std::vector<std::uint8_t> see_reflecting_surface(const Tracer& tracer,
-                                                 const std::vector<glm::dvec3>& position_m,
-                                                 const std::vector<glm::dvec3>& normal) {
+                                                 const std::vector<Receiver>& receiver) {
   const PreparedScene& scene = tracer.scene();
-  std::vector<std::uint8_t> sees(position_m.size(), 0);
+  std::vector<std::uint8_t> sees(receiver.size(), 0);
   glm::dvec3 direction(0.0);
   double farthest_m =
       0.0;  // of all corners along `direction`; neighbours mostly share their normal
-  for (std::size_t i = 0; i < position_m.size(); ++i) {
-    if (i == 0 || normal[i] != direction) {
-      direction = normal[i];
+  for (std::size_t i = 0; i < receiver.size(); ++i) {
+    if (i == 0 || receiver[i].axis != direction) {
+      direction = receiver[i].axis;
       farthest_m = -std::numeric_limits<double>::max();
       for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
         if (scene.reflectance[t] <= 0.0) continue;
@@ -66,28 +61,95 @@ std::vector<std::uint8_t> see_reflecting_surface(const Tracer& tracer,
         }
       }
     }
-    sees[i] = farthest_m > glm::dot(direction, position_m[i]) + tracer.offset_m() ? 1 : 0;
+    const bool is_there = farthest_m > -std::numeric_limits<double>::max();
+    sees[i] =
+        is_there && (!has_back(receiver[i].kernel) ||
+                     farthest_m > glm::dot(direction, receiver[i].position_m) + tracer.offset_m());
   }
   return sees;
 }
 
+// Points along a Morton curve in the two or three directions of their extent.
+std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) {
+  glm::dvec3 low = receiver.front().position_m;
+  glm::dvec3 high = low;
+  for (const Receiver& r : receiver) {
+    low = glm::min(low, r.position_m);
+    high = glm::max(high, r.position_m);
+  }
+  const glm::dvec3 size = high - low;
+  constexpr int kBits = 16;
+  const double scale = ((1 << kBits) - 1) / std::max({size.x, size.y, size.z, 1e-9});
+  std::vector<KeyedIndex> keys;
+  for (std::size_t i = 0; i < receiver.size(); ++i) {
+    const glm::dvec3 cell = (receiver[i].position_m - low) * scale;
+    std::uint64_t key = 0;
+    for (int bit = kBits - 1; bit >= 0; --bit) {
+      for (int axis = 0; axis < 3; ++axis) {
+        key = (key << 1) | ((static_cast<std::uint64_t>(cell[axis]) >> bit) & 1u);
+      }
+    }
+    keys.push_back({key, static_cast<std::uint32_t>(i)});
+  }
+  radix_sort(keys, 3 * kBits);
+  std::vector<std::uint32_t> order;
+  for (const KeyedIndex& k : keys) order.push_back(k.index);
+  return order;
+}
+
+// Short rays of a point for one replicate and look.
+std::uint32_t near_rays_for(std::uint32_t draws) { return std::max(draws / 2, 8u); }
+
+// Every vertex once: instant radiosity.
+void connect_all(std::size_t vertices, std::uint32_t receiver,
+                 std::vector<Connection>& connections) {
+  for (std::uint32_t j = 0; j < vertices; ++j) connections.push_back({receiver, j, 1.0f});
+}
+
 }  // namespace
 
+std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points) {
+  const std::uint64_t affordable = 16 * paths / std::max<std::size_t>(1, points);
+  const std::uint64_t most = std::max<std::uint64_t>(paths / 2, kFewestDraws);
+  const std::uint64_t fewest = std::max<std::uint64_t>(paths / 64, kFewestDraws);
+  return static_cast<std::uint32_t>(std::bit_floor(std::clamp(affordable, fewest, most)));
+}
+
+// Sums of one tile in one batch, [channel][receiver of the tile].
+struct PlaneWork::TileSums {
+  std::vector<double> lx;
+  std::vector<float> largest_lx;
+  std::uint64_t connection_rays = 0, near_rays = 0;
+};
+
 PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-                     std::uint64_t seed, std::size_t replicates)
+                     const RadiositySettings& settings)
     : tracer_(tracer),
-      opening_key_(stage_key(seed, RandomStage::opening).with(plane_id)),
-      near_key_(stage_key(seed, RandomStage::near_field).with(plane_id)),
-      normal_(grid.normal) {
-  for (const glm::dvec3& p : grid.position_m) position_m_.push_back(p - tracer.scene().origin_m);
+      settings_(settings),
+      opening_key_(stage_key(settings.seed, RandomStage::opening).with(plane_id)),
+      near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
+      draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    receiver_.push_back({grid.position_m[i] - tracer.scene().origin_m, grid.normal[i]});
+  }
+  const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
   field_.replicates = replicates;
   field_.channels = tracer.scene().channels;
   field_.direct_exact_lx.assign(channels() * points(), 0.0);
-  may_be_sampled_ = see_reflecting_surface(tracer, position_m_, normal_);
+  replicate_connection_rays_.assign(replicates, 0);
+  replicate_near_rays_.assign(replicates, 0);
+  active_.assign(points(), 1);
+  rounds_.assign(points(), 0);
+  paths_.assign(points(), 0);
+  sees_reflection_ = see_reflecting_surface(tracer, receiver_);
+  may_be_sampled_ = sees_reflection_;
+  if (!settings.skips.allows(Skip::behind_plane)) sees_reflection_.assign(points(), 1);
   for (std::size_t i = 0; i < points(); ++i) {
-    if (find_touching_luminaire(tracer.scene(), position_m_[i], tracer.offset_m()) < 0) continue;
+    if (find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m()) < 0) {
+      continue;
+    }
     const glm::dvec3& p = grid.position_m[i];
     refuse(fmt::format(
         "the point ({:.6g} {:.6g} {:.6g}) lies at a luminaire without size: illuminance is "
@@ -107,30 +169,39 @@ void PlaneWork::finish(StopReason reason) {
   field_.stop = reason;
 }
 
+bool PlaneWork::sees_reflection() const {
+  return std::find(sees_reflection_.begin(), sees_reflection_.end(), 1) != sees_reflection_.end();
+}
+
+void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
+  active_ = active;
+  active_.resize(points(), 1);
+}
+
 void PlaneWork::add_exact(SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
-    return add_point_sources(tracer_, position_m_[i], normal_[i], &field_.direct_exact_lx[i],
-                             points());
+    return add_point_sources(tracer_, receiver_[i], &field_.direct_exact_lx[i], points());
   });
 }
 
 void PlaneWork::sample_openings(SolveTimes& times) {
-  if (rounds_ > 0 && !opening_error_matters()) return;
+  if (most_rounds_ > 0 && !opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   direct_sum_lx_.resize(values());
-  const std::uint32_t first = rounds_;
-  rounds_ = std::max<std::uint32_t>(1, 2 * first);
+  const std::uint32_t last = std::max<std::uint32_t>(1, 2 * most_rounds_);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     std::uint64_t rays = 0;
+    if (active_[i] == 0) return rays;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
-      rays += add_extended_sources(tracer_, position_m_[i], normal_[i],
-                                   opening_key_.with(i).with(r), first, rounds_,
-                                   &direct_sum_lx_[r * channels() * points() + i], points());
+      rays += add_extended_sources(tracer_, receiver_[i], opening_key_.with(i).with(r), rounds_[i],
+                                   last, &direct_sum_lx_[r * channels() * points() + i], points());
     }
+    rounds_[i] = last;
     if (rays > 0) may_be_sampled_[i] = 1;  // no ray is traced where the unoccluded light is 0
     return rays;
   });
+  most_rounds_ = last;
 }
 
 bool PlaneWork::opening_error_matters() const {
@@ -140,11 +211,12 @@ bool PlaneWork::opening_error_matters() const {
          kNegligibleVariance * squared_error(field_.indirect_lx);
 }
 
-// Sum over points of the squared standard error, all channels at full output.
+// Sum over active points of the squared standard error, all channels at full output.
 double PlaneWork::squared_error(const std::vector<double>& values_lx) const {
   double sum = 0.0;
   std::vector<double> at_point(field_.replicates);
   for (std::size_t i = 0; i < points(); ++i) {
+    if (active_[i] == 0) continue;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
       at_point[r] = 0.0;
       for (std::size_t c = 0; c < channels(); ++c) {
@@ -157,39 +229,152 @@ double PlaneWork::squared_error(const std::vector<double>& values_lx) const {
   return sum;
 }
 
-void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
-  std::vector<double> batch_lx(channels() * points(), 0.0);
-  {
-    const PhaseTimer timer(times.connect_s);
-    field_.counters.connection_rays +=
-        gatherer.gather(tracer_, {position_m_, normal_}, batch.vertices, batch_lx);
+std::vector<PlaneWork::Tile> PlaneWork::make_tiles() const {
+  std::vector<Tile> tiles;
+  for (const std::uint32_t i : spatial_order_) {
+    if (active_[i] == 0 || sees_reflection_[i] == 0) continue;
+    if (tiles.empty() || tiles.back().point.size() == kTilePoints) tiles.emplace_back();
+    tiles.back().point.push_back(i);
+    tiles.back().receiver.push_back(receiver_[i]);
   }
-  {
-    const PhaseTimer timer(times.near_s);
-    const std::uint32_t last_ray = near_rays_ + near_rays_for(batch.paths);
-    field_.counters.near_rays += for_each_point(points(), [&](std::size_t i) {
-      const NearFieldRequest request{position_m_[i], normal_[i],
-                                     near_key_.with(i).with(batch.replicate), near_rays_, last_ray};
-      return add_near_field(tracer_, batch.bound, batch.vertices, request, &batch_lx[i], points());
-    });
-  }
+  return tiles;
+}
+
+void PlaneWork::start_look(double near_reach_m) {
+  if (spatial_order_.empty() && points() > 0) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
-  double* sum = &indirect_sum_lx_[batch.replicate * channels() * points()];
-  for (std::size_t k = 0; k < batch_lx.size(); ++k) {
-    sum[k] += static_cast<double>(batch.paths) * batch_lx[k];
+  largest_sum_lx_.resize(field_.replicates * points());
+  tiles_ = make_tiles();
+  reach_m_ = near_reach_m;
+  if (near_reach_m > 0.0 && clear_m_.empty()) {
+    clear_m_.assign(points(), 0.0);
+    if (!settings_.skips.allows(Skip::clear_distance)) return;
+    for_each_point(points(), [&](std::size_t i) {
+      const Receiver& r = receiver_[i];
+      clear_m_[i] = tracer_.clear_distance(
+          r.position_m, has_back(r.kernel) ? r.axis : glm::dvec3(0.0), near_reach_m);
+      return std::uint64_t{0};
+    });
   }
 }
 
-void PlaneWork::finish_look(std::uint64_t paths, std::uint64_t batch_paths) {
-  paths_ = paths;
-  near_rays_ += near_rays_for(batch_paths);
-  field_.counters.paths = paths * field_.replicates;
+void PlaneWork::connect_tile(const Tile& tile, const VertexBatch& batch, Gatherer& gatherer,
+                             TileSums& sums) const {
+  thread_local Cut cut;
+  thread_local std::vector<float> scratch;
+  thread_local std::vector<Connection> connections;
+  connections.clear();
+  const auto count = static_cast<std::uint32_t>(tile.point.size());
+  if (settings_.method == Method::instant_radiosity) {
+    for (std::uint32_t k = 0; k < count; ++k) {
+      connect_all(batch.tree.vertices().size(), k, connections);
+    }
+  } else {
+    const std::uint32_t draws = draws_per_point(batch.paths, points());
+    cut.build(batch.tree, tile_of(tile.receiver),
+              std::clamp(kCutNodesPerDraw * draws, kSmallestCut, kLargestCut),
+              static_cast<float>(batch.near_bound->smallest()),
+              settings_.skips.allows(Skip::hidden_nodes));
+    const RandomKey key = draw_key_.with(batch.replicate).with(batch.first_path);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      draw_connections(cut, channels(), tile.receiver[k], k, draws,
+                       key.with(tile.point[k]).uniform(), scratch, connections);
+    }
+  }
+  sums.connection_rays +=
+      gatherer.gather({tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections},
+                      {sums.lx.data(), count, sums.largest_lx.data()});
+}
+
+std::uint64_t PlaneWork::add_near(const Tile& tile, const VertexBatch& batch,
+                                  TileSums& sums) const {
+  const NearField field{tracer_,      *batch.near_bound, batch.tree.vertices(),
+                        batch.bounds, batch.global_cut,  channels()};
+  const std::uint32_t count = near_rays_for(draws_per_point(batch.paths, points()));
+  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path);
+  std::uint64_t rays = 0;
+  for (std::size_t k = 0; k < tile.point.size(); ++k) {
+    const std::uint32_t i = tile.point[k];
+    if (clear_m_[i] >= reach_m_) continue;
+    rays += add_near_field(field, {tile.receiver[k], key.with(i), count}, &sums.lx[k],
+                           tile.point.size(), sums.largest_lx[k]);
+  }
+  return rays;
+}
+
+void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
+  std::atomic<std::uint64_t> connection_rays{0}, near_rays{0};
+  std::atomic<double> connect_s{0.0}, near_s{0.0};
+  // A thread that waits here must not take up another replicate, whose pool would add to memory.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t t) {
+      const FlushDenormals flush;
+      const Tile& tile = tiles_[t];
+      TileSums sums;
+      sums.lx.assign(channels() * tile.point.size(), 0.0);
+      sums.largest_lx.assign(tile.point.size(), 0.0f);
+      const double begin_s = now_s();
+      connect_tile(tile, batch, gatherer, sums);
+      const double middle_s = now_s();
+      if (reach_m_ > 0.0) near_rays += add_near(tile, batch, sums);
+      near_s += now_s() - middle_s;
+      connect_s += middle_s - begin_s;
+      connection_rays += sums.connection_rays;
+      store(tile, batch, sums);
+    });
+  });
+  replicate_connection_rays_[batch.replicate] += connection_rays;
+  replicate_near_rays_[batch.replicate] += near_rays;
+  times.connect_s += connect_s;
+  times.near_s += near_s;
+}
+
+void PlaneWork::store(const Tile& tile, const VertexBatch& batch, const TileSums& sums) {
+  const std::size_t count = tile.point.size();
+  const auto paths = static_cast<double>(batch.paths);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = tile.point[k];
+    for (std::size_t c = 0; c < channels(); ++c) {
+      indirect_sum_lx_[(batch.replicate * channels() + c) * points() + i] +=
+          paths * sums.lx[c * count + k];
+    }
+    float& largest = largest_sum_lx_[batch.replicate * points() + i];
+    largest = std::max(largest, static_cast<float>(paths) * sums.largest_lx[k]);
+  }
+}
+
+void PlaneWork::finish_look(std::uint64_t batch_paths) {
+  for (std::size_t i = 0; i < points(); ++i) {
+    if (active_[i] != 0) paths_[i] += batch_paths;
+  }
+  SolveCounters& counters = field_.counters;
+  counters.paths += batch_paths * field_.replicates;
+  counters.connection_rays = std::accumulate(replicate_connection_rays_.begin(),
+                                             replicate_connection_rays_.end(), std::uint64_t{0});
+  counters.near_rays =
+      std::accumulate(replicate_near_rays_.begin(), replicate_near_rays_.end(), std::uint64_t{0});
 }
 
 void PlaneWork::publish() {
-  if (rounds_ > 0) field_.direct_sampled_lx = divided(direct_sum_lx_, rounds_);
-  if (paths_ > 0) field_.indirect_lx = divided(indirect_sum_lx_, static_cast<double>(paths_));
-  if (!field_.is_exact()) find_unseen();
+  field_.counters.active_points.push_back(
+      static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)));
+  const std::size_t rows = field_.replicates * channels();
+  if (most_rounds_ > 0) field_.direct_sampled_lx.resize(values());
+  if (!indirect_sum_lx_.empty()) field_.indirect_lx.resize(values());
+  for (std::size_t i = 0; i < points(); ++i) {
+    if (active_[i] == 0) continue;  // nothing new
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t k = row * points() + i;
+      if (most_rounds_ > 0) field_.direct_sampled_lx[k] = direct_sum_lx_[k] / rounds_[i];
+      if (!indirect_sum_lx_.empty()) {
+        field_.indirect_lx[k] = indirect_sum_lx_[k] / static_cast<double>(paths_[i]);
+      }
+    }
+  }
+  if (!field_.is_exact()) {
+    find_unseen();
+    find_largest_share();
+  }
 }
 
 void PlaneWork::find_unseen() {
@@ -198,6 +383,30 @@ void PlaneWork::find_unseen() {
     for (std::size_t k = 0; k < sums->size(); ++k) {
       if ((*sums)[k] > 0.0) field_.unseen[k % points()] = 0;
     }
+  }
+}
+
+void PlaneWork::find_largest_share() {
+  field_.largest_share.assign(points(), 0.0f);
+  if (indirect_sum_lx_.empty()) return;
+  const auto replicates = static_cast<double>(field_.replicates);
+  for (std::size_t i = 0; i < points(); ++i) {
+    double total_lx = 0.0;
+    double largest = 0.0;
+    for (std::size_t c = 0; c < channels(); ++c) {
+      total_lx += field_.direct_exact_lx[c * points() + i];
+    }
+    for (std::size_t row = 0; row < field_.replicates * channels(); ++row) {
+      const std::size_t k = row * points() + i;
+      total_lx += field_.indirect_lx[k] / replicates;
+      if (!field_.direct_sampled_lx.empty()) total_lx += field_.direct_sampled_lx[k] / replicates;
+    }
+    for (std::size_t r = 0; r < field_.replicates; ++r) {
+      largest = std::max(largest, static_cast<double>(largest_sum_lx_[r * points() + i]));
+    }
+    if (!(total_lx > 0.0) || paths_[i] == 0) continue;
+    field_.largest_share[i] =
+        static_cast<float>(largest / (static_cast<double>(paths_[i]) * replicates * total_lx));
   }
 }
 

@@ -6,35 +6,45 @@
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/rays.h"
+#include "calc/radiosity/settings.h"
+#include "calc/radiosity/vertex_tree.h"
 #include "calc/scene/sensor_grid.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace calc {
 
-// Seconds of the calling thread's clock, by phase.
+// Seconds by phase. Phases of replicates that run at the same time share the elapsed time in
+// proportion to their work.
 struct SolveTimes {
   double build_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0;
 };
 
-// Light vertices of one replicate and how they came about.
+// Light vertices of one replicate and look, shared by all planes.
 struct VertexBatch {
-  const LightVertices& vertices;
-  const GeometryBound& bound;
+  const VertexTree& tree;
+  const VertexBounds& bounds;
+  const GeometryBound* near_bound;  // null: no near field
+  const Cut& global_cut;            // continues short rays
   std::size_t replicate = 0;
-  std::uint64_t paths = 0;  // of this batch
+  std::uint64_t first_path = 0, paths = 0;  // of this batch
 };
+
+// Connections that each point draws from a pool of so many paths: fewer for planes with many
+// points, where the pool is shared by more of them. A power of two.  [method 02, section 6]
+std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
   PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-            std::uint64_t seed, std::size_t replicates);
+            const RadiositySettings& settings);
 
   // Whether looks still add to this plane.
   bool is_active() const { return is_active_; }
@@ -42,37 +52,66 @@ class PlaneWork {
   void finish(StopReason reason);    // ends the work with what was published last
   const PlaneField& field() const { return field_; }
   PlaneField take_field() { return std::move(field_); }
+  // Whether indirect light can reach any point.
+  bool sees_reflection() const;
+  // [point], 1: looks add to it; empty: to all.
+  void narrow(const std::vector<std::uint8_t>& active);
 
   // Direct light from point openings, once.
   void add_exact(SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
   void sample_openings(SolveTimes& times);
-  // One replicate's indirect light: connections and near field.
+  // Before the first replicate of a look whose pools have so many paths.
+  void start_look(double near_reach_m);
+  // One replicate's indirect light: connections and near field. Replicates may run at the same
+  // time.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
-  // All replicates of a look are in: `paths` in all per replicate, `batch_paths` of them new.
-  void finish_look(std::uint64_t paths, std::uint64_t batch_paths);
+  // All replicates of a look are in, with batch_paths new paths each.
+  void finish_look(std::uint64_t batch_paths);
   // Turns the sums so far into field().
   void publish();
 
  private:
-  std::size_t points() const { return position_m_.size(); }
+  struct Tile {
+    std::vector<std::uint32_t> point;
+    std::vector<Receiver> receiver;
+  };
+  struct TileSums;
+
+  std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
+  std::vector<Tile> make_tiles() const;
+  void connect_tile(const Tile& tile, const VertexBatch& batch, Gatherer& gatherer,
+                    TileSums& sums) const;
+  std::uint64_t add_near(const Tile& tile, const VertexBatch& batch, TileSums& sums) const;
+  void store(const Tile& tile, const VertexBatch& batch, const TileSums& sums);
   bool opening_error_matters() const;
   // Marks points that sampled light may reach but has not.
   void find_unseen();
+  void find_largest_share();
   double squared_error(const std::vector<double>& values_lx) const;
 
   const Tracer& tracer_;
-  RandomKey opening_key_, near_key_;
-  std::vector<glm::dvec3> position_m_, normal_;  // local
-  std::vector<double> direct_sum_lx_;            // [replicate][channel][point], sum over rounds
-  std::vector<double> indirect_sum_lx_;       // the same, sum over batches of estimate times paths
-  std::vector<std::uint8_t> may_be_sampled_;  // [point]
-  std::uint32_t rounds_ = 0;
-  std::uint32_t near_rays_ = 0;
-  std::uint64_t paths_ = 0;
+  const RadiositySettings& settings_;
+  RandomKey opening_key_, near_key_, draw_key_;
+  std::vector<Receiver> receiver_;             // local
+  std::vector<std::uint32_t> spatial_order_;   // of points, neighbours together
+  std::vector<std::uint8_t> active_;           // [point]
+  std::vector<std::uint8_t> sees_reflection_;  // [point]
+  std::vector<std::uint8_t> may_be_sampled_;   // [point]
+  std::vector<double> clear_m_;                // [point], up to the first look's reach
+  std::vector<Tile> tiles_;                    // of this look
+  double reach_m_ = 0.0;                       // of this look's short rays
+
+  std::vector<double> direct_sum_lx_;  // [replicate][channel][point], sum over rounds
+  std::vector<std::uint32_t> rounds_;  // [point]
+  std::uint32_t most_rounds_ = 0;
+  std::vector<double> indirect_sum_lx_;  // [r][c][p], sum over batches of estimate times paths
+  std::vector<std::uint64_t> paths_;     // [point], per replicate
+  std::vector<float> largest_sum_lx_;    // [replicate][point], largest sample times its paths
+  std::vector<std::uint64_t> replicate_connection_rays_, replicate_near_rays_;
   bool is_active_ = true;
   PlaneField field_;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -78,29 +79,145 @@ bool Tracer::closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction
   rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-  hit.triangle = query.hit.primID;
-  const glm::uvec3 corner = scene_.triangle[hit.triangle];
+  hit = surface_hit(query.hit.primID, static_cast<double>(query.hit.u),
+                    static_cast<double>(query.hit.v), direction);
+  return true;
+}
+
+SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
+                               const glm::dvec3& direction) const {
+  const glm::uvec3 corner = scene_.triangle[triangle];
   const glm::dvec3 a(scene_.vertex_m[corner.x]);
   const glm::dvec3 b(scene_.vertex_m[corner.y]);
   const glm::dvec3 c(scene_.vertex_m[corner.z]);
-  const double u = static_cast<double>(query.hit.u);
-  const double v = static_cast<double>(query.hit.v);
-  hit.position_m = a + u * (b - a) + v * (c - a);
   const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
-  hit.normal = glm::dot(normal, direction) < 0.0 ? normal : -normal;
+  return {triangle, a + u * (b - a) + v * (c - a),
+          glm::dot(normal, direction) < 0.0 ? normal : -normal};
+}
+
+std::uint32_t Tracer::closest_hits(const RayPacket& packet, float most_m,
+                                   std::array<SurfaceHit, RayPacket::kSize>& hit) const {
+  if (embree_->scene == nullptr) return 0;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  alignas(64) std::array<int, RayPacket::kSize> valid{};
+  RTCRayHit16 query;
+  for (int k = 0; k < RayPacket::kSize; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const bool is_used = k < packet.count;
+    valid[i] = is_used ? -1 : 0;
+    query.ray.org_x[k] = is_used ? packet.x[i] : 0.0f;
+    query.ray.org_y[k] = is_used ? packet.y[i] : 0.0f;
+    query.ray.org_z[k] = is_used ? packet.z[i] : 0.0f;
+    query.ray.dir_x[k] = is_used ? packet.dx[i] : 0.0f;
+    query.ray.dir_y[k] = is_used ? packet.dy[i] : 0.0f;
+    query.ray.dir_z[k] = is_used ? packet.dz[i] : 1.0f;
+    query.ray.tnear[k] = 0.0f;
+    query.ray.tfar[k] = most_m;
+    query.ray.time[k] = 0.0f;
+    query.ray.mask[k] = ~0u;
+    query.ray.id[k] = 0;
+    query.ray.flags[k] = 0;
+    query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect16(valid.data(), embree_->scene, &context, &query);
+  std::uint32_t mask = 0;
+  for (int k = 0; k < packet.count; ++k) {
+    if (query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+    const auto i = static_cast<std::size_t>(k);
+    mask |= 1u << k;
+    hit[i] = surface_hit(query.hit.primID[k], static_cast<double>(query.hit.u[k]),
+                         static_cast<double>(query.hit.v[k]),
+                         {static_cast<double>(packet.dx[i]), static_cast<double>(packet.dy[i]),
+                          static_cast<double>(packet.dz[i])});
+  }
+  return mask;
+}
+
+namespace {
+
+// Closest point of a triangle.  [Ericson, Real-Time Collision Detection, 5.1.5]
+glm::dvec3 closest_on_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                               const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  const glm::dvec3 bp = p - b;
+  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+  const glm::dvec3 cp = p - c;
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return a + (vb / sum) * ab + (vc / sum) * ac;
+}
+
+struct ClearQuery {
+  const PreparedScene& scene;
+  glm::dvec3 position_m, normal;
+  double margin_m;
+};
+
+bool narrow_query(RTCPointQueryFunctionArguments* arguments) {
+  const auto& query = *static_cast<const ClearQuery*>(arguments->userPtr);
+  const glm::uvec3 corner = query.scene.triangle[arguments->primID];
+  const glm::dvec3 a(query.scene.vertex_m[corner.x]), b(query.scene.vertex_m[corner.y]),
+      c(query.scene.vertex_m[corner.z]);
+  if (query.normal != glm::dvec3(0.0)) {
+    const double height = std::max({glm::dot(query.normal, a - query.position_m),
+                                    glm::dot(query.normal, b - query.position_m),
+                                    glm::dot(query.normal, c - query.position_m)});
+    if (height <= query.margin_m) return false;
+  }
+  const double distance =
+      glm::length(closest_on_triangle(query.position_m, a, b, c) - query.position_m);
+  // Rounding of the query's float radius must not make the distance too large.
+  const auto radius = static_cast<float>(std::max(0.0, distance * (1.0 - 1e-6) - query.margin_m));
+  if (!(radius < arguments->query->radius)) return false;
+  arguments->query->radius = radius;
   return true;
+}
+
+}  // namespace
+
+double Tracer::clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
+                              double most_m) const {
+  if (embree_->scene == nullptr) return most_m;
+  ClearQuery user{scene_, position_m, normal, offset_m_};
+  RTCPointQuery query;
+  query.x = static_cast<float>(position_m.x);
+  query.y = static_cast<float>(position_m.y);
+  query.z = static_cast<float>(position_m.z);
+  query.time = 0.0f;
+  query.radius = static_cast<float>(most_m);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(embree_->scene, &query, &context, narrow_query, &user);
+  return static_cast<double>(query.radius);
 }
 
 bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {
   SegmentPacket packet;
+  packet.from_x[0] = static_cast<float>(from_m.x);
+  packet.from_y[0] = static_cast<float>(from_m.y);
+  packet.from_z[0] = static_cast<float>(from_m.z);
   packet.to_x[0] = static_cast<float>(to_m.x);
   packet.to_y[0] = static_cast<float>(to_m.y);
   packet.to_z[0] = static_cast<float>(to_m.z);
   packet.count = 1;
-  return blocked(glm::vec3(from_m), packet) != 0;
+  return blocked(packet) != 0;
 }
 
-std::uint32_t Tracer::blocked(const glm::vec3& from_m, const SegmentPacket& packet) const {
+std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {
   if (embree_->scene == nullptr) return 0;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -111,13 +228,13 @@ std::uint32_t Tracer::blocked(const glm::vec3& from_m, const SegmentPacket& pack
     const auto i = static_cast<std::size_t>(k);
     const bool is_used = k < packet.count;
     valid[i] = is_used ? -1 : 0;
-    const float dx = is_used ? packet.to_x[i] - from_m.x : 0.0f;
-    const float dy = is_used ? packet.to_y[i] - from_m.y : 0.0f;
-    const float dz = is_used ? packet.to_z[i] - from_m.z : 1.0f;
+    const float dx = is_used ? packet.to_x[i] - packet.from_x[i] : 0.0f;
+    const float dy = is_used ? packet.to_y[i] - packet.from_y[i] : 0.0f;
+    const float dz = is_used ? packet.to_z[i] - packet.from_z[i] : 1.0f;
     const float margin = offset / std::sqrt(dx * dx + dy * dy + dz * dz);
-    ray.org_x[k] = from_m.x;
-    ray.org_y[k] = from_m.y;
-    ray.org_z[k] = from_m.z;
+    ray.org_x[k] = is_used ? packet.from_x[i] : 0.0f;
+    ray.org_y[k] = is_used ? packet.from_y[i] : 0.0f;
+    ray.org_z[k] = is_used ? packet.from_z[i] : 0.0f;
     ray.dir_x[k] = dx;
     ray.dir_y[k] = dy;
     ray.dir_z[k] = dz;

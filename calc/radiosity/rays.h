@@ -1,6 +1,7 @@
 #pragma once
 // Visibility and closest hits. rays.cpp is the only file that knows Embree.
 
+#include "calc/radiosity/receiver.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
@@ -19,10 +20,17 @@ struct SurfaceHit {
   glm::dvec3 normal;      // unit, towards the side that the ray came from
 };
 
-// Up to 16 segments from one common point, as arrays for a ray packet.
+// Up to 16 segments, as arrays for a ray packet.
 struct SegmentPacket {
   static constexpr int kSize = 16;
-  std::array<float, kSize> to_x, to_y, to_z;  // lifted end points, local
+  alignas(64) std::array<float, kSize> from_x, from_y, from_z, to_x, to_y, to_z;  // lifted, local
+  int count = 0;
+};
+
+// Up to 16 rays with unit directions, as arrays.
+struct RayPacket {
+  static constexpr int kSize = 16;
+  alignas(64) std::array<float, kSize> x, y, z, dx, dy, dz;
   int count = 0;
 };
 
@@ -46,19 +54,38 @@ class Tracer {
     return position_m + offset_m_ * normal;
   }
 
+  // Where rays of a receiver begin: a plane stands off the surface it may lie in.
+  glm::dvec3 lift(const Receiver& receiver) const {
+    return has_back(receiver.kernel) ? lift(receiver.position_m, receiver.axis)
+                                     : receiver.position_m;
+  }
+
   // First surface from a lifted origin along a unit direction within max_distance_m; false if there
   // is none.
   bool closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction, double max_distance_m,
                    SurfaceHit& hit) const;
 
+  // First surfaces of a packet within most_m: bit k of the result is set and hit[k]
+  // valid if ray k meets one.
+  std::uint32_t closest_hits(const RayPacket& packet, float most_m,
+                             std::array<SurfaceHit, RayPacket::kSize>& hit) const;
+
+  // Distance from a point to the nearest surface that reaches in front of the plane through it with
+  // this unit normal (0 = all around); most_m if there is none within. Never too large.
+  double clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
+                        double most_m) const;
+
   // Whether any surface stands between two lifted points.
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const;
 
   // Bit k is set if segment k is blocked.
-  std::uint32_t blocked(const glm::vec3& from_m, const SegmentPacket& packet) const;
+  std::uint32_t blocked(const SegmentPacket& packet) const;
 
  private:
   struct Embree;
+  SurfaceHit surface_hit(std::uint32_t triangle, double u, double v,
+                         const glm::dvec3& direction) const;
+
   const PreparedScene& scene_;
   double offset_m_;
   std::unique_ptr<Embree> embree_;

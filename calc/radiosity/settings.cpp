@@ -31,6 +31,9 @@ std::string validate(const RadiositySettings& settings) {
     return fmt::format("max paths is {}; allowed: a power of two, {} to {}", settings.max_paths,
                        settings.first_paths, kMostPaths);
   }
+  if (!(settings.clamp_per_m2 >= 0.0) || !std::isfinite(settings.clamp_per_m2)) {
+    return fmt::format("clamp is {} /m^2; allowed: 0 (none) or more", settings.clamp_per_m2);
+  }
   if (!(settings.time_limit_s >= 0.0) || !std::isfinite(settings.time_limit_s)) {
     return fmt::format("time limit is {} s; allowed: 0 (none) or more", settings.time_limit_s);
   }

@@ -19,8 +19,10 @@ struct RadiositySettings {
   std::uint64_t seed = 1;
   int replicates = 16;  // independent repetitions that give the intervals, 4 to 64
   std::uint64_t first_paths =
-      256;  // light paths of one replicate at the first look, a power of two
+      1024;  // light paths of one replicate at the first look, a power of two
   std::uint64_t max_paths = 65536;  // of one replicate of one plane, a power of two >= first_paths
+  // Largest geometry term of instant radiosity, 1/m^2; 0 = no limit. What it cuts off is lost.
+  double clamp_per_m2 = 0.0;
   double time_limit_s = 0.0;  // per project; 0 = none. Results then depend on the machine's speed
   int jobs = 0;               // threads; 0 = one per core. Never changes a result
 };

@@ -1,6 +1,5 @@
 #pragma once
-// Sums light contributions at one point whose visibility is still open, sixteen shadow rays at a
-// time.
+// Sums light contributions whose visibility is still open, sixteen shadow rays at a time.
 
 #include "calc/radiosity/rays.h"
 
@@ -12,30 +11,38 @@
 
 namespace calc {
 
-// add() and flush() add visible contributions to sums[channel * stride] in the order in which they
-// were added, so that the sum is the same in bits whatever else runs at the same time.
+// add() and flush() add visible contributions to their sums in the order in which they were added,
+// so that every sum is the same in bits whatever else runs at the same time.
 class ShadowBatch {
  public:
-  // from_m: lifted receiver, local. sums must outlive the batch.
-  ShadowBatch(const Tracer& tracer, const glm::dvec3& from_m, double* sums, std::size_t stride)
-      : tracer_(tracer), from_m_(from_m), sums_(sums), stride_(stride) {}
+  explicit ShadowBatch(const Tracer& tracer) : tracer_(tracer) {}
 
-  // to_m: lifted source, local.
-  void add(const glm::vec3& to_m, double contribution, std::uint32_t channel) {
+  // from_m, to_m: lifted ends, local. *sum must live until flush(). largest: raised to the largest
+  // visible contribution; may be null.
+  void add(const glm::vec3& from_m, const glm::vec3& to_m, double contribution, double* sum,
+           float* largest = nullptr) {
     const auto k = static_cast<std::size_t>(packet_.count);
+    packet_.from_x[k] = from_m.x;
+    packet_.from_y[k] = from_m.y;
+    packet_.from_z[k] = from_m.z;
     packet_.to_x[k] = to_m.x;
     packet_.to_y[k] = to_m.y;
     packet_.to_z[k] = to_m.z;
     contribution_[k] = contribution;
-    channel_[k] = channel;
+    sum_[k] = sum;
+    largest_[k] = largest;
     if (++packet_.count == SegmentPacket::kSize) flush();
   }
 
   void flush() {
     if (packet_.count == 0) return;
-    const std::uint32_t blocked = tracer_.blocked(from_m_, packet_);
+    const std::uint32_t blocked = tracer_.blocked(packet_);
     for (std::size_t k = 0; k < static_cast<std::size_t>(packet_.count); ++k) {
-      if (((blocked >> k) & 1u) == 0) sums_[channel_[k] * stride_] += contribution_[k];
+      if (((blocked >> k) & 1u) != 0) continue;
+      *sum_[k] += contribution_[k];
+      if (largest_[k] != nullptr && static_cast<float>(contribution_[k]) > *largest_[k]) {
+        *largest_[k] = static_cast<float>(contribution_[k]);
+      }
     }
     rays_ += static_cast<std::uint64_t>(packet_.count);
     packet_.count = 0;
@@ -45,12 +52,10 @@ class ShadowBatch {
 
  private:
   const Tracer& tracer_;
-  glm::vec3 from_m_;
-  double* sums_;
-  std::size_t stride_;
   SegmentPacket packet_;
   std::array<double, SegmentPacket::kSize> contribution_;
-  std::array<std::uint32_t, SegmentPacket::kSize> channel_;
+  std::array<double*, SegmentPacket::kSize> sum_;
+  std::array<float*, SegmentPacket::kSize> largest_;
   std::uint64_t rays_ = 0;
 };
 

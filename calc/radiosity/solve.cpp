@@ -1,22 +1,38 @@
 #include "calc/radiosity/solve.h"
 
+#include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/vertex_bounds.h"
+#include "calc/radiosity/vertex_tree.h"
 #include "calc/statistics.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
+#include <limits>
+#include <mutex>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace calc {
 namespace {
+
+// Groups of light vertices that continue short rays, and the share of the scene's extent below
+// which they do not tell distances apart.
+constexpr std::size_t kGlobalCut = 128;
+constexpr double kGlobalSoftening = 0.1;
 
 class Solver {
  public:
@@ -39,9 +55,11 @@ class Solver {
   }
 
   SpaceSolution run(const std::vector<PlaneTask>& tasks) {
+    absorbed_lm_.resize(replicates());
+    escaped_lm_.resize(replicates());
     planes_.reserve(tasks.size());
     for (const PlaneTask& task : tasks) {
-      planes_.emplace_back(tracer_, task.plane_id, *task.grid, settings_.seed, replicates());
+      planes_.emplace_back(tracer_, task.plane_id, *task.grid, settings_);
     }
     for (PlaneWork& plane : planes_) {
       if (plane.is_active()) plane.add_exact(solution_.times);
@@ -52,7 +70,8 @@ class Solver {
       finish_active(StopReason::exact);
     }
     for (PlaneWork& plane : planes_) solution_.fields.push_back(plane.take_field());
-    if (!absorbed_lm_.empty()) {
+    solution_.pool_rays = pool_rays_;
+    if (pool_rays_ > 0) {
       solution_.balance.absorbed_lm = t_interval(absorbed_lm_, confidence_);
       solution_.balance.escaped_lm = t_interval(escaped_lm_, confidence_);
     }
@@ -60,6 +79,20 @@ class Solver {
   }
 
  private:
+  static std::string why_no_result(StopReason stopped) {
+    switch (stopped) {
+      case StopReason::time_limit:
+        return "the time limit was reached before the first result";
+      case StopReason::endless_path:
+        return fmt::format(
+            "a light path did not end after {} reflections: a closed space whose surfaces absorb "
+            "next to nothing has no steady state within reach",
+            kMostReflections);
+      default:
+        return "the calculation was interrupted before the first result";
+    }
+  }
+
   std::size_t replicates() const { return static_cast<std::size_t>(settings_.replicates); }
 
   bool any_active() const {
@@ -86,11 +119,7 @@ class Solver {
     for (std::uint64_t paths = settings_.first_paths; any_active();
          paths *= 2, ++look_number.index) {
       if (const auto stopped = look(done_paths, paths)) {
-        if (done_paths == 0) {
-          refuse_active(*stopped == StopReason::time_limit
-                            ? "the time limit was reached before the first result"
-                            : "the calculation was interrupted before the first result");
-        }
+        if (done_paths == 0) refuse_active(why_no_result(*stopped));
         return finish_active(*stopped);
       }
       done_paths = paths;
@@ -103,6 +132,8 @@ class Solver {
           plane.finish(*answer.finished);
         } else if (paths * 2 > settings_.max_paths) {
           plane.finish(StopReason::path_limit);
+        } else if (settings_.skips.allows(Skip::decided_points)) {
+          plane.narrow(answer.active);
         }
       }
     }
@@ -117,52 +148,120 @@ class Solver {
     if (!samples_indirect_) return reason_to_stop(paths);
 
     const std::uint64_t batch_paths = paths - done_paths;
+    const bool is_pool = settings_.method == Method::light_pool;
     const GeometryBound bound(tracer_, emitter_, batch_paths);
-    for (std::size_t r = 0; r < replicates(); ++r) {
-      const TracedPaths traced = trace(bound, r, done_paths, paths);
-      if (traced.has_endless_path) {
-        refuse_active(
-            fmt::format("a light path did not end after {} reflections: a closed space whose "
-                        "surfaces absorb next to "
-                        "nothing has no steady state within reach",
-                        kMostReflections));
-        return std::nullopt;
+    lit_planes_.clear();
+    for (PlaneWork& plane : planes_) {
+      if (!plane.is_active() || !plane.sees_reflection()) continue;
+      plane.start_look(is_pool ? bound.reach_m() : 0.0);
+      lit_planes_.push_back(&plane);
+    }
+    if (!lit_planes_.empty()) {
+      if (const auto stopped = run_replicates(is_pool ? &bound : nullptr, done_paths, paths)) {
+        return stopped;
       }
-      for (PlaneWork& plane : planes_) {
-        if (plane.is_active()) {
-          plane.connect({traced.vertices, bound, r, batch_paths}, gatherer_, solution_.times);
-        }
-      }
-      if (const auto stopped = reason_to_stop(paths)) return stopped;
     }
     for (PlaneWork& plane : planes_) {
-      if (plane.is_active()) plane.finish_look(paths, batch_paths);
+      if (plane.is_active()) plane.finish_look(batch_paths);
     }
     return std::nullopt;
   }
 
-  TracedPaths trace(const GeometryBound& bound, std::size_t replicate, std::uint64_t first,
-                    std::uint64_t last) {
-    const PhaseTimer timer(solution_.times.pool_s);
+  // Replicates run at the same time, each with a pool of its own.
+  std::optional<StopReason> run_replicates(const GeometryBound* bound, std::uint64_t first,
+                                           std::uint64_t last) {
+    const double begin_s = now_s();
+    std::vector<SolveTimes> times(replicates());
+    std::vector<ReplicateOutcome> outcomes(replicates());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, replicates(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t r = range.begin(); r < range.end(); ++r) {
+            if (is_stopped_) return;
+            outcomes[r] = run_replicate(bound, r, first, last, times[r]);
+            if (outcomes[r].stopped) is_stopped_ = true;
+          }
+        },
+        tbb::simple_partitioner());
+    add_elapsed(times, now_s() - begin_s);
+    is_stopped_ = false;
+    for (const ReplicateOutcome& outcome : outcomes) {
+      if (outcome.stopped) return outcome.stopped;
+    }
+    return std::nullopt;
+  }
+
+  struct ReplicateOutcome {
+    std::optional<StopReason> stopped;
+  };
+
+  ReplicateOutcome run_replicate(const GeometryBound* bound, std::size_t replicate,
+                                 std::uint64_t first, std::uint64_t last, SolveTimes& times) {
+    const FlushDenormals flush;
+    TracedPaths traced;
+    {
+      const PhaseTimer timer(times.pool_s);
+      tbb::this_task_arena::isolate([&] { traced = trace(replicate, first, last); });
+    }
+    if (traced.has_endless_path) return {StopReason::endless_path};
+    const double sort_begin_s = now_s();
+    const std::size_t channels = tracer_.scene().channels.size();
+    const VertexTree tree(std::move(traced.vertices), channels);
+    const VertexBounds bounds =
+        bound != nullptr
+            ? VertexBounds(*bound, tree.vertices())
+            : VertexBounds(settings_.clamp_per_m2 > 0.0 ? settings_.clamp_per_m2
+                                                        : std::numeric_limits<double>::infinity());
+    Cut global_cut;
+    if (bound != nullptr) {
+      ReceiverTile everywhere;
+      everywhere.softening_m = static_cast<float>(kGlobalSoftening * tracer_.scene().extent_m);
+      global_cut.build(tree, everywhere, kGlobalCut, static_cast<float>(bound->smallest()), false);
+    }
+    times.pool_s += now_s() - sort_begin_s;
+    for (PlaneWork* plane : lit_planes_) {
+      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first}, gatherer_,
+                     times);
+      if (const auto stopped = reason_to_stop(last)) return {stopped};
+    }
+    return {};
+  }
+
+  // Replicates share the elapsed time in proportion to their work.
+  void add_elapsed(const std::vector<SolveTimes>& times, double elapsed_s) {
+    SolveTimes sum;
+    for (const SolveTimes& t : times) {
+      sum.pool_s += t.pool_s;
+      sum.connect_s += t.connect_s;
+      sum.near_s += t.near_s;
+    }
+    const double busy_s = sum.pool_s + sum.connect_s + sum.near_s;
+    if (!(busy_s > 0.0)) return;
+    const double share = elapsed_s / busy_s;
+    solution_.times.pool_s += share * sum.pool_s;
+    solution_.times.connect_s += share * sum.connect_s;
+    solution_.times.near_s += share * sum.near_s;
+  }
+
+  TracedPaths trace(std::size_t replicate, std::uint64_t first, std::uint64_t last) {
     TracedPaths traced =
-        trace_light_paths(tracer_, emitter_, bound,
+        trace_light_paths(tracer_, emitter_,
                           {settings_.seed, replicate, static_cast<std::uint32_t>(first),
                            static_cast<std::uint32_t>(last)});
     // Running means over all batches, weighted by paths.
-    absorbed_lm_.resize(replicates());
-    escaped_lm_.resize(replicates());
     const double share = static_cast<double>(last - first) / static_cast<double>(last);
     absorbed_lm_[replicate] += share * (traced.absorbed_lm - absorbed_lm_[replicate]);
     escaped_lm_[replicate] += share * (traced.escaped_lm - escaped_lm_[replicate]);
-    solution_.pool_rays += traced.rays;
+    pool_rays_ += traced.rays;
     return traced;
   }
 
-  std::optional<StopReason> reason_to_stop(std::uint64_t paths) const {
+  std::optional<StopReason> reason_to_stop(std::uint64_t paths) {
     if (settings_.time_limit_s > 0.0 && now_s() - start_s_ > settings_.time_limit_s) {
       return StopReason::time_limit;
     }
     if (!progress_) return std::nullopt;
+    const std::scoped_lock lock(progress_mutex_);
     SolveProgress state;
     state.planes = planes_.size();
     state.planes_done = static_cast<std::size_t>(std::count_if(
@@ -181,7 +280,11 @@ class Solver {
   Tracer tracer_;
   Emitter emitter_;
   std::vector<PlaneWork> planes_;
+  std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look
   std::vector<double> absorbed_lm_, escaped_lm_;  // per replicate
+  std::atomic<std::uint64_t> pool_rays_{0};
+  std::atomic<bool> is_stopped_{false};
+  std::mutex progress_mutex_;
   bool samples_openings_ = false, samples_indirect_ = false;
   SpaceSolution solution_;
 };

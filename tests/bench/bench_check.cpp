@@ -8,11 +8,12 @@
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/solve.h"
+#include "calc/radiosity/vertex_tree.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
-#include "rules/accuracy.h"
 #include "rules/bind.h"
+#include "rules/stop_rule.h"
 #include "rules/builtin_packs.h"
 
 #include <fmt/format.h>
@@ -31,37 +32,37 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-struct PacketFrom {
-  glm::vec3 from_m;
-  calc::SegmentPacket packet;
-};
-
 // Front-facing pairs of points and light vertices as ready-made packets, in gathering order.
-std::vector<PacketFrom> make_packets(const calc::Tracer& tracer,
-                                     const calc::LightVertices& vertices,
-                                     const calc::SensorGrid& grid, std::size_t most) {
-  std::vector<PacketFrom> packets;
+std::vector<calc::SegmentPacket> make_packets(const calc::Tracer& tracer,
+                                              const calc::LightVertices& vertices,
+                                              const calc::SensorGrid& grid, std::size_t most) {
+  std::vector<calc::SegmentPacket> packets;
   for (std::size_t i = 0; i < grid.position_m.size() && packets.size() < most; ++i) {
     const glm::dvec3 x = grid.position_m[i] - tracer.scene().origin_m;
-    PacketFrom next{glm::vec3(tracer.lift(x, grid.normal[i])), {}};
+    calc::SegmentPacket next;
+    const glm::vec3 from(tracer.lift(x, grid.normal[i]));
     for (std::size_t j = 0; j < vertices.size(); ++j) {
-      const glm::dvec3 y(vertices.position_m[j]), ny(vertices.normal[j]);
+      const glm::dvec3 y(vertices[j].position_m), ny(vertices[j].normal);
       if (calc::geometry_term(x, grid.normal[i], y, ny) <= 0.0) continue;
-      const glm::vec3 to(tracer.lift(y, ny));
-      const auto k = static_cast<std::size_t>(next.packet.count++);
-      next.packet.to_x[k] = to.x;
-      next.packet.to_y[k] = to.y;
-      next.packet.to_z[k] = to.z;
-      if (next.packet.count < calc::SegmentPacket::kSize) continue;
+      const glm::vec3 to(y);
+      const auto k = static_cast<std::size_t>(next.count++);
+      next.from_x[k] = from.x;
+      next.from_y[k] = from.y;
+      next.from_z[k] = from.z;
+      next.to_x[k] = to.x;
+      next.to_y[k] = to.y;
+      next.to_z[k] = to.z;
+      if (next.count < calc::SegmentPacket::kSize) continue;
       packets.push_back(next);
-      next.packet.count = 0;
+      next.count = 0;
     }
   }
   return packets;
 }
 
 // Best of five, rays per second on all threads.
-double raw_occlusion_rate(const calc::Tracer& tracer, const std::vector<PacketFrom>& packets) {
+double raw_occlusion_rate(const calc::Tracer& tracer,
+                          const std::vector<calc::SegmentPacket>& packets) {
   double best_s = std::numeric_limits<double>::max();
   for (int run = 0; run < 5; ++run) {
     const double begin = now_s();
@@ -70,7 +71,7 @@ double raw_occlusion_rate(const calc::Tracer& tracer, const std::vector<PacketFr
       volatile std::uint32_t sink = 0;
       const std::size_t end = std::min(packets.size(), (chunk + 1) * 256);
       for (std::size_t p = chunk * 256; p < end; ++p) {
-        sink = sink ^ tracer.blocked(packets[p].from_m, packets[p].packet);
+        sink = sink ^ tracer.blocked(packets[p]);
       }
     });
     best_s = std::min(best_s, now_s() - begin);
@@ -117,11 +118,10 @@ int main(int argc, char** argv) {
         scene, tasks, {}, 0.95, *gatherer,
         [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
           const auto own = rules::requirements_of_plane(requirements, tasks[task].plane_id);
-          calc::LookAnswer answer;
-          if (rules::is_accurate(own, grids[task], field, project->scenes, tolerance, 0.95)) {
-            answer.finished = calc::StopReason::accurate;
-          }
-          return answer;
+          rules::StopAnswer answer =
+              rules::stop_or_go_on({rules::Goal::accuracy, tolerance, 0.95}, own, grids[task],
+                                   field, project->scenes);
+          return calc::LookAnswer{answer.finished, std::move(answer.active)};
         },
         {});
     const double total_s = now_s() - begin;
@@ -144,10 +144,10 @@ int main(int argc, char** argv) {
     if (connection_rays == 0) continue;
     const calc::Tracer tracer(scene);
     const calc::Emitter emitter(scene);
-    const calc::GeometryBound bound(tracer, emitter, 1024);
-    const calc::TracedPaths traced =
-        calc::trace_light_paths(tracer, emitter, bound, {1, 0, 0, 1024});
-    const auto packets = make_packets(tracer, traced.vertices, grids[0], 200000);
+    const calc::TracedPaths traced = calc::trace_light_paths(tracer, emitter, {1, 0, 0, 1024});
+    const auto packets =
+        make_packets(tracer, calc::VertexTree(traced.vertices, scene.channels.size()).vertices(),
+                     grids[0], 200000);
     const double raw = raw_occlusion_rate(tracer, packets);
     const double connect = static_cast<double>(connection_rays) / t.connect_s;
     fmt::print("  connection rays/s {:.1f} M, Embree alone {:.1f} M, ratio {:.2f}\n", connect / 1e6,

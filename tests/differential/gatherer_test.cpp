@@ -18,44 +18,62 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
   const calc::Tracer tracer(scene);
 
   calc::LightVertices vertices;
-  vertices.channel_begin = {0, 150, 333};
   const calc::RandomKey key(9);
   for (std::size_t j = 0; j < 333; ++j) {
     const auto u = [&](std::uint64_t k) { return key.with(j).with(k).uniform(); };
-    vertices.position_m.emplace_back(4 * u(0) - 2, 4 * u(1) - 2, j % 2 == 0 ? 0.0 : 3.0);
-    vertices.normal.emplace_back(0, 0, j % 2 == 0 ? 1 : -1);
-    vertices.flux_lm.push_back(u(2));
-    vertices.bound_per_m2.push_back(0.2f);
+    const glm::dvec3 normal(0, 0, j % 2 == 0 ? 1 : -1);
+    const glm::dvec3 position(4 * u(0) - 2, 4 * u(1) - 2, j % 2 == 0 ? 0.0 : 3.0);
+    vertices.push_back({glm::vec3(tracer.lift(position, normal)), static_cast<float>(u(2)),
+                        glm::vec3(normal), j < 150 ? 0u : 1u});
   }
-  std::vector<glm::dvec3> position, normal;
+  std::vector<calc::Receiver> receivers;
+  std::vector<calc::Connection> connections;
   for (std::size_t i = 0; i < 40; ++i) {
-    position.emplace_back(3.8 * key.with(1000 + i).uniform() - 1.9,
-                          3.8 * key.with(2000 + i).uniform() - 1.9, 0.5);
-    normal.emplace_back(
-        glm::normalize(glm::dvec3(0.3, 0.1 * static_cast<double>(i % 3), i % 4 == 0 ? -1.0 : 1.0)));
+    receivers.push_back(
+        {{3.8 * key.with(1000 + i).uniform() - 1.9, 3.8 * key.with(2000 + i).uniform() - 1.9, 0.5},
+         glm::normalize(glm::dvec3(0.3, 0.1 * static_cast<double>(i % 3), i % 4 == 0 ? -1.0 : 1.0)),
+         i % 8 == 5 ? calc::ReceiverKernel::hemispherical : calc::ReceiverKernel::planar});
+    for (std::uint32_t j = 0; j < 333; ++j) {
+      connections.push_back({static_cast<std::uint32_t>(i), j, i % 3 == 0 ? 2.0f : 1.0f});
+    }
   }
-  std::vector<double> sum(2 * position.size(), 1.0);  // gather adds
-  const std::uint64_t rays =
-      calc::make_cpu_gatherer()->gather(tracer, {position, normal}, vertices, sum);
+  const std::size_t count = receivers.size();
+  std::vector<double> sum(2 * count, 1.0);  // gather adds
+  std::vector<float> largest(count, 0.0f);
+  const calc::VertexBounds bounds(0.2);
+  const std::uint64_t rays = calc::make_cpu_gatherer()->gather(
+      {tracer, vertices, bounds, receivers, connections}, {sum.data(), count, largest.data()});
 
   std::uint64_t expected_rays = 0, blocked = 0, bounded = 0;
-  for (std::size_t i = 0; i < position.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const calc::Receiver& receiver = receivers[i];
     std::array<double, 2> expected{1.0, 1.0};
+    double most = 0.0;
     for (std::size_t j = 0; j < vertices.size(); ++j) {
-      const glm::dvec3 y(vertices.position_m[j]), ny(vertices.normal[j]);
-      const double g = calc::geometry_term(position[i], normal[i], y, ny);
+      const glm::dvec3 y(vertices[j].position_m), ny(vertices[j].normal);
+      const glm::dvec3 w = y - receiver.position_m;
+      const double d = glm::length(w);
+      const double cosine = glm::dot(receiver.axis, w) / d;
+      const double response = receiver.kernel == calc::ReceiverKernel::planar
+                                  ? std::max(0.0, cosine)
+                                  : 0.25 * (1.0 + cosine);
+      const double g = response * std::max(0.0, -glm::dot(ny, w) / d) / (d * d);
       if (g <= 0.0) continue;
       ++expected_rays;
       if (g > 0.2) ++bounded;
-      if (tracer.is_blocked(tracer.lift(position[i], normal[i]), tracer.lift(y, ny))) {
+      if (tracer.is_blocked(tracer.lift(receiver), y)) {
         ++blocked;
         continue;
       }
-      expected[j < 150 ? 0 : 1] += vertices.flux_lm[j] / calc::kPi * std::min(g, 0.2);
+      const double lx = (i % 3 == 0 ? 2.0 : 1.0) * static_cast<double>(vertices[j].flux_lm) /
+                        calc::kPi * std::min(g, 0.2);
+      expected[j < 150 ? 0 : 1] += lx;
+      most = std::max(most, lx);
     }
     for (std::size_t c = 0; c < 2; ++c) {
-      EXPECT_NEAR(sum[c * position.size() + i] / expected[c], 1.0, 1e-5) << i << " channel " << c;
+      EXPECT_NEAR(sum[c * count + i] / expected[c], 1.0, 1e-5) << i << " channel " << c;
     }
+    EXPECT_NEAR(static_cast<double>(largest[i]) / most, 1.0, 1e-5) << i;
   }
   EXPECT_EQ(rays, expected_rays);
   EXPECT_GT(blocked, 100u);  // the test sees all three cases

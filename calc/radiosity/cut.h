@@ -1,0 +1,55 @@
+#pragma once
+// Which groups of light vertices a tile of receivers chooses from, and how likely each is chosen.
+
+#include "calc/radiosity/receiver.h"
+#include "calc/radiosity/vertex_tree.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace calc {
+
+// Sphere around receivers; axis: their common axis if all are planar and face alike, else 0.
+struct ReceiverTile {
+  glm::vec3 centre_m{0.0f};
+  float radius_m = 0.0f;
+  glm::vec3 axis{0.0f};
+  float softening_m = 0.0f;  // distances below it count as it, so that a cut serves a whole region
+  float lowest_m = 0.0f;     // of dot(axis, position) over the receivers
+};
+
+ReceiverTile tile_of(std::span<const Receiver> receivers);
+
+// Nodes that together hold every vertex that can light the tile, as arrays.
+class Cut {
+ public:
+  static constexpr int kRepresentatives = 4;  // vertices that stand for a node when it is weighed
+
+  // Opens the node with the largest expected error until there are about `size`. Nodes that are
+  // wholly behind the receivers' common plane or face away are left out, exactly 0, if
+  // leave_out_hidden.  [method 02, section 3; light cuts: Walter et al. 2005]
+  // smallest_bound_per_m2: GeometryBound::smallest(); only shapes probabilities.
+  void build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
+             float smallest_bound_per_m2, bool leave_out_hidden);
+
+  // probability[c] of node c up to a common factor, > 0: its expected bounded contribution to the
+  // receiver, averaged over representatives.
+  void weigh(const Receiver& receiver, std::vector<float>& probability) const;
+
+  std::size_t size() const { return first_.size(); }
+  std::uint32_t first(std::size_t c) const { return first_[c]; }
+  std::uint32_t count(std::size_t c) const { return count_[c]; }
+  std::uint32_t channel(std::size_t c) const { return channel_[c]; }
+
+ private:
+  std::vector<std::uint32_t> first_, count_, channel_;
+  std::vector<float> flux_lm_, radius2_m2_, bound_per_m2_, centre_x_, centre_y_, centre_z_;
+  // [representative * size + node]
+  std::vector<float> x_, y_, z_, nx_, ny_, nz_;
+};
+
+}  // namespace calc

@@ -1,0 +1,30 @@
+#pragma once
+// Connections of receivers to light vertices: which ones, and with which weight.
+
+#include "calc/radiosity/cut.h"
+#include "calc/radiosity/random.h"
+#include "calc/radiosity/vertex_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace calc {
+
+// The estimate is the sum over connections of weight * flux_v / pi * min(G, b) V.
+struct Connection {
+  std::uint32_t receiver;  // index in the tile
+  std::uint32_t vertex;    // index in the sorted pool
+  float weight;            // 1 / expected number of times that the vertex is drawn, > 0
+};
+
+// Draws of one receiver, `draws` of them, spaced evenly in cumulated probability from the shift u
+// in [0, 1): systematic sampling. Appends to `connections`. Where there are several channels, half
+// of the draws go evenly to all of them, so that a weak group is known as well as a strong one.
+// `scratch` is overwritten.
+void draw_connections(const Cut& cut, std::size_t channels, const Receiver& receiver,
+                      std::uint32_t index, std::uint32_t draws, double u,
+                      std::vector<float>& scratch, std::vector<Connection>& connections);
+
+}  // namespace calc

@@ -1,0 +1,49 @@
+#pragma once
+// The pool of light vertices of one replicate, sorted in space, and a binary tree of groups over
+// it.
+
+#include "calc/radiosity/light_vertex.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace calc {
+
+// Vertices first..last of the sorted pool. Children, if any, are `child` and `child` + 1.
+struct VertexNode {
+  std::uint32_t first = 0, last = 0;
+  std::uint32_t child = 0;  // 0 = leaf
+  std::uint32_t channel = 0;
+  float flux_lm = 0.0f;     // sum
+  float radius_m = 0.0f;    // of a sphere about centre_m that holds all positions
+  float cos_spread = 1.0f;  // smallest cosine between axis and a normal
+  float per_m2 = 0.0f;      // vertices per area around, of at least kDensityCount vertices
+  glm::vec3 centre_m{0.0f};
+  glm::vec3 axis{0.0f};  // unit mean normal; 0 if normals cancel, then cos_spread is -1
+
+  std::uint32_t size() const { return last - first; }
+};
+
+class VertexTree {
+ public:
+  // Sorts by channel, then by the side that normals face, then along a space-filling curve
+  // (Morton), and cuts where the sort key's highest bit changes, so that a node holds neighbours on
+  // one surface. Order of equal keys is kept: the result is a function of the vertices alone.
+  VertexTree(LightVertices vertices, std::size_t channels);
+
+  const LightVertices& vertices() const { return vertices_; }
+  std::span<const VertexNode> nodes() const { return nodes_; }
+  // Roots, one per channel that has vertices, in order of channels.
+  std::span<const std::uint32_t> roots() const { return roots_; }
+
+ private:
+  LightVertices vertices_;
+  std::vector<VertexNode> nodes_;
+  std::vector<std::uint32_t> roots_;
+};
+
+}  // namespace calc
