@@ -1,5 +1,7 @@
 #include "report/build.h"
 
+#include "rules/candidates.h"
+#include "rules/error_spending.h"
 #include "rules/metrics.h"
 
 #include <algorithm>
@@ -104,10 +106,17 @@ PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> 
 PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
                       const calc::PlaneField& field, std::vector<rules::Finding> findings,
                       double confidence) {
+  const double level = rules::look_confidence(confidence, field.looks_planned);
   PlanePart part = named_plane(plane, std::move(findings));
   part.is_computed = true;
   part.grid = grid;
   part.stop = field.stop;
+  part.looks_planned = field.looks_planned;
+  part.unseen_points = static_cast<std::size_t>(
+      std::count(field.unseen.begin(), field.unseen.end(), std::uint8_t{1}));
+  part.single_sample_points = static_cast<std::size_t>(
+      std::count_if(field.largest_share.begin(), field.largest_share.end(),
+                    [](float share) { return share > rules::kLargestTrustedShare; }));
   part.counters = field.counters;
 
   const rules::PointValues maintained =
@@ -116,10 +125,10 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
   // a dash.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto statistic = [&](rules::Metric metric) {
-    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, confidence);
+    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, level);
     return found ? found->estimate : calc::Estimate{kNone, kNone, kNone};
   };
-  part.points = build_points(grid, field, maintained, confidence);
+  part.points = build_points(grid, field, maintained, level);
   part.average_lx = statistic(rules::Metric::average);
   part.minimum_lx = statistic(rules::Metric::minimum);
   part.maximum_lx = statistic(rules::Metric::maximum);

@@ -14,8 +14,8 @@
 
 namespace report {
 
-// A plane with its field, computed on `grid` (>= 1 point). confidence: level of all intervals, in
-// (0, 1).
+// A plane with its field, computed on `grid` (>= 1 point). confidence in (0, 1): of the run; the
+// level of all intervals is that of one look of the plane, see rules::look_confidence().
 PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
                       const calc::PlaneField& field, std::vector<rules::Finding> findings,
                       double confidence);

@@ -91,9 +91,14 @@ void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Fi
   if (finding.is_close) note("close: usual rounding would change the verdict");
 }
 
+void add_doubt(const PlanePart& plane, std::vector<Line>& lines) {
+  const std::string doubt = doubt_words(plane);
+  if (!doubt.empty()) lines.emplace_back().note = doubt;
+}
+
 void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>& lines) {
   for (const rules::Finding& finding : plane.findings) add_finding(space, plane, finding, lines);
-  if (!plane.findings.empty()) return;
+  if (!plane.findings.empty()) return add_doubt(plane, lines);
   Line line;
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kVerdict] = plane.is_computed ? "  no limit" : "– not computed";
@@ -103,6 +108,7 @@ void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>
                                         ", minimum " + format_measured(plane.minimum_lx, "lx") +
                                         ", Uo " + format_measured(plane.uniformity_min_avg, "")
                                   : printable(plane.reason);
+  add_doubt(plane, lines);
 }
 
 constexpr bool is_number_column(std::size_t column) {
@@ -212,7 +218,7 @@ std::string render_text(const Document& document, const TextOptions& options) {
     for (const Line& line : tables[i]) text += render_line(line, widths, options.colour);
     text += "\n";
   }
-  const rules::Verdict overall = overall_verdict(count_verdicts(document));
+  const rules::Verdict overall = overall_verdict(document);
   std::string summary = summary_words(document);
   if (options.colour) summary = verdict_colour(overall) + summary + kReset;
   return text + summary + "\n";

@@ -45,4 +45,15 @@ VerdictCounts count_verdicts(const Document& document) {
   return sum;
 }
 
+bool has_uncomputed_plane(const Document& document) {
+  for (const ProjectPart& project : document.projects) {
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        if (!plane.is_computed) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace report

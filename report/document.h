@@ -7,6 +7,7 @@
 #include "calc/photometry/web.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/goal.h"
 #include "rules/judge.h"
 
 #include <glm/glm.hpp>
@@ -30,8 +31,9 @@ struct Provenance {
   std::string command_line;     // copyable: "luxgate check office.xml --seed 1"
   std::string timestamp;        // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
   std::uint64_t seed = 0;
-  double confidence = 0.95;
-  double tolerance = 0.02;      // relative half-width aimed at
+  double confidence = 0.95;  // over all looks of a plane
+  rules::Goal goal = rules::Goal::verdict;
+  double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
   std::string backend;  // "cpu (Embree 3.13.5)"
@@ -67,6 +69,9 @@ struct PlanePart {
       uniformity_min_max;  // maintained
   std::vector<rules::Finding> findings;
   calc::StopReason stop = calc::StopReason::exact;
+  int looks_planned = 1;                 // intervals hold over that many looks together
+  std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has
+  std::size_t single_sample_points = 0;  // a single sample is too large a share of the value
   calc::SolveCounters counters;
   std::vector<glm::dvec2>
       outline_m;  // of the plane, in its (u, v) from grid.origin_m; empty for point lists
@@ -111,5 +116,8 @@ struct Document {
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);
+
+// Also one of which nothing is required.
+bool has_uncomputed_plane(const Document& document);
 
 }  // namespace report

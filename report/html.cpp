@@ -27,9 +27,8 @@ std::string head(const Document& document) {
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'; "
          "img-src data:\"/>\n<title>" +
-         std::string(verdict_symbol(overall_verdict(count_verdicts(document)))) + " " +
-         page_title(document) + " – lighting compliance</title>\n<style>\n" + html_style() +
-         "</style>\n</head>\n";
+         std::string(verdict_symbol(overall_verdict(document))) + " " + page_title(document) +
+         " – lighting compliance</title>\n<style>\n" + html_style() + "</style>\n</head>\n";
 }
 
 std::string masthead(const Document& document) {

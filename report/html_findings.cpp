@@ -186,7 +186,7 @@ std::string attention_of(const Document& document, rules::Verdict verdict) {
 
 std::string html_verdict_banner(const Document& document) {
   const VerdictCounts counts = count_verdicts(document);
-  const rules::Verdict overall = overall_verdict(counts);
+  const rules::Verdict overall = overall_verdict(document);
   const bool is_empty = counts.pass + counts.fail + counts.undecided + counts.not_judged == 0;
   const char* sentence = "Nothing was judged";
   switch (overall) {
@@ -200,13 +200,16 @@ std::string html_verdict_banner(const Document& document) {
       sentence = "No requirement fails, but not all are decided";
       break;
     case rules::Verdict::not_judged:
-      if (!is_empty) sentence = "Not everything could be judged";
+      if (!is_empty || has_uncomputed_plane(document)) sentence = "Not everything could be judged";
+      if (counts.fail > 0) {
+        sentence = "Not everything could be judged, and not all requirements are met";
+      }
       break;
   }
   const std::array<std::pair<rules::Verdict, int>, 4> all{
-      {{rules::Verdict::fail, counts.fail},
+      {{rules::Verdict::not_judged, counts.not_judged},
+       {rules::Verdict::fail, counts.fail},
        {rules::Verdict::undecided, counts.undecided},
-       {rules::Verdict::not_judged, counts.not_judged},
        {rules::Verdict::pass, counts.pass}}};
   std::string chips;
   for (const auto& [verdict, count] : all) {
@@ -221,8 +224,8 @@ std::string html_verdict_banner(const Document& document) {
 }
 
 std::string html_attention(const Document& document) {
-  std::string items = attention_of(document, rules::Verdict::fail);
-  items += attention_of(document, rules::Verdict::not_judged);
+  std::string items = attention_of(document, rules::Verdict::not_judged);
+  items += attention_of(document, rules::Verdict::fail);
   items += attention_of(document, rules::Verdict::undecided);
   if (items.empty()) return {};
   return "<section aria-labelledby=\"attention\"><h2 id=\"attention\">Needs attention</h2>\n<ul "
@@ -233,8 +236,8 @@ std::string html_attention(const Document& document) {
 std::string html_summary(const Document& document) {
   std::string table = fmt::format(
       "<table class=\"summary\"><caption>Every plane and every requirement. ± and the bar give the "
-      "{} confidence "
-      "interval; the margin is relative to the limit, positive is on the good side.</caption>\n"
+      "{} confidence interval, which holds over all looks of the plane at its growing results; the "
+      "margin is relative to the limit, positive is on the good side.</caption>\n"
       "<thead><tr><th scope=\"col\">Plane</th>{}</tr></thead>\n",
       format_percent(document.provenance.confidence), kHead);
   for (std::size_t p = 0; p < document.projects.size(); ++p) {

@@ -95,6 +95,8 @@ std::string grid_table(const SpacePart& space, const PlanePart& plane) {
   rows += fact("Points", fmt::format("{}", plane.points.size()));
   rows += fact("Left out", dropped_words(grid));
   rows += fact("Sampling", stop_words(plane.stop));
+  if (const std::string looks = looks_words(plane); !looks.empty()) rows += fact("Looks", looks);
+  if (const std::string doubt = doubt_words(plane); !doubt.empty()) rows += fact("Doubt", doubt);
   if (plane.counters.paths > 0) rows += fact("Light paths", format_count(plane.counters.paths));
   return "<table class=\"facts\"><caption>Grid and sampling</caption><tbody>\n" + rows +
          "</tbody></table>\n";

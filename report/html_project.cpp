@@ -208,8 +208,13 @@ std::string html_provenance(const Document& document) {
   if (!provenance.timestamp.empty()) rows += fact("Made", escape_html(provenance.timestamp));
   rows += fact("Backend", escape_html(provenance.backend));
   rows += fact("Seed", fmt::format("{}", provenance.seed));
-  rows += fact("Confidence of intervals", format_percent(provenance.confidence));
-  rows += fact("Aimed half width", format_percent(provenance.tolerance) + " of the value");
+  rows += fact("Confidence of intervals",
+               format_percent(provenance.confidence) + ", over all planned looks of a plane");
+  rows += fact("Goal", provenance.goal == rules::Goal::verdict
+                           ? "verdict; without requirements, accuracy"
+                           : "accuracy");
+  rows += fact("Aimed half width",
+               format_percent(provenance.tolerance) + " of the value, where accuracy is the goal");
   rows += fact("Most light paths", format_count(provenance.max_paths) + " per plane and replicate");
   rows += fact("Replicates", fmt::format("{}", provenance.replicates));
   return "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">Provenance</h2>\n"

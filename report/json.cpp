@@ -45,6 +45,7 @@ Json provenance_json(const Provenance& provenance) {
                {"command_line", provenance.command_line},
                {"seed", provenance.seed},
                {"confidence", provenance.confidence},
+               {"goal", rules::goal_name(provenance.goal)},
                {"tolerance", provenance.tolerance},
                {"max_paths", provenance.max_paths},
                {"replicates", provenance.replicates},
@@ -153,6 +154,10 @@ Json plane_json(const PlanePart& plane) {
                         {"uniformity_min_avg", from(plane.uniformity_min_avg)},
                         {"uniformity_min_max", from(plane.uniformity_min_max)}};
   json["stop"] = stop_key(plane.stop);
+  json["looks"] = plane.counters.active_points.size();
+  json["looks_planned"] = plane.looks_planned;
+  json["unseen_points"] = plane.unseen_points;
+  json["single_sample_points"] = plane.single_sample_points;
   json["counters"] = {{"paths", plane.counters.paths},
                       {"direct_rays", plane.counters.direct_rays},
                       {"connection_rays", plane.counters.connection_rays},

@@ -82,6 +82,8 @@ const char* stop_key(calc::StopReason stop) {
       return "path-limit";
     case calc::StopReason::time_limit:
       return "time-limit";
+    case calc::StopReason::endless_path:
+      return "endless-path";
     case calc::StopReason::interrupted:
       break;
   }
@@ -97,13 +99,15 @@ const char* stop_words(calc::StopReason stop) {
     case calc::StopReason::accurate:
       return "stopped when the intervals were narrow enough";
     case calc::StopReason::path_limit:
-      return "stopped at the path limit, before the intervals were narrow enough";
+      return "stopped at the path limit, before the goal was reached";
     case calc::StopReason::time_limit:
-      return "stopped at the time limit, before the intervals were narrow enough";
+      return "stopped at the time limit, before the goal was reached";
+    case calc::StopReason::endless_path:
+      return "stopped at a light path that would not end, before the intervals were narrow enough";
     case calc::StopReason::interrupted:
       break;
   }
-  return "interrupted, before the intervals were narrow enough";
+  return "interrupted, before the goal was reached";
 }
 
 const char* drop_key(calc::DropReason reason) {
@@ -157,11 +161,29 @@ std::string summary_words(const Document& document) {
   return text;
 }
 
-rules::Verdict overall_verdict(const VerdictCounts& counts) {
+rules::Verdict overall_verdict(const Document& document) {
+  const VerdictCounts counts = count_verdicts(document);
+  if (counts.not_judged > 0 || has_uncomputed_plane(document)) return rules::Verdict::not_judged;
   if (counts.fail > 0) return rules::Verdict::fail;
-  if (counts.not_judged > 0) return rules::Verdict::not_judged;
   if (counts.undecided > 0) return rules::Verdict::undecided;
   return counts.pass > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
+}
+
+std::string looks_words(const PlanePart& plane) {
+  const std::size_t taken = plane.counters.active_points.size();
+  return taken == 0 ? "" : fmt::format("{} of {} planned", taken, plane.looks_planned);
+}
+
+std::string doubt_words(const PlanePart& plane) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* words) {
+    if (count == 0) return;
+    text += fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count,
+                        plane.points.size(), words);
+  };
+  add(plane.unseen_points, "got no sample of the light that may reach them");
+  add(plane.single_sample_points, "rest on single samples: their intervals cannot be trusted");
+  return text;
 }
 
 bool is_horizontal(const glm::dvec3& normal) { return std::abs(normal.z) > 1.0 - kStraight; }

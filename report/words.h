@@ -35,9 +35,15 @@ const char* drop_words(calc::DropReason reason);
 // "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged".
 std::string summary_words(const Document& document);
 
-// The gravest of the counts: fail, then not_judged, then undecided, then pass. Nothing counted:
-// not_judged.
-rules::Verdict overall_verdict(const VerdictCounts& counts);
+// The gravest verdict, in the order of the exit codes: not_judged (also for a plane without
+// result), then fail, then undecided, then pass. Nothing judged: not_judged.
+rules::Verdict overall_verdict(const Document& document);
+
+// "3 of 9 planned"; "" where nothing was sampled.
+std::string looks_words(const PlanePart& plane);
+
+// What is not to be trusted: "2 of 40 points rest on single samples: ..."; "" if nothing.
+std::string doubt_words(const PlanePart& plane);
 
 // "horizontal, facing up", "vertical", "inclined by 30°" ... from the unit normal of a plane.
 std::string orientation_words(const glm::dvec3& normal);

@@ -22,21 +22,28 @@ void add_weighted(const std::vector<double>& from_lx, std::size_t row, double we
   for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
 }
 
+// Of every channel.
+std::vector<double> weights_of(const calc::PlaneField& field, LightState state,
+                               const std::vector<std::pair<std::string, double>>& level_of_group) {
+  std::vector<double> weights;
+  for (const calc::LightChannel& channel : field.channels) {
+    weights.push_back(weight_of(channel, state, level_of_group));
+  }
+  return weights;
+}
+
 // [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
 // own marks speak of all channels together; a scene with fewer of them may miss more points.
-std::vector<std::uint8_t> find_unseen(
-    const calc::PlaneField& field, LightState state,
-    const std::vector<std::pair<std::string, double>>& level_of_group) {
+std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
+                                      const std::vector<double>& weights) {
   std::vector<std::uint8_t> unseen(field.points, 0);
   if (field.unseen.empty()) return unseen;
   for (std::size_t i = 0; i < field.points; ++i) {
     double weighted_lx = 0.0, all_lx = 0.0;
     for (const std::vector<double>* part : {&field.direct_sampled_lx, &field.indirect_lx}) {
       for (std::size_t k = i; k < part->size(); k += field.points) {
-        const calc::LightChannel& channel =
-            field.channels[k / field.points % field.channels.size()];
         all_lx += (*part)[k];
-        weighted_lx += weight_of(channel, state, level_of_group) * (*part)[k];
+        weighted_lx += weights[k / field.points % weights.size()] * (*part)[k];
       }
     }
     unseen[i] = weighted_lx == 0.0 && (field.unseen[i] != 0 || all_lx > 0.0) ? 1 : 0;
@@ -50,21 +57,22 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group) {
   PointValues values;
   values.points = field.points;
+  const std::vector<double> weights = weights_of(field, state, level_of_group);
   // A scene that dims everything to 0 is exactly dark, whatever was sampled.
-  const bool has_light = std::any_of(
-      field.channels.begin(), field.channels.end(),
-      [&](const calc::LightChannel& c) { return weight_of(c, state, level_of_group) > 0.0; });
+  const bool has_light =
+      std::any_of(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; });
   values.replicates = field.is_exact() || !has_light ? 1 : field.replicates;
-  if (has_light) values.unseen = find_unseen(field, state, level_of_group);
+  if (has_light) {
+    values.unseen = find_unseen(field, weights);
+    values.largest_share = field.largest_share;
+  }
   values.value_lx.assign(values.replicates * values.points, 0.0);
-  const std::size_t channels = field.channels.size();
   for (std::size_t r = 0; r < values.replicates; ++r) {
     const std::span<double> row(values.value_lx.data() + r * values.points, values.points);
-    for (std::size_t c = 0; c < channels; ++c) {
-      const double weight = weight_of(field.channels[c], state, level_of_group);
-      add_weighted(field.direct_exact_lx, c, weight, row);
-      add_weighted(field.direct_sampled_lx, r * channels + c, weight, row);
-      add_weighted(field.indirect_lx, r * channels + c, weight, row);
+    for (std::size_t c = 0; c < weights.size(); ++c) {
+      add_weighted(field.direct_exact_lx, c, weights[c], row);
+      add_weighted(field.direct_sampled_lx, r * weights.size() + c, weights[c], row);
+      add_weighted(field.indirect_lx, r * weights.size() + c, weights[c], row);
     }
   }
   return values;

@@ -1,6 +1,6 @@
 #include "rules/judge.h"
 
-#include "rules/measure.h"
+#include "rules/error_spending.h"
 
 #include <fmt/format.h>
 
@@ -38,12 +38,24 @@ std::string undecided_text(const calc::Estimate& estimate, double limit, Metric 
                      digits, estimate.high, digits, unit, limit, unit);
 }
 
-Finding judge_one(const Requirement& requirement, const calc::SensorGrid& grid,
-                  const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
-                  double confidence) {
+std::string unseen_text(std::size_t unseen, std::size_t points) {
+  return fmt::format(
+      "no sampled light reached {} of {} points: their illuminance is small, but not known", unseen,
+      points);
+}
+
+std::string single_sample_text(std::size_t doubtful, std::size_t points) {
+  return fmt::format(
+      "the result rests on single samples at {} of {} points: their intervals cannot be trusted",
+      doubtful, points);
+}
+
+}  // namespace
+
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid) {
   Finding finding;
   finding.requirement = requirement;
-  const Measurement measurement = measure(requirement, grid, field, scenes, confidence);
   if (!measurement.metric) {
     finding.reason = measurement.reason;
     return finding;
@@ -61,28 +73,32 @@ Finding judge_one(const Requirement& requirement, const calc::SensorGrid& grid,
   finding.margin = margin(finding.measured.value, comparison, limit);
   finding.is_close = is_close_call(finding.measured.value, requirement.metric, comparison, limit);
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
-  if (measurement.unseen_points > 0) {
-    finding.verdict = Verdict::undecided;
-    finding.is_close = false;
-    finding.reason = fmt::format(
-        "no sampled light reached {} of {} points: their illuminance is small, but not known",
-        measurement.unseen_points, field.points);
-  } else if (finding.verdict == Verdict::undecided) {
+  const std::size_t points = grid.position_m.size();
+  const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
+  if (finding.verdict == Verdict::undecided) {
     finding.reason = undecided_text(finding.measured, limit, requirement.metric);
   }
+  if (!is_doubtful) return finding;
+  if (measurement.unseen_points > 0) {
+    finding.reason = unseen_text(measurement.unseen_points, points);
+  } else if (finding.verdict != Verdict::undecided) {
+    finding.reason = single_sample_text(measurement.single_sample_points, points);
+  }
+  finding.verdict = Verdict::undecided;
+  finding.is_close = false;
   return finding;
 }
-
-}  // namespace
 
 std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence) {
   if (!field.problem.empty()) return not_judged_plane(requirements, field.problem);
+  const double level = look_confidence(confidence, field.looks_planned);
   std::vector<Finding> findings;
   findings.reserve(requirements.size());
   for (const Requirement& requirement : requirements) {
-    findings.push_back(judge_one(requirement, grid, field, scenes, confidence));
+    findings.push_back(
+        judge_measurement(requirement, measure(requirement, grid, field, scenes, level), grid));
   }
   return findings;
 }

@@ -5,6 +5,7 @@
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/compare.h"
+#include "rules/measure.h"
 #include "rules/requirement.h"
 
 #include <glm/glm.hpp>
@@ -29,10 +30,14 @@ struct Finding {
 
 // One finding per requirement, in order. All arguments belong to one plane: `requirements` are its
 // own, see requirements_of_plane(); field.points = number of points of the grid. confidence in (0,
-// 1).
+// 1): of the run; every interval has the level of one look of the plane, see look_confidence().
 std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence);
+
+// What a measurement says about its requirement.
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid);
 
 // For a plane that could not be computed: every requirement is not judged, for this reason.
 std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,

@@ -1,9 +1,12 @@
 #include "rules/measure.h"
 
+#include "rules/candidates.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rules {
 namespace {
@@ -54,23 +57,20 @@ std::string undefined_text(Metric metric) {
                      metric == Metric::uniformity_min_max ? "maximum" : "average");
 }
 
-// The average does not hang on single points: it only matters if all of them are unseen.
-std::size_t count_unseen(const PointValues& values, Metric metric,
-                         std::optional<std::size_t> point) {
-  if (point) return values.unseen.empty() ? 0 : values.unseen[*point];
-  const auto unseen = std::count(values.unseen.begin(), values.unseen.end(), 1);
-  const auto count = static_cast<std::size_t>(unseen);
-  return metric == Metric::average && count < values.points ? 0 : count;
+Measurement nothing_to_measure(const std::string& reason) {
+  Measurement result;
+  result.reason = reason;
+  return result;
 }
 
 }  // namespace
 
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
-                    double confidence) {
+                    double confidence, Goal goal) {
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
-    return {std::nullopt, fmt::format("there is no scene '{}'", requirement.scene)};
+    return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
   }
   std::optional<std::size_t> point;
   if (requirement.metric == Metric::value_at_point) {
@@ -78,16 +78,29 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     point = nearest_point(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
     if (!is_near(grid, nearest_m - wanted_m)) {
-      return {std::nullopt,
-              fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
-                          point_text(wanted_m), point_text(nearest_m))};
+      return nothing_to_measure(
+          fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
+                      point_text(wanted_m), point_text(nearest_m)));
     }
   }
   const PointValues values = combine_channels(field, requirement.state, *levels);
-  Measurement result{
-      compute_metric(values, requirement.metric, requirement.percent, point, confidence), ""};
-  if (!result.metric) result.reason = undefined_text(requirement.metric);
-  result.unseen_points = count_unseen(values, requirement.metric, point);
+  Measurement result;
+  const Metric metric = requirement.metric;
+  result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
+  if (!result.metric) {
+    result.reason = undefined_text(metric);
+    result.unseen_points = static_cast<std::size_t>(
+        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
+    return result;
+  }
+  const auto limit =
+      goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
+  Candidates candidates = find_candidates(values, metric, requirement.percent, point,
+                                          result.metric->estimate, limit, confidence);
+  const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
+  result.unseen_points = doubtful.unseen;
+  result.single_sample_points = doubtful.single_sample;
+  result.active = std::move(candidates.active);
   return result;
 }
 

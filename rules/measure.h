@@ -4,10 +4,12 @@
 #include "calc/field.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/goal.h"
 #include "rules/metrics.h"
 #include "rules/requirement.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,14 +20,18 @@ namespace rules {
 struct Measurement {
   std::optional<MetricEstimate> metric;
   std::string reason;
-  // Points whose value is not known to be what was measured, because no sampled light has reached
-  // them although some may; only as far as they matter for this quantity. While there are any,
-  // neither pass nor fail is proved.
-  std::size_t unseen_points = 0;
+  // Points whose value is not known to be what was measured, only as far as they matter for this
+  // quantity. While there are any, neither pass nor fail is proved.
+  std::size_t unseen_points = 0;         // no sampled light has reached them, although some may
+  std::size_t single_sample_points = 0;  // a single sample is too large a share of their value
+  // [point]: 1 where more samples would serve the goal; empty: everywhere.
+  std::vector<std::uint8_t> active;
 };
 
+// goal: verdict, if only the requirement's limit counts; accuracy, if its quantity is wanted for
+// its own sake. confidence: level of the interval itself.
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
-                    double confidence);
+                    double confidence, Goal goal = Goal::verdict);
 
 }  // namespace rules

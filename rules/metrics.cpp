@@ -32,8 +32,6 @@ calc::Estimate mirrored(const calc::Estimate& estimate) {
   return calc::Estimate{-estimate.value, -estimate.high, -estimate.low};
 }
 
-using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t point, double t);
-
 std::size_t darkest_point(const ReplicateSample& sample) {
   const auto smallest = std::min_element(sample.mean_lx.begin(), sample.mean_lx.end());
   return static_cast<std::size_t>(smallest - sample.mean_lx.begin());
@@ -127,14 +125,6 @@ std::optional<MetricEstimate> uniformity_min_max(const PointValues& values, doub
                         smallest_e.point};
 }
 
-// 1-based rank of the percentile in ascending order. The tolerance absorbs binary noise in percent
-// * points / 100.
-std::size_t percentile_rank(double percent, std::size_t points) {
-  const double share = percent * static_cast<double>(points) / 100.0;
-  const double rank = std::ceil(share - 1e-9 * std::max(share, 1.0));
-  return static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(points)));
-}
-
 double order_statistic(std::vector<double> values, std::size_t rank) {
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
   std::nth_element(values.begin(), nth, values.end());
@@ -199,6 +189,13 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
 }
 
 }  // namespace
+
+// The tolerance absorbs binary noise in percent * points / 100.
+std::size_t percentile_rank(double percent, std::size_t points) {
+  const double share = percent * static_cast<double>(points) / 100.0;
+  const double rank = std::ceil(share - 1e-9 * std::max(share, 1.0));
+  return static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(points)));
+}
 
 std::vector<calc::Estimate> point_estimates(const PointValues& values, double confidence) {
   const ReplicateSample all = summarize(values, 0, values.replicates);

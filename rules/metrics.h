@@ -22,6 +22,8 @@ struct PointValues {
   // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
   // May be empty.
   std::vector<std::uint8_t> unseen = {};
+  // [point]: the largest single sample's share of the value, [0, 1]. May be empty.
+  std::vector<float> largest_share = {};
 
   bool is_exact() const { return replicates == 1; }
   double at(std::size_t replicate, std::size_t point) const {
@@ -48,6 +50,9 @@ struct MetricEstimate {
   calc::Estimate estimate;
   std::optional<std::size_t> point;
 };
+
+// 1-based rank of the percentile among the point values in ascending order; see below.
+std::size_t percentile_rank(double percent, std::size_t points);
 
 // percent: of Metric::percentile, [0, 100]; the percentile is the smallest point value that at
 // least `percent` % of the points do not exceed, so that 0 is the minimum and 100 the maximum.

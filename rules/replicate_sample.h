@@ -35,6 +35,8 @@ struct Limits {
   double low, value, high;
 };
 
+using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t point, double t);
+
 // mean -+ t * standard error
 Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
 

@@ -47,6 +47,11 @@ add_test(NAME cli.init_project_passes COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DWORK=${CMAKE_CURRENT_BINARY_DIR}/init
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_init.cmake)
 
+add_test(NAME cli.goals_stop_where_they_say COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate>
+  -DPROJECT=${PROJECT_SOURCE_DIR}/examples/05-failing-corridor/project.xml
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_goals.cmake)
+
 add_test(NAME cli.interrupt_leaves_nothing COMMAND bash
   ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_interrupt.sh $<TARGET_FILE:luxgate>
   ${PROJECT_SOURCE_DIR}/examples/04-office/project.xml ${CMAKE_CURRENT_BINARY_DIR}/interrupt)

@@ -1,9 +1,10 @@
 luxgate_test(rules_tests
   SOURCES
     statistical/metric_coverage_test.cpp
+    statistical/stop_rule_test.cpp
     unit/calc/statistics_test.cpp
-    unit/rules/accuracy_test.cpp
     unit/rules/bind_test.cpp
+    unit/rules/candidates_test.cpp
     unit/rules/combine_test.cpp
     unit/rules/compare_test.cpp
     unit/rules/judge_test.cpp
@@ -11,4 +12,5 @@ luxgate_test(rules_tests
     unit/rules/replicate_sample_test.cpp
     unit/rules/requirement_test.cpp
     unit/rules/rule_pack_test.cpp
+    unit/rules/stop_rule_test.cpp
   LIBRARIES rules)

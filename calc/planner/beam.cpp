@@ -54,8 +54,8 @@ class Cells {
       const double turning_rad = std::atan2(side, -axis.z) + kPi;  // in [0, 2 pi]
       for (std::size_t g = 0; g < gammas(); ++g) {
         if (light(p, g) <= 0.0) continue;
-        least = std::min({least, side * sin_[g] - axis.z * cos_[g],
-                          side * sin_[g + 1] - axis.z * cos_[g + 1]});
+        least = std::min(
+            {least, side * sin_[g] - axis.z * cos_[g], side * sin_[g + 1] - axis.z * cos_[g + 1]});
         if (turning_rad >= web_.gamma_rad()[g] && turning_rad <= web_.gamma_rad()[g + 1]) {
           least = std::min(least, -std::hypot(side, axis.z));
         }
@@ -123,13 +123,11 @@ bool tangent_plane_separates(const Beam& beam, const PlacedLuminaire& luminaire,
                              std::span<const glm::dvec3> corners, double side_m) {
   const double angle = beam.half_angle_rad + kAngleSlack_rad;
   const double sine = std::sin(angle), cosine = std::cos(angle);
-  const glm::dvec3 aside =
-      std::abs(beam.axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 aside = std::abs(beam.axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(beam.axis, aside));
   const glm::dvec3 y = glm::cross(beam.axis, x);
   const auto separates = [&](double phi) {
-    const glm::dvec3 normal =
-        sine * beam.axis + cosine * (std::cos(phi) * x + std::sin(phi) * y);
+    const glm::dvec3 normal = sine * beam.axis + cosine * (std::cos(phi) * x + std::sin(phi) * y);
     return all_behind(luminaire, corners, normal, side_m);
   };
 
@@ -195,8 +193,8 @@ std::vector<Beam> beams_of(const PreparedScene& scene) {
   for (const PlacedLuminaire& luminaire : scene.luminaires) {
     const auto [entry, is_new] = beam_of_web.try_emplace(luminaire.web);
     if (is_new) entry->second = beam_of(*luminaire.web);
-    beams.push_back({luminaire.world_from_luminaire * entry->second.axis,
-                     entry->second.half_angle_rad});
+    beams.push_back(
+        {luminaire.world_from_luminaire * entry->second.axis, entry->second.half_angle_rad});
   }
   return beams;
 }

@@ -44,8 +44,7 @@ struct ConvexSearch {
   std::vector<std::size_t> triangles_by_size() const {
     std::vector<double> area(scene.triangle.size());
     for (std::size_t t = 0; t < area.size(); ++t) {
-      area[t] = glm::length(
-          glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)));
+      area[t] = glm::length(glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)));
     }
     std::vector<std::size_t> order(area.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -88,10 +87,10 @@ struct ConvexSearch {
   bool keeps_off(const PlacedLuminaire& luminaire, const Wall& wall) const {
     const double lift_m =
         space.offset_m_ * std::abs(glm::dot(wall.outward, luminaire.world_from_luminaire[2]));
-    const double highest_m = glm::dot(wall.outward, luminaire.position_m) +
-                             opening_support_m(luminaire, wall.outward);
-    const bool is_flat = glm::length(glm::cross(wall.outward, luminaire.world_from_luminaire[2])) <
-                         1.0e-6;
+    const double highest_m =
+        glm::dot(wall.outward, luminaire.position_m) + opening_support_m(luminaire, wall.outward);
+    const bool is_flat =
+        glm::length(glm::cross(wall.outward, luminaire.world_from_luminaire[2])) < 1.0e-6;
     return is_flat || highest_m + lift_m <= wall.distance_m + space.tolerance_m_;
   }
 

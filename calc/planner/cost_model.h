@@ -9,29 +9,22 @@
 
 namespace calc {
 
-// Connections of one point to the pool of one replicate: about 16 per point and path, so that pool
-// and connections take about the same time, as a power of two between paths / 64 and paths, and at
-// least 16. points >= 1.
-std::uint64_t draws_per_point(std::uint64_t paths, std::size_t points);
-
-// Short rays of one point for a batch of paths of one replicate, without continuations.
-std::uint64_t near_rays_per_point(std::uint64_t paths);
-
 // What a plane asks of the calculation, as far as it is known before.
 struct PlaneWorkload {
   std::size_t points = 0;
-  std::size_t seeing_points = 0;         // that indirect light may reach
-  double exact_direct_rays = 0.0;        // towards point openings: points times luminaires not dark
-  double sampled_direct_rays = 0.0;      // one round towards extended openings, all replicates
+  std::size_t seeing_points = 0;     // that indirect light may reach
+  double near_points = 0.0;          // of these, with a surface near enough for short rays
+  double exact_direct_rays = 0.0;    // towards point openings: points times luminaires not dark
+  double sampled_direct_rays = 0.0;  // one round towards extended openings, all replicates
 };
 
 struct SpaceWorkload {
   std::vector<PlaneWorkload> planes;
   std::size_t channels = 1;
   std::size_t triangles = 0;
-  double rays_per_path = 1.0;      // a closed space's; fewer where light escapes
+  double rays_per_path = 1.0;  // a closed space's; fewer where light escapes
   double vertices_per_path = 0.0;
-  bool is_convex = false;          // no shadow ray is traced
+  bool is_convex = false;  // no shadow ray is traced
 };
 
 struct Work {
@@ -43,8 +36,8 @@ struct Seconds {
 };
 struct Prediction {
   Work work;
-  Seconds seconds;    // of the clock, with `threads`
-  double bytes = 0;   // results, the largest pool, the scene
+  Seconds seconds;   // of the clock, with `threads`
+  double bytes = 0;  // results, the largest pool, the scene
 };
 
 // paths: of one replicate, per plane, what the last of its looks has in all; 0 for a plane without

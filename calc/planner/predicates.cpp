@@ -128,8 +128,8 @@ ReflectionView find_reflection_view(const PreparedScene& scene, const PointSet& 
         direction = points.normal[i];
         const bool is_affordable = corners.size() <= tests_left;
         if (is_affordable) tests_left -= corners.size();
-        farthest = is_affordable ? farthest_m(corners, direction)
-                                 : farthest_m(box_corner_m, direction);
+        farthest =
+            is_affordable ? farthest_m(corners, direction) : farthest_m(box_corner_m, direction);
       }
       const double height_m = glm::dot(direction, points.position_m[i]);
       view.sees_reflection[i] = farthest > height_m + offset_m ? 1 : 0;
@@ -158,9 +158,8 @@ std::vector<std::uint8_t> find_dark_luminaires(const PreparedScene& scene,
   std::vector<std::uint8_t> dark(scene.luminaires.size(), 0);
   for (std::size_t l = 0; l < dark.size(); ++l) {
     const PlacedLuminaire& luminaire = scene.luminaires[l];
-    const bool is_dark =
-        is_behind_all(luminaire, bounds, margin_m) ||
-        beam_misses(beams[l], luminaire, bounds.corner_m, {margin_m, margin_m});
+    const bool is_dark = is_behind_all(luminaire, bounds, margin_m) ||
+                         beam_misses(beams[l], luminaire, bounds.corner_m, {margin_m, margin_m});
     dark[l] = is_dark ? 1 : 0;
   }
   return dark;

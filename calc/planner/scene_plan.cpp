@@ -10,7 +10,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+#include <cstddef>
+#include <limits>
 
 namespace calc {
 namespace {
@@ -52,6 +53,48 @@ double opening_samples_per_point(const PreparedScene& scene, const PointSet& poi
     }
   }
   return samples / static_cast<double>(probes);
+}
+
+// Distance from a point to a box.
+double distance_m(const glm::dvec3& point_m, const glm::dvec3& low, const glm::dvec3& high) {
+  return glm::length(glm::max(glm::max(low - point_m, point_m - high), glm::dvec3(0.0)));
+}
+
+// Share of the points with a surface in front of them within the reach of the near field, a third
+// of the mean chord (near_field.cpp). Triangles count as their boxes; a few points stand for all.
+double near_share(const PreparedScene& scene, const PointSet& points) {
+  constexpr std::size_t kProbes = 64, kMostTests = 200'000;
+  const std::size_t count = points.position_m.size(), probes = std::min(kProbes, count);
+  if (probes * scene.triangle.size() > kMostTests) return 1.0;
+  std::vector<glm::dvec3> low, high;
+  glm::dvec3 all_low(std::numeric_limits<double>::max()), all_high = -all_low;
+  for (const glm::uvec3& t : scene.triangle) {
+    const glm::dvec3 a(scene.vertex_m[t.x]), b(scene.vertex_m[t.y]), c(scene.vertex_m[t.z]);
+    low.push_back(glm::min(a, glm::min(b, c)));
+    high.push_back(glm::max(a, glm::max(b, c)));
+    all_low = glm::min(all_low, low.back());
+    all_high = glm::max(all_high, high.back());
+  }
+  const glm::dvec3 size = glm::max(all_high - all_low, glm::dvec3(0.0));
+  const double half_surface_m2 = size.x * size.y + size.y * size.z + size.z * size.x;
+  const double chord_m =
+      half_surface_m2 > 0.0 ? 2.0 * size.x * size.y * size.z / half_surface_m2 : 0.0;
+  const double reach_m = (chord_m > 1.0e-6 * scene.extent_m ? chord_m : scene.extent_m) / 3.0;
+  const auto is_near = [&](std::size_t i) {
+    const glm::dvec3& p = points.position_m[i];
+    for (std::size_t t = 0; t < low.size(); ++t) {
+      if (distance_m(p, low[t], high[t]) >= reach_m) continue;
+      if (!points.has_back()) return true;
+      for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 corner(scene.vertex_m[scene.triangle[t][k]]);
+        if (glm::dot(points.normal[i], corner - p) > scene.ray_offset_m()) return true;
+      }
+    }
+    return false;
+  };
+  std::size_t near = 0;
+  for (std::size_t k = 0; k < probes; ++k) near += is_near((2 * k + 1) * count / (2 * probes));
+  return static_cast<double>(near) / static_cast<double>(probes);
 }
 
 class Planner {
@@ -180,6 +223,11 @@ class Planner {
     PlaneWorkload load;
     load.points = plan_.planes[p].points;
     load.seeing_points = plan_.planes[p].seeing_points;
+    if (load.seeing_points > 0) {
+      const bool is_skipped = allows(Skip::clear_distance);
+      load.near_points = static_cast<double>(load.seeing_points) *
+                         (is_skipped ? near_share(scene_, points_[p]) : 1.0);
+    }
     std::size_t point_openings = 0;
     for (std::size_t l = 0; l < dark.size(); ++l) {
       if (dark[l] == 0 && scene_.luminaires[l].opening.shape == OpeningShape::point) {
@@ -188,8 +236,8 @@ class Planner {
     }
     const auto points = static_cast<double>(load.points);
     load.exact_direct_rays = points * static_cast<double>(point_openings);
-    load.sampled_direct_rays = points * settings_.replicates *
-                               opening_samples_per_point(scene_, points_[p], dark);
+    load.sampled_direct_rays =
+        points * settings_.replicates * opening_samples_per_point(scene_, points_[p], dark);
     plan_.planes[p].is_exact = load.sampled_direct_rays == 0.0 && load.seeing_points == 0;
     plan_.workload.planes.push_back(load);
   }

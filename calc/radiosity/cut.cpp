@@ -42,14 +42,20 @@ bool faces_away(const ReceiverTile& tile, const VertexNode& node) {
          std::acos(0.0f) + spread + sphere + 1e-3f;
 }
 
-float error_of(const ReceiverTile& tile, const VertexNode& node) {
+float bound_of(const VertexNode& node, float smallest_bound_per_m2) {
+  return std::max(smallest_bound_per_m2, kBoundPerDensity * node.per_m2);
+}
+
+// How far the node's contribution may vary over its vertices: flux times the largest kernel, times
+// the share of it that position and normals leave open.
+float error_of(const ReceiverTile& tile, const VertexNode& node, float smallest_bound_per_m2) {
   if (node.child == 0) return 0.0f;
-  const float gap =
-      std::max(0.0f, glm::length(node.centre_m - tile.centre_m) - tile.radius_m) + tile.softening_m;
+  const float distance = glm::length(node.centre_m - tile.centre_m) + tile.softening_m;
+  const float gap = std::max(0.0f, distance - tile.radius_m - node.radius_m);
+  const float largest = std::min(1.0f / (gap * gap + 1e-12f), bound_of(node, smallest_bound_per_m2));
   const float r2 = node.radius_m * node.radius_m;
-  const float d2 = gap * gap + r2 + 1e-12f;
-  const float spread = 1.0f - node.cos_spread;
-  return node.flux_lm * (r2 / d2 + spread) / d2;
+  const float open = r2 / (gap * gap + r2 + 1e-12f) + (1.0f - node.cos_spread);
+  return node.flux_lm * largest * open;
 }
 
 }  // namespace
@@ -96,7 +102,7 @@ void Cut::build(const VertexTree& tree, const ReceiverTile& tile, std::size_t si
   heap.clear();
   const auto push = [&](std::uint32_t n) {
     if (is_hidden(nodes[n])) return;
-    heap.push_back({error_of(tile, nodes[n]), n});
+    heap.push_back({error_of(tile, nodes[n], smallest_bound_per_m2), n});
     std::push_heap(heap.begin(), heap.end());
   };
   for (const std::uint32_t root : tree.roots()) push(root);
@@ -118,7 +124,7 @@ void Cut::build(const VertexTree& tree, const ReceiverTile& tile, std::size_t si
     channel_.push_back(node.channel);
     flux_lm_.push_back(node.flux_lm);
     radius2_m2_.push_back(node.radius_m * node.radius_m);
-    bound_per_m2_.push_back(std::max(smallest_bound_per_m2, kBoundPerDensity * node.per_m2));
+    bound_per_m2_.push_back(bound_of(node, smallest_bound_per_m2));
     centre_x_.push_back(node.centre_m.x);
     centre_y_.push_back(node.centre_m.y);
     centre_z_.push_back(node.centre_m.z);

@@ -27,8 +27,6 @@ ReceiverTile tile_of(std::span<const Receiver> receivers);
 // Nodes that together hold every vertex that can light the tile, as arrays.
 class Cut {
  public:
-  static constexpr int kRepresentatives = 4;  // vertices that stand for a node when it is weighed
-
   // Opens the node with the largest expected error until there are about `size`. Nodes that are
   // wholly behind the receivers' common plane or face away are left out, exactly 0, if
   // leave_out_hidden.  [method 02, section 3; light cuts: Walter et al. 2005]

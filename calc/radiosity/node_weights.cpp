@@ -12,7 +12,7 @@
 namespace calc {
 namespace {
 
-constexpr float kFloor = 0.03f;  // share of the unoriented kernel that every node keeps
+constexpr float kFloor = 0.03f;  // share of the largest kernel that every node keeps
 
 inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
@@ -28,9 +28,11 @@ LUXGATE_WIDE void weigh_planar(const CutArrays& cut, const float p[3], const flo
   const float* __restrict__ bound = cut.bound_per_m2;
   for (std::size_t c = 0; c < nodes; ++c) {
     const float dx = cut.centre_x[c] - px, dy = cut.centre_y[c] - py, dz = cut.centre_z[c] - pz;
-    out[c] = 4.0f * kFloor * smaller(1.0f / (dx * dx + dy * dy + dz * dz + r2[c]), bound[c]);
+    const float distance = __builtin_sqrtf(dx * dx + dy * dy + dz * dz);
+    const float gap = larger(distance - __builtin_sqrtf(r2[c]), 0.0f);
+    out[c] = static_cast<float>(kRepresentatives) * kFloor * smaller(1.0f / (gap * gap + 1e-12f), bound[c]);
   }
-  for (std::size_t m = 0; m < 4; ++m) {
+  for (std::size_t m = 0; m < kRepresentatives; ++m) {
     const float* __restrict__ x = cut.x + m * nodes, * __restrict__ y = cut.y + m * nodes, * __restrict__ z = cut.z + m * nodes, * __restrict__ nx = cut.nx + m * nodes, * __restrict__ ny = cut.ny + m * nodes, * __restrict__ nz = cut.nz + m * nodes;
     for (std::size_t c = 0; c < nodes; ++c) {
       const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
@@ -50,9 +52,11 @@ LUXGATE_WIDE void weigh_round(const CutArrays& cut, const float p[3], float* __r
   const float* __restrict__ bound = cut.bound_per_m2;
   for (std::size_t c = 0; c < nodes; ++c) {
     const float dx = cut.centre_x[c] - px, dy = cut.centre_y[c] - py, dz = cut.centre_z[c] - pz;
-    out[c] = 4.0f * kFloor * smaller(1.0f / (dx * dx + dy * dy + dz * dz + r2[c]), bound[c]);
+    const float distance = __builtin_sqrtf(dx * dx + dy * dy + dz * dz);
+    const float gap = larger(distance - __builtin_sqrtf(r2[c]), 0.0f);
+    out[c] = static_cast<float>(kRepresentatives) * kFloor * smaller(1.0f / (gap * gap + 1e-12f), bound[c]);
   }
-  for (std::size_t m = 0; m < 4; ++m) {
+  for (std::size_t m = 0; m < kRepresentatives; ++m) {
     for (std::size_t c = 0; c < nodes; ++c) {
       const std::size_t k = m * nodes + c;
       const float dx = cut.x[k] - px, dy = cut.y[k] - py, dz = cut.z[k] - pz;

@@ -5,7 +5,10 @@
 
 namespace calc {
 
-// Arrays of a cut with `nodes` entries, positions of representatives [4 * nodes].
+// Vertices that stand for a group when it is weighed.
+inline constexpr std::size_t kRepresentatives = 1;
+
+// Arrays of a cut with `nodes` entries, of representatives [representative * nodes + node].
 struct CutArrays {
   std::size_t nodes;
   const float *flux_lm, *radius2_m2, *bound_per_m2, *centre_x, *centre_y, *centre_z;

@@ -355,7 +355,8 @@ void PlaneWork::finish_look(std::uint64_t batch_paths) {
       std::accumulate(replicate_near_rays_.begin(), replicate_near_rays_.end(), std::uint64_t{0});
 }
 
-void PlaneWork::publish() {
+void PlaneWork::publish(int looks_planned) {
+  field_.looks_planned = looks_planned;
   field_.counters.active_points.push_back(
       static_cast<std::size_t>(std::count(active_.begin(), active_.end(), 1)));
   const std::size_t rows = field_.replicates * channels();

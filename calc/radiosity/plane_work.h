@@ -69,8 +69,8 @@ class PlaneWork {
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
   // All replicates of a look are in, with batch_paths new paths each.
   void finish_look(std::uint64_t batch_paths);
-  // Turns the sums so far into field().
-  void publish();
+  // Turns the sums so far into field(). looks_planned: see PlaneField.
+  void publish(int looks_planned);
 
  private:
   struct Tile {

@@ -126,7 +126,7 @@ class Solver {
       for (std::size_t p = 0; p < planes_.size(); ++p) {
         PlaneWork& plane = planes_[p];
         if (!plane.is_active()) continue;
-        plane.publish();
+        plane.publish(look_number.planned);
         LookAnswer answer = test_(p, plane.field(), look_number);
         if (answer.finished) {
           plane.finish(*answer.finished);

@@ -6,9 +6,10 @@
 #include "calc/scene/sensor_grid.h"
 #include "report/build.h"
 #include "report/cli/interrupt.h"
-#include "rules/accuracy.h"
+#include "report/cli/plan.h"
 #include "rules/bind.h"
 #include "rules/judge.h"
+#include "rules/stop_rule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -107,14 +108,12 @@ calc::RadiositySettings remaining_settings(const Options& options, const Stopwat
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
                           const Tasks& tasks, const CheckContext& context, const Stopwatch& watch) {
   const Options& options = context.options;
+  const rules::StopRule rule{options.goal, options.tolerance, options.confidence};
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
     const PlaneJob& job = *tasks.job[task];
-    calc::LookAnswer answer;
-    if (rules::is_accurate(job.requirements, *job.grid, field, project.scenes, options.tolerance,
-                           options.confidence)) {
-      answer.finished = calc::StopReason::accurate;
-    }
-    return answer;
+    rules::StopAnswer answer =
+        rules::stop_or_go_on(rule, job.requirements, *job.grid, field, project.scenes);
+    return calc::LookAnswer{answer.finished, std::move(answer.active)};
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
     context.progress.update(solve_progress);
@@ -176,6 +175,10 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
 
   calc::SpaceSolution solution;
   if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch);
+  if (context.cost_log != nullptr && !tasks.list.empty()) {
+    *context.cost_log += explain_cost(loaded.project.path, space.id, scene, tasks.list,
+                                      context.options.radiosity, solution);
+  }
   add_times(solution, times);
   take_problems(jobs, solution.fields, diagnostics);
   warn_about_lost_light(space, solution.balance, diagnostics);

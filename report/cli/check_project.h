@@ -20,6 +20,7 @@ struct CheckContext {
   const std::vector<rules::RulePack>& packs;
   calc::Gatherer& gatherer;
   Progress& progress;
+  std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
 };
 
 // Calculates and judges. Input errors end up in the part's diagnostics and leave it not judged; a

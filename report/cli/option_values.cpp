@@ -108,6 +108,25 @@ ValueParser format_item(std::vector<OutputFormat>& target) {
   };
 }
 
+ValueParser forbidden_skip(calc::SkipSet& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text == "all") {
+      target.forbid_all();
+      return "";
+    }
+    if (const std::optional<calc::Skip> skip = calc::find_skip(text)) {
+      target.forbid(*skip);
+      return "";
+    }
+    std::vector<std::string_view> names;
+    for (std::size_t s = 0; s < calc::kSkips; ++s) {
+      names.push_back(calc::skip_name(static_cast<calc::Skip>(s)));
+    }
+    names.push_back("all");
+    return one_of_message(text, names);
+  };
+}
+
 ValueParser moment(std::string& target) {
   return [&target](const std::string& text) -> std::string {
     const std::optional<std::uint64_t> epoch_s =

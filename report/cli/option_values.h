@@ -30,6 +30,8 @@ ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t
 ValueParser seconds(double& target);
 // "csv" or "csv=FILE", appended.
 ValueParser format_item(std::vector<OutputFormat>& target);
+// A name of calc::skip_name(), or "all"; forbidden besides those that are already.
+ValueParser forbidden_skip(calc::SkipSet& target);
 // "now" or seconds since 1970; the target becomes "2024-05-01T12:00:00Z".
 ValueParser moment(std::string& target);
 

@@ -27,6 +27,10 @@ constexpr const char* kExitCodes =
     "  130  interrupted; nothing was written\n"
     "The worst of all projects counts; worst first: 2, 1, 3, 0.";
 
+const std::vector<std::pair<std::string_view, calc::Method>> kMethods = {
+    {"light-pool", calc::Method::light_pool},
+    {"instant-radiosity", calc::Method::instant_radiosity}};
+
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value_name,
                        const std::string& help, ValueParser parser) {
   const auto apply = [name, parser = std::move(parser)](const std::vector<std::string>& texts) {
@@ -38,7 +42,8 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string
   };
   return app.add_option_function<std::vector<std::string>>(name, apply, help)
       ->type_name(value_name)
-      ->expected(1);
+      ->expected(1)
+      ->allow_extra_args(false);  // a project may follow
 }
 
 void allow_repeats(CLI::Option* option) {
@@ -72,6 +77,8 @@ void add_output(CLI::App& app, Options& options) {
       moment(options.timestamp));
   app.add_flag("--timing", options.timing,
                "Print times and counts of rays to standard error and put them into reports");
+  app.add_flag("--explain-cost", options.explain_cost,
+               "Print predicted beside true work to standard error: see 'luxgate plan'");
   add_value(
       app, "--color", "WHEN",
       "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
@@ -80,27 +87,48 @@ void add_output(CLI::App& app, Options& options) {
                                           {"never", ColorChoice::never}}));
 }
 
-void add_calculation(CLI::App& app, Options& options) {
+// What the amount of work depends on: for the calculation and for its plan.
+void add_work(CLI::App& app, Options& options) {
   constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
   calc::RadiositySettings& settings = options.radiosity;
-  add_value(app, "--tolerance", "SHARE",
-            "Relative half-width of the intervals to aim at, as 0.02 or 2%; default 0.02",
-            share_between(options.tolerance, 0.0, 1.0));
-  add_value(app, "--confidence", "SHARE", "Level of the intervals, as 0.95 or 95%; default 0.95",
-            share_between(options.confidence, 0.5, 1.0));
-  add_value(app, "--seed", "N", "Seed of the random numbers; default 1",
-            whole_number(settings.seed, 0, UINT64_MAX));
   add_value(app, "--replicates", "N",
             "Independent repetitions behind each interval, 4 to 64; default 16",
             whole_number(settings.replicates, 4, 64));
   add_value(app, "--max-paths", "N",
             "At most so many light paths per replicate and plane, a power of two; default 65536",
             power_of_two(settings.max_paths, 1, kMostPaths));
+  add_value(app, "--jobs", "N", "Threads; default one per core. Never changes a result",
+            whole_number(settings.jobs, 1, 1024));
+  add_value(app, "--method", "NAME",
+            "light-pool, or instant-radiosity for comparison: every point is connected to every\n"
+            "light vertex; default light-pool",
+            choice<calc::Method>(settings.method, kMethods));
+  allow_repeats(add_value(app, "--no-skip", "NAME",
+                          "Leave nothing out for this reason, or any ('all'); may be repeated.\n"
+                          "Other random numbers may then be drawn. 'luxgate plan' lists the names",
+                          forbidden_skip(settings.skips)));
+}
+
+void add_calculation(CLI::App& app, Options& options) {
+  calc::RadiositySettings& settings = options.radiosity;
+  add_value(app, "--goal", "NAME",
+            "verdict: a plane is done once each of its requirements passes or fails;\n"
+            "accuracy: once every judged value is known to --tolerance; default verdict",
+            choice<rules::Goal>(options.goal, {{"verdict", rules::Goal::verdict},
+                                               {"accuracy", rules::Goal::accuracy}}));
+  add_value(app, "--tolerance", "SHARE",
+            "Relative half-width of the intervals to aim at, as 0.02 or 2%, with --goal accuracy\n"
+            "and for planes without requirements; default 0.02",
+            share_between(options.tolerance, 0.0, 1.0));
+  add_value(app, "--confidence", "SHARE",
+            "Level of the intervals, as 0.95 or 95%, over all times that a plane is looked at;\n"
+            "default 0.95",
+            share_between(options.confidence, 0.5, 1.0));
+  add_value(app, "--seed", "N", "Seed of the random numbers; default 1",
+            whole_number(settings.seed, 0, UINT64_MAX));
   add_value(app, "--time-limit", "SECONDS",
             "Stop refining a project after this time; results then depend on the machine's speed",
             seconds(settings.time_limit_s));
-  add_value(app, "--jobs", "N", "Threads; default one per core. Never changes a result",
-            whole_number(settings.jobs, 1, 1024));
   add_value(app, "--backend", "NAME", "cpu or gpu; default cpu",
             choice<Backend>(options.backend, {{"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
 }
@@ -164,6 +192,18 @@ std::string shell_quoted(const std::string& text) {
   return quoted + "'";
 }
 
+std::string no_skip_options(const calc::SkipSet& skips) {
+  calc::SkipSet none;
+  none.forbid_all();
+  if (skips == none) return " --no-skip all";
+  std::string text;
+  for (std::size_t s = 0; s < calc::kSkips; ++s) {
+    const auto skip = static_cast<calc::Skip>(s);
+    if (!skips.allows(skip)) text += fmt::format(" --no-skip {}", calc::skip_name(skip));
+  }
+  return text;
+}
+
 }  // namespace
 
 ParseResult parse_options(int argc, const char* const* argv, const std::string& source_date_epoch) {
@@ -177,12 +217,20 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   add_projects(check, options);
   add_output(check, options);
   add_calculation(check, options);
+  add_work(check, options);
   check.footer(kExitCodes);
+  CLI::App& plan = *app.add_subcommand(
+      "plan", "Say what 'check' would do, leave out and cost, without calculating");
+  add_projects(plan, options);
+  add_work(plan, options);
+  add_value(plan, "--format", "KIND", "text or json; default text",
+            choice<bool>(options.plan_as_json, {{"text", false}, {"json", true}}));
+  plan.footer("Exit codes: 0 no error, 2 at least one error.");
   CLI::App& validate =
       *app.add_subcommand("validate", "Check projects for errors without calculating");
   add_projects(validate, options);
   validate.footer("Exit codes: 0 no error, 2 at least one error.");
-  for (CLI::App* command : {&check, &validate}) {
+  for (CLI::App* command : {&check, &plan, &validate}) {
     command->add_flag("-q,--quiet", options.quiet,
                       "Print errors and what --format asks for, nothing else");
   }
@@ -201,6 +249,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
     return from_cli11(app, error);
   }
 
+  if (plan.parsed()) options.command = Command::plan;
   if (validate.parsed()) options.command = Command::validate;
   if (schema.parsed()) options.command = Command::schema;
   if (init.parsed()) options.command = Command::init;
@@ -234,11 +283,20 @@ std::string reproducible_command(const Options& options) {
   };
   const calc::RadiositySettings& used = options.radiosity;
   add("--seed", used.seed, defaults.radiosity.seed);
+  if (options.goal != defaults.goal) {
+    command += fmt::format(" --goal {}", rules::goal_name(options.goal));
+  }
   add("--tolerance", options.tolerance, defaults.tolerance);
   add("--confidence", options.confidence, defaults.confidence);
   add("--replicates", used.replicates, defaults.radiosity.replicates);
   add("--max-paths", used.max_paths, defaults.radiosity.max_paths);
   add("--time-limit", used.time_limit_s, defaults.radiosity.time_limit_s);
+  for (const auto& [name, method] : kMethods) {
+    if (used.method == method && method != defaults.radiosity.method) {
+      command += fmt::format(" --method {}", name);
+    }
+  }
+  command += no_skip_options(used.skips);
   if (options.backend == Backend::gpu) command += " --backend gpu";
   return command;
 }

@@ -2,6 +2,7 @@
 // The command line as a value. options.cpp is the only file that includes CLI11.
 
 #include "calc/radiosity/settings.h"
+#include "rules/goal.h"
 
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace cli {
 
-enum class Command { check, validate, schema, init, version };
+enum class Command { check, plan, validate, schema, init, version };
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
 enum class Backend { cpu, gpu };
@@ -30,14 +31,17 @@ struct Options {
   bool images = false;
   std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
   bool timing = false;
+  bool explain_cost = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
 
-  double tolerance = 0.02;   // relative half-width aimed at, in (0, 1)
+  rules::Goal goal = rules::Goal::verdict;
+  double tolerance = 0.02;   // relative half-width aimed at where nothing is decided, in (0, 1)
   double confidence = 0.95;  // in (0.5, 1)
   calc::RadiositySettings radiosity;
   Backend backend = Backend::cpu;
 
+  bool plan_as_json = false;
   std::string init_folder = ".";
   bool version_as_json = false;
 };

@@ -6,6 +6,7 @@
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/outputs.h"
+#include "report/cli/plan.h"
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
@@ -83,6 +84,7 @@ report::Provenance provenance_of(const Options& options, const calc::Gatherer& g
   provenance.timestamp = options.timestamp;
   provenance.seed = options.radiosity.seed;
   provenance.confidence = options.confidence;
+  provenance.goal = options.goal;
   provenance.tolerance = options.tolerance;
   provenance.max_paths = options.radiosity.max_paths;
   provenance.replicates = options.radiosity.replicates;
@@ -166,7 +168,9 @@ ExitCode run_check(const Options& options, const Environment& environment) {
 
   watch_for_interrupt();
   Progress progress(environment.stderr_is_terminal && !options.quiet);
-  const CheckContext context{options, files, *packs, *gatherer, progress};
+  std::string cost_log;
+  const CheckContext context{options,   files,    *packs,
+                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr};
   report::Document document;
   document.provenance = provenance_of(options, *gatherer);
   for (const std::string& path : options.projects) {
@@ -181,7 +185,25 @@ ExitCode run_check(const Options& options, const Environment& environment) {
     if (options.timing && document.projects.back().is_judged)
       print_timing(document.projects.back());
   }
+  fmt::print(stderr, "{}", cost_log);
   return write_results(options, environment, document, files.paths());
+}
+
+ExitCode run_plan(const Options& options) {
+  const calc::DiskFileReader files;
+  const std::optional<std::vector<rules::RulePack>> packs =
+      load_rule_packs(options.rule_files, files);
+  if (!packs) return kNotJudged;
+  ExitCode code = kAllMet;
+  std::vector<ProjectPlan> plans;
+  for (const std::string& path : options.projects) {
+    plans.push_back(plan_project(path, files, *packs, options.radiosity));
+    print_diagnostics(plans.back().diagnostics, options.quiet);
+    if (!plans.back().is_planned) code = kNotJudged;
+  }
+  const std::string text = options.plan_as_json ? render_plan_json(plans, options.radiosity)
+                                                : render_plan_text(plans, options.radiosity);
+  return print_result(text) ? code : kNotJudged;
 }
 
 ExitCode run_validate(const Options& options) {
@@ -219,6 +241,8 @@ ExitCode run(const Options& options, const Environment& environment) {
   switch (options.command) {
     case Command::check:
       return run_check(options, environment);
+    case Command::plan:
+      return run_plan(options);
     case Command::validate:
       return run_validate(options);
     case Command::schema:

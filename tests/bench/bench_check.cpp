@@ -13,8 +13,8 @@
 #include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/bind.h"
-#include "rules/stop_rule.h"
 #include "rules/builtin_packs.h"
+#include "rules/stop_rule.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -118,9 +118,8 @@ int main(int argc, char** argv) {
         scene, tasks, {}, 0.95, *gatherer,
         [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
           const auto own = rules::requirements_of_plane(requirements, tasks[task].plane_id);
-          rules::StopAnswer answer =
-              rules::stop_or_go_on({rules::Goal::accuracy, tolerance, 0.95}, own, grids[task],
-                                   field, project->scenes);
+          rules::StopAnswer answer = rules::stop_or_go_on({rules::Goal::accuracy, tolerance, 0.95},
+                                                          own, grids[task], field, project->scenes);
           return calc::LookAnswer{answer.finished, std::move(answer.active)};
         },
         {});

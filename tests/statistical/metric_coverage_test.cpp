@@ -3,13 +3,11 @@
 // result does not change from run to run.
 
 #include "rules/metrics.h"
+#include "tests/support/normal_numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -22,24 +20,6 @@ constexpr std::size_t kReplicates = 16;
 constexpr int kExperiments = 4000;
 constexpr double kConfidence = 0.95;
 constexpr double kPercent = 20.0;  // rank 6 of 30, the last of the near-tie
-
-// std::normal_distribution differs between libraries; Box and Muller's transform does not.
-class NormalNumbers {
- public:
-  explicit NormalNumbers(std::uint64_t seed) : generator_(seed) {}
-
-  double next() {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * M_PI * uniform());
-  }
-
- private:
-  double uniform() {  // in (0, 1]
-    return (static_cast<double>(generator_() >> 11) + 1.0) * 0x1p-53;
-  }
-
-  std::mt19937_64 generator_;
-};
 
 // A plane with six points in a near-tie at the minimum, within a fraction of their noise.
 std::vector<double> true_values_lx(std::size_t points) {

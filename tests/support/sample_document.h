@@ -141,7 +141,8 @@ inline void measure(PlanePart& plane) {
   plane.uniformity_min_max = estimate(low / high, 0.012 * low / high);
   plane.is_computed = true;
   plane.stop = calc::StopReason::accurate;
-  plane.counters = {4194304, 86400, 1572864, 262144};
+  plane.looks_planned = 9;
+  plane.counters = {4194304, 86400, 1572864, 262144, {plane.points.size(), 12, 2}};
 }
 
 inline glm::dvec3 lowest_place(const PlanePart& plane) {

@@ -1,7 +1,7 @@
 # Allowed directions between folders, read from the #include lines.
 #   cmake -DROOT=<source folder> -P check_layering.cmake
 # calc -> calc, rules -> calc, gpu -> calc, report -> rules and calc, report/cli -> everything. Inside calc the
-# model (scene, photometry, top level) must not know radiosity. Single libraries belong to single files.
+# model (scene, photometry, top level) must not know radiosity or planner. Single libraries belong to single files.
 cmake_minimum_required(VERSION 3.25)
 
 set(allowed_calc calc)
@@ -40,10 +40,15 @@ function(check_file root file)
     if(layer STREQUAL "report" AND target STREQUAL "report" AND rest MATCHES "^cli/")
       message(SEND_ERROR "${name}: report must not include report/cli")
     endif()
-    if(target STREQUAL "calc" AND rest MATCHES "^radiosity/")
+    if(target STREQUAL "calc" AND rest MATCHES "^(radiosity|planner)/")
       if(layer MATCHES "^(rules|report)$" OR
-         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/radiosity/"))
+         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(radiosity|planner)/"))
         message(SEND_ERROR "${name}: must not include calc/radiosity: a verdict traces no ray")
+      endif()
+      # The proofs stand below the solver, which calls them; only the plan knows the solver.
+      if(name MATCHES "^calc/planner/" AND rest MATCHES "^radiosity/" AND
+         NOT name MATCHES "^calc/planner/(scene_plan|cost_model)\\.")
+        message(SEND_ERROR "${name}: a proof must not include calc/${rest}")
       endif()
     endif()
   endforeach()

@@ -60,6 +60,30 @@ TEST(BuildPlane, ExactFieldsHaveNoInterval) {
   EXPECT_EQ(part.minimum_lx.half_width(), 0.0);
 }
 
+// Half of the risk for each of two looks: t with one degree of freedom at 1 - 0.05 / 4.
+TEST(BuildPlane, IntervalsHaveTheLevelOfOneLook) {
+  calc::PlaneField field = two_channel_field();
+  const auto reach_above_lx = [&field] {  // below, intervals end at 0 lx
+    const calc::Estimate average =
+        report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95).average_lx;
+    return average.high - average.value;
+  };
+  const double one_look_lx = reach_above_lx();
+  field.looks_planned = 2;
+  EXPECT_NEAR(reach_above_lx() / one_look_lx, 25.4517 / 12.7062, 1e-4);
+  EXPECT_EQ(report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95).looks_planned, 2);
+}
+
+TEST(BuildPlane, CountsPointsThatCannotBeTrusted) {
+  calc::PlaneField field = two_channel_field();
+  field.unseen = {0, 1};
+  field.largest_share = {0.1F, 0.5F};
+  const report::PlanePart part =
+      report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95);
+  EXPECT_EQ(part.unseen_points, 1u);
+  EXPECT_EQ(part.single_sample_points, 1u);
+}
+
 TEST(BuildPlane, OutlineIsMovedToTheOriginOfTheGrid) {
   calc::CalcPlane plane;
   calc::PlanarArea area;

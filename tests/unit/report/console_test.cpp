@@ -57,6 +57,15 @@ TEST(Console, ReasonOfAnUncomputedPlaneWithoutRequirementIsShown) {
   EXPECT_THAT(render_text(document), HasSubstr("└ no point is left\n"));
 }
 
+TEST(Console, PointsThatCannotBeTrustedAreTold) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].unseen_points = 1;
+  document.projects[0].spaces[0].planes[0].single_sample_points = 2;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ 1 of 2 points got no sample of the light that may reach them; 2 of 2 "
+                        "points rest on single samples: their intervals cannot be trusted\n"));
+}
+
 TEST(Console, ColoursOnlyOnRequest) {
   EXPECT_THAT(render_text(sample_document()), Not(HasSubstr("\033")));
   EXPECT_THAT(render_text(sample_document(), {true, 0}), HasSubstr("\033[1;31m✗ FAIL"));

@@ -26,11 +26,27 @@ TEST(Document, SummaryTellsProjectsFromRequirements) {
   EXPECT_EQ(summary_words({}), "0 requirements");
 }
 
+Document with_verdicts(const std::vector<rules::Verdict>& verdicts) {
+  Document document = small_document();
+  std::vector<rules::Finding>& findings = document.projects[0].spaces[0].planes[0].findings;
+  findings.clear();
+  for (const rules::Verdict verdict : verdicts) findings.emplace_back().verdict = verdict;
+  return document;
+}
+
+// The order of the exit codes: 2 before 1 before 3 before 0.
 TEST(Document, OverallVerdictIsTheGravest) {
-  EXPECT_EQ(overall_verdict({5, 1, 1, 1}), rules::Verdict::fail);
-  EXPECT_EQ(overall_verdict({5, 0, 1, 1}), rules::Verdict::not_judged);
-  EXPECT_EQ(overall_verdict({5, 0, 1, 0}), rules::Verdict::undecided);
-  EXPECT_EQ(overall_verdict({5, 0, 0, 0}), rules::Verdict::pass);
+  using enum rules::Verdict;
+  EXPECT_EQ(overall_verdict(with_verdicts({pass, fail, not_judged, undecided})), not_judged);
+  EXPECT_EQ(overall_verdict(with_verdicts({pass, undecided, fail})), fail);
+  EXPECT_EQ(overall_verdict(with_verdicts({pass, undecided})), undecided);
+  EXPECT_EQ(overall_verdict(with_verdicts({pass})), pass);
+}
+
+TEST(Document, OverallVerdictCountsAPlaneWithoutResult) {
+  Document document = with_verdicts({rules::Verdict::pass});
+  document.projects[0].spaces[0].planes.emplace_back().is_computed = false;
+  EXPECT_EQ(overall_verdict(document), rules::Verdict::not_judged);
 }
 
 TEST(Document, NothingJudgedDoesNotPass) {

@@ -69,7 +69,7 @@ TEST(Html, NoFieldEscapesItsPlace) {
   const std::string evil = "\"'><img onerror=x>]]>&\x01\xFF";
   Document document = sample_document();
   ProjectPart& project = document.projects[0];
-  document.provenance = {evil, evil, evil, 0, 0.95, 0.02, 0, 0, evil};
+  document.provenance = {evil, evil, evil, 0, 0.95, rules::Goal::verdict, 0.02, 0, 0, evil};
   project.path = project.name = evil;
   for (SpacePart& space : project.spaces) {
     space.id = space.name = evil;
@@ -119,9 +119,36 @@ TEST(Html, TablesAndPicturesAreAccessible) {
 TEST(Html, VerdictComesFirstInWords) {
   const pugi::xml_document tree = parsed(render_html(sample_document()));
   const pugi::xml_node banner = tree.select_node("//header//*[contains(@class, 'banner')]").node();
-  EXPECT_THAT(text_of(banner), HasSubstr("Not all requirements are met"));
+  EXPECT_THAT(text_of(banner),
+              HasSubstr("Not everything could be judged, and not all requirements are met"));
   EXPECT_THAT(text_of(banner),
               HasSubstr("6 requirements: 2 pass, 2 fail, 1 undecided, 1 not judged"));
+}
+
+TEST(Html, HeadlineAgreesWithTheExitCode) {
+  Document document = small_document();  // one requirement fails: exit code 1
+  EXPECT_THAT(render_html(document), HasSubstr(">Not all requirements are met<"));
+  document.projects[0].spaces[0].planes.emplace_back().is_computed = false;  // exit code 2
+  EXPECT_THAT(render_html(document),
+              HasSubstr(">Not everything could be judged, and not all requirements are met<"));
+  document.projects[0].spaces[0].planes[0].findings.pop_back();
+  EXPECT_THAT(render_html(document), HasSubstr(">Not everything could be judged<"));
+}
+
+TEST(Html, SaysWhatTheIntervalsMean) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].looks_planned = 9;
+  document.projects[0].spaces[0].planes[0].counters.active_points = {2, 2, 1};
+  const std::string html = render_html(document);
+  EXPECT_THAT(html, HasSubstr("95 %, over all planned looks of a plane"));
+  EXPECT_THAT(html, HasSubstr("3 of 9 planned"));
+}
+
+TEST(Html, PointsThatCannotBeTrustedAreTold) {
+  Document document = small_document();
+  EXPECT_THAT(render_html(document), Not(HasSubstr("single samples")));
+  document.projects[0].spaces[0].planes[0].single_sample_points = 1;
+  EXPECT_THAT(render_html(document), HasSubstr("1 of 2 points rest on single samples"));
 }
 
 TEST(Html, FailuresComeBeforeWhatIsUndecided) {

@@ -43,6 +43,23 @@ TEST(Json, HoldsEveryPoint) {
   EXPECT_EQ(plane["points"]["rows"][7][8], points[7].maintained_lx.value);
 }
 
+TEST(Json, HoldsTheGoalTheLooksAndTheDoubts) {
+  Document document = small_document();
+  document.provenance.goal = rules::Goal::accuracy;
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.looks_planned = 9;
+  plane.counters.active_points = {2, 2, 1};
+  plane.unseen_points = 1;
+  plane.single_sample_points = 2;
+  const json result = json::parse(render_json(document));
+  EXPECT_EQ(result["provenance"]["goal"], "accuracy");
+  const json& found = result["projects"][0]["spaces"][0]["planes"][0];
+  EXPECT_EQ(found["looks"], 3);
+  EXPECT_EQ(found["looks_planned"], 9);
+  EXPECT_EQ(found["unseen_points"], 1);
+  EXPECT_EQ(found["single_sample_points"], 2);
+}
+
 TEST(Json, WhatWasNotJudgedHasNoNumbers) {
   const json result = json::parse(render_json(sample_document()));
   const json& finding = result["projects"][0]["spaces"][1]["planes"][2]["findings"][0];

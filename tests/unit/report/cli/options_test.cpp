@@ -38,6 +38,7 @@ TEST(Options, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.command, cli::Command::check);
   EXPECT_THAT(options.projects, ::testing::ElementsAre("a.xml", "b/c.xml"));
   EXPECT_TRUE(options.formats.empty());
+  EXPECT_EQ(options.goal, rules::Goal::verdict);
   EXPECT_DOUBLE_EQ(options.tolerance, 0.02);
   EXPECT_DOUBLE_EQ(options.confidence, 0.95);
   EXPECT_EQ(options.radiosity.seed, 1u);
@@ -49,9 +50,10 @@ TEST(Options, HasTheDocumentedDefaults) {
 
 TEST(Options, ReadsEveryCalculationSetting) {
   const cli::Options options =
-      parsed({"check", "a.xml", "--tolerance", "5%", "--confidence=0.99", "--seed",
-              "18446744073709551615", "--replicates", "32", "--max-paths", "1024", "--time-limit",
-              "2.5", "--jobs", "3", "--backend", "gpu"});
+      parsed({"check", "a.xml", "--goal", "accuracy", "--tolerance", "5%", "--confidence=0.99",
+              "--seed", "18446744073709551615", "--replicates", "32", "--max-paths", "1024",
+              "--time-limit", "2.5", "--jobs", "3", "--backend", "gpu"});
+  EXPECT_EQ(options.goal, rules::Goal::accuracy);
   EXPECT_DOUBLE_EQ(options.tolerance, 0.05);
   EXPECT_DOUBLE_EQ(options.confidence, 0.99);
   EXPECT_EQ(options.radiosity.seed, 18446744073709551615u);
@@ -94,7 +96,7 @@ TEST(Options, RefusesNumbersThatCannotBeMeant) {
 }
 
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
-  expect_usage_error({}, "no command: check, validate,");
+  expect_usage_error({}, "no command: check, plan, validate,");
   expect_usage_error({"check"}, "projects");
   expect_usage_error({"chek", "a.xml"}, "did you mean 'check'?");
   expect_usage_error({"check", "a.xml", "--frmat", "csv"}, "--frmat");
@@ -104,6 +106,7 @@ TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
 TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
   expect_usage_error({"check", "a.xml", "--format", "jsn"}, "did you mean 'json'?");
   expect_usage_error({"check", "a.xml", "--backend", "cuda"}, "cpu or gpu");
+  expect_usage_error({"check", "a.xml", "--goal", "accurcy"}, "did you mean 'accuracy'?");
   expect_usage_error({"check", "a.xml", "--color", "blue"}, "auto, always or never");
 }
 
@@ -117,6 +120,61 @@ TEST(Options, RefusesAProjectGivenTwice) {
 
 TEST(Options, ImagesNeedAFolder) { expect_usage_error({"check", "a.xml", "--images"}, "--output"); }
 
+TEST(Options, AProjectMayFollowAnyOption) {
+  for (const std::vector<const char*>& option : {std::vector<const char*>{"--seed", "3"},
+                                                 {"--tolerance", "5%"},
+                                                 {"--goal", "accuracy"},
+                                                 {"--jobs", "2"},
+                                                 {"--method", "light-pool"},
+                                                 {"--no-skip", "all"}}) {
+    const std::vector<const char*> argv = {"luxgate", "check",   "a.xml",
+                                           option[0], option[1], "b.xml"};
+    const cli::ParseResult result = cli::parse_options(6, argv.data(), "");
+    ASSERT_TRUE(result.options.has_value()) << result.err;
+    EXPECT_THAT(result.options->projects, ::testing::ElementsAre("a.xml", "b.xml")) << option[0];
+  }
+}
+
+TEST(Options, PlanTakesWhatTheWorkDependsOn) {
+  const cli::Options options = parsed({"plan", "a.xml", "--jobs", "2", "--max-paths", "2048",
+                                       "--no-skip", "convex", "--format", "json", "b.xml"});
+  EXPECT_EQ(options.command, cli::Command::plan);
+  EXPECT_THAT(options.projects, ::testing::ElementsAre("a.xml", "b.xml"));
+  EXPECT_EQ(options.radiosity.max_paths, 2048u);
+  EXPECT_TRUE(options.plan_as_json);
+  EXPECT_FALSE(parsed({"plan", "a.xml"}).plan_as_json);
+  expect_usage_error({"plan", "a.xml", "--format", "html"}, "text or json is needed");
+}
+
+TEST(Options, NoSkipForbidsOneOrAllAndNamesTheChoices) {
+  EXPECT_EQ(parsed({"check", "a.xml"}).radiosity.skips, calc::SkipSet());
+  const cli::Options options =
+      parsed({"check", "a.xml", "--no-skip", "convex", "--no-skip", "dark-pairs", "b.xml"});
+  calc::SkipSet expected;
+  expected.forbid(calc::Skip::convex);
+  expected.forbid(calc::Skip::dark_pairs);
+  EXPECT_EQ(options.radiosity.skips, expected);
+  EXPECT_EQ(cli::reproducible_command(options),
+            "luxgate check a.xml b.xml --no-skip dark-pairs --no-skip convex");
+  const cli::Options none = parsed({"check", "a.xml", "--no-skip", "all"});
+  expected.forbid_all();
+  EXPECT_EQ(none.radiosity.skips, expected);
+  EXPECT_EQ(cli::reproducible_command(none), "luxgate check a.xml --no-skip all");
+  expect_usage_error({"check", "a.xml", "--no-skip", "convx"},
+                     "no-reflection, behind-plane, unlit-surfaces, dark-pairs, convex, "
+                     "hidden-nodes, clear-distance, decided-points or all is needed; did you mean "
+                     "'convex'?");
+}
+
+TEST(Options, TheMethodIsPartOfTheReproducibleCommand) {
+  EXPECT_EQ(parsed({"check", "a.xml"}).radiosity.method, calc::Method::light_pool);
+  const cli::Options options = parsed({"check", "a.xml", "--method", "instant-radiosity"});
+  EXPECT_EQ(options.radiosity.method, calc::Method::instant_radiosity);
+  EXPECT_EQ(cli::reproducible_command(options), "luxgate check a.xml --method instant-radiosity");
+  expect_usage_error({"check", "a.xml", "--method", "radiance"},
+                     "light-pool or instant-radiosity is needed");
+}
+
 TEST(Options, HelpIsNoErrorAndNamesTheExitCodes) {
   const cli::ParseResult result = parse({"check", "--help"});
   EXPECT_FALSE(result.options.has_value());
@@ -124,6 +182,7 @@ TEST(Options, HelpIsNoErrorAndNamesTheExitCodes) {
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, HasSubstr("undecided"));
   EXPECT_THAT(result.out, HasSubstr("--tolerance SHARE"));
+  EXPECT_THAT(result.out, HasSubstr("--goal NAME"));
 }
 
 TEST(Options, TakesTheDateFromTheEnvironmentUnlessGiven) {
@@ -140,6 +199,10 @@ TEST(Options, ReproducibleCommandHoldsWhatChangesResultsOnly) {
   EXPECT_EQ(cli::reproducible_command(options),
             "luxgate check 'it'\\''s mine.xml' --seed 7 --tolerance 0.01");
   EXPECT_EQ(cli::reproducible_command(parsed({"check", "a.xml"})), "luxgate check a.xml");
+  EXPECT_EQ(cli::reproducible_command(parsed({"check", "a.xml", "--goal", "accuracy"})),
+            "luxgate check a.xml --goal accuracy");
+  EXPECT_EQ(cli::reproducible_command(parsed({"check", "a.xml", "--goal", "verdict"})),
+            "luxgate check a.xml");
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#include "report/cli/plan.h"
+
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project_xml.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/bind.h"
+
+#include <optional>
+#include <utility>
+
+namespace cli {
+namespace {
+
+SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
+                     const calc::RadiositySettings& settings, calc::Diagnostics& diagnostics) {
+  std::vector<calc::SensorGrid> grids;
+  std::vector<const calc::CalcPlane*> planes;
+  for (const calc::CalcPlane& plane : space.planes) {
+    std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (!grid) continue;
+    grids.push_back(std::move(*grid));
+    planes.push_back(&plane);
+  }
+  std::vector<calc::PlaneTask> tasks;
+  for (std::size_t p = 0; p < planes.size(); ++p) tasks.push_back({planes[p]->id, &grids[p]});
+
+  const calc::PreparedScene scene = calc::prepare_scene(project, space);
+  SpacePlan result;
+  result.id = space.id;
+  result.name = space.name;
+  result.triangles = scene.triangle.size();
+  result.plan = calc::make_scene_plan(scene, tasks, settings);
+  for (const calc::SkipDecision& decision : result.plan.skips) {
+    if (decision.body) result.obstacle = space.bodies[*decision.body].id;
+  }
+  return result;
+}
+
+}  // namespace
+
+ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
+                         const std::vector<rules::RulePack>& packs,
+                         const calc::RadiositySettings& settings) {
+  ProjectPlan plan;
+  plan.path = path;
+  calc::Diagnostics diagnostics;
+  if (const std::optional<calc::Project> project = calc::load_project(files, path, diagnostics)) {
+    rules::bind_requirements(*project, packs, diagnostics);
+    plan.name = project->name;
+    if (!diagnostics.has_errors()) {
+      for (const calc::Space& space : project->spaces) {
+        plan.spaces.push_back(plan_space(*project, space, settings, diagnostics));
+      }
+    }
+  }
+  plan.is_planned = !diagnostics.has_errors();
+  plan.diagnostics = diagnostics.all();
+  return plan;
+}
+
+}  // namespace cli
