@@ -79,6 +79,10 @@ double PhotometricWeb::interpolate_gamma_cd(std::size_t plane, std::size_t gamma
 }
 
 double PhotometricWeb::intensity_cd(const std::array<double, 3>& direction) const {
+  if (is_axial()) {  // C does not matter
+    const double across = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
+    return intensity_cd(0.0, std::atan2(across, -direction[2]));
+  }
   const WebAngles angles = angles_of(direction);
   return intensity_cd(angles.c_rad, angles.gamma_rad);
 }
@@ -130,13 +134,21 @@ double PhotometricWeb::zonal_flux_lm(double from_gamma_rad, double to_gamma_rad)
 
 WebAngles angles_of(const std::array<double, 3>& direction) {
   const auto [x, y, z] = direction;
-  const double across = std::hypot(x, y);
+  const double across = std::sqrt(x * x + y * y);
   if (across == 0.0) return {0.0, z > 0.0 ? kPi : 0.0};
   const double c = std::atan2(y, x);
   return {c < 0.0 ? c + 2.0 * kPi : c, std::atan2(across, -z)};
 }
 
 std::size_t interval_of(const std::vector<double>& nodes, double x) {
+  // Tables are mostly evenly spaced: the guess is then right or next to it.
+  const double share = (x - nodes.front()) / (nodes.back() - nodes.front());
+  const auto last = nodes.size() - 2;
+  if (share >= 0.0 && share < 1.0) {
+    const auto guess =
+        std::min(last, static_cast<std::size_t>(share * static_cast<double>(last + 1)));
+    if (nodes[guess] <= x && x < nodes[guess + 1]) return guess;
+  }
   const auto after = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
   return static_cast<std::size_t>(after - nodes.begin()) - 1;
 }

@@ -1,6 +1,7 @@
 #include "calc/photometry/web_sampling.h"
 
 #include "calc/photometry/sine_segment.h"
+#include "calc/turns.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ WebSampler::WebSampler(const PhotometricWeb& web) : web_(web) {
 }
 
 std::array<double, 3> WebSampler::sample(double u0, double u1) const {
-  double c = 2.0 * kPi * u0;
+  double c_turns = u0;
   double gamma = 0.0;
   if (web_.is_axial()) {
     gamma = sample_gamma_rad({0, 0, 0.0}, u1);
@@ -70,7 +71,7 @@ std::array<double, 3> WebSampler::sample(double u0, double u1) const {
     const double share = (target - c_prefix_[i]) / (c_prefix_[i + 1] - c_prefix_[i]);
     const double fraction =
         invert_linear_density(plane_total(i), plane_total(i + 1), std::clamp(share, 0.0, 1.0));
-    c = std::lerp(web_.c_rad()[i], web_.c_rad()[i + 1], fraction);
+    c_turns = std::lerp(web_.c_rad()[i], web_.c_rad()[i + 1], fraction) / (2.0 * kPi);
     Plane plane{i, i + 1, fraction};
     // On a dark plane next to a lit one the limit of gamma's distribution is that of the lit one.
     if (prefix(plane, web_.gamma_rad().size() - 1) <= 0.0)
@@ -78,7 +79,8 @@ std::array<double, 3> WebSampler::sample(double u0, double u1) const {
     gamma = sample_gamma_rad(plane, u1);
   }
   const double across = std::sin(gamma);
-  return {across * std::cos(c), across * std::sin(c), -std::cos(gamma)};
+  const SineCosine c = sine_cosine_of_turns(c_turns);
+  return {across * c.cosine, across * c.sine, -std::cos(gamma)};
 }
 
 double WebSampler::pdf(const std::array<double, 3>& direction) const {

@@ -3,6 +3,7 @@
 #include "calc/radiosity/node_weights.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -15,30 +16,41 @@ constexpr float kRelativeSlack = 1e-5f;
 // The bound is kappa times the density of first reflections, about a third of all vertices.
 constexpr float kBoundPerDensity = 0.003f;
 
+enum : std::uint8_t { kUnseen, kTaken, kOpened, kHidden };
+
+// Exponent and two bits of the mantissa of a float, from 2^-40 to 2^40.
+constexpr int kLevels = 4 * 80;
+int level_of(float error) {
+  const int level = static_cast<int>(std::bit_cast<std::uint32_t>(error) >> 21) - 4 * (127 - 40);
+  return std::clamp(level, 0, kLevels - 1);
+}
+
+// Geometry of a node as seen from a tile.
+struct NodeView {
+  glm::vec3 to_tile;
+  float distance;  // between centres
+
+  NodeView(const ReceiverTile& tile, const VertexNode& node)
+      : to_tile(tile.centre_m - node.centre_m), distance(glm::length(to_tile)) {}
+};
+
 bool is_behind(const ReceiverTile& tile, const VertexNode& node) {
-  if (tile.axis == glm::vec3(0.0f)) return false;
-  const float highest = glm::dot(tile.axis, node.centre_m) + node.radius_m;
-  const float slack =
-      kRelativeSlack * (std::abs(tile.lowest_m) + glm::length(node.centre_m) + node.radius_m);
-  return highest + slack < tile.lowest_m;
+  return glm::dot(tile.axis, node.centre_m) + node.radius_m + tile.slack_m < tile.lowest_m;
 }
 
 // No direction from the node to the tile lies within 90 degrees of any of its normals.
-bool faces_away(const ReceiverTile& tile, const VertexNode& node) {
-  if (node.cos_spread <= 0.0f) return false;
-  const glm::vec3 to_tile = tile.centre_m - node.centre_m;
-  const float distance = glm::length(to_tile);
+bool faces_away(const ReceiverTile& tile, const VertexNode& node, const NodeView& view) {
+  const float cosine = glm::dot(node.axis, view.to_tile);
+  if (cosine >= 0.0f || node.cos_spread <= 0.0f) return false;
   const float reach = node.radius_m + tile.radius_m;
-  const float cosine = glm::dot(node.axis, to_tile);
-  if (cosine >= 0.0f) return false;
   if (node.cos_spread >= 1.0f - 1e-6f) {  // flat: a plain distance to the plane
-    return cosine + reach + kRelativeSlack * (distance + glm::length(node.centre_m)) < 0.0f;
+    return cosine + reach + tile.slack_m < 0.0f;
   }
-  if (distance <= reach) return false;
+  if (view.distance <= reach) return false;
   // angle(axis, to_tile) > 90 degrees + spread + angle that both spheres take up
   const float spread = std::acos(std::min(1.0f, node.cos_spread));
-  const float sphere = std::asin(reach / distance);
-  return std::acos(std::clamp(cosine / distance, -1.0f, 1.0f)) >
+  const float sphere = std::asin(reach / view.distance);
+  return std::acos(std::clamp(cosine / view.distance, -1.0f, 1.0f)) >
          std::acos(0.0f) + spread + sphere + 1e-3f;
 }
 
@@ -48,19 +60,20 @@ float bound_of(const VertexNode& node, float smallest_bound_per_m2) {
 
 // How far the node's contribution may vary over its vertices: flux times the largest kernel, times
 // the share of it that position and normals leave open.
-float error_of(const ReceiverTile& tile, const VertexNode& node, float smallest_bound_per_m2) {
+float error_of(const ReceiverTile& tile, const VertexNode& node, const NodeView& view,
+               float smallest_bound_per_m2) {
   if (node.child == 0) return 0.0f;
-  const float distance = glm::length(node.centre_m - tile.centre_m) + tile.softening_m;
-  const float gap = std::max(0.0f, distance - tile.radius_m - node.radius_m);
-  const float largest = std::min(1.0f / (gap * gap + 1e-12f), bound_of(node, smallest_bound_per_m2));
+  const float gap =
+      std::max(0.0f, view.distance + tile.softening_m - tile.radius_m - node.radius_m);
+  const float gap2 = gap * gap + 1e-12f;
   const float r2 = node.radius_m * node.radius_m;
-  const float open = r2 / (gap * gap + r2 + 1e-12f) + (1.0f - node.cos_spread);
-  return node.flux_lm * largest * open;
+  const float largest = std::min(1.0f / gap2, bound_of(node, smallest_bound_per_m2));
+  return node.flux_lm * largest * (r2 / (gap2 + r2) + (1.0f - node.cos_spread));
 }
 
 }  // namespace
 
-ReceiverTile tile_of(std::span<const Receiver> receivers) {
+ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m) {
   glm::dvec3 low = receivers.front().position_m;
   glm::dvec3 high = low;
   bool is_flat = true;
@@ -72,6 +85,7 @@ ReceiverTile tile_of(std::span<const Receiver> receivers) {
   ReceiverTile tile;
   tile.centre_m = glm::vec3(0.5 * (low + high));
   tile.radius_m = static_cast<float>(0.5 * glm::length(high - low)) * (1.0f + kRelativeSlack);
+  tile.slack_m = static_cast<float>(extent_m) * kRelativeSlack;
   if (!is_flat) return tile;
   tile.axis = glm::vec3(receivers.front().axis);
   tile.lowest_m = std::numeric_limits<float>::max();
@@ -83,77 +97,110 @@ ReceiverTile tile_of(std::span<const Receiver> receivers) {
 
 void Cut::build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
                 float smallest_bound_per_m2, bool leave_out_hidden) {
-  for (auto* ids : {&first_, &count_, &channel_}) ids->clear();
-  for (auto* v : {&flux_lm_, &radius2_m2_, &bound_per_m2_, &centre_x_, &centre_y_, &centre_z_})
-    v->clear();
-  const std::span<const VertexNode> nodes = tree.nodes();
-  const auto is_hidden = [&](const VertexNode& node) {
-    return leave_out_hidden && (is_behind(tile, node) || faces_away(tile, node));
-  };
-  // A heap of (error, node); equal errors: the lower node first, so that nothing is left to chance.
-  struct Entry {
-    float error;
-    std::uint32_t node;
-    bool operator<(const Entry& other) const {
-      return error < other.error || (error == other.error && node > other.node);
-    }
-  };
-  thread_local std::vector<Entry> heap;
-  heap.clear();
-  const auto push = [&](std::uint32_t n) {
-    if (is_hidden(nodes[n])) return;
-    heap.push_back({error_of(tile, nodes[n], smallest_bound_per_m2), n});
-    std::push_heap(heap.begin(), heap.end());
-  };
-  for (const std::uint32_t root : tree.roots()) push(root);
-  while (!heap.empty() && heap.size() < size && heap.front().error > 0.0f) {
-    const std::uint32_t child = nodes[heap.front().node].child;
-    std::pop_heap(heap.begin(), heap.end());
-    heap.pop_back();
-    push(child);
-    push(child + 1);
-  }
-  // In pool order, so that draws walk through memory forwards.
-  std::sort(heap.begin(), heap.end(), [&](const Entry& a, const Entry& b) {
-    return nodes[a.node].first < nodes[b.node].first;
-  });
-  for (const Entry& e : heap) {
-    const VertexNode& node = nodes[e.node];
-    first_.push_back(node.first);
-    count_.push_back(node.size());
-    channel_.push_back(node.channel);
-    flux_lm_.push_back(node.flux_lm);
-    radius2_m2_.push_back(node.radius_m * node.radius_m);
-    bound_per_m2_.push_back(bound_of(node, smallest_bound_per_m2));
-    centre_x_.push_back(node.centre_m.x);
-    centre_y_.push_back(node.centre_m.y);
-    centre_z_.push_back(node.centre_m.z);
-  }
+  open_nodes(tree, tile, size, smallest_bound_per_m2, leave_out_hidden);
+  collect(tree, smallest_bound_per_m2);
+}
 
-  const std::size_t count = first_.size();
-  for (auto* v : {&x_, &y_, &z_, &nx_, &ny_, &nz_}) v->resize(kRepresentatives * count);
-  for (std::size_t c = 0; c < count; ++c) {
-    for (std::size_t m = 0; m < kRepresentatives; ++m) {
-      // Evenly spaced in the node; a node of fewer vertices repeats some.
-      const std::size_t offset = (2 * m + 1) * count_[c] / (2 * kRepresentatives);
-      const LightVertex& v = tree.vertices()[first_[c] + offset];
-      const std::size_t k = m * count + c;
-      x_[k] = v.position_m.x;
-      y_[k] = v.position_m.y;
-      z_[k] = v.position_m.z;
-      nx_[k] = v.normal.x;
-      ny_[k] = v.normal.y;
-      nz_[k] = v.normal.z;
+void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
+                     float smallest_bound_per_m2, bool leave_out_hidden) {
+  const std::span<const VertexNode> nodes = tree.nodes();
+  state_.resize(std::max(state_.size(), nodes.size()), kUnseen);
+  queue_.resize(kLevels);
+  const bool has_axis = leave_out_hidden && tile.axis != glm::vec3(0.0f);
+  std::size_t count = 0;
+  int highest = 0;
+  const auto add = [&](std::uint32_t n) {
+    touched_.push_back(n);
+    const VertexNode& node = nodes[n];
+    if (has_axis && is_behind(tile, node)) {
+      state_[n] = kHidden;
+      return;
     }
+    const NodeView view(tile, node);
+    if (leave_out_hidden && faces_away(tile, node, view)) {
+      state_[n] = kHidden;
+      return;
+    }
+    state_[n] = kTaken;
+    ++count;
+    const float error = error_of(tile, node, view, smallest_bound_per_m2);
+    if (!(error > 0.0f)) return;
+    const int level = level_of(error);
+    highest = std::max(highest, level);
+    queue_[static_cast<std::size_t>(level)].push_back(n);
+  };
+  for (const std::uint32_t root : tree.roots()) add(root);
+  for (; highest >= 0; --highest) {
+    auto& best = queue_[static_cast<std::size_t>(highest)];
+    while (!best.empty() && count < size) {
+      const std::uint32_t n = best.back();
+      best.pop_back();
+      state_[n] = kOpened;
+      --count;
+      const int before = highest;
+      add(nodes[n].child);
+      add(nodes[n].child + 1);
+      if (highest > before) break;  // a part may have a larger error than the whole
+    }
+    if (!best.empty() && count < size) ++highest;  // come back, after the larger ones
+    if (count >= size) break;
+  }
+  for (auto& level : queue_) level.clear();
+  resize(count);
+}
+
+void Cut::resize(std::size_t size) {
+  first_.resize(size);
+  count_.resize(size);
+  for (auto* v : {&flux_lm_, &radius_m_, &bound_per_m2_, &centre_x_, &centre_y_, &centre_z_, &x_,
+                  &y_, &z_, &nx_, &ny_, &nz_}) {
+    v->resize(size);
   }
 }
 
+void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {
+  channel_.clear();
+  std::uint32_t c = 0;
+  for (const std::uint32_t root : tree.roots()) {
+    const std::uint32_t begin = c;
+    stack_.assign(1, root);
+    while (!stack_.empty()) {
+      const VertexNode& node = tree.nodes()[stack_.back()];
+      const std::uint8_t state = state_[stack_.back()];
+      stack_.pop_back();
+      if (state == kOpened) {
+        stack_.push_back(node.child + 1);
+        stack_.push_back(node.child);
+      }
+      if (state != kTaken) continue;
+      first_[c] = node.first;
+      count_[c] = node.size();
+      flux_lm_[c] = node.flux_lm;
+      radius_m_[c] = node.radius_m;
+      bound_per_m2_[c] = bound_of(node, smallest_bound_per_m2);
+      centre_x_[c] = node.centre_m.x;
+      centre_y_[c] = node.centre_m.y;
+      centre_z_[c] = node.centre_m.z;
+      const LightVertex& v = tree.vertices()[node.first + node.size() / 2];
+      x_[c] = v.position_m.x;
+      y_[c] = v.position_m.y;
+      z_[c] = v.position_m.z;
+      nx_[c] = v.normal.x;
+      ny_[c] = v.normal.y;
+      nz_[c] = v.normal.z;
+      ++c;
+    }
+    if (c > begin) channel_.push_back({begin, c});
+  }
+  for (const std::uint32_t n : touched_) state_[n] = kUnseen;
+  touched_.clear();
+}
+
 void Cut::weigh(const Receiver& receiver, std::vector<float>& probability) const {
-  const CutArrays arrays{
-      size(),           flux_lm_.data(),  radius2_m2_.data(), bound_per_m2_.data(),
-      centre_x_.data(), centre_y_.data(), centre_z_.data(),   x_.data(),
-      y_.data(),        z_.data(),        nx_.data(),         ny_.data(),
-      nz_.data()};
+  const CutArrays arrays{size(),           flux_lm_.data(),  radius_m_.data(), bound_per_m2_.data(),
+                         centre_x_.data(), centre_y_.data(), centre_z_.data(), x_.data(),
+                         y_.data(),        z_.data(),        nx_.data(),       ny_.data(),
+                         nz_.data()};
   const glm::vec3 p(receiver.position_m);
   const glm::vec3 n(receiver.axis);
   probability.resize(size());

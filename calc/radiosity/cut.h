@@ -19,34 +19,52 @@ struct ReceiverTile {
   float radius_m = 0.0f;
   glm::vec3 axis{0.0f};
   float softening_m = 0.0f;  // distances below it count as it, so that a cut serves a whole region
+  float slack_m = 0.0f;      // what rounding may add to a distance
   float lowest_m = 0.0f;     // of dot(axis, position) over the receivers
 };
 
-ReceiverTile tile_of(std::span<const Receiver> receivers);
+// extent_m: of the whole scene.
+ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m);
 
-// Nodes that together hold every vertex that can light the tile, as arrays.
+// Nodes that together hold every vertex that can light the tile, as arrays in pool order.
 class Cut {
  public:
-  // Opens the node with the largest expected error until there are about `size`. Nodes that are
+  // Nodes of one channel: begin..end of the cut.
+  struct ChannelRange {
+    std::uint32_t begin, end;
+  };
+
+  // Opens the nodes with the largest expected error until there are about `size`. Nodes that are
   // wholly behind the receivers' common plane or face away are left out, exactly 0, if
-  // leave_out_hidden.  [method 02, section 3; light cuts: Walter et al. 2005]
-  // smallest_bound_per_m2: GeometryBound::smallest(); only shapes probabilities.
+  // leave_out_hidden. smallest_bound_per_m2: GeometryBound::smallest(); only shapes probabilities.
+  // [method 02, section 3; light cuts: Walter et al. 2005]
   void build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
              float smallest_bound_per_m2, bool leave_out_hidden);
 
   // probability[c] of node c up to a common factor, > 0: its expected bounded contribution to the
-  // receiver, averaged over representatives.
+  // receiver.
   void weigh(const Receiver& receiver, std::vector<float>& probability) const;
 
   std::size_t size() const { return first_.size(); }
   std::uint32_t first(std::size_t c) const { return first_[c]; }
   std::uint32_t count(std::size_t c) const { return count_[c]; }
-  std::uint32_t channel(std::size_t c) const { return channel_[c]; }
+  float flux_lm(std::size_t c) const { return flux_lm_[c]; }
+  std::span<const ChannelRange> channels() const { return channel_; }
 
  private:
-  std::vector<std::uint32_t> first_, count_, channel_;
-  std::vector<float> flux_lm_, radius2_m2_, bound_per_m2_, centre_x_, centre_y_, centre_z_;
-  // [representative * size + node]
+  void open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
+                  float smallest_bound_per_m2, bool leave_out_hidden);
+  void resize(std::size_t size);
+  void collect(const VertexTree& tree, float smallest_bound_per_m2);
+
+  // Candidates by the size of their error, in steps of 2^(1/4): a queue without a search.
+  std::vector<std::vector<std::uint32_t>> queue_;
+  std::vector<std::uint8_t> state_;  // [node] of the tree
+  std::vector<std::uint32_t> touched_, stack_;
+
+  std::vector<std::uint32_t> first_, count_;
+  std::vector<ChannelRange> channel_;
+  std::vector<float> flux_lm_, radius_m_, bound_per_m2_, centre_x_, centre_y_, centre_z_;
   std::vector<float> x_, y_, z_, nx_, ny_, nz_;
 };
 

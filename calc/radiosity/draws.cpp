@@ -1,38 +1,40 @@
 #include "calc/radiosity/draws.h"
 
+#include "calc/radiosity/node_weights.h"
+
 #include <algorithm>
 
 namespace calc {
 namespace {
 
-// Nodes of a cut lie in order of channels.
-void share_among_channels(const Cut& cut, std::vector<float>& probability) {
-  const std::size_t nodes = probability.size();
-  float total = 0.0f;
-  int lit_channels = 0;
-  for (std::size_t c = 0; c < nodes; ++c) {
-    total += probability[c];
-    if (c == 0 || cut.channel(c) != cut.channel(c - 1)) ++lit_channels;
+// Total probability after the channels have got their shares.
+double share_among_channels(const Cut& cut, std::vector<float>& probability) {
+  const auto sum_of_range = [&](const Cut::ChannelRange& range) {
+    return static_cast<double>(sum_of(&probability[range.begin], range.end - range.begin));
+  };
+  const std::span<const Cut::ChannelRange> channels = cut.channels();
+  if (channels.empty()) return 0.0;
+  if (channels.size() == 1) return sum_of_range(channels.front());
+  double total = 0.0;
+  for (const Cut::ChannelRange& range : channels) total += sum_of_range(range);
+  double shared_total = 0.0;
+  for (const Cut::ChannelRange& range : channels) {
+    const double own = sum_of_range(range);
+    const double even = total / static_cast<double>(channels.size());
+    const auto factor = static_cast<float>(0.5 + 0.5 * even / own);
+    for (std::size_t c = range.begin; c < range.end; ++c) probability[c] *= factor;
+    shared_total += sum_of_range(range);
   }
-  for (std::size_t begin = 0; begin < nodes;) {
-    std::size_t end = begin;
-    float sum = 0.0f;
-    for (; end < nodes && cut.channel(end) == cut.channel(begin); ++end) sum += probability[end];
-    const float factor = 0.5f + 0.5f * total / (static_cast<float>(lit_channels) * sum);
-    for (std::size_t c = begin; c < end; ++c) probability[c] *= factor;
-    begin = end;
-  }
+  return shared_total;
 }
 
 }  // namespace
 
-void draw_connections(const Cut& cut, std::size_t channels, const Receiver& receiver,
+void draw_connections(const VertexTree& tree, const Cut& cut, const Receiver& receiver,
                       std::uint32_t index, std::uint32_t draws, double u,
                       std::vector<float>& scratch, std::vector<Connection>& connections) {
   cut.weigh(receiver, scratch);
-  if (channels > 1) share_among_channels(cut, scratch);
-  double total = 0.0;
-  for (const float q : scratch) total += static_cast<double>(q);
+  const double total = share_among_channels(cut, scratch);
   if (!(total > 0.0)) return;
   const double spacing = total / draws;
   double next = u * spacing;  // of cumulated probability
@@ -41,12 +43,15 @@ void draw_connections(const Cut& cut, std::size_t channels, const Receiver& rece
     const double q = static_cast<double>(scratch[c]);
     const double end = begin + q;
     if (next < end) {
-      const std::uint32_t count = cut.count(c);
-      const double vertices_per_probability = count / q;
-      const auto weight = static_cast<float>(spacing * vertices_per_probability);
+      // Expected draws of a vertex: (q / spacing) (flux / node's flux).
+      const double node_weight = spacing / q * static_cast<double>(cut.flux_lm(c));
+      const std::uint32_t first = cut.first(c);
+      const std::uint32_t last = first + cut.count(c);
       do {
-        const auto place = static_cast<std::uint32_t>((next - begin) * vertices_per_probability);
-        connections.push_back({index, cut.first(c) + std::min(place, count - 1), weight});
+        const std::uint32_t vertex =
+            last - first == 1 ? first : tree.vertex_at(first, last, (next - begin) / q);
+        const double flux = static_cast<double>(tree.vertices()[vertex].flux_lm);
+        connections.push_back({index, vertex, static_cast<float>(node_weight / flux)});
         next += spacing;
       } while (next < end);
     }

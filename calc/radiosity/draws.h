@@ -20,10 +20,10 @@ struct Connection {
 };
 
 // Draws of one receiver, `draws` of them, spaced evenly in cumulated probability from the shift u
-// in [0, 1): systematic sampling. Appends to `connections`. Where there are several channels, half
-// of the draws go evenly to all of them, so that a weak group is known as well as a strong one.
-// `scratch` is overwritten.
-void draw_connections(const Cut& cut, std::size_t channels, const Receiver& receiver,
+// in [0, 1): systematic sampling, by importance among nodes and by flux within them. Appends to
+// `connections`. Where there are several channels, half of the draws go evenly to all of them, so
+// that a weak group is known as well as a strong one. `scratch` is overwritten.
+void draw_connections(const VertexTree& tree, const Cut& cut, const Receiver& receiver,
                       std::uint32_t index, std::uint32_t draws, double u,
                       std::vector<float>& scratch, std::vector<Connection>& connections);
 

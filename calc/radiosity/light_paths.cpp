@@ -18,7 +18,8 @@ namespace {
 
 // Fixed: sums are grouped the same way for any thread count.
 constexpr std::uint32_t kPathsPerChunk = 256;
-constexpr int kFreeReflections = 1;  // reflections before roulette begins
+constexpr std::size_t kUsualVertices = 4;  // of a path; more cost a move
+constexpr int kFreeReflections = 1;        // reflections before roulette begins
 
 // Sobol' dimensions of a path.
 constexpr int kLuminaireDimension = 0;
@@ -46,7 +47,10 @@ struct Path {
 class PathWave {
  public:
   PathWave(const Tracer& tracer, const ScrambledSobol& sobol, Chunk& chunk)
-      : tracer_(tracer), sobol_(sobol), chunk_(chunk) {}
+      : tracer_(tracer), sobol_(sobol), chunk_(chunk) {
+    paths_.reserve(kPathsPerChunk);
+    chunk_.vertices.reserve(kUsualVertices * kPathsPerChunk);
+  }
 
   void emit(const Emitter& emitter, std::uint32_t index, double paths) {
     const std::size_t luminaire =
@@ -129,7 +133,8 @@ class PathWave {
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
                               const PathBatch& batch) {
   const std::uint32_t paths = batch.last - batch.first;
-  const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate));
+  const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate),
+                             kSobolDimensions);
   std::atomic<bool> is_endless{false};  // one endless path refuses the scene: the rest need not run
   std::vector<Chunk> chunks((paths + kPathsPerChunk - 1) / kPathsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {

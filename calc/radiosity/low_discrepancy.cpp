@@ -1,5 +1,6 @@
 #include "calc/radiosity/low_discrepancy.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 
@@ -62,7 +63,26 @@ constexpr DirectionTable make_directions() {
   return v;
 }
 
-constexpr DirectionTable kDirections = make_directions();
+// [dimension][byte of the index][value]: the direction numbers of its bits, combined.
+using ByteTable =
+    std::array<std::array<std::array<std::uint32_t, 256>, kBits / 8>, kSobolDimensions>;
+
+ByteTable make_byte_table() {
+  constexpr DirectionTable kDirections = make_directions();
+  ByteTable table{};
+  for (std::size_t d = 0; d < kSobolDimensions; ++d) {
+    for (std::size_t byte = 0; byte < kBits / 8; ++byte) {
+      for (std::size_t value = 1; value < 256; ++value) {
+        const auto low = static_cast<std::size_t>(std::countr_zero(value));
+        table[d][byte][value] =
+            table[d][byte][value & (value - 1)] ^ kDirections[d][8 * byte + low];
+      }
+    }
+  }
+  return table;
+}
+
+const ByteTable kByteTable = make_byte_table();
 
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   x = ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
@@ -85,16 +105,26 @@ constexpr std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse_bits(x);
 }
 
+std::uint32_t scramble_of(RandomKey key, int dimension) {
+  return static_cast<std::uint32_t>(key.with(static_cast<std::uint64_t>(dimension)).bits() >> 32);
+}
+
 }  // namespace
+
+ScrambledSobol::ScrambledSobol(RandomKey key, int dimensions)
+    : key_(key), prepared_(std::min(dimensions, kSobolDimensions)) {
+  for (int d = 0; d < prepared_; ++d) scramble_[static_cast<std::size_t>(d)] = scramble_of(key_, d);
+}
 
 double ScrambledSobol::sample(std::uint32_t index, int dimension) const {
   const auto d = static_cast<std::size_t>(dimension);
   if (dimension >= kSobolDimensions) return key_.with(d).with(index).uniform();
-  std::uint32_t x = 0;
-  for (std::uint32_t rest = index; rest != 0; rest &= rest - 1) {
-    x ^= kDirections[d][static_cast<std::size_t>(std::countr_zero(rest))];
-  }
-  const auto scramble = static_cast<std::uint32_t>(key_.with(d).bits() >> 32);
+  const auto& table = kByteTable[d];
+  std::uint32_t x = table[0][index & 0xffu];
+  std::size_t byte = 1;
+  for (std::uint32_t rest = index >> 8; rest != 0; rest >>= 8) x ^= table[byte++][rest & 0xffu];
+  const std::uint32_t scramble =
+      dimension < prepared_ ? scramble_[d] : scramble_of(key_, dimension);
   return static_cast<double>(nested_scramble(x, scramble)) * 0x1.0p-32;
 }
 

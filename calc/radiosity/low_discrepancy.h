@@ -16,7 +16,8 @@ inline constexpr int kSobolDimensions = 21;
 // give independent sequences, and every single point is uniform on [0, 1)^d.  [Owen95, Burley20]
 class ScrambledSobol {
  public:
-  explicit ScrambledSobol(RandomKey key) : key_(key) {}
+  // dimensions: as many get their scramble prepared; later ones find it at every sample.
+  explicit ScrambledSobol(RandomKey key, int dimensions = 2);
 
   // Coordinate `dimension` (>= 0) of point `index`, in [0, 1).
   double sample(std::uint32_t index, int dimension) const;
@@ -27,6 +28,8 @@ class ScrambledSobol {
 
  private:
   RandomKey key_;
+  int prepared_;
+  std::array<std::uint32_t, kSobolDimensions> scramble_;
 };
 
 }  // namespace calc

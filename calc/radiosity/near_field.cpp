@@ -6,6 +6,7 @@
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
+#include "calc/turns.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -58,7 +59,16 @@ SurfaceSummary summarise(const PreparedScene& scene) {
   return summary;
 }
 
-double dot_self(const glm::dvec3& v) { return glm::dot(v, v); }
+// Illuminance if the luminaire sent its largest intensity here and nothing stood between.
+double most_of(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
+               const glm::dvec3& normal) {
+  const glm::dvec3 w = luminaire.position_m - position_m;
+  const double cosine_times_d = glm::dot(normal, w);
+  if (!(cosine_times_d > 0.0)) return 0.0;
+  const double d2 = glm::dot(w, w);
+  return luminaire.web->max_intensity_cd() * luminaire.flux_scale * cosine_times_d /
+         (d2 * std::sqrt(d2));
+}
 
 // Illuminance at a short ray's hit from `kFarDraws` vertices.
 std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double u, double weight,
@@ -66,12 +76,12 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   thread_local std::vector<float> scratch;
   thread_local std::vector<Connection> connections;
   connections.clear();
-  draw_connections(field.cut, field.channels, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
+  draw_connections(field.tree, field.cut, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
                    connections);
   ShadowBatch batch(field.tracer);
   const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
   for (const Connection& connection : connections) {
-    const LightVertex& v = field.vertices[connection.vertex];
+    const LightVertex& v = field.tree.vertices()[connection.vertex];
     const double g =
         geometry_term(at.position_m, at.normal, glm::dvec3(v.position_m), glm::dvec3(v.normal));
     if (g <= 0.0) continue;
@@ -169,14 +179,18 @@ GeometryBound::GeometryBound(const Tracer& tracer, const Emitter& emitter, std::
 
 double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const {
   const auto& luminaires = tracer_.scene().luminaires;
+  // Without a single ray: could all luminaires together lift the bound above the smallest one?
+  const double needed_lx = (smallest_ - ambient_per_m2_) / vertices_per_lumen_;
+  double most_lx = 0.0;
+  for (const PlacedLuminaire& luminaire : luminaires)
+    most_lx += most_of(luminaire, position_m, normal);
+  if (most_lx <= needed_lx) return smallest_;
   // A luminaire that could not lift the bound by its share of the smallest one is not worth a look.
   const double smallest_lx =
       smallest_ / (vertices_per_lumen_ * static_cast<double>(luminaires.size()));
   double direct_lx = 0.0;
   for (const PlacedLuminaire& luminaire : luminaires) {
-    const double most_lx = luminaire.web->max_intensity_cd() * luminaire.flux_scale /
-                           dot_self(luminaire.position_m - position_m);
-    if (most_lx < smallest_lx) continue;
+    if (most_of(luminaire, position_m, normal) < smallest_lx) continue;
     const double lx = point_illuminance_lx(luminaire, luminaire.position_m, {position_m, normal});
     if (lx < smallest_lx) continue;
     const glm::dvec3 source =
@@ -194,9 +208,8 @@ glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1) {
   const glm::dvec3 s(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
   const glm::dvec3 t(b, sign + normal.y * normal.y * a, -normal.y);
   const double radius = std::sqrt(u0);
-  const double angle = 2.0 * kPi * u1;
-  return glm::normalize(radius * std::cos(angle) * s + radius * std::sin(angle) * t +
-                        std::sqrt(1.0 - u0) * normal);
+  const SineCosine angle = sine_cosine_of_turns(u1);
+  return radius * angle.cosine * s + radius * angle.sine * t + std::sqrt(1.0 - u0) * normal;
 }
 
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request, double* sums,

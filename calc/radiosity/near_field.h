@@ -18,6 +18,7 @@
 namespace calc {
 
 class Cut;
+class VertexTree;
 class VertexBounds;
 
 // b(y) = max(b_min, kappa N (E_dir(y) + E_amb) / Phi): N E / Phi is the number of light vertices
@@ -63,7 +64,7 @@ inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm
 struct NearField {
   const Tracer& tracer;
   const GeometryBound& bound;
-  std::span<const LightVertex> vertices;
+  const VertexTree& tree;
   const VertexBounds& vertex_bounds;
   const Cut& cut;  // of the whole pool; continues the rays
   std::size_t channels;

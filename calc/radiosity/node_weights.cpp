@@ -14,6 +14,8 @@ namespace {
 
 constexpr float kFloor = 0.03f;  // share of the largest kernel that every node keeps
 
+constexpr float kTiny_m2 = 1e-12f;
+
 inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
 
@@ -21,51 +23,74 @@ inline float smaller(float a, float b) { return a < b ? a : b; }
 
 LUXGATE_WIDE void weigh_planar(const CutArrays& cut, const float p[3], const float n[3],
                                float* __restrict__ out) {
-  const std::size_t nodes = cut.nodes;
   const float px = p[0], py = p[1], pz = p[2];
   const float ax = n[0], ay = n[1], az = n[2];
-  const float* __restrict__ r2 = cut.radius2_m2;
-  const float* __restrict__ bound = cut.bound_per_m2;
+  const std::size_t nodes = cut.nodes;
+  const float* __restrict__ flux_lm = cut.flux_lm;
+  const float* __restrict__ radius_m = cut.radius_m;
+  const float* __restrict__ bound_per_m2 = cut.bound_per_m2;
+  const float* __restrict__ centre_x = cut.centre_x;
+  const float* __restrict__ centre_y = cut.centre_y;
+  const float* __restrict__ centre_z = cut.centre_z;
+  const float* __restrict__ x = cut.x;
+  const float* __restrict__ y = cut.y;
+  const float* __restrict__ z = cut.z;
+  const float* __restrict__ nx = cut.nx;
+  const float* __restrict__ ny = cut.ny;
+  const float* __restrict__ nz = cut.nz;
   for (std::size_t c = 0; c < nodes; ++c) {
-    const float dx = cut.centre_x[c] - px, dy = cut.centre_y[c] - py, dz = cut.centre_z[c] - pz;
-    const float distance = __builtin_sqrtf(dx * dx + dy * dy + dz * dz);
-    const float gap = larger(distance - __builtin_sqrtf(r2[c]), 0.0f);
-    out[c] = static_cast<float>(kRepresentatives) * kFloor * smaller(1.0f / (gap * gap + 1e-12f), bound[c]);
+    const float ux = centre_x[c] - px, uy = centre_y[c] - py, uz = centre_z[c] - pz;
+    const float r = radius_m[c];
+    const float gap = larger(__builtin_sqrtf(ux * ux + uy * uy + uz * uz) - r, 0.0f);
+    const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
+    const float cx = larger(ax * dx + ay * dy + az * dz, 0.0f);
+    const float cy = larger(-(nx[c] * dx + ny[c] * dy + nz[c] * dz), 0.0f);
+    const float d2 = dx * dx + dy * dy + dz * dz + r * r + kTiny_m2;
+    const float b = bound_per_m2[c];
+    out[c] = flux_lm[c] *
+             (smaller(cx * cy / (d2 * d2), b) + kFloor * smaller(1.0f / (gap * gap + kTiny_m2), b));
   }
-  for (std::size_t m = 0; m < kRepresentatives; ++m) {
-    const float* __restrict__ x = cut.x + m * nodes, * __restrict__ y = cut.y + m * nodes, * __restrict__ z = cut.z + m * nodes, * __restrict__ nx = cut.nx + m * nodes, * __restrict__ ny = cut.ny + m * nodes, * __restrict__ nz = cut.nz + m * nodes;
-    for (std::size_t c = 0; c < nodes; ++c) {
-      const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
-      const float cx = larger(ax * dx + ay * dy + az * dz, 0.0f);
-      const float cy = larger(-(nx[c] * dx + ny[c] * dy + nz[c] * dz), 0.0f);
-      const float d2 = dx * dx + dy * dy + dz * dz + r2[c] + 1e-12f;
-      out[c] += smaller(cx * cy / (d2 * d2), bound[c]);
-    }
-  }
-  for (std::size_t c = 0; c < nodes; ++c) out[c] *= cut.flux_lm[c];
 }
 
 LUXGATE_WIDE void weigh_round(const CutArrays& cut, const float p[3], float* __restrict__ out) {
-  const std::size_t nodes = cut.nodes;
   const float px = p[0], py = p[1], pz = p[2];
-  const float* __restrict__ r2 = cut.radius2_m2;
-  const float* __restrict__ bound = cut.bound_per_m2;
+  const std::size_t nodes = cut.nodes;
+  const float* __restrict__ flux_lm = cut.flux_lm;
+  const float* __restrict__ radius_m = cut.radius_m;
+  const float* __restrict__ bound_per_m2 = cut.bound_per_m2;
+  const float* __restrict__ centre_x = cut.centre_x;
+  const float* __restrict__ centre_y = cut.centre_y;
+  const float* __restrict__ centre_z = cut.centre_z;
+  const float* __restrict__ x = cut.x;
+  const float* __restrict__ y = cut.y;
+  const float* __restrict__ z = cut.z;
+  const float* __restrict__ nx = cut.nx;
+  const float* __restrict__ ny = cut.ny;
+  const float* __restrict__ nz = cut.nz;
   for (std::size_t c = 0; c < nodes; ++c) {
-    const float dx = cut.centre_x[c] - px, dy = cut.centre_y[c] - py, dz = cut.centre_z[c] - pz;
-    const float distance = __builtin_sqrtf(dx * dx + dy * dy + dz * dz);
-    const float gap = larger(distance - __builtin_sqrtf(r2[c]), 0.0f);
-    out[c] = static_cast<float>(kRepresentatives) * kFloor * smaller(1.0f / (gap * gap + 1e-12f), bound[c]);
+    const float ux = centre_x[c] - px, uy = centre_y[c] - py, uz = centre_z[c] - pz;
+    const float r = radius_m[c];
+    const float gap = larger(__builtin_sqrtf(ux * ux + uy * uy + uz * uz) - r, 0.0f);
+    const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
+    const float cy = larger(-(nx[c] * dx + ny[c] * dy + nz[c] * dz), 0.0f);
+    const float d2 = dx * dx + dy * dy + dz * dz + r * r + kTiny_m2;
+    const float b = bound_per_m2[c];
+    out[c] = flux_lm[c] * (smaller(cy * __builtin_sqrtf(d2) / (d2 * d2), b) +
+                           kFloor * smaller(1.0f / (gap * gap + kTiny_m2), b));
   }
-  for (std::size_t m = 0; m < kRepresentatives; ++m) {
-    for (std::size_t c = 0; c < nodes; ++c) {
-      const std::size_t k = m * nodes + c;
-      const float dx = cut.x[k] - px, dy = cut.y[k] - py, dz = cut.z[k] - pz;
-      const float cy = larger(-(cut.nx[k] * dx + cut.ny[k] * dy + cut.nz[k] * dz), 0.0f);
-      const float d2 = dx * dx + dy * dy + dz * dz + r2[c] + 1e-12f;
-      out[c] += smaller(cy * __builtin_sqrtf(d2) / (d2 * d2), bound[c]);
-    }
+}
+
+LUXGATE_WIDE float sum_of(const float* values, std::size_t n) {
+  float part[16] = {};
+  std::size_t i = 0;
+  for (; i + 16 <= n; i += 16) {
+    for (std::size_t k = 0; k < 16; ++k) part[k] += values[i + k];
   }
-  for (std::size_t c = 0; c < nodes; ++c) out[c] *= cut.flux_lm[c];
+  for (std::size_t k = 0; i < n; ++i, ++k) part[k] += values[i];
+  for (std::size_t step = 8; step > 0; step /= 2) {
+    for (std::size_t k = 0; k < step; ++k) part[k] += part[k + step];
+  }
+  return part[0];
 }
 
 }  // namespace calc

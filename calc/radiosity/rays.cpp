@@ -56,6 +56,13 @@ Tracer::Tracer(const PreparedScene& scene)
   rtcAttachGeometry(embree_->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(embree_->scene);
+  triangle_normal_.reserve(scene.triangle.size());
+  for (const glm::uvec3& corner : scene.triangle) {
+    const glm::dvec3 a(scene.vertex_m[corner.x]);
+    const glm::dvec3 b(scene.vertex_m[corner.y]);
+    const glm::dvec3 c(scene.vertex_m[corner.z]);
+    triangle_normal_.push_back(glm::normalize(glm::cross(b - a, c - a)));
+  }
 }
 
 Tracer::~Tracer() = default;
@@ -90,7 +97,7 @@ SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
   const glm::dvec3 a(scene_.vertex_m[corner.x]);
   const glm::dvec3 b(scene_.vertex_m[corner.y]);
   const glm::dvec3 c(scene_.vertex_m[corner.z]);
-  const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+  const glm::dvec3& normal = triangle_normal_[triangle];
   return {triangle, a + u * (b - a) + v * (c - a),
           glm::dot(normal, direction) < 0.0 ? normal : -normal};
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace calc {
 
@@ -88,6 +89,7 @@ class Tracer {
 
   const PreparedScene& scene_;
   double offset_m_;
+  std::vector<glm::dvec3> triangle_normal_;  // unit
   std::unique_ptr<Embree> embree_;
 };
 

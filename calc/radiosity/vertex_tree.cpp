@@ -144,7 +144,13 @@ VertexTree::VertexTree(LightVertices vertices, std::size_t channels) {
   std::vector<KeyedIndex> keys = sort_keys(vertices);
   radix_sort(keys, kChannelShift + static_cast<int>(std::bit_width(channels)));
   vertices_.reserve(vertices.size());
-  for (const KeyedIndex& k : keys) vertices_.push_back(vertices[k.index]);
+  flux_before_lm_.reserve(vertices.size() + 1);
+  flux_before_lm_.push_back(0.0);
+  for (const KeyedIndex& k : keys) {
+    vertices_.push_back(vertices[k.index]);
+    flux_before_lm_.push_back(flux_before_lm_.back() +
+                              static_cast<double>(vertices_.back().flux_lm));
+  }
 
   const auto count = static_cast<std::uint32_t>(vertices_.size());
   nodes_.reserve(vertices_.size());
@@ -188,6 +194,18 @@ VertexTree::VertexTree(LightVertices vertices, std::size_t channels) {
       part->per_m2 = part->size() < kDensityCount ? node.per_m2 : density(*part);
     }
   }
+}
+
+std::uint32_t VertexTree::vertex_at(std::uint32_t first, std::uint32_t last, double share) const {
+  const double wanted =
+      flux_before_lm_[first] + share * (flux_before_lm_[last] - flux_before_lm_[first]);
+  std::uint32_t low = first;  // flux before it <= wanted
+  for (std::uint32_t size = last - first; size > 1;) {
+    const std::uint32_t half = size / 2;
+    low += flux_before_lm_[low + half] <= wanted ? half : 0;  // no branch to mispredict
+    size -= half;
+  }
+  return low;
 }
 
 }  // namespace calc

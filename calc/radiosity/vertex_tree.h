@@ -36,12 +36,18 @@ class VertexTree {
   VertexTree(LightVertices vertices, std::size_t channels);
 
   const LightVertices& vertices() const { return vertices_; }
+  // Flux of the vertices before index i, lm.
+  double flux_before_lm(std::size_t i) const { return flux_before_lm_[i]; }
+  // The vertex in first..last at which the summed flux reaches flux_before_lm(first) + share of the
+  // range's flux; share in [0, 1).
+  std::uint32_t vertex_at(std::uint32_t first, std::uint32_t last, double share) const;
   std::span<const VertexNode> nodes() const { return nodes_; }
   // Roots, one per channel that has vertices, in order of channels.
   std::span<const std::uint32_t> roots() const { return roots_; }
 
  private:
   LightVertices vertices_;
+  std::vector<double> flux_before_lm_;  // vertices + 1 entries
   std::vector<VertexNode> nodes_;
   std::vector<std::uint32_t> roots_;
 };

@@ -51,7 +51,7 @@ TEST_P(IntegratingSphere, MatchesTheClosedForm) {
   add_luminaire(scene, web, {0, 0, 0});
   set_extent(scene);
   const FacetGrid facets = facet_grid(scene);
-  const calc::SpaceSolution solution = solve_with_paths(scene, facets.grid, 11, 256);
+  const calc::SpaceSolution solution = solve_with_paths(scene, facets.grid, 11, 512);
   const double phi = web.flux_lm();
   const double tessellated = phi / (surface_area_m2(scene) * (1.0 - rho));
   const double smooth = phi / (4.0 * calc::kPi * 1.5 * 1.5 * (1.0 - rho));
