@@ -78,12 +78,13 @@ struct PlaneField {
   bool is_exact() const { return direct_sampled_lx.empty() && indirect_lx.empty(); }
 };
 
-// Light budget of one space, all luminaires at full output, new: emitted = absorbed + escaped up to
-// sampling noise.
+// Light budget of one space, all luminaires at full output, new: emitted = untraced + absorbed +
+// escaped up to sampling noise.
 struct FluxBalance {
-  double emitted_lm = 0.0;  // exact: integrals of the photometry
-  Estimate absorbed_lm;     // by surfaces
-  Estimate escaped_lm;      // left an open model; 0 in a closed room
+  double emitted_lm = 0.0;   // exact: integrals of the photometry
+  double untraced_lm = 0.0;  // of it, from luminaires that light no reflecting surface
+  Estimate absorbed_lm;      // by surfaces
+  Estimate escaped_lm;       // left an open model; 0 in a closed room
 };
 
 }  // namespace calc

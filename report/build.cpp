@@ -97,6 +97,7 @@ PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> 
   part.id = plane.id;
   part.name = plane.name;
   part.where = plane.where;
+  part.kernel = plane.kernel;
   part.findings = std::move(findings);
   return part;
 }

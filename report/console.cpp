@@ -78,7 +78,7 @@ void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Fi
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(finding.verdict);
   line.cells[kPlace] = place_cell(space, plane);
-  line.cells[kQuantity] = quantity_words(requirement) + scene_words(requirement);
+  line.cells[kQuantity] = quantity_words(requirement, plane.kernel) + scene_words(requirement);
   line.cells[kRequired] = format_required(threshold, unit);
   if (finding.verdict != rules::Verdict::not_judged) {
     line.cells[kMeasured] = format_measured(finding.measured, unit, threshold);
@@ -103,11 +103,14 @@ void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kVerdict] = plane.is_computed ? "  no limit" : "– not computed";
   lines.push_back(std::move(line));
-  lines.emplace_back().note = plane.is_computed
-                                  ? "average " + format_measured(plane.average_lx, "lx") +
-                                        ", minimum " + format_measured(plane.minimum_lx, "lx") +
-                                        ", Uo " + format_measured(plane.uniformity_min_avg, "")
-                                  : printable(plane.reason);
+  const std::string quantity = plane.kernel == calc::ReceiverKernel::planar
+                                   ? ""
+                                   : std::string(kernel_words(plane.kernel)) + ": ";
+  lines.emplace_back().note =
+      plane.is_computed ? quantity + "average " + format_measured(plane.average_lx, "lx") +
+                              ", minimum " + format_measured(plane.minimum_lx, "lx") + ", Uo " +
+                              format_measured(plane.uniformity_min_avg, "")
+                        : printable(plane.reason);
   add_doubt(plane, lines);
 }
 

@@ -51,7 +51,7 @@ struct LuminaireRow {
 };
 
 struct PointRow {
-  glm::dvec3 position_m, normal;
+  glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
   int column = 0, row = 0;
   calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
   double direct_lx = 0;          // maintained, mean over replicates
@@ -61,6 +61,7 @@ struct PointRow {
 struct PlanePart {
   std::string id, name, space_id;
   calc::SourceLocation where;
+  calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
   calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points

@@ -96,6 +96,7 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
     attribute("luxgate.project", project.path);
     attribute("luxgate.space", space.id);
     attribute("luxgate.plane", plane.id);
+    attribute("luxgate.quantity", calc::kernel_name(plane.kernel));
     attribute("luxgate.unit", "lx");
     attribute("luxgate.version", document.provenance.program_version);
     Planes values = channel_values(plane);

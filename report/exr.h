@@ -10,9 +10,10 @@ namespace report {
 // One pixel per cell, the top row is the one with the largest v. 32-bit float channels:
 // illuminance_lx, low_lx and high_lx (its interval), direct_lx, indirect_lx, and valid: 1 where
 // there is a point, else 0 with every other channel 0 (a NaN would break viewers and filters).
-// String attributes luxgate.project (path), luxgate.space, luxgate.plane (id), luxgate.unit ("lx")
-// and luxgate.version. Values are rounded to float. Needs has_cells(). Same input, same bytes.
-// Throws std::runtime_error when the library refuses.
+// String attributes luxgate.project (path), luxgate.space, luxgate.plane (id), luxgate.quantity
+// ("planar", "cylindrical", ...), luxgate.unit ("lx") and luxgate.version. Values are rounded to
+// float. Needs has_cells(). Same input, same bytes. Throws std::runtime_error when the library
+// refuses.
 std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
                        const PlanePart& plane);
 

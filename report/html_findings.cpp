@@ -50,8 +50,8 @@ std::string gauge(const rules::Finding& finding) {
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
-std::string requirement_html(const rules::Requirement& requirement) {
-  std::string html = escape_html(quantity_words(requirement));
+std::string requirement_html(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
+  std::string html = escape_html(quantity_words(requirement, kernel));
   std::string notes;
   const auto note = [&notes](const std::string& text) {
     notes += (notes.empty() ? "" : " · ") + text;
@@ -63,12 +63,12 @@ std::string requirement_html(const rules::Requirement& requirement) {
   return html;
 }
 
-Cells cells_of(const rules::Finding& finding) {
+Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::metric_unit(requirement.metric);
   Cells cells;
-  cells.requirement = requirement_html(requirement);
+  cells.requirement = requirement_html(requirement, plane.kernel);
   cells.required = format_required(threshold, unit);
   if (finding.verdict == rules::Verdict::not_judged) return cells;
   cells.measured = format_measured(finding.measured, unit, threshold);
@@ -100,8 +100,8 @@ constexpr const char* kHead =
     "<th scope=\"col\" class=\"num\">Margin</th>"
     "<th scope=\"col\" class=\"num\">At, m</th>";
 
-std::string finding_cells(const rules::Finding& finding) {
-  const Cells cells = cells_of(finding);
+std::string finding_cells(const PlanePart& plane, const rules::Finding& finding) {
+  const Cells cells = cells_of(plane, finding);
   return fmt::format(
       "<td>{}</td><td>{}</td><td class=\"num\">{}</td><td class=\"num strong\">{}</td>"
       "<td class=\"gauge-cell\">{}</td><td class=\"num\">{}</td><td class=\"num place\">{}</td>",
@@ -115,6 +115,12 @@ std::string plane_link(PlaneIndex index, const SpacePart& space, const PlanePart
                      escape_html(title_of(space.name, space.id)));
 }
 
+std::string average_words(const PlanePart& plane) {
+  const std::string value = format_measured(plane.average_lx, "lx");
+  if (plane.kernel == calc::ReceiverKernel::planar) return "Average " + value;
+  return fmt::format("Average of {} {}", kernel_words(plane.kernel), value);
+}
+
 // A plane without requirements still has a line: nothing is left out silently.
 std::string plain_row(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
   const std::string link = plane_link(index, space, plane);
@@ -125,9 +131,9 @@ std::string plain_row(PlaneIndex index, const SpacePart& space, const PlanePart&
   }
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"quiet\">no limit</td><td class=\"quiet\" "
-      "colspan=\"6\">Average {}, minimum {}, "
+      "colspan=\"6\">{}, minimum {}, "
       "Uo {}.</td></tr>\n",
-      link, format_measured(plane.average_lx, "lx"), format_measured(plane.minimum_lx, "lx"),
+      link, average_words(plane), format_measured(plane.minimum_lx, "lx"),
       format_measured(plane.uniformity_min_avg, ""));
 }
 
@@ -140,18 +146,19 @@ std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart
                         is_first ? plane_link(index, space, plane)
                                  : fmt::format("<span class=\"unseen\">{}</span>",
                                                escape_html(title_of(plane.name, plane.id))),
-                        finding_cells(finding));
+                        finding_cells(plane, finding));
   }
   return plane.findings.empty() ? plain_row(index, space, plane) : html;
 }
 
 std::string attention_item(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
                            const rules::Finding& finding) {
-  const Cells cells = cells_of(finding);
+  const Cells cells = cells_of(plane, finding);
   std::string told = cells.requirement + " " + cells.required;
   if (!cells.measured.empty()) {
-    told = fmt::format("<b>{}</b> for {} {}", cells.measured,
-                       escape_html(quantity_words(finding.requirement)), cells.required);
+    told =
+        fmt::format("<b>{}</b> for {} {}", cells.measured,
+                    escape_html(quantity_words(finding.requirement, plane.kernel)), cells.required);
     told += fmt::format(" (margin {})", cells.margin);
   }
   const std::string remark = remarks(finding);
@@ -273,7 +280,7 @@ std::string html_plane_findings(const PlanePart& plane) {
   std::string rows, notes;
   for (const rules::Finding& finding : plane.findings) {
     rows += fmt::format("<tr class=\"{}\">{}</tr>\n", verdict_key(finding.verdict),
-                        finding_cells(finding));
+                        finding_cells(plane, finding));
     const std::string remark = remarks(finding);
     if (remark.empty()) continue;
     rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);

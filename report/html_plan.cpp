@@ -230,10 +230,10 @@ std::string hatch_pattern(const std::string& anchor) {
 std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
-  return fmt::format("Heat map of {}: {} points, illuminance from {} to {} lx, minimum at {} m",
+  return fmt::format("Heat map of {}: {} points, {} from {} to {} lx, minimum at {} m",
                      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
-                     format_cell_lx(plane.minimum_lx.value), format_cell_lx(plane.maximum_lx.value),
-                     format_position(lowest.position_m));
+                     kernel_words(plane.kernel), format_cell_lx(plane.minimum_lx.value),
+                     format_cell_lx(plane.maximum_lx.value), format_position(lowest.position_m));
 }
 
 std::string svg_plan(const Drawing& drawing) {
@@ -272,10 +272,14 @@ std::string direction_words(const glm::dvec3& direction) {
 
 std::string caption(const Drawing& drawing) {
   const calc::SensorGrid& grid = drawing.plane.grid;
+  const bool is_planar = drawing.plane.kernel == calc::ReceiverKernel::planar;
   return fmt::format(
-      "Maintained illuminance in lx, every luminaire at full output. {}, {} to the right and {} "
+      "Maintained {} in lx, every luminaire at full output. {}, {} to the right and {} "
       "up.",
-      is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan" : "Seen from the measured side",
+      kernel_words(drawing.plane.kernel),
+      is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan"
+      : is_planar                               ? "Seen from the measured side"
+                                                : "Seen from the plane's front",
       direction_words(grid.u), direction_words(grid.v));
 }
 

@@ -26,7 +26,10 @@ std::string statistic(const char* name, const calc::Estimate& estimate, const ch
 }
 
 std::string statistics_table(const PlanePart& plane) {
-  return "<table class=\"facts\"><caption>Statistics</caption><thead><tr><th "
+  const bool is_planar = plane.kernel == calc::ReceiverKernel::planar;
+  const std::string of = is_planar ? "" : std::string(" of ") + kernel_words(plane.kernel);
+  return "<table class=\"facts\"><caption>Statistics" + of +
+         "</caption><thead><tr><th "
          "scope=\"col\">Maintained</th>"
          "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
          "class=\"num\">Interval</th></tr></thead><tbody>\n" +
@@ -80,9 +83,22 @@ std::string height_words(const SpacePart& space, const calc::SensorGrid& grid,
   return height == "0.00" ? ", on the floor" : ", " + with_minus(height) + " m above the floor";
 }
 
+// With the direction that semicylindrical points of a grid look in; a list has many.
+std::string quantity_fact(const PlanePart& plane) {
+  if (plane.kernel == calc::ReceiverKernel::planar) return "planar illuminance";
+  std::string words = kernel_words(plane.kernel);
+  if (plane.kernel != calc::ReceiverKernel::semicylindrical || plane.grid.columns == 0) {
+    return words;
+  }
+  const glm::dvec3& look = plane.points.front().normal;
+  return words + with_minus(fmt::format(", looking to ({}, {})", format_fixed(look.x, 2),
+                                        format_fixed(look.y, 2)));
+}
+
 std::string grid_table(const SpacePart& space, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
-  std::string rows = fact("Rule", escape_html(grid.rule));
+  std::string rows = fact("Quantity", quantity_fact(plane));
+  rows += fact("Rule", escape_html(grid.rule));
   if (grid.columns > 0) {
     rows += fact("Cells", fmt::format("{} × {}", grid.columns, grid.rows));
     rows += fact("Spacing", fmt::format("{} × {} m", format_metres(grid.spacing_u_m),
@@ -109,8 +125,8 @@ std::string value_matrix(const PlanePart& plane) {
   for (const PointRow& point : plane.points)
     value_lx[{point.row, point.column}] = point.maintained_lx.value;
   std::string html =
-      "<table class=\"matrix\"><caption>Maintained illuminance in lx; distances from the grid's "
-      "corner "
+      "<table class=\"matrix\"><caption>Maintained " + std::string(kernel_words(plane.kernel)) +
+      " in lx; distances from the grid's corner "
       "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   for (int column = 0; column < grid.columns; ++column) {
     html +=
@@ -132,7 +148,8 @@ std::string value_matrix(const PlanePart& plane) {
 
 std::string value_list(const PlanePart& plane) {
   std::string html =
-      "<table class=\"findings\"><caption>Maintained illuminance at the listed "
+      "<table class=\"findings\"><caption>Maintained " + std::string(kernel_words(plane.kernel)) +
+      " at the listed "
       "points</caption><thead><tr>"
       "<th scope=\"col\">Point</th><th scope=\"col\" class=\"num\">Position, m</th>"
       "<th scope=\"col\" class=\"num\">Normal</th><th scope=\"col\" class=\"num\">Illuminance</th>"

@@ -144,6 +144,7 @@ Json plane_json(const PlanePart& plane) {
   Json json = {{"id", plane.id},
                {"name", plane.name},
                {"where", from(plane.where)},
+               {"quantity", calc::kernel_name(plane.kernel)},
                {"is_computed", plane.is_computed},
                {"reason", plane.reason},
                {"findings", list_of(plane.findings, finding_json)}};

@@ -37,6 +37,22 @@ const char* verdict_key(rules::Verdict verdict) {
   return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
 }
 
+const char* kernel_words(calc::ReceiverKernel kernel) {
+  switch (kernel) {
+    case calc::ReceiverKernel::planar:
+      break;
+    case calc::ReceiverKernel::cylindrical:
+      return "cylindrical illuminance Ez";
+    case calc::ReceiverKernel::semicylindrical:
+      return "semicylindrical illuminance Esz";
+    case calc::ReceiverKernel::hemispherical:
+      return "hemispherical illuminance Ehs";
+    case calc::ReceiverKernel::scalar:
+      return "scalar illuminance Es";
+  }
+  return "illuminance";
+}
+
 std::string quantity_words(const rules::Requirement& requirement) {
   switch (requirement.metric) {
     case rules::Metric::average:
@@ -56,6 +72,11 @@ std::string quantity_words(const rules::Requirement& requirement) {
   }
   return requirement.point_m ? "value at " + format_position(*requirement.point_m)
                              : "value at a point";
+}
+
+std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
+  const std::string words = quantity_words(requirement);
+  return kernel == calc::ReceiverKernel::planar ? words : words + " of " + kernel_words(kernel);
 }
 
 const char* state_name(rules::LightState state) {

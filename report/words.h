@@ -14,9 +14,15 @@ const char* verdict_symbol(rules::Verdict verdict);
 // Name without blanks for class names and data: "pass", "fail", "undecided", "not-judged".
 const char* verdict_key(rules::Verdict verdict);
 
+// What a plane's points measure: "illuminance" (planar), "cylindrical illuminance Ez", ...
+const char* kernel_words(calc::ReceiverKernel kernel);
+
 // What a requirement looks at: "average", "minimum", "Uo (min/avg)", "5 % percentile", "value at
 // (1.00, 2.00, 0.80)".
 std::string quantity_words(const rules::Requirement& requirement);
+// The same where the plane is not named otherwise: "average of cylindrical illuminance Ez", but
+// still "average" if it is planar.
+std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel);
 
 // "maintained" or "initial".
 const char* state_name(rules::LightState state);

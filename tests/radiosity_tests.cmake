@@ -2,6 +2,8 @@ luxgate_test(radiosity_tests
   SOURCES
     analytic/box_radiosity_test.cpp
     analytic/closed_room_flux_test.cpp
+    analytic/extreme_geometry_test.cpp
+    analytic/extreme_light_test.cpp
     analytic/integrating_sphere_test.cpp
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp

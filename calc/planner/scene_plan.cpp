@@ -116,7 +116,7 @@ class Planner {
   ScenePlan run() {
     for (const PlaneTask& task : tasks_) {
       position_m_.push_back(local_positions_m(scene_, *task.grid));
-      points_.push_back({position_m_.back(), task.grid->normal, ReceiverKernel::planar});
+      points_.push_back({position_m_.back(), task.grid->normal, task.grid->kernel});
       bounds_.push_back(bounds_of(points_.back()));
       plan_.planes.push_back({task.plane_id, points_.back().position_m.size(), 0, 0, false});
     }

@@ -82,27 +82,31 @@ bool has_extended_luminaires(const PreparedScene& scene) {
   return !std::all_of(scene.luminaires.begin(), scene.luminaires.end(), is_point);
 }
 
-std::uint64_t add_point_sources(const Tracer& tracer, const Receiver& receiver, double* sums,
-                                std::size_t stride) {
-  ShadowBatch batch(tracer);
-  const glm::vec3 from(tracer.lift(receiver));
-  for (const PlacedLuminaire& luminaire : tracer.scene().luminaires) {
-    if (!is_point(luminaire)) continue;
-    add_source(batch, luminaire, luminaire.position_m, receiver, from, 1.0, tracer.offset_m(), sums,
-               stride);
-  }
-  batch.flush();
-  return batch.rays();
-}
-
-std::uint64_t add_extended_sources(const Tracer& tracer, const Receiver& receiver, RandomKey key,
-                                   std::uint32_t first_round, std::uint32_t last_round,
-                                   double* sums, std::size_t stride) {
+DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
+                             std::span<const std::uint8_t> is_dark, double* sums,
+                             std::size_t stride) {
   ShadowBatch batch(tracer);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
-    if (is_point(luminaires[l])) continue;
+    const PlacedLuminaire& luminaire = luminaires[l];
+    if (!is_point(luminaire) || (!is_dark.empty() && is_dark[l] != 0)) continue;
+    add_source(batch, luminaire, luminaire.position_m, receiver, from, 1.0, tracer.offset_m(), sums,
+               stride);
+  }
+  batch.flush();
+  return {batch.rays(), batch.has_contributions()};
+}
+
+DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
+                                std::span<const std::uint8_t> is_dark, RandomKey key,
+                                std::uint32_t first_round, std::uint32_t last_round, double* sums,
+                                std::size_t stride) {
+  ShadowBatch batch(tracer);
+  const glm::vec3 from(tracer.lift(receiver));
+  const auto& luminaires = tracer.scene().luminaires;
+  for (std::size_t l = 0; l < luminaires.size(); ++l) {
+    if (is_point(luminaires[l]) || (!is_dark.empty() && is_dark[l] != 0)) continue;
     const std::vector<OpeningCell> cells = opening_cells(luminaires[l], receiver.position_m);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const OpeningCell& cell = cells[c];
@@ -119,7 +123,7 @@ std::uint64_t add_extended_sources(const Tracer& tracer, const Receiver& receive
     }
   }
   batch.flush();
-  return batch.rays();
+  return {batch.rays(), batch.has_contributions()};
 }
 
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,

@@ -11,26 +11,35 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace calc {
 
 bool has_extended_luminaires(const PreparedScene& scene);
 
+// What tracing towards luminaires gave.
+struct DirectRays {
+  std::uint64_t traced = 0;
+  bool may_be_lit = false;  // some luminaire shines this way, whatever stands between
+};
+
 // Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
-// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact. Returns the shadow
-// rays traced.
-std::uint64_t add_point_sources(const Tracer& tracer, const Receiver& receiver, double* sums,
-                                std::size_t stride);
+// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact. is_dark:
+// [luminaire], 1 = proved to give nothing here (find_dark_luminaires()), left out; may be empty.
+DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
+                             std::span<const std::uint8_t> is_dark, double* sums,
+                             std::size_t stride);
 
 // The same for luminaires with an opening of some size, each as points spread evenly over the
 // opening with the luminaire's whole intensity distribution [the usual subdivision, with random
 // instead of fixed parts: no far-field error near the luminaire, and soft shadows whose error shows
 // in the replicates]. first_round..last_round: rounds of samples; one round is what opening_cells()
 // gives. Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased.
-std::uint64_t add_extended_sources(const Tracer& tracer, const Receiver& receiver, RandomKey key,
-                                   std::uint32_t first_round, std::uint32_t last_round,
-                                   double* sums, std::size_t stride);
+DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
+                                std::span<const std::uint8_t> is_dark, RandomKey key,
+                                std::uint32_t first_round, std::uint32_t last_round, double* sums,
+                                std::size_t stride);
 
 // Adds one unbiased sample of the direct illuminance from all luminaires, times weight.
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,

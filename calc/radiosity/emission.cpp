@@ -58,25 +58,31 @@ glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& s
   return lift_along_axis(luminaire, source_m, receiver_m - source_m, offset_m);
 }
 
-Emitter::Emitter(const PreparedScene& scene) : scene_(scene), cumulative_{0.0} {
+Emitter::Emitter(const PreparedScene& scene, std::span<const std::uint8_t> is_unlit)
+    : scene_(scene), cumulative_{0.0} {
   std::map<const PhotometricWeb*, std::size_t> sampler_of_web;
+  std::vector<double> traced_lm;
   std::vector<double> channel_lm(scene.channels.size(), 0.0);
   for (const PlacedLuminaire& luminaire : scene.luminaires) {
     const auto [entry, is_new] = sampler_of_web.try_emplace(luminaire.web, samplers_.size());
     if (is_new) samplers_.emplace_back(*luminaire.web);
     sampler_of_.push_back(entry->second);
     const double flux_lm = luminaire.web->flux_lm() * luminaire.flux_scale;
+    const bool is_traced = is_unlit.empty() || is_unlit[luminaire_flux_lm_.size()] == 0;
     luminaire_flux_lm_.push_back(flux_lm);
-    channel_lm[luminaire.channel] += flux_lm;
     flux_lm_ += flux_lm;
+    traced_lm.push_back(is_traced ? flux_lm : 0.0);
+    channel_lm[luminaire.channel] += traced_lm.back();
+    traced_flux_lm_ += traced_lm.back();
   }
   const auto lit_channels = static_cast<double>(
       std::count_if(channel_lm.begin(), channel_lm.end(), [](double lm) { return lm > 0.0; }));
-  for (std::size_t l = 0; l < luminaire_flux_lm_.size(); ++l) {
-    const double flux_lm = luminaire_flux_lm_[l];
+  for (std::size_t l = 0; l < traced_lm.size(); ++l) {
+    const double flux_lm = traced_lm[l];
     const double own_lm = channel_lm[scene.luminaires[l].channel];
     const double probability =
-        flux_lm > 0.0 ? 0.5 * flux_lm / flux_lm_ + 0.5 * flux_lm / own_lm / lit_channels : 0.0;
+        flux_lm > 0.0 ? 0.5 * flux_lm / traced_flux_lm_ + 0.5 * flux_lm / own_lm / lit_channels
+                      : 0.0;
     path_flux_lm_.push_back(flux_lm > 0.0 ? flux_lm / probability : 0.0);
     cumulative_.push_back(cumulative_.back() + probability);
   }

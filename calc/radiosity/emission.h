@@ -39,9 +39,13 @@ struct EmittedRay {
 // All luminaires of a scene as one source of light paths.
 class Emitter {
  public:
-  explicit Emitter(const PreparedScene& scene);
+  // is_unlit: [luminaire], 1 = lights no reflecting surface (find_unlit_surfaces()), so that no
+  // path starts there; may be empty.
+  explicit Emitter(const PreparedScene& scene, std::span<const std::uint8_t> is_unlit = {});
 
   double flux_lm() const { return flux_lm_; }  // of all luminaires, initial, full output
+  // Of the luminaires that paths start from.
+  double traced_flux_lm() const { return traced_flux_lm_; }
   double flux_lm(std::size_t luminaire) const { return luminaire_flux_lm_[luminaire]; }
 
   // u in [0, 1): luminaire in file order. Half of the probability goes by flux, half evenly to the
@@ -59,7 +63,7 @@ class Emitter {
   std::vector<std::size_t> sampler_of_;  // per luminaire
   std::vector<double> luminaire_flux_lm_, path_flux_lm_;
   std::vector<double> cumulative_;  // probability; luminaires + 1 entries
-  double flux_lm_ = 0.0;
+  double flux_lm_ = 0.0, traced_flux_lm_ = 0.0;
 };
 
 // Index of a luminaire so near to the point (within `distance_m` of its centre, point openings

@@ -167,7 +167,7 @@ GeometryBound::GeometryBound(const Tracer& tracer, const Emitter& emitter, std::
   reach_m_ = kMeanFreePathsPerReach * summary.mean_free_path_m;
   smallest_ = 1.0 / (reach_m_ * reach_m_);
   const double paths_number = static_cast<double>(paths);
-  vertices_per_lumen_ = kKappa * paths_number / emitter.flux_lm();
+  vertices_per_lumen_ = kKappa * paths_number / emitter.traced_flux_lm();
   const double rho = std::min(summary.mean_reflectance, kHighestMeanReflectance);
   // Sumpner: E_amb = rho Phi / (A (1 - rho)), so that Phi cancels.
   if (summary.area_m2 > 0.0) {

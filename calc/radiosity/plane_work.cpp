@@ -1,7 +1,9 @@
 #include "calc/radiosity/plane_work.h"
 
+#include "calc/planner/predicates.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
+#include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/radix_sort.h"
 #include "calc/radiosity/random.h"
@@ -40,35 +42,6 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
     rays += work(i);
   });
   return rays;
-}
-
-// [point]: 1 if some reflecting surface reaches in front of the point's tangent plane; else
-// indirect light is exactly 0.
-std::vector<std::uint8_t> see_reflecting_surface(const Tracer& tracer,
-                                                 const std::vector<Receiver>& receiver) {
-  const PreparedScene& scene = tracer.scene();
-  std::vector<std::uint8_t> sees(receiver.size(), 0);
-  glm::dvec3 direction(0.0);
-  double farthest_m =
-      0.0;  // of all corners along `direction`; neighbours mostly share their normal
-  for (std::size_t i = 0; i < receiver.size(); ++i) {
-    if (i == 0 || receiver[i].axis != direction) {
-      direction = receiver[i].axis;
-      farthest_m = -std::numeric_limits<double>::max();
-      for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
-        if (scene.reflectance[t] <= 0.0) continue;
-        for (int k = 0; k < 3; ++k) {
-          const glm::dvec3 corner(scene.vertex_m[scene.triangle[t][k]]);
-          farthest_m = std::max(farthest_m, glm::dot(direction, corner));
-        }
-      }
-    }
-    const bool is_there = farthest_m > -std::numeric_limits<double>::max();
-    sees[i] =
-        is_there && (!has_back(receiver[i].kernel) ||
-                     farthest_m > glm::dot(direction, receiver[i].position_m) + tracer.offset_m());
-  }
-  return sees;
 }
 
 // Points along a Morton curve in the two or three directions of their extent.
@@ -130,15 +103,13 @@ struct PlaneWork::TileSums {
 };
 
 PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-                     const RadiositySettings& settings)
+                     const std::vector<Beam>& beams, const RadiositySettings& settings)
     : tracer_(tracer),
       settings_(settings),
       opening_key_(stage_key(settings.seed, RandomStage::opening).with(plane_id)),
       near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
       draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
-  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
-    receiver_.push_back({grid.position_m[i] - tracer.scene().origin_m, grid.normal[i]});
-  }
+  receiver_ = receivers_of(tracer, grid);
   const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
@@ -150,8 +121,14 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   active_.assign(points(), 1);
   rounds_.assign(points(), 0);
   paths_.assign(points(), 0);
-  sees_reflection_ = see_reflecting_surface(tracer, receiver_);
+  const PreparedScene& scene = tracer.scene();
+  const std::vector<glm::dvec3> local_m = local_positions_m(scene, grid);
+  const PointSet set{local_m, grid.normal, grid.kernel};
+  sees_reflection_ = find_reflection_view(scene, set).sees_reflection;
   may_be_sampled_ = sees_reflection_;
+  if (settings.skips.allows(Skip::dark_pairs) && points() > 0) {
+    is_dark_ = find_dark_luminaires(scene, beams, bounds_of(set));
+  }
   if (!settings.skips.allows(Skip::behind_plane)) sees_reflection_.assign(points(), 1);
   for (std::size_t i = 0; i < points(); ++i) {
     if (find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m()) < 0) {
@@ -188,7 +165,8 @@ void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
 void PlaneWork::add_exact(SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
-    return add_point_sources(tracer_, receiver_[i], &field_.direct_exact_lx[i], points());
+    return add_point_sources(tracer_, receiver_[i], is_dark_, &field_.direct_exact_lx[i], points())
+        .traced;
   });
 }
 
@@ -201,11 +179,13 @@ void PlaneWork::sample_openings(SolveTimes& times) {
     std::uint64_t rays = 0;
     if (active_[i] == 0) return rays;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
-      rays += add_extended_sources(tracer_, receiver_[i], opening_key_.with(i).with(r), rounds_[i],
-                                   last, &direct_sum_lx_[r * channels() * points() + i], points());
+      const DirectRays direct = add_extended_sources(
+          tracer_, receiver_[i], is_dark_, opening_key_.with(i).with(r), rounds_[i], last,
+          &direct_sum_lx_[r * channels() * points() + i], points());
+      rays += direct.traced;
+      if (direct.may_be_lit) may_be_sampled_[i] = 1;
     }
     rounds_[i] = last;
-    if (rays > 0) may_be_sampled_[i] = 1;  // no ray is traced where the unoccluded light is 0
     return rays;
   });
   most_rounds_ = last;

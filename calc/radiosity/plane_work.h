@@ -3,6 +3,7 @@
 // field.
 
 #include "calc/field.h"
+#include "calc/planner/beam.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/rays.h"
@@ -43,8 +44,9 @@ std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
+  // beams: beams_of(scene).
   PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-            const RadiositySettings& settings);
+            const std::vector<Beam>& beams, const RadiositySettings& settings);
 
   // Whether looks still add to this plane.
   bool is_active() const { return is_active_; }
@@ -101,6 +103,7 @@ class PlaneWork {
   std::vector<std::uint8_t> active_;           // [point]
   std::vector<std::uint8_t> sees_reflection_;  // [point]
   std::vector<std::uint8_t> may_be_sampled_;   // [point]
+  std::vector<std::uint8_t> is_dark_;          // [luminaire], see add_point_sources()
   std::vector<double> clear_m_;                // [point], up to the first look's reach
   std::vector<Tile> tiles_;                    // of this look
   double reach_m_ = 0.0;                       // of this look's short rays

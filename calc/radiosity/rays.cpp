@@ -213,6 +213,7 @@ double Tracer::clear_distance(const glm::dvec3& position_m, const glm::dvec3& no
 }
 
 bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {
+  if (!has_shadows_) return false;
   SegmentPacket packet;
   packet.from_x[0] = static_cast<float>(from_m.x);
   packet.from_y[0] = static_cast<float>(from_m.y);
@@ -225,7 +226,7 @@ bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const 
 }
 
 std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {
-  if (embree_->scene == nullptr) return 0;
+  if (embree_->scene == nullptr || !has_shadows_) return 0;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(64) std::array<int, SegmentPacket::kSize> valid{};

@@ -47,6 +47,11 @@ class Tracer {
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
+  // Nothing stands between any two points that will be asked about, by proof (convex space): shadow
+  // queries answer without a ray.
+  void leave_out_shadows() { has_shadows_ = false; }
+  bool has_shadows() const { return has_shadows_; }
+
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
 
@@ -89,6 +94,7 @@ class Tracer {
 
   const PreparedScene& scene_;
   double offset_m_;
+  bool has_shadows_ = true;
   std::vector<glm::dvec3> triangle_normal_;  // unit
   std::unique_ptr<Embree> embree_;
 };

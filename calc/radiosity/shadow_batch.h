@@ -36,6 +36,7 @@ class ShadowBatch {
 
   void flush() {
     if (packet_.count == 0) return;
+    has_contributions_ = true;
     const std::uint32_t blocked = tracer_.blocked(packet_);
     for (std::size_t k = 0; k < static_cast<std::size_t>(packet_.count); ++k) {
       if (((blocked >> k) & 1u) != 0) continue;
@@ -44,11 +45,13 @@ class ShadowBatch {
         *largest_[k] = static_cast<float>(contribution_[k]);
       }
     }
-    rays_ += static_cast<std::uint64_t>(packet_.count);
+    if (tracer_.has_shadows()) rays_ += static_cast<std::uint64_t>(packet_.count);
     packet_.count = 0;
   }
 
-  std::uint64_t rays() const { return rays_; }
+  std::uint64_t rays() const { return rays_; }  // traced
+  // Whether any contribution was not 0 before visibility.
+  bool has_contributions() const { return has_contributions_; }
 
  private:
   const Tracer& tracer_;
@@ -57,6 +60,7 @@ class ShadowBatch {
   std::array<double*, SegmentPacket::kSize> sum_;
   std::array<float*, SegmentPacket::kSize> largest_;
   std::uint64_t rays_ = 0;
+  bool has_contributions_ = false;
 };
 
 }  // namespace calc

@@ -1,5 +1,7 @@
 #include "calc/radiosity/solve.h"
 
+#include "calc/planner/convex_space.h"
+#include "calc/planner/predicates.h"
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
@@ -45,21 +47,25 @@ class Solver {
         progress_(progress),
         start_s_(now_s()),
         tracer_(scene),
-        emitter_(scene) {
+        beams_(beams_of(scene)),
+        emitter_(scene, settings.skips.allows(Skip::unlit_surfaces)
+                            ? find_unlit_surfaces(scene, beams_)
+                            : std::vector<std::uint8_t>{}) {
     solution_.times.build_s = now_s() - start_s_;
     solution_.balance.emitted_lm = emitter_.flux_lm();
-    const bool has_reflection = std::any_of(scene.reflectance.begin(), scene.reflectance.end(),
-                                            [](double rho) { return rho > 0.0; });
-    samples_indirect_ = has_reflection && emitter_.flux_lm() > 0.0;
+    solution_.balance.untraced_lm = emitter_.flux_lm() - emitter_.traced_flux_lm();
+    const bool is_left_out = settings.skips.allows(Skip::no_reflection) && no_reflection(scene);
+    samples_indirect_ = !is_left_out && emitter_.traced_flux_lm() > 0.0;
     samples_openings_ = has_extended_luminaires(scene);
   }
 
   SpaceSolution run(const std::vector<PlaneTask>& tasks) {
     absorbed_lm_.resize(replicates());
     escaped_lm_.resize(replicates());
+    if (settings_.skips.allows(Skip::convex)) leave_out_shadows(tasks);
     planes_.reserve(tasks.size());
     for (const PlaneTask& task : tasks) {
-      planes_.emplace_back(tracer_, task.plane_id, *task.grid, settings_);
+      planes_.emplace_back(tracer_, task.plane_id, *task.grid, beams_, settings_);
     }
     for (PlaneWork& plane : planes_) {
       if (plane.is_active()) plane.add_exact(solution_.times);
@@ -79,6 +85,19 @@ class Solver {
   }
 
  private:
+  // Only if all planes lie inside; whether others are there changes no result, as what is left out
+  // is visible by proof.
+  void leave_out_shadows(const std::vector<PlaneTask>& tasks) {
+    const ConvexAnswer answer = find_convex_space(tracer_.scene());
+    if (!answer.space) return;
+    for (const PlaneTask& task : tasks) {
+      const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), *task.grid);
+      const PointSet points{local_m, task.grid->normal};
+      if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) return;
+    }
+    tracer_.leave_out_shadows();
+  }
+
   static std::string why_no_result(StopReason stopped) {
     switch (stopped) {
       case StopReason::time_limit:
@@ -278,6 +297,7 @@ class Solver {
   const ProgressSink& progress_;
   double start_s_;
   Tracer tracer_;
+  std::vector<Beam> beams_;
   Emitter emitter_;
   std::vector<PlaneWork> planes_;
   std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look

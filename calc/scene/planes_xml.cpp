@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kPerpendicularCosine = 1.0e-6;
 constexpr double kParallelSine = 1.0e-9;
+constexpr double kHorizontalSine = 1.0e-6;
 
 // The attributes that tell the forms apart.
 constexpr std::array<std::string_view, 6> kForms{"height", "origin",    "points",
@@ -240,6 +242,64 @@ class PlaneReader {
   const PlaneSurroundings& around_;
 };
 
+constexpr std::string_view kSemicylindrical = "quantity=\"semicylindrical\"";
+
+bool is_horizontal(const glm::dvec3& unit) { return std::abs(unit.z) <= kHorizontalSine; }
+
+// Without what the file's rounding left upright: half a cylinder that stands upright sees nothing
+// from behind at all.
+glm::dvec3 made_horizontal(const glm::dvec3& unit) {
+  return glm::normalize(glm::dvec3(unit.x, unit.y, 0.0));
+}
+
+// Where the points of an area look, 0 if their quantity needs no such direction.
+glm::dvec3 read_look(ElementReader& reader, ReceiverKernel kernel) {
+  constexpr std::string_view kName = "direction";
+  const bool is_semicylindrical = kernel == ReceiverKernel::semicylindrical;
+  if (reader.has(kName) != is_semicylindrical) {
+    const std::string_view given = is_semicylindrical ? kSemicylindrical : kName;
+    const std::string_view missing = is_semicylindrical ? kName : kSemicylindrical;
+    reader.report(DiagnosticId::missing_partner,
+                  reader.where(is_semicylindrical ? "quantity" : kName), "plane", given, missing);
+  }
+  if (!reader.has(kName)) return glm::dvec3(0.0);
+  const std::size_t errors = reader.diagnostics().error_count();
+  const glm::dvec3 look = read_direction(reader, kName);
+  if (reader.diagnostics().error_count() > errors) return glm::dvec3(0.0);
+  if (is_horizontal(look)) return made_horizontal(look);
+  reader.report(DiagnosticId::not_horizontal, reader.where(kName), kName, "plane",
+                degrees_from_radians(std::asin(look.z)));
+  return glm::dvec3(0.0);
+}
+
+// The points of a list look along their normals.
+void check_looks(ElementReader& reader, PointList& list) {
+  const auto tilted = [&](const glm::dvec3& normal) { return !is_horizontal(normal); };
+  const auto first = std::find_if(list.normal.begin(), list.normal.end(), tilted);
+  if (first == list.normal.end()) {
+    for (glm::dvec3& normal : list.normal) normal = made_horizontal(normal);
+    return;
+  }
+  reader.report(DiagnosticId::point_list_not_horizontal, reader.where("file"),
+                std::count_if(first, list.normal.end(), tilted), list.normal.size(), list.file,
+                first->x, first->y, first->z,
+                list.line[static_cast<std::size_t>(first - list.normal.begin())]);
+}
+
+// What the points measure, and where those of an area look.
+void read_quantity(ElementReader& reader, CalcPlane& plane) {
+  const std::size_t errors = reader.diagnostics().error_count();
+  plane.kernel = static_cast<ReceiverKernel>(reader.choice_or(
+      "quantity", Names(kReceiverKernelNames.begin(), kReceiverKernelNames.end()), 0));
+  if (reader.diagnostics().error_count() > errors) return;  // unknown: nothing follows from it
+  if (!reader.has("file")) {
+    plane.direction = read_look(reader, plane.kernel);
+  } else if (reader.has("direction")) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("direction"), "plane",
+                  "direction", "file");
+  }
+}
+
 // Attributes are kept as written; rules/ knows their meaning.
 RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
@@ -258,7 +318,7 @@ RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnos
 std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
                                     const PlaneSurroundings& surroundings) {
   reader.allow_attributes({"id", "name", "height", "origin", "u", "v", "points", "on", "on-top-of",
-                           "file", "margin", "count", "spacing"});
+                           "file", "margin", "count", "spacing", "quantity", "direction"});
   reader.allow_children({"hole", "require"});
   CalcPlane plane;
   plane.id = reader.id();
@@ -270,9 +330,15 @@ std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& read
     plane.requirements.push_back(read_requirement(child, context.diagnostics));
   }
   auto area = PlaneReader(context, reader, surroundings).read();
+  read_quantity(reader, plane);
   if (!area || !reader.ok()) return std::nullopt;
   if (reader.has("on") || reader.has("on-top-of")) context.planes_on_surfaces.insert(plane.id);
   plane.area = std::move(*area);
+  auto* list = std::get_if<PointList>(&plane.area);
+  if (list != nullptr && plane.kernel == ReceiverKernel::semicylindrical) {
+    check_looks(reader, *list);
+    if (!reader.ok()) return std::nullopt;
+  }
   return plane;
 }
 

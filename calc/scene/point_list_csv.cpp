@@ -53,6 +53,7 @@ bool parse_line(std::string_view line, const SourceLocation& where, PointList& l
   }
   list.position_m.emplace_back(value[0], value[1], value[2]);
   list.normal.push_back(glm::normalize(normal));
+  list.line.push_back(where.line);
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/receiver_kernel.h"
 
 #include <glm/glm.hpp>
 
@@ -86,7 +87,7 @@ using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
 struct PlanarArea {
   glm::dvec3 origin_m{0.0};
   glm::dvec3 u{1, 0, 0},
-      v{0, 1, 0};  // orthonormal; illuminance is measured on the side of normal()
+      v{0, 1, 0};  // orthonormal; planar illuminance is measured on the side of normal()
   std::vector<glm::dvec2> outline_m;  // simple polygon, in (u, v)
   std::vector<std::vector<glm::dvec2>> holes_m;
   double margin_m = 0.0;  // strip along the outline without points
@@ -99,6 +100,7 @@ struct PlanarArea {
 struct PointList {
   std::string file;
   std::vector<glm::dvec3> position_m, normal;
+  std::vector<int> line;  // of the file, as many
 };
 
 // A requirement as written; rules/ gives it a meaning. Attributes in file order.
@@ -115,6 +117,10 @@ struct CalcPlane {
   std::string id;  // unique in the project
   std::string name;
   std::variant<PlanarArea, PointList> area;
+  ReceiverKernel kernel = ReceiverKernel::planar;
+  // Of an area's semicylindrical points: where they look, unit and horizontal; else 0. Points of a
+  // list look along their normals, and all other kernels of an area have its normal for an axis.
+  glm::dvec3 direction{0.0};
   std::vector<RequirementText> requirements;
   SourceLocation where;
 };

@@ -74,18 +74,19 @@ Rectangle bounding_rectangle(const std::vector<glm::dvec2>& outline) {
 // Decides which points of a space can be measured at: within the room and in no solid.
 class SpaceFilter {
  public:
-  explicit SpaceFilter(const Space& space) : shell_(space.shell) {
+  SpaceFilter(const Space& space, ReceiverKernel kernel) : shell_(space.shell), kernel_(kernel) {
     for (const Body& body : space.bodies) {
       if (body.is_closed) solids_.push_back({&body, bounding_box(body.vertex_m)});
     }
   }
 
-  // Why the point is dropped; `body` then names the solid. Empty: it is kept.
-  std::optional<DropReason> reason_to_drop(const glm::dvec3& point, const glm::dvec3& normal,
+  // Why the point is dropped; `body` then names the solid. Empty: it is kept. front: see
+  // SensorGrid::front().
+  std::optional<DropReason> reason_to_drop(const glm::dvec3& point, const glm::dvec3& front,
                                            std::string& body) const {
     if (shell_ && !is_in_room(point)) return DropReason::outside_room;
     for (const Solid& solid : solids_) {
-      if (!is_in_solid(solid, point, normal)) continue;
+      if (!is_in_solid(solid, point, front)) continue;
       body = solid.body->id;
       return DropReason::inside_solid;
     }
@@ -108,36 +109,40 @@ class SpaceFilter {
            contains_point(shell_->footprint_m, glm::dvec2(point.x, point.y));
   }
 
-  // On a face, the side the point looks to decides: a plane on a desk top stays, one that looks
-  // into the desk does not.
-  static bool is_in_solid(const Solid& solid, const glm::dvec3& point, const glm::dvec3& normal) {
+  // On a face, the side in front decides: a plane on a desk top stays, one that looks into the desk
+  // does not. Where the face runs along that direction, a plane sees past the body, but any other
+  // receiver has half of it in the body.
+  bool is_in_solid(const Solid& solid, const glm::dvec3& point, const glm::dvec3& front) const {
     constexpr double kStep = 1.0e-6;  // of the solid's size; well above the surface tolerance
     const SolidSide side = locate_point(*solid.body, solid.box, point);
     if (side != SolidSide::on_surface) return side == SolidSide::inside;
-    const glm::dvec3 in_front = point + kStep * solid.box.diagonal() * normal;
-    return locate_point(*solid.body, solid.box, in_front) == SolidSide::inside;
+    const glm::dvec3 in_front = point + kStep * solid.box.diagonal() * front;
+    const SolidSide there = locate_point(*solid.body, solid.box, in_front);
+    if (kernel_ == ReceiverKernel::planar) return there == SolidSide::inside;
+    return there != SolidSide::outside;
   }
 
   const std::optional<RoomShell>& shell_;
+  ReceiverKernel kernel_;
   std::vector<Solid> solids_;
 };
 
 // Adds candidates one by one and keeps the account.
 class GridBuilder {
  public:
-  GridBuilder(const Space& space, SensorGrid& grid) : filter_(space), grid_(grid) {}
+  GridBuilder(const Space& space, SensorGrid& grid) : filter_(space, grid.kernel), grid_(grid) {}
 
   // `reason`: already known to be dropped because of the plane's own outline.
-  void add(const glm::dvec3& point, const glm::dvec3& normal, int column, int row,
-           std::optional<DropReason> reason = std::nullopt) {
+  void add(const glm::dvec3& point, const glm::dvec3& front, const glm::dvec3& axis, int column,
+           int row, std::optional<DropReason> reason = std::nullopt) {
     std::string body;
-    if (!reason) reason = filter_.reason_to_drop(point, normal, body);
+    if (!reason) reason = filter_.reason_to_drop(point, front, body);
     if (reason) {
       grid_.dropped.push_back({point, column, row, *reason, std::move(body)});
       return;
     }
     grid_.position_m.push_back(point);
-    grid_.normal.push_back(normal);
+    grid_.normal.push_back(axis);
     grid_.column.push_back(column);
     grid_.row.push_back(row);
   }
@@ -166,6 +171,7 @@ class GridMaker {
       : plane_(plane), space_(space), diagnostics_(diagnostics) {}
 
   std::optional<SensorGrid> run() {
+    grid_.kernel = plane_.kernel;
     const auto* area = std::get_if<PlanarArea>(&plane_.area);
     const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
     if (!made || is_empty()) return std::nullopt;
@@ -180,7 +186,8 @@ class GridMaker {
     if (!is_small_enough({static_cast<double>(count), 1.0})) return false;
     GridBuilder builder(space_, grid_);
     for (std::size_t i = 0; i < count; ++i) {
-      builder.add(list.position_m[i], list.normal[i], static_cast<int>(i), 0);
+      const glm::dvec3& axis = list.normal[i];
+      builder.add(list.position_m[i], axis, axis, static_cast<int>(i), 0);
     }
     return true;
   }
@@ -234,11 +241,13 @@ class GridMaker {
     GridBuilder builder(space_, grid_);
     const glm::dvec2 cell_m(grid_.spacing_u_m, grid_.spacing_v_m);
     const glm::dvec3 normal = area.normal();
+    const glm::dvec3 axis =
+        plane_.kernel == ReceiverKernel::semicylindrical ? plane_.direction : normal;
     for (int row = 0; row < grid_.rows; ++row) {
       for (int column = 0; column < grid_.columns; ++column) {
         const glm::dvec2 at = inner.lower + glm::dvec2(column + 0.5, row + 0.5) * cell_m;
         const glm::dvec3 point = area.origin_m + at.x * area.u + at.y * area.v;
-        builder.add(point, normal, column, row, reason_to_drop(area, at));
+        builder.add(point, normal, axis, column, row, reason_to_drop(area, at));
       }
     }
   }

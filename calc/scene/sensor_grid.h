@@ -3,6 +3,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/scene/project.h"
+#include "calc/scene/receiver_kernel.h"
 
 #include <glm/glm.hpp>
 
@@ -31,9 +32,14 @@ struct SensorGrid {
   double margin_m = 0.0;
   glm::dvec3 origin_m{0.0}, u{1, 0, 0}, v{0, 1, 0};  // lower left corner of cell (0, 0) and axes
   std::vector<glm::dvec3> position_m;
-  std::vector<glm::dvec3> normal;  // unit
+  ReceiverKernel kernel = ReceiverKernel::planar;
+  std::vector<glm::dvec3> normal;  // unit: the kernel's axis
   std::vector<int> column, row;
   std::vector<DroppedPoint> dropped;
+
+  // The side of a surface that point i counts as, should it lie in one: that of the plane's own
+  // normal, whatever the axis; a list has nothing but its normals. Unit.
+  glm::dvec3 front(std::size_t i) const { return columns > 0 ? glm::cross(u, v) : normal[i]; }
 };
 
 // Cells along one side by the EN 12464-1 rule: p = 0.2 * 5^(log10 d) m, at most 10 m, d = the
@@ -48,9 +54,10 @@ GridCounts en12464_grid_counts(double side_u_m, double side_v_m);
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's
 // bounding rectangle less the margin, without those outside the outline, in a hole or on its edge,
 // nearer to the outline than the margin (holes have none), outside the room (its surfaces count as
-// inside), or inside a closed body. A point on the face of a closed body stays if its normal points
-// out of it. Errors, with empty result: a margin that leaves nothing, more than 4 million points,
-// no point left.
+// inside), or inside a closed body. A planar point on the face of a closed body stays if it does
+// not look into the body, one of any other kernel only if there is nothing but air in front of it,
+// on the plane's side: half of it would lie in the body otherwise. Errors, with empty result: a
+// margin that leaves nothing, more than 4 million points, no point left.
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
                                            Diagnostics& diagnostics);
 
