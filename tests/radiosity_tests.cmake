@@ -7,12 +7,15 @@ luxgate_test(radiosity_tests
     analytic/integrating_sphere_test.cpp
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp
+    analytic/receiver_kernels_test.cpp
     differential/gatherer_test.cpp
     differential/same_bits_test.cpp
+    differential/skips_test.cpp
     statistical/coverage_test.cpp
     unit/calc/radiosity/emission_test.cpp
     unit/calc/radiosity/low_discrepancy_test.cpp
     unit/calc/radiosity/near_field_test.cpp
     unit/calc/radiosity/rays_test.cpp
     unit/calc/radiosity/settings_test.cpp
+    unit/calc/radiosity/vertex_tree_test.cpp
   LIBRARIES calc_radiosity)

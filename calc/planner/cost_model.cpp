@@ -27,13 +27,13 @@ constexpr double kVisibleShare = 0.9;
 // Shadow rays and further short rays that continue a short ray which meets a surface.
 constexpr double kRaysPerShortRay = 1.7;
 
-constexpr double kBytesPerVertex = 48.0;     // with sorting keys and the tree
+constexpr double kBytesPerVertex = 150.0;    // with sorting keys and the tree
 constexpr double kBytesPerTriangle = 300.0;  // with its share of Embree's tree
 // Sums and published values, direct and indirect.
 constexpr double kBytesPerResult = 4.0 * sizeof(double);
 
-// Short rays of a point in one batch; plane_work.cpp decides.
-double short_rays(std::uint32_t draws) { return std::max(draws / 2, 8u); }
+// Short rays of a point in one batch, at a third of the reach from the nearest surface.
+double short_rays(std::uint32_t draws) { return short_rays_per_point(draws, 1.0 / 3.0, 1.0); }
 
 }  // namespace
 

@@ -35,7 +35,9 @@ struct NodeView {
 };
 
 bool is_behind(const ReceiverTile& tile, const VertexNode& node) {
-  return glm::dot(tile.axis, node.centre_m) + node.radius_m + tile.slack_m < tile.lowest_m;
+  const float highest =
+      glm::dot(tile.axis, node.centre_m) + glm::dot(glm::abs(tile.axis), node.half_m);
+  return highest + tile.slack_m < tile.lowest_m;
 }
 
 // No direction from the node to the tile lies within 90 degrees of any of its normals.
@@ -43,8 +45,9 @@ bool faces_away(const ReceiverTile& tile, const VertexNode& node, const NodeView
   const float cosine = glm::dot(node.axis, view.to_tile);
   if (cosine >= 0.0f || node.cos_spread <= 0.0f) return false;
   const float reach = node.radius_m + tile.radius_m;
-  if (node.cos_spread >= 1.0f - 1e-6f) {  // flat: a plain distance to the plane
-    return cosine + reach + tile.slack_m < 0.0f;
+  if (node.cos_spread >= 1.0f - 1e-6f) {  // one normal: a plain distance to the plane
+    return cosine + glm::dot(glm::abs(node.axis), node.half_m) + tile.radius_m + tile.slack_m <
+           0.0f;
   }
   if (view.distance <= reach) return false;
   // angle(axis, to_tile) > 90 degrees + spread + angle that both spheres take up

@@ -72,14 +72,6 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) 
   return order;
 }
 
-// Short rays of a point for one replicate and look: as many as draws where a surface touches the
-// point, a few where it is nearly out of reach and the near field but a trace.  [measured]
-std::uint32_t near_rays_for(std::uint32_t draws, double clear_m, double reach_m) {
-  const double depth = 1.0 - clear_m / reach_m;
-  return std::bit_ceil(
-      std::max(2u, static_cast<std::uint32_t>(depth * depth * depth * depth * draws)));
-}
-
 // Every vertex once: instant radiosity.
 void connect_all(std::size_t vertices, std::uint32_t receiver,
                  std::vector<Connection>& connections) {
@@ -93,6 +85,12 @@ std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points) {
   const std::uint64_t most = std::max<std::uint64_t>(paths / 2, kFewestDraws);
   const std::uint64_t fewest = std::max<std::uint64_t>(paths / 64, kFewestDraws);
   return static_cast<std::uint32_t>(std::bit_floor(std::clamp(affordable, fewest, most)));
+}
+
+std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m) {
+  const double depth = 1.0 - clear_m / reach_m;
+  return std::bit_ceil(
+      std::max(2u, static_cast<std::uint32_t>(depth * depth * depth * depth * draws)));
 }
 
 // Sums of one tile in one batch, [channel][receiver of the tile].
@@ -284,7 +282,7 @@ std::uint64_t PlaneWork::add_near(const Tile& tile, const VertexBatch& batch,
     const std::uint32_t i = tile.point[k];
     if (clear_m_[i] >= reach_m_) continue;
     rays += add_near_field(
-        field, {tile.receiver[k], key.with(i), near_rays_for(draws, clear_m_[i], reach_m_)},
+        field, {tile.receiver[k], key.with(i), short_rays_per_point(draws, clear_m_[i], reach_m_)},
         &sums.lx[k], tile.point.size(), sums.largest_lx[k]);
   }
   return rays;

@@ -74,6 +74,12 @@ std::uint32_t split_of(const std::vector<KeyedIndex>& keys, std::uint32_t first,
   return first + static_cast<std::uint32_t>(found - begin);
 }
 
+void set_box(VertexNode& node, const glm::vec3& low, const glm::vec3& high) {
+  node.centre_m = 0.5f * (low + high);
+  node.half_m = 0.5f * (high - low);
+  node.radius_m = glm::length(node.half_m);
+}
+
 void summarise_leaf(VertexNode& node, const LightVertices& vertices) {
   glm::vec3 low = vertices[node.first].position_m;
   glm::vec3 high = low;
@@ -84,8 +90,7 @@ void summarise_leaf(VertexNode& node, const LightVertices& vertices) {
     sum += vertices[i].normal;
     node.flux_lm += vertices[i].flux_lm;
   }
-  node.centre_m = 0.5f * (low + high);
-  node.radius_m = 0.5f * glm::length(high - low);
+  set_box(node, low, high);
   const float length = glm::length(sum);
   if (length < 1e-3f) {
     node.cos_spread = -1.0f;
@@ -99,18 +104,8 @@ void summarise_leaf(VertexNode& node, const LightVertices& vertices) {
 
 void summarise_pair(VertexNode& node, const VertexNode& a, const VertexNode& b) {
   node.flux_lm = a.flux_lm + b.flux_lm;
-  const glm::vec3 apart = b.centre_m - a.centre_m;
-  const float distance = glm::length(apart);
-  if (distance + b.radius_m <= a.radius_m) {
-    node.centre_m = a.centre_m;
-    node.radius_m = a.radius_m;
-  } else if (distance + a.radius_m <= b.radius_m) {
-    node.centre_m = b.centre_m;
-    node.radius_m = b.radius_m;
-  } else {
-    node.radius_m = 0.5f * (distance + a.radius_m + b.radius_m);
-    node.centre_m = a.centre_m + apart * ((node.radius_m - a.radius_m) / distance);
-  }
+  set_box(node, glm::min(a.centre_m - a.half_m, b.centre_m - b.half_m),
+          glm::max(a.centre_m + a.half_m, b.centre_m + b.half_m));
   const glm::vec3 sum =
       a.axis * static_cast<float>(a.size()) + b.axis * static_cast<float>(b.size());
   const float length = glm::length(sum);

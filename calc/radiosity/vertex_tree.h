@@ -19,10 +19,10 @@ struct VertexNode {
   std::uint32_t child = 0;  // 0 = leaf
   std::uint32_t channel = 0;
   float flux_lm = 0.0f;     // sum
-  float radius_m = 0.0f;    // of a sphere about centre_m that holds all positions
+  float radius_m = 0.0f;    // half the diagonal of the box
   float cos_spread = 1.0f;  // smallest cosine between axis and a normal
   float per_m2 = 0.0f;      // vertices per area around, of at least kDensityCount vertices
-  glm::vec3 centre_m{0.0f};
+  glm::vec3 centre_m{0.0f}, half_m{0.0f};  // box that holds all positions
   glm::vec3 axis{0.0f};  // unit mean normal; 0 if normals cancel, then cos_spread is -1
 
   std::uint32_t size() const { return last - first; }
