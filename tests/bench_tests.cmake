@@ -20,6 +20,7 @@ add_executable(bench_core
   bench/smoke.cpp
   bench/stiff.cpp
   bench/table.cpp
-  bench/truth.cpp)
-target_link_libraries(bench_core PRIVATE calc_radiosity TBB::tbb)
+  bench/truth.cpp
+  bench/verdicts.cpp)
+target_link_libraries(bench_core PRIVATE calc_radiosity rules TBB::tbb)
 add_test(NAME bench_core_runs COMMAND bench_core smoke)

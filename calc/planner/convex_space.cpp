@@ -129,10 +129,13 @@ struct ConvexSearch {
   }
 };
 
+// normal: 0 = any way.
 bool ConvexSpace::holds_lifted(const glm::dvec3& position_m, const glm::dvec3& normal) const {
+  const bool is_any = normal == glm::dvec3(0.0);
   return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
     const double height_m = glm::dot(wall.outward, position_m) - wall.distance_m;
-    const double lift_m = offset_m_ * std::max(0.0, glm::dot(wall.outward, normal));
+    const double cosine = is_any ? 1.0 : glm::dot(wall.outward, normal);
+    const double lift_m = offset_m_ * std::max(0.0, cosine);
     return height_m + lift_m <= tolerance_m_;
   });
 }
@@ -147,8 +150,11 @@ bool ConvexSpace::holds(const PointSet& points, const PointBounds& bounds) const
   if (is_box_inside) return true;
   const std::size_t count = points.position_m.size();
   if (walls_.size() > kMostWallTests / count) return false;
+  // A semicylindrical point in a surface is lifted across its axis, to the side that its plane has.
+  const bool is_any_lift = points.kernel == ReceiverKernel::semicylindrical;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!holds_lifted(points.position_m[i], points.normal[i])) return false;
+    const glm::dvec3 lift = is_any_lift ? glm::dvec3(0.0) : points.normal[i];
+    if (!holds_lifted(points.position_m[i], lift)) return false;
   }
   return true;
 }

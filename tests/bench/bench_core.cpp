@@ -26,6 +26,7 @@ constexpr Experiment kExperiments[] = {
     {"near", run_near, "[12|1000|washers|spots...]"},
     {"stiff", run_stiff, ""},
     {"coverage", run_coverage, "[SEEDS]"},
+    {"verdicts", run_verdicts, "[SCENE [SEEDS]]"},
     {"scaling", run_scaling, "[points|luminaires|triangles|reflectance]"},
     {"projects", run_projects, "FOLDER"},
     {"smoke", run_smoke, ""},

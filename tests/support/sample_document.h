@@ -212,7 +212,7 @@ inline SpacePart sample_office() {
   }
   light.peak_cd = 2310;
   light.indirect_lx = 96;
-  space.balance = {21000, estimate(20987, 61), estimate(0, 0)};
+  space.balance = {21000, 0, estimate(20987, 61), estimate(0, 0)};
 
   PlanePart work =
       sample_plane("r101.work", "Work plane", {0.5, 0.5, 0.8}, {1, 0, 0}, {0, 1, 0}, {16, 12},
@@ -256,7 +256,7 @@ inline SpacePart sample_hall() {
       space.luminaires.push_back({light.position_m.back(), "hall <b>\"80 W\"</b>"});
     }
   }
-  space.balance = {264000, estimate(263700, 900), estimate(0, 0)};
+  space.balance = {264000, 0, estimate(263700, 900), estimate(0, 0)};
   PlanePart floor = sample_plane("r200.floor", "Court", {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {88, 52},
                                  {44, 26}, light, [](double, double) { return true; });
   floor.findings = {sample_finding(rules::Metric::minimum, 260, floor.minimum_lx, "EN 12193")};

@@ -48,6 +48,15 @@ TEST(BuildPlane, SplitsMaintainedLightIntoDirectAndIndirect) {
               1e-9);
 }
 
+TEST(BuildPlane, KeepsWhatThePointsMeasure) {
+  calc::CalcPlane plane;
+  plane.kernel = calc::ReceiverKernel::cylindrical;
+  EXPECT_EQ(report::build_plane(plane, two_points(), two_channel_field(), {}, 0.95).kernel,
+            calc::ReceiverKernel::cylindrical);
+  EXPECT_EQ(report::build_uncomputed_plane(plane, "dark", {}).kernel,
+            calc::ReceiverKernel::cylindrical);
+}
+
 TEST(BuildPlane, ExactFieldsHaveNoInterval) {
   calc::PlaneField field = two_channel_field();
   field.direct_sampled_lx.clear();

@@ -39,6 +39,19 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
 )");
 }
 
+TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.kernel = calc::ReceiverKernel::cylindrical;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("  average of cylindrical illuminance Ez  ≥ 500 lx  "));
+  EXPECT_THAT(render_text(document), HasSubstr("  minimum of cylindrical illuminance Ez  "));
+  plane.findings.clear();
+  plane.kernel = calc::ReceiverKernel::semicylindrical;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ semicylindrical illuminance Esz: average 512.5 ± 4.0 lx, minimum"));
+}
+
 TEST(Console, WhatWasNotJudgedSaysWhy) {
   const std::string text = render_text(sample_document());
   EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));

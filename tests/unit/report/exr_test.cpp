@@ -27,6 +27,7 @@ std::string rendered(const Document& document) {
 TEST(Exr, ReadsBackValuesAndAttributes) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.kernel = calc::ReceiverKernel::scalar;
   plane.grid.rows = 2;
   plane.points[1].row = 1;  // now (0, 0) and (1, 1)
   const std::string path = testing::TempDir() + "luxgate_exr_test.exr";
@@ -38,6 +39,8 @@ TEST(Exr, ReadsBackValuesAndAttributes) {
     EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("luxgate.plane").value(), "work");
     EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("luxgate.project").value(),
               "office.xml");
+    EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("luxgate.quantity").value(),
+              "scalar");
     EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("luxgate.unit").value(), "lx");
     std::array<std::vector<float>, 3> read;
     Imf::FrameBuffer frame;

@@ -191,6 +191,30 @@ TEST(Html, DroppedPointsAreAccountedFor) {
               HasSubstr("42 outside the area, 1 inside a solid (cupboard)"));
 }
 
+TEST(Html, QuantitiesAreNamed) {
+  const std::string planar = render_html(small_document());
+  EXPECT_THAT(planar, HasSubstr("planar illuminance"));
+  EXPECT_THAT(planar, HasSubstr("Maintained illuminance in lx"));
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.kernel = calc::ReceiverKernel::semicylindrical;
+  for (PointRow& point : plane.points) point.normal = {0, -1, 0};
+  const std::string html = render_html(document);
+  parsed(html);
+  for (const char* words :
+       {"average of semicylindrical illuminance Esz", "Statistics of semicylindrical illuminance",
+        "Heat map of Work plane: 2 points, semicylindrical illuminance Esz from",
+        "semicylindrical illuminance Esz, looking to (0.00, −1.00)",
+        "Maintained semicylindrical illuminance Esz in lx, every luminaire",
+        "Maintained semicylindrical illuminance Esz in lx; distances"}) {
+    EXPECT_THAT(html, HasSubstr(words));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("planar")));
+  plane.findings.clear();
+  EXPECT_THAT(render_html(document),
+              HasSubstr("Average of semicylindrical illuminance Esz 512.5 ± 4.0 lx, minimum"));
+}
+
 TEST(Html, TimeAppearsOnlyOnRequest) {
   Document document = small_document();
   EXPECT_THAT(render_html(document), Not(HasSubstr("<caption>Time</caption>")));

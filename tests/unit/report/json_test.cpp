@@ -34,6 +34,16 @@ TEST(Json, HoldsFindingsWithIntervals) {
   EXPECT_EQ(result["counts"]["fail"], 1);
 }
 
+TEST(Json, NamesWhatThePointsMeasure) {
+  Document document = small_document();
+  const auto quantity = [&document] {
+    return json::parse(render_json(document))["projects"][0]["spaces"][0]["planes"][0]["quantity"];
+  };
+  EXPECT_EQ(quantity(), "planar");
+  document.projects[0].spaces[0].planes[0].kernel = calc::ReceiverKernel::hemispherical;
+  EXPECT_EQ(quantity(), "hemispherical");
+}
+
 TEST(Json, HoldsEveryPoint) {
   const json result = json::parse(render_json(sample_document()));
   const json& plane = result["projects"][0]["spaces"][1]["planes"][0];

@@ -24,8 +24,9 @@ bool is_convex(const calc::PreparedScene& scene) {
   return calc::find_convex_space(scene).space.has_value();
 }
 
-bool holds(const calc::PreparedScene& scene, const calc::SensorGrid& grid) {
-  const Points points(scene, grid);
+bool holds(const calc::PreparedScene& scene, const calc::SensorGrid& grid,
+           calc::ReceiverKernel kernel = calc::ReceiverKernel::planar) {
+  const Points points(scene, grid, kernel);
   const calc::ConvexAnswer answer = calc::find_convex_space(scene);
   return answer.space && answer.space->holds(points.set, points.bounds);
 }
@@ -150,6 +151,16 @@ TEST(ConvexSpace, PointsMustBeInside) {
   EXPECT_FALSE(holds(scene, work_plane(0, 4, 0.0)));  // half of it outside
 }
 
+TEST(ConvexSpace, SemicylindricalPointsInASurfaceMayBeOnEitherSide) {
+  const calc::PreparedScene scene = empty_room();
+  calc::SensorGrid grid = work_plane(-2, 2, -1.5);
+  for (glm::dvec3& look : grid.normal) look = {1, 0, 0};
+  EXPECT_TRUE(holds(scene, grid));
+  EXPECT_FALSE(holds(scene, grid, calc::ReceiverKernel::semicylindrical));
+  for (glm::dvec3& position_m : grid.position_m) position_m.z = 0.0;
+  EXPECT_TRUE(holds(scene, grid, calc::ReceiverKernel::semicylindrical));
+}
+
 TEST(ConvexSpace, PointsInAHexagonNeedNoBoxInside) {
   calc::PreparedScene scene;
   for (int k = 0; k < 6; ++k) {
@@ -168,6 +179,7 @@ TEST(ConvexSpace, PointsInAHexagonNeedNoBoxInside) {
   });
   grid.normal.resize(grid.position_m.size());
   EXPECT_TRUE(holds(scene, grid));
+  EXPECT_TRUE(holds(scene, grid, calc::ReceiverKernel::semicylindrical));
   grid.position_m.emplace_back(2.9, 2.0, 0.0);  // beyond a side
   grid.normal.emplace_back(0, 0, 1);
   EXPECT_FALSE(holds(scene, grid));

@@ -101,6 +101,14 @@ TEST_F(APlan, NamesThePlanesThatSeeNoReflection) {
   EXPECT_FALSE(p.planes[1].is_exact);
 }
 
+TEST_F(APlan, SeesReflectionFromBehindByAnyKernelButThePlanar) {
+  work = work_plane(-1.5, 1.5, 1.5);  // in the ceiling, facing up
+  EXPECT_EQ(plan().planes[0].seeing_points, 0u);
+  work.kernel = calc::ReceiverKernel::cylindrical;
+  EXPECT_EQ(plan().planes[0].seeing_points, 25u);
+  EXPECT_EQ(state(calc::Skip::behind_plane), calc::SkipState::not_proved);
+}
+
 TEST_F(APlan, CountsDarkPairsAndUnlitLuminaires) {
   const auto spot = spot_web(7, 8);
   scene.luminaires.clear();

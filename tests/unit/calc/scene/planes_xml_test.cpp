@@ -136,6 +136,43 @@ TEST(PlanesXml, PointListsAreScaledAndMovedIntoTheRoom) {
   EXPECT_EQ(list.normal.at(0), glm::dvec3(0, 0, 1));
 }
 
+TEST(PlanesXml, PointsMeasurePlanarIlluminanceUnlessAQuantityIsGiven) {
+  EXPECT_EQ(plane_in_room("<plane id='p' height='1'/>").kernel, ReceiverKernel::planar);
+  const struct {
+    const char* name;
+    ReceiverKernel kernel;
+  } cases[] = {{"planar", ReceiverKernel::planar},
+               {"cylindrical", ReceiverKernel::cylindrical},
+               {"hemispherical", ReceiverKernel::hemispherical},
+               {"scalar", ReceiverKernel::scalar}};
+  for (const auto& expected : cases) {
+    const CalcPlane plane =
+        plane_in_room("<plane id='p' height='1' quantity='" + std::string(expected.name) + "'/>");
+    EXPECT_EQ(plane.kernel, expected.kernel) << expected.name;
+    EXPECT_EQ(plane.direction, glm::dvec3(0.0)) << expected.name;
+  }
+}
+
+TEST(PlanesXml, SemicylindricalPointsLookInTheDirectionGiven) {
+  const CalcPlane plane = plane_in_room(
+      "<plane id='p' height='1' quantity='semicylindrical' direction='3 -4 0.000004'/>");
+  EXPECT_EQ(plane.kernel, ReceiverKernel::semicylindrical);
+  expect_near(plane.direction, {0.6, -0.8, 0});
+  EXPECT_EQ(plane.direction.z, 0.0);
+  expect_near(std::get<PlanarArea>(plane.area).normal(), {0, 0, 1});
+}
+
+TEST(PlanesXml, SemicylindricalPointsOfAListLookAlongTheirNormals) {
+  MemoryFileReader files =
+      project_files(in_room("<plane id='p' file='looks.csv' quantity='semicylindrical'/>"));
+  files.add("dir/looks.csv", "x,y,z,nx,ny,nz\n1,1,1.5,0,-2,0.0000019\n");
+  const Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const CalcPlane& plane = loaded.project->spaces.at(0).planes.at(0);
+  EXPECT_EQ(plane.kernel, ReceiverKernel::semicylindrical);
+  EXPECT_EQ(std::get<PointList>(plane.area).normal.at(0), glm::dvec3(0, -1, 0));
+}
+
 TEST(PlanesXml, RequirementsAreKeptAsWritten) {
   const CalcPlane plane = plane_in_room(
       "<plane id='p' name='Task' height='1'>\n"

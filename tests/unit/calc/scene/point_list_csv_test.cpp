@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -18,6 +19,7 @@ TEST(PointListCsv, ReadsByteOrderMarkCarriageReturnsBlanksAndEmptyLines) {
   EXPECT_DOUBLE_EQ(list->normal[0].y, 0.6);
   EXPECT_DOUBLE_EQ(list->normal[0].z, -0.8);
   EXPECT_EQ(list->position_m[1], glm::dvec3(5, 6, 7));
+  EXPECT_EQ(list->line, (std::vector<int>{2, 4}));
 }
 
 TEST(PointListCsv, GivesUpAfterTenBadLines) {

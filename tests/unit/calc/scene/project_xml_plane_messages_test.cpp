@@ -89,6 +89,45 @@ const std::vector<MessageCase> kCases{
      "'x;y;z'"},
     {"EmptyPointList", in_room(R"(<plane id="p" file="empty.csv"/>)"),
      "dir/empty.csv:1: error[point-list-empty]: no points after the header line"},
+    {"UnknownQuantity", in_room(R"(<plane id="p" height="1.2" quantity="cylindric"/>)"),
+     "dir/p.xml:5:28: error[unknown-value]: attribute 'quantity' of <plane>: unknown value "
+     "'cylindric'; allowed: planar, cylindrical, semicylindrical, hemispherical or scalar; did you "
+     "mean 'cylindrical'?"},
+    {"SemicylindricalWithoutDirection",
+     in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical"/>)"),
+     "dir/p.xml:5:28: error[missing-partner]: <plane> has 'quantity=\"semicylindrical\"' without "
+     "'direction'; the two belong together"},
+    {"DirectionWithoutSemicylindrical",
+     in_room(R"(<plane id="p" height="1.5" quantity="cylindrical" direction="1 0 0"/>)"),
+     "dir/p.xml:5:51: error[missing-partner]: <plane> has 'direction' without "
+     "'quantity=\"semicylindrical\"'; the two belong together"},
+    {"DirectionZero",
+     in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical" direction="0 0 0"/>)"),
+     "dir/p.xml:5:55: error[zero-vector]: attribute 'direction' of <plane>: the direction must not "
+     "be zero"},
+    {"DirectionNotHorizontal",
+     in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical" direction="1 0 -1"/>)"),
+     "dir/p.xml:5:55: error[not-horizontal]: attribute 'direction' of <plane>: the direction must "
+     "be horizontal, but it rises by -45 degrees"},
+    {"DirectionNotQuiteHorizontal",
+     in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical" direction="1 0 1.1e-6"/>)"),
+     "dir/p.xml:5:55: error[not-horizontal]: attribute 'direction' of <plane>: the direction must "
+     "be horizontal, but it rises by 6.30254e-05 degrees"},
+    {"DirectionIsToldBesideOtherErrors",
+     in_room(R"(<plane id="p" height="9" quantity="semicylindrical" direction="0 0 0"/>)"),
+     "dir/p.xml:5:15: error[number-out-of-range]: attribute 'height' of <plane>: 9 is not "
+     "allowed; expected a number from 0 to below the room's height 2.5\n"
+     "dir/p.xml:5:53: error[zero-vector]: attribute 'direction' of <plane>: the direction must not "
+     "be zero"},
+    {"DirectionOfPointList",
+     in_room(R"(<plane id="p" file="points.csv" quantity="semicylindrical" direction="1 0 0"/>)"),
+     "dir/p.xml:5:60: error[attribute-without-meaning]: <plane>: 'direction' has no meaning "
+     "together with 'file'"},
+    {"SemicylindricalPointListFacesUp",
+     in_room(R"(<plane id="p" file="looks.csv" quantity="semicylindrical"/>)"),
+     "dir/p.xml:5:15: error[point-list-not-horizontal]: 2 of the 3 normals in 'looks.csv' are not "
+     "horizontal, as the directions that semicylindrical points look in must be; the first is "
+     "(0,0,1) in line 4"},
     {"UnknownRequirementAttribute",
      in_room(R"(<plane id="p" height="0.8"><require quantity="average" atleast="500"/></plane>)"),
      "dir/p.xml:5:56: error[unknown-attribute]: unknown attribute 'atleast' of <require>; allowed: "

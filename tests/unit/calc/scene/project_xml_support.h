@@ -72,6 +72,7 @@ inline MemoryFileReader files_for_messages(const std::string& xml) {
   files.add("dir/bad.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,1\n1,2,3,0,0\n1,2,x,0,0,1\n");
   files.add("dir/zero.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,0\n");
   files.add("dir/head.csv", "x;y;z\n");
+  files.add("dir/looks.csv", "x,y,z,nx,ny,nz\n1,1,1,1,0,0\n\n1,2,1,0,0,3\n1,2,1,0,3,3\n");
   files.add("dir/empty.csv", "x,y,z,nx,ny,nz\n");
   return files;
 }

@@ -258,6 +258,51 @@ TEST(SensorGrid, APlaneOnTopOfABoxIsKeptAndOneLookingIntoItIsNot) {
   EXPECT_FALSE(make(plane_of(rectangle(4, 2), GridByRule{}, 0.749), space).grid) << "inside";
 }
 
+TEST(SensorGrid, TheAxisIsTheNormalOrTheDirectionLookedIn) {
+  CalcPlane plane = plane_of(rectangle(2, 2), GridByCount{1, 1});
+  plane.kernel = ReceiverKernel::cylindrical;
+  const Made cylinder = make(plane);
+  ASSERT_TRUE(cylinder.grid);
+  EXPECT_EQ(cylinder.grid->kernel, ReceiverKernel::cylindrical);
+  EXPECT_EQ(cylinder.grid->normal[0], glm::dvec3(0, 0, 1));
+  plane.kernel = ReceiverKernel::semicylindrical;
+  plane.direction = {0.6, 0.8, 0};
+  const Made half = make(plane);
+  ASSERT_TRUE(half.grid);
+  EXPECT_EQ(half.grid->kernel, ReceiverKernel::semicylindrical);
+  EXPECT_EQ(half.grid->normal[0], glm::dvec3(0.6, 0.8, 0));
+  EXPECT_EQ(half.grid->front(0), glm::dvec3(0, 0, 1));
+}
+
+TEST(SensorGrid, TheSideOfASurfaceIsThePlanesWhateverTheAxis) {
+  Space space;
+  space.bodies = {box("table", {-1, -1, 0}, {5, 3, 0.75})};
+  CalcPlane plane = plane_of(rectangle(4, 2), GridByRule{}, 0.75);
+  plane.kernel = ReceiverKernel::semicylindrical;
+  plane.direction = {1, 0, 0};
+  const Made on_top = make(plane, space);
+  ASSERT_TRUE(on_top.grid);
+  EXPECT_TRUE(on_top.grid->dropped.empty());
+  std::swap(area_of(plane).u, area_of(plane).v);
+  area_of(plane).outline_m = rectangle(2, 4);
+  EXPECT_FALSE(make(plane, space).grid) << "looks along the table top, from below";
+}
+
+TEST(SensorGrid, AFaceBesideAPointHalvesAllButPlanarOnes) {
+  Space space;
+  space.bodies = {box("cupboard", {-1, -1, 0}, {1.5, 5, 3})};
+  CalcPlane plane = plane_of(rectangle(4, 4), GridByCount{4, 4});  // x = 0.5, 1.5, 2.5, 3.5
+  EXPECT_EQ(make(plane, space).grid->position_m.size(), 12u) << "a plane sees past the face";
+  for (const ReceiverKernel kernel :
+       {ReceiverKernel::cylindrical, ReceiverKernel::hemispherical, ReceiverKernel::scalar}) {
+    plane.kernel = kernel;
+    const Made made = make(plane, space);
+    ASSERT_TRUE(made.grid);
+    EXPECT_EQ(made.grid->position_m.size(), 8u);
+    EXPECT_EQ(dropped_for(*made.grid, DropReason::inside_solid), 8u);
+  }
+}
+
 TEST(SensorGrid, APlaneThatKeepsNoPointIsAnErrorWithTheCounts) {
   Space space;
   space.shell = RoomShell{rectangle(2, 4), 0.0, 3.0};
@@ -308,6 +353,7 @@ TEST(SensorGrid, PointListsAreTakenAsGivenAndFilteredAlike) {
   EXPECT_EQ(made.grid->columns, 0);
   EXPECT_EQ(made.grid->position_m, (std::vector<glm::dvec3>{{0.5, 0.5, 1}, {2, 1.5, 1}}));
   EXPECT_EQ(made.grid->normal[1], glm::dvec3(1, 0, 0));
+  EXPECT_EQ(made.grid->front(1), glm::dvec3(1, 0, 0));
   EXPECT_EQ(made.grid->column, (std::vector<int>{0, 3})) << "place in the list";
   EXPECT_EQ(dropped_for(*made.grid, DropReason::inside_solid), 2u);
   EXPECT_EQ(dropped_for(*made.grid, DropReason::outside_room), 1u);
