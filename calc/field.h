@@ -64,9 +64,9 @@ struct PlaneField {
   // [point]: 1 if sampled light may reach the point but no sample has: its 0 lx is then not a
   // measurement, and its interval of width 0 means nothing. Empty when nothing was sampled.
   std::vector<std::uint8_t> unseen;
-  // [point]: the largest single sample's share of the point's illuminance (all channels at full
-  // output), [0, 1]. Near 1 the value rests on one sample and its t-interval is not to be trusted.
-  // Empty when nothing was sampled.
+  // [point]: the largest share that a single sample, drawn or possible, has in the point's
+  // illuminance (all channels at full output), >= 0. Near 1 or above the value rests on one sample
+  // and its t-interval is not to be trusted. Empty when nothing was sampled.
   std::vector<float> largest_share;
   // Looks that the plane might have taken, a number fixed before the first: its intervals hold over
   // all of them together. 1: only one was planned, or nothing was sampled.

@@ -9,13 +9,12 @@
 namespace calc {
 namespace {
 
-// Nanoseconds of one thread. Measured as CPU time of an -O2 build on one core of a shared AMD EPYC,
-// Embree 3.13, 16 replicates of 16384 paths of the examples office (228 triangles, 15 panels),
-// Cornell box and room; they spread by 30 %. Other machines differ by a factor, other scenes by
-// another: --explain-cost shows it.
-constexpr double kPoolRay_ns = 650.0;          // closest hit, sampling, and sorting of the vertex
-constexpr double kConnection_ns = 95.0;        // draw, kernel, shadow ray
-constexpr double kConnectionShadow_ns = 20.0;  // the part of it that a convex space saves
+// Nanoseconds of one thread. Measured as CPU time on one core of a shared AMD EPYC, Embree 3.13, in
+// an office of 840 triangles and in the examples; they spread by 30 %. Other machines differ by a
+// factor, other scenes by another: --explain-cost shows it.
+constexpr double kPoolRay_ns = 450.0;          // closest hit, sampling, and sorting of the vertex
+constexpr double kConnection_ns = 170.0;       // draw, kernel, shadow ray
+constexpr double kConnectionShadow_ns = 45.0;  // the part of it that a convex space saves
 constexpr double kShortRay_ns = 300.0;         // with the light at its end
 constexpr double kDirectRay_ns = 300.0;        // photometry and shadow ray
 constexpr double kDirectShadow_ns = 20.0;
@@ -83,6 +82,7 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
   result.seconds.pool = ns * kPoolRay_ns * work.pool_rays;
   result.seconds.connect = ns * connection_ns * work.connection_rays;
   result.seconds.near_field = ns * kShortRay_ns * work.near_rays;
+  if (space.is_convex) work.direct_rays = work.connection_rays = 0.0;  // no shadow ray is traced
   result.bytes += kBytesPerTriangle * triangles + kBytesPerVertex * space.vertices_per_path *
                                                       static_cast<double>(largest_batch) *
                                                       std::min(threads, settings.replicates);

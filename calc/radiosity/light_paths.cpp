@@ -91,7 +91,7 @@ class PathWave {
     }
     chunk_.rays += last - first;
     const std::uint32_t hits =
-        tracer_.closest_hits(packet_, std::numeric_limits<float>::infinity(), hit_);
+        tracer_.closest_hits(packet_, 0.0f, std::numeric_limits<float>::infinity(), hit_);
     for (std::size_t k = 0; k < last - first; ++k) {
       if (((hits >> k) & 1u) == 0) {
         chunk_.escaped_lm += paths_[first + k].weight_lm;

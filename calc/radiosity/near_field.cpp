@@ -217,6 +217,8 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
   const ScrambledSobol sobol(request.key);
   const double ray_weight = 1.0 / request.rays;
   std::uint64_t rays = request.rays;
+  // A point may lie in a surface that it does not look out of: that surface is not in its way.
+  const auto least_m = static_cast<float>(field.tracer.offset_m());
   RayPacket packet;
   std::array<double, RayPacket::kSize> weight;
   std::array<SurfaceHit, RayPacket::kSize> hit;
@@ -235,7 +237,7 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
       weight[k] = ray_weight * ray.weight;
     }
     std::uint32_t hits =
-        field.tracer.closest_hits(packet, static_cast<float>(field.bound.reach_m()), hit);
+        field.tracer.closest_hits(packet, least_m, static_cast<float>(field.bound.reach_m()), hit);
     for (; hits != 0; hits &= hits - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(hits));
       const double before = sum_of_channels(sums, stride, field.channels);

@@ -225,7 +225,8 @@ std::vector<PlaneWork::Tile> PlaneWork::make_tiles() const {
   return tiles;
 }
 
-void PlaneWork::start_look(double near_reach_m) {
+void PlaneWork::start_look(double near_reach_m, double largest_sample) {
+  largest_sample_lx_ = std::max(largest_sample_lx_, largest_sample);
   if (spatial_order_.empty() && points() > 0) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
@@ -295,6 +296,7 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t t) {
       const FlushDenormals flush;
+      if (batch.deadline_s > 0.0 && now_s() > batch.deadline_s) return;
       const Tile& tile = tiles_[t];
       TileSums sums;
       sums.lx.assign(channels() * tile.point.size(), 0.0);
@@ -379,7 +381,8 @@ void PlaneWork::find_largest_share() {
   const auto replicates = static_cast<double>(field_.replicates);
   for (std::size_t i = 0; i < points(); ++i) {
     double total_lx = 0.0;
-    double largest = 0.0;
+    // What was drawn, or could have been where vertices are so few that none was.
+    double largest = sees_reflection_[i] != 0 ? largest_sample_lx_ : 0.0;
     for (std::size_t c = 0; c < channels(); ++c) {
       total_lx += field_.direct_exact_lx[c * points() + i];
     }

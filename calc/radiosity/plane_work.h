@@ -35,6 +35,8 @@ struct VertexBatch {
   const Cut& global_cut;            // continues short rays
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
+  double deadline_s =
+      0.0;  // of now_s(); past it the rest is left undone, to be thrown away. 0 = none
 };
 
 // Connections that each point draws from a pool of so many paths: fewer for planes with many
@@ -69,8 +71,9 @@ class PlaneWork {
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
   void sample_openings(SolveTimes& times);
-  // Before the first replicate of a look whose pools have so many paths.
-  void start_look(double near_reach_m);
+  // Before the first replicate of a look. near_reach_m: of short rays, 0 = none. largest_sample:
+  // what one vertex could add to a point at most, times the paths of the look.
+  void start_look(double near_reach_m, double largest_sample);
   // One replicate's indirect light: connections and near field. Replicates may run at the same
   // time.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
@@ -111,6 +114,7 @@ class PlaneWork {
   std::vector<std::uint8_t> is_dark_;          // [luminaire], see add_point_sources()
   std::vector<double> clear_m_;                // [point], up to the first look's reach
   std::vector<Tile> tiles_;                    // of this look
+  double largest_sample_lx_ = 0.0;             // of all looks, see start_look()
   double reach_m_ = 0.0;                       // of this look's short rays
 
   std::vector<double> direct_sum_lx_;  // [replicate][channel][point], sum over rounds

@@ -102,7 +102,7 @@ SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
           glm::dot(normal, direction) < 0.0 ? normal : -normal};
 }
 
-std::uint32_t Tracer::closest_hits(const RayPacket& packet, float most_m,
+std::uint32_t Tracer::closest_hits(const RayPacket& packet, float least_m, float most_m,
                                    std::array<SurfaceHit, RayPacket::kSize>& hit) const {
   if (embree_->scene == nullptr) return 0;
   RTCIntersectContext context;
@@ -119,7 +119,7 @@ std::uint32_t Tracer::closest_hits(const RayPacket& packet, float most_m,
     query.ray.dir_x[k] = is_used ? packet.dx[i] : 0.0f;
     query.ray.dir_y[k] = is_used ? packet.dy[i] : 0.0f;
     query.ray.dir_z[k] = is_used ? packet.dz[i] : 1.0f;
-    query.ray.tnear[k] = 0.0f;
+    query.ray.tnear[k] = least_m;
     query.ray.tfar[k] = most_m;
     query.ray.time[k] = 0.0f;
     query.ray.mask[k] = ~0u;

@@ -71,9 +71,9 @@ class Tracer {
   bool closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction, double max_distance_m,
                    SurfaceHit& hit) const;
 
-  // First surfaces of a packet within most_m: bit k of the result is set and hit[k]
+  // First surfaces of a packet from least_m to most_m: bit k of the result is set and hit[k]
   // valid if ray k meets one.
-  std::uint32_t closest_hits(const RayPacket& packet, float most_m,
+  std::uint32_t closest_hits(const RayPacket& packet, float least_m, float most_m,
                              std::array<SurfaceHit, RayPacket::kSize>& hit) const;
 
   // Distance from a point to the nearest surface that reaches in front of the plane through it with

@@ -11,6 +11,7 @@
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_tree.h"
 #include "calc/statistics.h"
+#include "calc/units.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -30,6 +31,8 @@
 
 namespace calc {
 namespace {
+
+constexpr double kSuspectReflectance = 0.9995;
 
 // Groups of light vertices that continue short rays, and the share of the scene's extent below
 // which they do not tell distances apart.
@@ -56,6 +59,15 @@ class Solver {
     solution_.balance.untraced_lm = emitter_.flux_lm() - emitter_.traced_flux_lm();
     const bool is_left_out = settings.skips.allows(Skip::no_reflection) && no_reflection(scene);
     samples_indirect_ = !is_left_out && emitter_.traced_flux_lm() > 0.0;
+    double largest_reflectance = 0.0;
+    for (const double rho : scene.reflectance) {
+      largest_reflectance = std::max(largest_reflectance, rho);
+    }
+    for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
+      largest_path_lm_ = std::max(largest_path_lm_, largest_reflectance * emitter_.path_flux_lm(l));
+    }
+    may_be_endless_ = largest_reflectance > kSuspectReflectance;
+    if (settings.time_limit_s > 0.0) deadline_s_ = start_s_ + settings.time_limit_s;
     samples_openings_ = has_extended_luminaires(scene);
   }
 
@@ -70,7 +82,9 @@ class Solver {
     for (PlaneWork& plane : planes_) {
       if (plane.is_active()) plane.add_exact(solution_.times);
     }
-    if (samples_indirect_ || samples_openings_) {
+    if (any_active() && is_endless()) {
+      refuse_active(why_no_result(StopReason::endless_path));
+    } else if (samples_indirect_ || samples_openings_) {
       take_looks();
     } else {
       finish_active(StopReason::exact);
@@ -113,6 +127,14 @@ class Solver {
   }
 
   std::size_t replicates() const { return static_cast<std::size_t>(settings_.replicates); }
+
+  // A few paths tell whether a space absorbs next to nothing before a whole pool fills the memory.
+  bool is_endless() {
+    constexpr std::uint32_t kProbes = 16;
+    return samples_indirect_ && may_be_endless_ &&
+           trace_light_paths(tracer_, emitter_, {settings_.seed, replicates(), 0, kProbes})
+               .has_endless_path;
+  }
 
   bool any_active() const {
     return std::any_of(planes_.begin(), planes_.end(),
@@ -172,7 +194,8 @@ class Solver {
     lit_planes_.clear();
     for (PlaneWork& plane : planes_) {
       if (!plane.is_active() || !plane.sees_reflection()) continue;
-      plane.start_look(is_pool ? bound.reach_m() : 0.0);
+      plane.start_look(is_pool ? bound.reach_m() : 0.0,
+                       is_pool ? largest_path_lm_ * bound.smallest() / kPi : 0.0);
       lit_planes_.push_back(&plane);
     }
     if (!lit_planes_.empty()) {
@@ -239,8 +262,8 @@ class Solver {
     }
     times.pool_s += now_s() - sort_begin_s;
     for (PlaneWork* plane : lit_planes_) {
-      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first}, gatherer_,
-                     times);
+      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_},
+                     gatherer_, times);
       if (const auto stopped = reason_to_stop(last)) return {stopped};
     }
     return {};
@@ -305,7 +328,9 @@ class Solver {
   std::atomic<std::uint64_t> pool_rays_{0};
   std::atomic<bool> is_stopped_{false};
   std::mutex progress_mutex_;
-  bool samples_openings_ = false, samples_indirect_ = false;
+  bool samples_openings_ = false, samples_indirect_ = false, may_be_endless_ = false;
+  double largest_path_lm_ = 0.0;  // reflected flux of one path's vertex, times the number of paths
+  double deadline_s_ = 0.0;       // 0 = none
   SpaceSolution solution_;
 };
 

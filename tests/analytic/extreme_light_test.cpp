@@ -72,7 +72,7 @@ TEST(ExtremeReflectance, ThousandReflectionsKeepTheFlux) {
   add_luminaire(scene, web, {1, 1, 2});
   set_extent(scene);
   const Faces faces = faces_of(size, 4);
-  const calc::SpaceSolution solution = solve_with_paths(scene, faces.grid, 3, 64);
+  const calc::SpaceSolution solution = solve_with_paths(scene, faces.grid, 3, 128);
   const calc::PlaneField& field = solution.fields[0];
   ASSERT_EQ(field.problem, "");
   std::vector<double> absorbed_lm(field.replicates, 0.0);

@@ -177,7 +177,7 @@ double hit_ns(const calc::Tracer& tracer, const std::vector<RayQuery>& rays, int
   if (rays.empty()) return 0.0;
   const double seconds = best_seconds(in_packets(rays), repeats, [&](const HitQuery& query) {
     std::array<calc::SurfaceHit, calc::RayPacket::kSize> hit;
-    return tracer.closest_hits(query.rays, query.reach_m, hit);
+    return tracer.closest_hits(query.rays, 0.0f, query.reach_m, hit);
   });
   return 1e9 * seconds / static_cast<double>(rays.size());
 }
