@@ -51,6 +51,29 @@ std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
   return unseen;
 }
 
+// [point]: the field's shares are of all channels at full output; where a scene leaves less of the
+// point's light, one sample may be more of it. An upper bound: the sample may be of any channel.
+std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector<double>& weights) {
+  std::vector<float> shares = field.largest_share;
+  const double largest_weight = *std::max_element(weights.begin(), weights.end());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    double full_lx = 0.0, scene_lx = 0.0;
+    const auto add = [&](const std::vector<double>& part, double replicates) {
+      for (std::size_t k = i; k < part.size(); k += field.points) {
+        full_lx += part[k] / replicates;
+        scene_lx += weights[k / field.points % weights.size()] * part[k] / replicates;
+      }
+    };
+    add(field.direct_exact_lx, 1.0);
+    add(field.direct_sampled_lx, static_cast<double>(field.replicates));
+    add(field.indirect_lx, static_cast<double>(field.replicates));
+    // A dark point is unseen or exactly dark; neither is a matter of shares.
+    if (!(scene_lx > 0.0)) continue;
+    shares[i] *= static_cast<float>(largest_weight * full_lx / scene_lx);
+  }
+  return shares;
+}
+
 }  // namespace
 
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
@@ -64,7 +87,7 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
   values.replicates = field.is_exact() || !has_light ? 1 : field.replicates;
   if (has_light) {
     values.unseen = find_unseen(field, weights);
-    values.largest_share = field.largest_share;
+    values.largest_share = scale_shares(field, weights);
   }
   values.value_lx.assign(values.replicates * values.points, 0.0);
   for (std::size_t r = 0; r < values.replicates; ++r) {

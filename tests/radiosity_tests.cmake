@@ -17,5 +17,6 @@ luxgate_test(radiosity_tests
     unit/calc/radiosity/near_field_test.cpp
     unit/calc/radiosity/rays_test.cpp
     unit/calc/radiosity/settings_test.cpp
+    unit/calc/radiosity/solve_test.cpp
     unit/calc/radiosity/vertex_tree_test.cpp
   LIBRARIES calc_radiosity)

@@ -135,7 +135,8 @@ void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size
   for (const std::uint32_t root : tree.roots()) add(root);
   for (; highest >= 0; --highest) {
     auto& best = queue_[static_cast<std::size_t>(highest)];
-    while (!best.empty() && count < size) {
+    bool rises = false;  // a part may have a larger error than the whole
+    while (!best.empty() && count < size && !rises) {
       const std::uint32_t n = best.back();
       best.pop_back();
       state_[n] = kOpened;
@@ -143,10 +144,10 @@ void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size
       const int before = highest;
       add(nodes[n].child);
       add(nodes[n].child + 1);
-      if (highest > before) break;  // a part may have a larger error than the whole
+      rises = highest > before;
     }
-    if (!best.empty() && count < size) ++highest;  // come back, after the larger ones
     if (count >= size) break;
+    if (rises) ++highest;  // the loop steps down to it
   }
   for (auto& level : queue_) level.clear();
   resize(count);

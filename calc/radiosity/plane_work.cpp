@@ -119,11 +119,12 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   active_.assign(points(), 1);
   rounds_.assign(points(), 0);
   paths_.assign(points(), 0);
+  possible_sample_lx_.assign(points(), 0.0);
   const PreparedScene& scene = tracer.scene();
   const std::vector<glm::dvec3> local_m = local_positions_m(scene, grid);
   const PointSet set{local_m, grid.normal, grid.kernel};
   sees_reflection_ = find_reflection_view(scene, set).sees_reflection;
-  may_be_sampled_ = sees_reflection_;
+  may_be_sampled_ = has_indirect_ = sees_reflection_;
   if (settings.skips.allows(Skip::dark_pairs) && points() > 0) {
     is_dark_ = find_dark_luminaires(scene, beams, bounds_of(set));
   }
@@ -226,7 +227,7 @@ std::vector<PlaneWork::Tile> PlaneWork::make_tiles() const {
 }
 
 void PlaneWork::start_look(double near_reach_m, double largest_sample) {
-  largest_sample_lx_ = std::max(largest_sample_lx_, largest_sample);
+  look_sample_lx_ = largest_sample;
   if (spatial_order_.empty() && points() > 0) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
@@ -333,7 +334,11 @@ void PlaneWork::store(const Tile& tile, const VertexBatch& batch, const TileSums
 
 void PlaneWork::finish_look(std::uint64_t batch_paths) {
   for (std::size_t i = 0; i < points(); ++i) {
-    if (active_[i] != 0) paths_[i] += batch_paths;
+    if (active_[i] == 0) continue;
+    paths_[i] += batch_paths;
+    if (has_indirect_[i] != 0) {
+      possible_sample_lx_[i] = std::max(possible_sample_lx_[i], look_sample_lx_);
+    }
   }
   SolveCounters& counters = field_.counters;
   counters.paths += batch_paths * field_.replicates;
@@ -382,7 +387,7 @@ void PlaneWork::find_largest_share() {
   for (std::size_t i = 0; i < points(); ++i) {
     double total_lx = 0.0;
     // What was drawn, or could have been where vertices are so few that none was.
-    double largest = sees_reflection_[i] != 0 ? largest_sample_lx_ : 0.0;
+    double largest = possible_sample_lx_[i];
     for (std::size_t c = 0; c < channels(); ++c) {
       total_lx += field_.direct_exact_lx[c * points() + i];
     }

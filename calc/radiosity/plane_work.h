@@ -114,7 +114,9 @@ class PlaneWork {
   std::vector<std::uint8_t> is_dark_;          // [luminaire], see add_point_sources()
   std::vector<double> clear_m_;                // [point], up to the first look's reach
   std::vector<Tile> tiles_;                    // of this look
-  double largest_sample_lx_ = 0.0;             // of all looks, see start_look()
+  std::vector<std::uint8_t> has_indirect_;     // [point], 0 = proved that indirect light is 0
+  double look_sample_lx_ = 0.0;                // see start_look()
+  std::vector<double> possible_sample_lx_;     // [point], the largest of its looks
   double reach_m_ = 0.0;                       // of this look's short rays
 
   std::vector<double> direct_sum_lx_;  // [replicate][channel][point], sum over rounds

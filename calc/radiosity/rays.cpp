@@ -209,7 +209,8 @@ double Tracer::clear_distance(const glm::dvec3& position_m, const glm::dvec3& no
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(embree_->scene, &query, &context, narrow_query, &user);
-  return static_cast<double>(query.radius);
+  // Untouched: nothing is near, and rounding most_m to float must not say otherwise.
+  return query.radius < static_cast<float>(most_m) ? static_cast<double>(query.radius) : most_m;
 }
 
 bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {

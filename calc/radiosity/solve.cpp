@@ -72,8 +72,9 @@ class Solver {
   }
 
   SpaceSolution run(const std::vector<PlaneTask>& tasks) {
-    absorbed_lm_.resize(replicates());
-    escaped_lm_.resize(replicates());
+    for (auto* v : {&absorbed_lm_, &escaped_lm_, &look_absorbed_lm_, &look_escaped_lm_}) {
+      v->resize(replicates());
+    }
     if (settings_.skips.allows(Skip::convex)) leave_out_shadows(tasks);
     planes_.reserve(tasks.size());
     for (const PlaneTask& task : tasks) {
@@ -82,16 +83,19 @@ class Solver {
     for (PlaneWork& plane : planes_) {
       if (plane.is_active()) plane.add_exact(solution_.times);
     }
+    // What needs no samples is done, whatever becomes of the other planes.
+    for (PlaneWork& plane : planes_) {
+      const bool is_sampled = samples_openings_ || (samples_indirect_ && plane.sees_reflection());
+      if (plane.is_active() && !is_sampled) plane.finish(StopReason::exact);
+    }
     if (any_active() && is_endless()) {
       refuse_active(why_no_result(StopReason::endless_path));
-    } else if (samples_indirect_ || samples_openings_) {
-      take_looks();
     } else {
-      finish_active(StopReason::exact);
+      take_looks();
     }
     for (PlaneWork& plane : planes_) solution_.fields.push_back(plane.take_field());
     solution_.pool_rays = pool_rays_;
-    if (pool_rays_ > 0) {
+    if (balanced_paths_ > 0) {
       solution_.balance.absorbed_lm = t_interval(absorbed_lm_, confidence_);
       solution_.balance.escaped_lm = t_interval(escaped_lm_, confidence_);
     }
@@ -202,6 +206,7 @@ class Solver {
       if (const auto stopped = run_replicates(is_pool ? &bound : nullptr, done_paths, paths)) {
         return stopped;
       }
+      add_balance(done_paths, paths);
     }
     for (PlaneWork& plane : planes_) {
       if (plane.is_active()) plane.finish_look(batch_paths);
@@ -246,6 +251,7 @@ class Solver {
       tbb::this_task_arena::isolate([&] { traced = trace(replicate, first, last); });
     }
     if (traced.has_endless_path) return {StopReason::endless_path};
+    if (const auto stopped = reason_to_stop(last)) return {stopped};
     const double sort_begin_s = now_s();
     const std::size_t channels = tracer_.scene().channels.size();
     const VertexTree tree(std::move(traced.vertices), channels);
@@ -269,6 +275,16 @@ class Solver {
     return {};
   }
 
+  // Running means over all complete looks, weighted by paths.
+  void add_balance(std::uint64_t first, std::uint64_t last) {
+    const double share = static_cast<double>(last - first) / static_cast<double>(last);
+    for (std::size_t r = 0; r < replicates(); ++r) {
+      absorbed_lm_[r] += share * (look_absorbed_lm_[r] - absorbed_lm_[r]);
+      escaped_lm_[r] += share * (look_escaped_lm_[r] - escaped_lm_[r]);
+    }
+    balanced_paths_ = last;
+  }
+
   // Replicates share the elapsed time in proportion to their work.
   void add_elapsed(const std::vector<SolveTimes>& times, double elapsed_s) {
     SolveTimes sum;
@@ -290,10 +306,8 @@ class Solver {
         trace_light_paths(tracer_, emitter_,
                           {settings_.seed, replicate, static_cast<std::uint32_t>(first),
                            static_cast<std::uint32_t>(last)});
-    // Running means over all batches, weighted by paths.
-    const double share = static_cast<double>(last - first) / static_cast<double>(last);
-    absorbed_lm_[replicate] += share * (traced.absorbed_lm - absorbed_lm_[replicate]);
-    escaped_lm_[replicate] += share * (traced.escaped_lm - escaped_lm_[replicate]);
+    look_absorbed_lm_[replicate] = traced.absorbed_lm;
+    look_escaped_lm_[replicate] = traced.escaped_lm;
     pool_rays_ += traced.rays;
     return traced;
   }
@@ -325,6 +339,8 @@ class Solver {
   std::vector<PlaneWork> planes_;
   std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look
   std::vector<double> absorbed_lm_, escaped_lm_;  // per replicate
+  std::vector<double> look_absorbed_lm_, look_escaped_lm_;  // the same, of one look
+  std::uint64_t balanced_paths_ = 0;
   std::atomic<std::uint64_t> pool_rays_{0};
   std::atomic<bool> is_stopped_{false};
   std::mutex progress_mutex_;

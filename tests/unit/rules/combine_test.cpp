@@ -49,6 +49,17 @@ TEST(CombineChannels, AddsSampledDirectLight) {
   EXPECT_DOUBLE_EQ(values.at(1, 0), 122);
 }
 
+// What one sample is of all light together may be most of a scene that leaves little of it.
+TEST(CombineChannels, ASamplesShareGrowsWhereAScenesLightIsLess) {
+  calc::PlaneField field = sample_field();
+  field.largest_share = {0.01f, 0.01f};
+  const PointValues full = combine_channels(field, LightState::initial, {});
+  EXPECT_FLOAT_EQ(full.largest_share[0], 0.01f);
+  const PointValues dimmed = combine_channels(field, LightState::initial, {{"row1", 0.0}});
+  // Point 0: 118 lx in all (means 103 and 15), 15 of them left.
+  EXPECT_FLOAT_EQ(dimmed.largest_share[0], 0.01f * 118.0f / 15.0f);
+}
+
 TEST(CombineChannels, OfAnExactFieldHasOneReplicate) {
   calc::PlaneField field = sample_field();
   field.indirect_lx.clear();
