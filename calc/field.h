@@ -27,13 +27,14 @@ struct LightChannel {
 
 // Why the work on a plane ended. exact: nothing was sampled; decided: every verdict stands;
 // accurate: every quantity has the accuracy asked for; endless_path: light that is hardly absorbed
-// at all would not end.
+// at all would not end; memory_limit: the next look's light vertices would not fit.
 enum class StopReason {
   exact,
   decided,
   accurate,
   path_limit,
   time_limit,
+  memory_limit,
   endless_path,
   interrupted
 };

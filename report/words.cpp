@@ -103,6 +103,8 @@ const char* stop_key(calc::StopReason stop) {
       return "path-limit";
     case calc::StopReason::time_limit:
       return "time-limit";
+    case calc::StopReason::memory_limit:
+      return "memory-limit";
     case calc::StopReason::endless_path:
       return "endless-path";
     case calc::StopReason::interrupted:
@@ -123,6 +125,9 @@ const char* stop_words(calc::StopReason stop) {
       return "stopped at the path limit, before the goal was reached";
     case calc::StopReason::time_limit:
       return "stopped at the time limit, before the goal was reached";
+    case calc::StopReason::memory_limit:
+      return "stopped where more light vertices would not fit into memory, before the intervals "
+             "were narrow enough";
     case calc::StopReason::endless_path:
       return "stopped at a light path that would not end, before the intervals were narrow enough";
     case calc::StopReason::interrupted:

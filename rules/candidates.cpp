@@ -15,11 +15,12 @@ bool is_unseen(const PointValues& values, std::size_t point) {
   return !values.unseen.empty() && values.unseen[point] != 0;
 }
 
-// Share of a single sample, if it is too large to be trusted, else 0.
+// Share of a single sample, if it is too large to be trusted, else 0. Above 1 where a sample that
+// could have been drawn is larger than all that was.
 double untrusted_share(const PointValues& values, std::size_t point) {
   if (values.largest_share.empty()) return 0.0;
   const float share = values.largest_share[point];
-  return share > kLargestTrustedShare ? std::min(static_cast<double>(share), 1.0) : 0.0;
+  return share > kLargestTrustedShare ? static_cast<double>(share) : 0.0;
 }
 
 // Points whose value may be as low as `bound`. Without the one sample that it rests on, the value
@@ -29,7 +30,7 @@ Marks low_points(const PointValues& values, LimitsOfPoint limits_of, double boun
   const double t = one_sided_t(values.replicates, alpha / 2.0);
   Marks marks(values.points, 0);
   for (std::size_t i = 0; i < values.points; ++i) {
-    const double low = limits_of(all, i, t).low * (1.0 - untrusted_share(values, i));
+    const double low = limits_of(all, i, t).low * std::max(0.0, 1.0 - untrusted_share(values, i));
     if (low <= bound) marks[i] = 1;
   }
   return marks;

@@ -22,7 +22,8 @@ struct PointValues {
   // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
   // May be empty.
   std::vector<std::uint8_t> unseen = {};
-  // [point]: the largest single sample's share of the value, [0, 1]. May be empty.
+  // [point]: the largest single sample's share of the value, >= 0; see calc::PlaneField. May be
+  // empty.
   std::vector<float> largest_share = {};
 
   bool is_exact() const { return replicates == 1; }

@@ -14,6 +14,7 @@ luxgate_test(radiosity_tests
     statistical/coverage_test.cpp
     unit/calc/radiosity/emission_test.cpp
     unit/calc/radiosity/low_discrepancy_test.cpp
+    unit/calc/radiosity/light_paths_test.cpp
     unit/calc/radiosity/near_field_test.cpp
     unit/calc/radiosity/rays_test.cpp
     unit/calc/radiosity/settings_test.cpp

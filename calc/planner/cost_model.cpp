@@ -46,10 +46,14 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
   Prediction result;
   Work& work = result.work;
   const double replicates = settings.replicates;
+  const double ns = 1.0e-9 / threads;
   std::uint64_t pool_paths = 0, largest_batch = 0;
   for (std::size_t p = 0; p < space.planes.size(); ++p) {
     const PlaneWorkload& plane = space.planes[p];
-    work.direct_rays += plane.exact_direct_rays + plane.sampled_direct_rays;
+    const double direct_rays = plane.exact_direct_rays + plane.sampled_direct_rays;
+    const double traced = plane.is_unobstructed ? 0.0 : 1.0;
+    work.direct_rays += traced * direct_rays;
+    result.seconds.direct += ns * (kDirectRay_ns - (1.0 - traced) * kDirectShadow_ns) * direct_rays;
     result.bytes += kBytesPerResult * replicates * static_cast<double>(space.channels) *
                     static_cast<double>(plane.points);
     if (plane.seeing_points == 0) continue;
@@ -61,8 +65,11 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
       const std::uint32_t draws = draws_per_point(batch, plane.points);
       const double connections = is_pool ? static_cast<double>(draws)
                                          : static_cast<double>(batch) * space.vertices_per_path;
-      work.connection_rays +=
+      const double rays =
           replicates * static_cast<double>(plane.seeing_points) * connections * kVisibleShare;
+      work.connection_rays += traced * rays;
+      result.seconds.connect +=
+          ns * (kConnection_ns - (1.0 - traced) * kConnectionShadow_ns) * rays;
       if (is_pool) {
         work.near_rays += replicates * plane.near_points * kRaysPerShortRay * short_rays(draws);
       }
@@ -72,17 +79,10 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
   work.light_paths = static_cast<double>(pool_paths) * replicates;
   work.pool_rays = work.light_paths * space.rays_per_path;
 
-  const double ns = 1.0e-9 / threads;
-  const double shadow = space.is_convex ? 0.0 : 1.0;
-  const double connection_ns = kConnection_ns - (1.0 - shadow) * kConnectionShadow_ns;
-  const double direct_ns = kDirectRay_ns - (1.0 - shadow) * kDirectShadow_ns;
   const auto triangles = static_cast<double>(space.triangles);
   result.seconds.prepare = kPrepare_s + 1.0e-9 * kPrepare_ns_per_triangle * triangles;
-  result.seconds.direct = ns * direct_ns * work.direct_rays;
   result.seconds.pool = ns * kPoolRay_ns * work.pool_rays;
-  result.seconds.connect = ns * connection_ns * work.connection_rays;
   result.seconds.near_field = ns * kShortRay_ns * work.near_rays;
-  if (space.is_convex) work.direct_rays = work.connection_rays = 0.0;  // no shadow ray is traced
   result.bytes += kBytesPerTriangle * triangles + kBytesPerVertex * space.vertices_per_path *
                                                       static_cast<double>(largest_batch) *
                                                       std::min(threads, settings.replicates);

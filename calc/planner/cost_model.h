@@ -16,6 +16,7 @@ struct PlaneWorkload {
   double near_points = 0.0;          // of these, with a surface near enough for short rays
   double exact_direct_rays = 0.0;    // towards point openings: points times luminaires not dark
   double sampled_direct_rays = 0.0;  // one round towards extended openings, all replicates
+  bool is_unobstructed = false;      // convex space: none of these rays is traced
 };
 
 struct SpaceWorkload {
@@ -24,7 +25,6 @@ struct SpaceWorkload {
   std::size_t triangles = 0;
   double rays_per_path = 1.0;  // a closed space's; fewer where light escapes
   double vertices_per_path = 0.0;
-  bool is_convex = false;  // no shadow ray is traced
 };
 
 struct Work {

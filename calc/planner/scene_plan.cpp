@@ -5,13 +5,13 @@
 #include "calc/planner/point_set.h"
 #include "calc/planner/predicates.h"
 #include "calc/radiosity/direct.h"
+#include "calc/radiosity/near_field.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <limits>
 
 namespace calc {
 namespace {
@@ -23,19 +23,6 @@ std::size_t count_ones(const std::vector<std::uint8_t>& flags) {
 std::string of_all(std::size_t part, std::size_t all, std::string_view things) {
   return part == all ? fmt::format("all {} {}", all, things)
                      : fmt::format("{} of {} {}", part, all, things);
-}
-
-double mean_reflectance(const PreparedScene& scene) {
-  double area_m2 = 0.0, reflected_m2 = 0.0;
-  for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
-    const glm::uvec3& corner = scene.triangle[t];
-    const glm::dvec3 a(scene.vertex_m[corner.x]);
-    const glm::dvec3 b(scene.vertex_m[corner.y]), c(scene.vertex_m[corner.z]);
-    const double twice_m2 = glm::length(glm::cross(b - a, c - a));
-    area_m2 += twice_m2;
-    reflected_m2 += scene.reflectance[t] * twice_m2;
-  }
-  return area_m2 > 0.0 ? reflected_m2 / area_m2 : 0.0;
 }
 
 // One round of samples on extended openings for one replicate, from points spread over the plane.
@@ -60,26 +47,18 @@ double distance_m(const glm::dvec3& point_m, const glm::dvec3& low, const glm::d
   return glm::length(glm::max(glm::max(low - point_m, point_m - high), glm::dvec3(0.0)));
 }
 
-// Share of the points with a surface in front of them within the reach of the near field, a third
-// of the mean chord (near_field.cpp). Triangles count as their boxes; a few points stand for all.
-double near_share(const PreparedScene& scene, const PointSet& points) {
+// Share of the points with a surface in front of them within the reach of the near field. Triangles
+// count as their boxes; a few points stand for all.
+double near_share(const PreparedScene& scene, const PointSet& points, double reach_m) {
   constexpr std::size_t kProbes = 64, kMostTests = 200'000;
   const std::size_t count = points.position_m.size(), probes = std::min(kProbes, count);
   if (probes * scene.triangle.size() > kMostTests) return 1.0;
   std::vector<glm::dvec3> low, high;
-  glm::dvec3 all_low(std::numeric_limits<double>::max()), all_high = -all_low;
   for (const glm::uvec3& t : scene.triangle) {
     const glm::dvec3 a(scene.vertex_m[t.x]), b(scene.vertex_m[t.y]), c(scene.vertex_m[t.z]);
     low.push_back(glm::min(a, glm::min(b, c)));
     high.push_back(glm::max(a, glm::max(b, c)));
-    all_low = glm::min(all_low, low.back());
-    all_high = glm::max(all_high, high.back());
   }
-  const glm::dvec3 size = glm::max(all_high - all_low, glm::dvec3(0.0));
-  const double half_surface_m2 = size.x * size.y + size.y * size.z + size.z * size.x;
-  const double chord_m =
-      half_surface_m2 > 0.0 ? 2.0 * size.x * size.y * size.z / half_surface_m2 : 0.0;
-  const double reach_m = (chord_m > 1.0e-6 * scene.extent_m ? chord_m : scene.extent_m) / 3.0;
   const auto is_near = [&](std::size_t i) {
     const glm::dvec3& p = points.position_m[i];
     for (std::size_t t = 0; t < low.size(); ++t) {
@@ -101,7 +80,11 @@ class Planner {
  public:
   Planner(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
           const RadiositySettings& settings)
-      : scene_(scene), tasks_(tasks), settings_(settings), beams_(beams_of(scene)) {
+      : scene_(scene),
+        tasks_(tasks),
+        settings_(settings),
+        surfaces_(summarise_surfaces(scene)),
+        beams_(beams_of(scene)) {
     plan_.luminaires = scene.luminaires.size();
     plan_.threads = thread_count(settings);
     for (std::size_t s = 0; s < kSkips; ++s) {
@@ -225,8 +208,9 @@ class Planner {
     load.seeing_points = plan_.planes[p].seeing_points;
     if (load.seeing_points > 0) {
       const bool is_skipped = allows(Skip::clear_distance);
-      load.near_points = static_cast<double>(load.seeing_points) *
-                         (is_skipped ? near_share(scene_, points_[p]) : 1.0);
+      load.near_points =
+          static_cast<double>(load.seeing_points) *
+          (is_skipped ? near_share(scene_, points_[p], near_reach_m(surfaces_)) : 1.0);
     }
     std::size_t point_openings = 0;
     for (std::size_t l = 0; l < dark.size(); ++l) {
@@ -251,9 +235,10 @@ class Planner {
     }
     std::vector<std::string>& proved = decision(Skip::convex).planes;
     for (std::size_t p = 0; p < tasks_.size(); ++p) {
-      if (answer.space->holds(points_[p], bounds_[p])) proved.push_back(tasks_[p].plane_id);
+      if (!answer.space->holds(points_[p], bounds_[p])) continue;
+      proved.push_back(tasks_[p].plane_id);
+      plan_.workload.planes[p].is_unobstructed = true;
     }
-    plan_.workload.is_convex = proved.size() == tasks_.size();
     if (proved.empty()) {
       return set(Skip::convex, SkipState::not_proved, "points lie outside the surfaces' walls");
     }
@@ -290,7 +275,7 @@ class Planner {
     load.channels = std::max<std::size_t>(1, scene_.channels.size());
     load.triangles = scene_.triangle.size();
     // In a closed space: the first reflection is free, each further one has the chance rho.
-    const double rho = std::min(mean_reflectance(scene_), 0.9999);
+    const double rho = std::min(surfaces_.mean_reflectance, 0.9999);
     load.rays_per_path = rho > 0.0 ? 1.0 + 1.0 / (1.0 - rho) : 1.0;
     load.vertices_per_path = rho > 0.0 ? load.rays_per_path : 0.0;
     const auto prediction = [&](std::uint64_t paths) {
@@ -306,6 +291,7 @@ class Planner {
   const PreparedScene& scene_;
   const std::vector<PlaneTask>& tasks_;
   const RadiositySettings& settings_;
+  SurfaceSummary surfaces_;
   std::vector<Beam> beams_;
   std::vector<std::vector<glm::dvec3>> position_m_;
   std::vector<PointSet> points_;

@@ -83,14 +83,13 @@ bool has_extended_luminaires(const PreparedScene& scene) {
 }
 
 DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
-                             std::span<const std::uint8_t> is_dark, double* sums,
-                             std::size_t stride) {
-  ShadowBatch batch(tracer);
+                             const DirectProofs& proofs, double* sums, std::size_t stride) {
+  ShadowBatch batch(tracer, proofs.has_shadows);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     const PlacedLuminaire& luminaire = luminaires[l];
-    if (!is_point(luminaire) || (!is_dark.empty() && is_dark[l] != 0)) continue;
+    if (!is_point(luminaire) || proofs.leaves_out(l)) continue;
     add_source(batch, luminaire, luminaire.position_m, receiver, from, 1.0, tracer.offset_m(), sums,
                stride);
   }
@@ -99,14 +98,14 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
 }
 
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
-                                std::span<const std::uint8_t> is_dark, RandomKey key,
+                                const DirectProofs& proofs, RandomKey key,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
                                 std::size_t stride) {
-  ShadowBatch batch(tracer);
+  ShadowBatch batch(tracer, proofs.has_shadows);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
-    if (is_point(luminaires[l]) || (!is_dark.empty() && is_dark[l] != 0)) continue;
+    if (is_point(luminaires[l]) || proofs.leaves_out(l)) continue;
     const std::vector<OpeningCell> cells = opening_cells(luminaires[l], receiver.position_m);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const OpeningCell& cell = cells[c];
@@ -128,7 +127,7 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
 
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer);
+  ShadowBatch batch(tracer, tracer.has_shadows());
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {

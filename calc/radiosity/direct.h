@@ -18,6 +18,17 @@ namespace calc {
 
 bool has_extended_luminaires(const PreparedScene& scene);
 
+// What is proved about a plane's direct light.
+struct DirectProofs {
+  // [luminaire]: 1 = gives nothing here (find_dark_luminaires()), left out; may be empty.
+  std::span<const std::uint8_t> is_dark;
+  bool has_shadows = true;  // false: nothing can stand between (ConvexSpace::holds())
+
+  bool leaves_out(std::size_t luminaire) const {
+    return !is_dark.empty() && is_dark[luminaire] != 0;
+  }
+};
+
 // What tracing towards luminaires gave.
 struct DirectRays {
   std::uint64_t traced = 0;
@@ -25,11 +36,9 @@ struct DirectRays {
 };
 
 // Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
-// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact. is_dark:
-// [luminaire], 1 = proved to give nothing here (find_dark_luminaires()), left out; may be empty.
+// opening at a receiver:  E = sum I k / d^2 V (k = cos for a plane).  Exact.
 DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
-                             std::span<const std::uint8_t> is_dark, double* sums,
-                             std::size_t stride);
+                             const DirectProofs& proofs, double* sums, std::size_t stride);
 
 // The same for luminaires with an opening of some size, each as points spread evenly over the
 // opening with the luminaire's whole intensity distribution [the usual subdivision, with random
@@ -37,7 +46,7 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
 // in the replicates]. first_round..last_round: rounds of samples; one round is what opening_cells()
 // gives. Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased.
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
-                                std::span<const std::uint8_t> is_dark, RandomKey key,
+                                const DirectProofs& proofs, RandomKey key,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
                                 std::size_t stride);
 

@@ -22,6 +22,7 @@ struct GatherBatch {
   const VertexBounds& bounds;
   std::span<const Receiver> receivers;
   std::span<const Connection> connections;
+  bool has_shadows = true;  // false: all receivers are proved to see all vertices
 };
 
 // Where the results go: [channel * stride + receiver].

@@ -13,7 +13,7 @@ class CpuGatherer : public Gatherer {
   // out; the sums are double.
   std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) override {
     constexpr auto kPerPi = static_cast<float>(1.0 / kPi);
-    ShadowBatch shadows(batch.tracer);
+    ShadowBatch shadows(batch.tracer, batch.has_shadows);
     std::uint32_t current = ~0u;
     glm::vec3 from(0.0f), x(0.0f), axis(0.0f);
     ReceiverKernel kernel = ReceiverKernel::planar;

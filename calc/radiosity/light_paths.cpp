@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/near_field.h"
+#include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/random.h"
 
 #include <tbb/parallel_for.h>
@@ -62,32 +63,32 @@ class PathWave {
                       sobol_.sample_pair(index, kOpeningDimension), tracer_.offset_m())});
   }
 
-  void trace(const std::atomic<bool>& is_cancelled) {
+  // Sets is_cancelled, which other waves obey too, when the batch has become useless.
+  void trace(double deadline_s, std::atomic<std::uint64_t>& vertices,
+             std::atomic<bool>& is_cancelled) {
     for (int reflection = 0; !paths_.empty(); ++reflection) {
       if (reflection >= kMostReflections) {
         chunk_.has_endless_path = true;
-        return;
+        is_cancelled = true;
       }
+      if (is_past(deadline_s)) is_cancelled = true;
       if (is_cancelled.load(std::memory_order_relaxed)) return;
+      const std::size_t before = chunk_.vertices.size();
       std::size_t alive = 0;
       for (std::size_t first = 0; first < paths_.size(); first += RayPacket::kSize) {
         advance(first, std::min(paths_.size(), first + RayPacket::kSize), reflection, alive);
       }
       paths_.resize(alive);
+      const std::size_t added = chunk_.vertices.size() - before;
+      if ((vertices += added) > kMostVertices) is_cancelled = true;
     }
   }
 
  private:
   void advance(std::size_t first, std::size_t last, int reflection, std::size_t& alive) {
-    packet_.count = static_cast<int>(last - first);
-    for (std::size_t k = 0; k < last - first; ++k) {
-      const EmittedRay& ray = paths_[first + k].ray;
-      packet_.x[k] = static_cast<float>(ray.origin_m.x);
-      packet_.y[k] = static_cast<float>(ray.origin_m.y);
-      packet_.z[k] = static_cast<float>(ray.origin_m.z);
-      packet_.dx[k] = static_cast<float>(ray.direction.x);
-      packet_.dy[k] = static_cast<float>(ray.direction.y);
-      packet_.dz[k] = static_cast<float>(ray.direction.z);
+    packet_.count = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      packet_.add(paths_[k].ray.origin_m, paths_[k].ray.direction);
     }
     chunk_.rays += last - first;
     const std::uint32_t hits =
@@ -135,7 +136,8 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
   const std::uint32_t paths = batch.last - batch.first;
   const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate),
                              kSobolDimensions);
-  std::atomic<bool> is_endless{false};  // one endless path refuses the scene: the rest need not run
+  std::atomic<std::uint64_t> vertices_so_far{0};
+  std::atomic<bool> is_cancelled{false};
   std::vector<Chunk> chunks((paths + kPathsPerChunk - 1) / kPathsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
     const FlushDenormals flush;
@@ -143,16 +145,18 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
     const std::uint32_t end = std::min(begin + kPathsPerChunk, batch.last);
     PathWave wave(tracer, sobol, chunks[c]);
     for (std::uint32_t i = begin; i < end; ++i) wave.emit(emitter, i, paths);
-    wave.trace(is_endless);
-    if (chunks[c].has_endless_path) is_endless = true;
+    wave.trace(batch.deadline_s, vertices_so_far, is_cancelled);
   });
 
   TracedPaths traced;
   std::size_t vertices = 0;
   for (const Chunk& chunk : chunks) vertices += chunk.vertices.size();
-  traced.vertices.reserve(vertices);
+  traced.has_too_many_vertices = vertices_so_far > kMostVertices;
+  if (!traced.has_too_many_vertices) traced.vertices.reserve(vertices);
   for (const Chunk& chunk : chunks) {
-    traced.vertices.insert(traced.vertices.end(), chunk.vertices.begin(), chunk.vertices.end());
+    if (!traced.has_too_many_vertices) {
+      traced.vertices.insert(traced.vertices.end(), chunk.vertices.begin(), chunk.vertices.end());
+    }
     traced.absorbed_lm += chunk.absorbed_lm;
     traced.escaped_lm += chunk.escaped_lm;
     traced.rays += chunk.rays;

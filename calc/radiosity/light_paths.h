@@ -14,6 +14,7 @@ struct PathBatch {
   std::uint64_t seed = 0;
   std::uint64_t replicate = 0;
   std::uint32_t first = 0, last = 0;
+  double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
 };
 
 struct TracedPaths {
@@ -22,9 +23,13 @@ struct TracedPaths {
   double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
-  bool has_endless_path =
-      false;  // a path did not end after kMostReflections: there is no steady state
+  // A path did not end after kMostReflections: there is no steady state. vertices are then useless.
+  bool has_endless_path = false;
+  bool has_too_many_vertices = false;  // more than kMostVertices; they are then useless
 };
+
+// Light vertices of one batch: about 1.2 GB with all that is built on them.
+inline constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 23;
 
 inline constexpr int kMostReflections = 100000;
 

@@ -6,6 +6,7 @@
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
+#include "calc/scene/surface_summary.h"
 #include "calc/turns.h"
 #include "calc/units.h"
 
@@ -13,7 +14,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace calc {
@@ -23,41 +23,9 @@ namespace {
 // / pi of the illuminance it stands for.  [measured: 0.01 keeps points beside luminaire hot spots
 // within 2 %]
 constexpr double kKappa = 0.01;
-constexpr double kMeanFreePathsPerReach = 1.0 / 3.0;
 constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; never a result
 // Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
 constexpr std::uint32_t kFarDraws = 4;
-
-struct SurfaceSummary {
-  double area_m2 = 0.0;
-  double mean_reflectance = 0.0;
-  double mean_free_path_m = 1.0;
-};
-
-SurfaceSummary summarise(const PreparedScene& scene) {
-  SurfaceSummary summary;
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(-std::numeric_limits<double>::max());
-  for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
-    const glm::uvec3 corner = scene.triangle[t];
-    const glm::dvec3 a(scene.vertex_m[corner.x]);
-    const glm::dvec3 b(scene.vertex_m[corner.y]);
-    const glm::dvec3 c(scene.vertex_m[corner.z]);
-    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-    summary.area_m2 += area;
-    summary.mean_reflectance += area * scene.reflectance[t];
-    low = glm::min(low, glm::min(a, glm::min(b, c)));
-    high = glm::max(high, glm::max(a, glm::max(b, c)));
-  }
-  if (summary.area_m2 > 0.0) summary.mean_reflectance /= summary.area_m2;
-  // 4 V / S of the bounding box: the mean chord of a convex body [Cauchy]. A flat scene has no
-  // volume and takes its extent.
-  const glm::dvec3 size = glm::max(high - low, glm::dvec3(0.0));
-  const double surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
-  const double chord = surface > 0.0 ? 4.0 * size.x * size.y * size.z / surface : 0.0;
-  summary.mean_free_path_m = chord > 1e-6 * scene.extent_m ? chord : scene.extent_m;
-  return summary;
-}
 
 // Illuminance if the luminaire sent its largest intensity here and nothing stood between.
 double most_of(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
@@ -78,7 +46,7 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   connections.clear();
   draw_connections(field.tree, field.cut, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
                    connections);
-  ShadowBatch batch(field.tracer);
+  ShadowBatch batch(field.tracer, field.tracer.has_shadows());
   const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
   for (const Connection& connection : connections) {
     const LightVertex& v = field.tree.vertices()[connection.vertex];
@@ -105,8 +73,8 @@ FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<do
   }
   const double z = 1.0 - 2.0 * u[0];
   const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const double angle = 2.0 * kPi * u[1];
-  const glm::dvec3 direction(radius * std::cos(angle), radius * std::sin(angle), z);
+  const SineCosine angle = sine_cosine_of_turns(u[1]);
+  const glm::dvec3 direction(radius * angle.cosine, radius * angle.sine, z);
   return {receiver.position_m, direction,
           4.0 * response_times_distance(receiver.kernel, receiver.axis, direction)};
 }
@@ -163,8 +131,8 @@ double sum_of_channels(const double* sums, std::size_t stride, std::size_t chann
 
 GeometryBound::GeometryBound(const Tracer& tracer, const Emitter& emitter, std::uint64_t paths)
     : tracer_(tracer) {
-  const SurfaceSummary summary = summarise(tracer.scene());
-  reach_m_ = kMeanFreePathsPerReach * summary.mean_free_path_m;
+  const SurfaceSummary summary = summarise_surfaces(tracer.scene());
+  reach_m_ = near_reach_m(summary);
   smallest_ = 1.0 / (reach_m_ * reach_m_);
   const double paths_number = static_cast<double>(paths);
   vertices_per_lumen_ = kKappa * paths_number / emitter.traced_flux_lm();
@@ -200,6 +168,11 @@ double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& 
   return std::max(smallest_, vertices_per_lumen_ * direct_lx + ambient_per_m2_);
 }
 
+double near_reach_m(const SurfaceSummary& surfaces) {
+  constexpr double kMeanFreePathsPerReach = 1.0 / 3.0;
+  return kMeanFreePathsPerReach * surfaces.mean_free_path_m;
+}
+
 glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1) {
   // Frame without a branch at the poles [Duff et al. 2017].
   const double sign = std::copysign(1.0, normal.z);
@@ -223,18 +196,11 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
   std::array<double, RayPacket::kSize> weight;
   std::array<SurfaceHit, RayPacket::kSize> hit;
   for (std::uint32_t first = 0; first < request.rays; first += RayPacket::kSize) {
-    packet.count =
-        static_cast<int>(std::min<std::uint32_t>(RayPacket::kSize, request.rays - first));
-    for (std::size_t k = 0; k < static_cast<std::size_t>(packet.count); ++k) {
-      const FirstRay ray = first_ray(field.tracer, request.receiver,
-                                     sobol.sample_pair(first + static_cast<std::uint32_t>(k), 0));
-      packet.x[k] = static_cast<float>(ray.origin_m.x);
-      packet.y[k] = static_cast<float>(ray.origin_m.y);
-      packet.z[k] = static_cast<float>(ray.origin_m.z);
-      packet.dx[k] = static_cast<float>(ray.direction.x);
-      packet.dy[k] = static_cast<float>(ray.direction.y);
-      packet.dz[k] = static_cast<float>(ray.direction.z);
-      weight[k] = ray_weight * ray.weight;
+    packet.count = 0;
+    for (std::uint32_t k = first; k < request.rays && !packet.is_full(); ++k) {
+      const FirstRay ray = first_ray(field.tracer, request.receiver, sobol.sample_pair(k, 0));
+      weight[k - first] = ray_weight * ray.weight;
+      packet.add(ray.origin_m, ray.direction);
     }
     std::uint32_t hits =
         field.tracer.closest_hits(packet, least_m, static_cast<float>(field.bound.reach_m()), hit);

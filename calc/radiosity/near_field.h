@@ -8,6 +8,7 @@
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/scene/surface_summary.h"
 
 #include <glm/glm.hpp>
 
@@ -69,6 +70,9 @@ struct NearField {
   const Cut& cut;  // of the whole pool; continues the rays
   std::size_t channels;
 };
+
+// Short rays of the first look reach so far: a third of the mean free path.
+double near_reach_m(const SurfaceSummary& surfaces);
 
 // One point's near-field part for one batch of light vertices.
 struct NearFieldRequest {

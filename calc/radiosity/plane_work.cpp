@@ -5,7 +5,6 @@
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/phase_timer.h"
-#include "calc/radiosity/radix_sort.h"
 #include "calc/radiosity/random.h"
 #include "calc/statistics.h"
 
@@ -22,7 +21,6 @@
 namespace calc {
 namespace {
 
-constexpr std::size_t kTilePoints = 32;
 constexpr std::uint32_t kFewestDraws = 16;
 // A fine cut costs weights, a coarse one error: at 16 nodes a draw, an office of 1000 points
 // reaches a given error in the least time.  [measured from 4 to 32]
@@ -42,34 +40,6 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
     rays += work(i);
   });
   return rays;
-}
-
-// Points along a Morton curve in the two or three directions of their extent.
-std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) {
-  glm::dvec3 low = receiver.front().position_m;
-  glm::dvec3 high = low;
-  for (const Receiver& r : receiver) {
-    low = glm::min(low, r.position_m);
-    high = glm::max(high, r.position_m);
-  }
-  const glm::dvec3 size = high - low;
-  constexpr int kBits = 16;
-  const double scale = ((1 << kBits) - 1) / std::max({size.x, size.y, size.z, 1e-9});
-  std::vector<KeyedIndex> keys;
-  for (std::size_t i = 0; i < receiver.size(); ++i) {
-    const glm::dvec3 cell = (receiver[i].position_m - low) * scale;
-    std::uint64_t key = 0;
-    for (int bit = kBits - 1; bit >= 0; --bit) {
-      for (int axis = 0; axis < 3; ++axis) {
-        key = (key << 1) | ((static_cast<std::uint64_t>(cell[axis]) >> bit) & 1u);
-      }
-    }
-    keys.push_back({key, static_cast<std::uint32_t>(i)});
-  }
-  radix_sort(keys, 3 * kBits);
-  std::vector<std::uint32_t> order;
-  for (const KeyedIndex& k : keys) order.push_back(k.index);
-  return order;
 }
 
 // Every vertex once: instant radiosity.
@@ -97,7 +67,7 @@ std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double r
 struct PlaneWork::TileSums {
   std::vector<double> lx;
   std::vector<float> largest_lx;
-  std::uint64_t connection_rays = 0, near_rays = 0;
+  std::uint64_t connection_rays = 0;
 };
 
 PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
@@ -161,26 +131,28 @@ void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
   active_.resize(points(), 1);
 }
 
-void PlaneWork::add_exact(SolveTimes& times) {
+void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
-    return add_point_sources(tracer_, receiver_[i], is_dark_, &field_.direct_exact_lx[i], points())
+    if (is_past(deadline_s)) return std::uint64_t{0};
+    return add_point_sources(tracer_, receiver_[i], {is_dark_, has_shadows_},
+                             &field_.direct_exact_lx[i], points())
         .traced;
   });
 }
 
-void PlaneWork::sample_openings(SolveTimes& times) {
+void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   if (most_rounds_ > 0 && !opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   direct_sum_lx_.resize(values());
   const std::uint32_t last = std::max<std::uint32_t>(1, 2 * most_rounds_);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     std::uint64_t rays = 0;
-    if (active_[i] == 0) return rays;
+    if (active_[i] == 0 || is_past(deadline_s)) return rays;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
       const DirectRays direct = add_extended_sources(
-          tracer_, receiver_[i], is_dark_, opening_key_.with(i).with(r), rounds_[i], last,
-          &direct_sum_lx_[r * channels() * points() + i], points());
+          tracer_, receiver_[i], {is_dark_, has_shadows_}, opening_key_.with(i).with(r), rounds_[i],
+          last, &direct_sum_lx_[r * channels() * points() + i], points());
       rays += direct.traced;
       if (direct.may_be_lit) may_be_sampled_[i] = 1;
     }
@@ -215,23 +187,16 @@ double PlaneWork::squared_error(const std::vector<double>& values_lx) const {
   return sum;
 }
 
-std::vector<PlaneWork::Tile> PlaneWork::make_tiles() const {
-  std::vector<Tile> tiles;
-  for (const std::uint32_t i : spatial_order_) {
-    if (active_[i] == 0 || sees_reflection_[i] == 0) continue;
-    if (tiles.empty() || tiles.back().point.size() == kTilePoints) tiles.emplace_back();
-    tiles.back().point.push_back(i);
-    tiles.back().receiver.push_back(receiver_[i]);
-  }
-  return tiles;
-}
-
 void PlaneWork::start_look(double near_reach_m, double largest_sample) {
   look_sample_lx_ = largest_sample;
-  if (spatial_order_.empty() && points() > 0) spatial_order_ = spatial_order(receiver_);
+  if (spatial_order_.empty()) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
-  tiles_ = make_tiles();
+  std::vector<std::uint8_t> is_wanted(points());
+  for (std::size_t i = 0; i < points(); ++i) {
+    is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && sees_reflection_[i] != 0);
+  }
+  tiles_ = make_tiles(receiver_, spatial_order_, is_wanted);
   reach_m_ = near_reach_m;
   if (near_reach_m > 0.0 && clear_m_.empty()) {
     clear_m_.assign(points(), 0.0);
@@ -245,8 +210,8 @@ void PlaneWork::start_look(double near_reach_m, double largest_sample) {
   }
 }
 
-void PlaneWork::connect_tile(const Tile& tile, const VertexBatch& batch, Gatherer& gatherer,
-                             TileSums& sums) const {
+void PlaneWork::connect_tile(const ReceiverGroup& tile, const VertexBatch& batch,
+                             Gatherer& gatherer, TileSums& sums) const {
   thread_local Cut cut;
   thread_local std::vector<float> scratch;
   thread_local std::vector<Connection> connections;
@@ -268,12 +233,12 @@ void PlaneWork::connect_tile(const Tile& tile, const VertexBatch& batch, Gathere
                        key.with(tile.point[k]).uniform(), scratch, connections);
     }
   }
-  sums.connection_rays +=
-      gatherer.gather({tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections},
-                      {sums.lx.data(), count, sums.largest_lx.data()});
+  sums.connection_rays += gatherer.gather(
+      {tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections, has_shadows_},
+      {sums.lx.data(), count, sums.largest_lx.data()});
 }
 
-std::uint64_t PlaneWork::add_near(const Tile& tile, const VertexBatch& batch,
+std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
                                   TileSums& sums) const {
   const NearField field{tracer_,      *batch.near_bound, batch.tree,
                         batch.bounds, batch.global_cut,  channels()};
@@ -297,8 +262,8 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t t) {
       const FlushDenormals flush;
-      if (batch.deadline_s > 0.0 && now_s() > batch.deadline_s) return;
-      const Tile& tile = tiles_[t];
+      if (is_past(batch.deadline_s)) return;
+      const ReceiverGroup& tile = tiles_[t];
       TileSums sums;
       sums.lx.assign(channels() * tile.point.size(), 0.0);
       sums.largest_lx.assign(tile.point.size(), 0.0f);
@@ -318,7 +283,7 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   times.near_s += near_s;
 }
 
-void PlaneWork::store(const Tile& tile, const VertexBatch& batch, const TileSums& sums) {
+void PlaneWork::store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums) {
   const std::size_t count = tile.point.size();
   const auto paths = static_cast<double>(batch.paths);
   for (std::size_t k = 0; k < count; ++k) {

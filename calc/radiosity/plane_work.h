@@ -8,6 +8,7 @@
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/settings.h"
+#include "calc/radiosity/tiles.h"
 #include "calc/radiosity/vertex_tree.h"
 #include "calc/scene/sensor_grid.h"
 
@@ -35,8 +36,7 @@ struct VertexBatch {
   const Cut& global_cut;            // continues short rays
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
-  double deadline_s =
-      0.0;  // of now_s(); past it the rest is left undone, to be thrown away. 0 = none
+  double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
 };
 
 // Connections that each point draws from a pool of so many paths: fewer for planes with many
@@ -66,11 +66,15 @@ class PlaneWork {
   // [point], 1: looks add to it; empty: to all.
   void narrow(const std::vector<std::uint8_t>& active);
 
-  // Direct light from point openings, once.
-  void add_exact(SolveTimes& times);
+  // Nothing stands between this plane's points and any luminaire or surface, by proof
+  // (ConvexSpace::holds()): no ray is traced to find out. Other planes do not matter.
+  void leave_out_shadows() { has_shadows_ = false; }
+
+  // Direct light from point openings, once. deadline_s: as in VertexBatch, for all that follows.
+  void add_exact(double deadline_s, SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
-  void sample_openings(SolveTimes& times);
+  void sample_openings(double deadline_s, SolveTimes& times);
   // Before the first replicate of a look. near_reach_m: of short rays, 0 = none. largest_sample:
   // what one vertex could add to a point at most, times the paths of the look.
   void start_look(double near_reach_m, double largest_sample);
@@ -83,20 +87,15 @@ class PlaneWork {
   void publish(int looks_planned);
 
  private:
-  struct Tile {
-    std::vector<std::uint32_t> point;
-    std::vector<Receiver> receiver;
-  };
   struct TileSums;
 
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
-  std::vector<Tile> make_tiles() const;
-  void connect_tile(const Tile& tile, const VertexBatch& batch, Gatherer& gatherer,
+  void connect_tile(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
                     TileSums& sums) const;
-  std::uint64_t add_near(const Tile& tile, const VertexBatch& batch, TileSums& sums) const;
-  void store(const Tile& tile, const VertexBatch& batch, const TileSums& sums);
+  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch, TileSums& sums) const;
+  void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
   bool opening_error_matters() const;
   // Marks points that sampled light may reach but has not.
   void find_unseen();
@@ -113,7 +112,7 @@ class PlaneWork {
   std::vector<std::uint8_t> may_be_sampled_;   // [point]
   std::vector<std::uint8_t> is_dark_;          // [luminaire], see add_point_sources()
   std::vector<double> clear_m_;                // [point], up to the first look's reach
-  std::vector<Tile> tiles_;                    // of this look
+  std::vector<ReceiverGroup> tiles_;           // of this look
   std::vector<std::uint8_t> has_indirect_;     // [point], 0 = proved that indirect light is 0
   double look_sample_lx_ = 0.0;                // see start_look()
   std::vector<double> possible_sample_lx_;     // [point], the largest of its looks
@@ -127,6 +126,7 @@ class PlaneWork {
   std::vector<float> largest_sum_lx_;    // [replicate][point], largest sample times its paths
   std::vector<std::uint64_t> replicate_connection_rays_, replicate_near_rays_;
   bool is_active_ = true;
+  bool has_shadows_ = true;
   PlaneField field_;
 };
 

@@ -216,18 +216,12 @@ double Tracer::clear_distance(const glm::dvec3& position_m, const glm::dvec3& no
 bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {
   if (!has_shadows_) return false;
   SegmentPacket packet;
-  packet.from_x[0] = static_cast<float>(from_m.x);
-  packet.from_y[0] = static_cast<float>(from_m.y);
-  packet.from_z[0] = static_cast<float>(from_m.z);
-  packet.to_x[0] = static_cast<float>(to_m.x);
-  packet.to_y[0] = static_cast<float>(to_m.y);
-  packet.to_z[0] = static_cast<float>(to_m.z);
-  packet.count = 1;
+  packet.add(glm::vec3(from_m), glm::vec3(to_m));
   return blocked(packet) != 0;
 }
 
 std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {
-  if (embree_->scene == nullptr || !has_shadows_) return 0;
+  if (embree_->scene == nullptr) return 0;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(64) std::array<int, SegmentPacket::kSize> valid{};

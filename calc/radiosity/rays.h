@@ -26,6 +26,19 @@ struct SegmentPacket {
   static constexpr int kSize = 16;
   alignas(64) std::array<float, kSize> from_x, from_y, from_z, to_x, to_y, to_z;  // lifted, local
   int count = 0;
+
+  bool is_full() const { return count == kSize; }
+  // Returns its place. The packet must not be full.
+  std::size_t add(const glm::vec3& from_m, const glm::vec3& to_m) {
+    const auto k = static_cast<std::size_t>(count++);
+    from_x[k] = from_m.x;
+    from_y[k] = from_m.y;
+    from_z[k] = from_m.z;
+    to_x[k] = to_m.x;
+    to_y[k] = to_m.y;
+    to_z[k] = to_m.z;
+    return k;
+  }
 };
 
 // Up to 16 rays with unit directions, as arrays.
@@ -33,6 +46,18 @@ struct RayPacket {
   static constexpr int kSize = 16;
   alignas(64) std::array<float, kSize> x, y, z, dx, dy, dz;
   int count = 0;
+
+  bool is_full() const { return count == kSize; }
+  // The packet must not be full.
+  void add(const glm::dvec3& origin_m, const glm::dvec3& direction) {
+    const auto k = static_cast<std::size_t>(count++);
+    x[k] = static_cast<float>(origin_m.x);
+    y[k] = static_cast<float>(origin_m.y);
+    z[k] = static_cast<float>(origin_m.z);
+    dx[k] = static_cast<float>(direction.x);
+    dy[k] = static_cast<float>(direction.y);
+    dz[k] = static_cast<float>(direction.z);
+  }
 };
 
 // Ray queries on one prepared scene. Queries are const and may run on many threads at once.
@@ -47,8 +72,8 @@ class Tracer {
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // Nothing stands between any two points that will be asked about, by proof (convex space): shadow
-  // queries answer without a ray.
+  // Nothing stands between any two points inside the surfaces, by proof (convex space):
+  // is_blocked() and shadow batches answer without a ray.
   void leave_out_shadows() { has_shadows_ = false; }
   bool has_shadows() const { return has_shadows_; }
 

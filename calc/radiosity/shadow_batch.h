@@ -15,29 +15,25 @@ namespace calc {
 // so that every sum is the same in bits whatever else runs at the same time.
 class ShadowBatch {
  public:
-  explicit ShadowBatch(const Tracer& tracer) : tracer_(tracer) {}
+  // has_shadows: false if all ends are proved to see each other.
+  ShadowBatch(const Tracer& tracer, bool has_shadows)
+      : tracer_(tracer), has_shadows_(has_shadows) {}
 
   // from_m, to_m: lifted ends, local. *sum must live until flush(). largest: raised to the largest
   // visible contribution; may be null.
   void add(const glm::vec3& from_m, const glm::vec3& to_m, double contribution, double* sum,
            float* largest = nullptr) {
-    const auto k = static_cast<std::size_t>(packet_.count);
-    packet_.from_x[k] = from_m.x;
-    packet_.from_y[k] = from_m.y;
-    packet_.from_z[k] = from_m.z;
-    packet_.to_x[k] = to_m.x;
-    packet_.to_y[k] = to_m.y;
-    packet_.to_z[k] = to_m.z;
+    const std::size_t k = packet_.add(from_m, to_m);
     contribution_[k] = contribution;
     sum_[k] = sum;
     largest_[k] = largest;
-    if (++packet_.count == SegmentPacket::kSize) flush();
+    if (packet_.is_full()) flush();
   }
 
   void flush() {
     if (packet_.count == 0) return;
     has_contributions_ = true;
-    const std::uint32_t blocked = tracer_.blocked(packet_);
+    const std::uint32_t blocked = has_shadows_ ? tracer_.blocked(packet_) : 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(packet_.count); ++k) {
       if (((blocked >> k) & 1u) != 0) continue;
       *sum_[k] += contribution_[k];
@@ -45,7 +41,7 @@ class ShadowBatch {
         *largest_[k] = static_cast<float>(contribution_[k]);
       }
     }
-    if (tracer_.has_shadows()) rays_ += static_cast<std::uint64_t>(packet_.count);
+    if (has_shadows_) rays_ += static_cast<std::uint64_t>(packet_.count);
     packet_.count = 0;
   }
 
@@ -55,6 +51,7 @@ class ShadowBatch {
 
  private:
   const Tracer& tracer_;
+  bool has_shadows_;
   SegmentPacket packet_;
   std::array<double, SegmentPacket::kSize> contribution_;
   std::array<double*, SegmentPacket::kSize> sum_;

@@ -32,6 +32,7 @@
 namespace calc {
 namespace {
 
+// Surfaces that reflect more than this may hold light for ever; probes find out first.
 constexpr double kSuspectReflectance = 0.9995;
 
 // Groups of light vertices that continue short rays, and the share of the scene's extent below
@@ -75,13 +76,15 @@ class Solver {
     for (auto* v : {&absorbed_lm_, &escaped_lm_, &look_absorbed_lm_, &look_escaped_lm_}) {
       v->resize(replicates());
     }
-    if (settings_.skips.allows(Skip::convex)) leave_out_shadows(tasks);
     planes_.reserve(tasks.size());
     for (const PlaneTask& task : tasks) {
       planes_.emplace_back(tracer_, task.plane_id, *task.grid, beams_, settings_);
     }
+    if (settings_.skips.allows(Skip::convex)) leave_out_shadows(tasks);
     for (PlaneWork& plane : planes_) {
-      if (plane.is_active()) plane.add_exact(solution_.times);
+      if (!plane.is_active()) continue;
+      plane.add_exact(deadline_s_, solution_.times);
+      if (is_past(deadline_s_)) plane.refuse(why_no_result(StopReason::time_limit));
     }
     // What needs no samples is done, whatever becomes of the other planes.
     for (PlaneWork& plane : planes_) {
@@ -103,21 +106,27 @@ class Solver {
   }
 
  private:
-  // Only if all planes lie inside; whether others are there changes no result, as what is left out
-  // is visible by proof.
+  // Per plane, so that a plane outside the walls changes nothing for the others.
   void leave_out_shadows(const std::vector<PlaneTask>& tasks) {
     const ConvexAnswer answer = find_convex_space(tracer_.scene());
     if (!answer.space) return;
-    for (const PlaneTask& task : tasks) {
-      const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), *task.grid);
-      const PointSet points{local_m, task.grid->normal, task.grid->kernel};
-      if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) return;
+    tracer_.leave_out_shadows();  // between surfaces and luminaires
+    for (std::size_t p = 0; p < tasks.size(); ++p) {
+      const SensorGrid& grid = *tasks[p].grid;
+      const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), grid);
+      const PointSet points{local_m, grid.normal, grid.kernel};
+      if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) continue;
+      planes_[p].leave_out_shadows();
     }
-    tracer_.leave_out_shadows();
   }
 
   static std::string why_no_result(StopReason stopped) {
     switch (stopped) {
+      case StopReason::memory_limit:
+        return fmt::format(
+            "the light of the first look takes more than {} light vertices: surfaces that absorb "
+            "next to nothing; fewer paths may do (--max-paths)",
+            kMostVertices);
       case StopReason::time_limit:
         return "the time limit was reached before the first result";
       case StopReason::endless_path:
@@ -136,7 +145,8 @@ class Solver {
   bool is_endless() {
     constexpr std::uint32_t kProbes = 16;
     return samples_indirect_ && may_be_endless_ &&
-           trace_light_paths(tracer_, emitter_, {settings_.seed, replicates(), 0, kProbes})
+           trace_light_paths(tracer_, emitter_,
+                             {settings_.seed, replicates(), 0, kProbes, deadline_s_})
                .has_endless_path;
   }
 
@@ -188,9 +198,10 @@ class Solver {
   // stopped half-way; what was published before then stands.
   std::optional<StopReason> look(std::uint64_t done_paths, std::uint64_t paths) {
     for (PlaneWork& plane : planes_) {
-      if (samples_openings_ && plane.is_active()) plane.sample_openings(solution_.times);
+      if (samples_openings_ && plane.is_active())
+        plane.sample_openings(deadline_s_, solution_.times);
     }
-    if (!samples_indirect_) return reason_to_stop(paths);
+    if (const auto stopped = reason_to_stop(paths); stopped || !samples_indirect_) return stopped;
 
     const std::uint64_t batch_paths = paths - done_paths;
     const bool is_pool = settings_.method == Method::light_pool;
@@ -219,39 +230,38 @@ class Solver {
                                            std::uint64_t last) {
     const double begin_s = now_s();
     std::vector<SolveTimes> times(replicates());
-    std::vector<ReplicateOutcome> outcomes(replicates());
+    std::vector<std::optional<StopReason>> stopped(replicates());
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, replicates(), 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
           for (std::size_t r = range.begin(); r < range.end(); ++r) {
             if (is_stopped_) return;
-            outcomes[r] = run_replicate(bound, r, first, last, times[r]);
-            if (outcomes[r].stopped) is_stopped_ = true;
+            stopped[r] = run_replicate(bound, r, first, last, times[r]);
+            if (stopped[r]) is_stopped_ = true;
           }
         },
         tbb::simple_partitioner());
     add_elapsed(times, now_s() - begin_s);
     is_stopped_ = false;
-    for (const ReplicateOutcome& outcome : outcomes) {
-      if (outcome.stopped) return outcome.stopped;
+    for (const std::optional<StopReason>& reason : stopped) {
+      if (reason) return reason;
     }
     return std::nullopt;
   }
 
-  struct ReplicateOutcome {
-    std::optional<StopReason> stopped;
-  };
-
-  ReplicateOutcome run_replicate(const GeometryBound* bound, std::size_t replicate,
-                                 std::uint64_t first, std::uint64_t last, SolveTimes& times) {
+  // Gives a reason if it was stopped half-way.
+  std::optional<StopReason> run_replicate(const GeometryBound* bound, std::size_t replicate,
+                                          std::uint64_t first, std::uint64_t last,
+                                          SolveTimes& times) {
     const FlushDenormals flush;
     TracedPaths traced;
     {
       const PhaseTimer timer(times.pool_s);
       tbb::this_task_arena::isolate([&] { traced = trace(replicate, first, last); });
     }
-    if (traced.has_endless_path) return {StopReason::endless_path};
-    if (const auto stopped = reason_to_stop(last)) return {stopped};
+    if (traced.has_endless_path) return StopReason::endless_path;
+    if (traced.has_too_many_vertices) return StopReason::memory_limit;
+    if (const auto stopped = reason_to_stop(last)) return stopped;
     const double sort_begin_s = now_s();
     const std::size_t channels = tracer_.scene().channels.size();
     const VertexTree tree(std::move(traced.vertices), channels);
@@ -270,9 +280,9 @@ class Solver {
     for (PlaneWork* plane : lit_planes_) {
       plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_},
                      gatherer_, times);
-      if (const auto stopped = reason_to_stop(last)) return {stopped};
+      if (const auto stopped = reason_to_stop(last)) return stopped;
     }
-    return {};
+    return std::nullopt;
   }
 
   // Running means over all complete looks, weighted by paths.
@@ -305,7 +315,7 @@ class Solver {
     TracedPaths traced =
         trace_light_paths(tracer_, emitter_,
                           {settings_.seed, replicate, static_cast<std::uint32_t>(first),
-                           static_cast<std::uint32_t>(last)});
+                           static_cast<std::uint32_t>(last), deadline_s_});
     look_absorbed_lm_[replicate] = traced.absorbed_lm;
     look_escaped_lm_[replicate] = traced.escaped_lm;
     pool_rays_ += traced.rays;
@@ -313,9 +323,7 @@ class Solver {
   }
 
   std::optional<StopReason> reason_to_stop(std::uint64_t paths) {
-    if (settings_.time_limit_s > 0.0 && now_s() - start_s_ > settings_.time_limit_s) {
-      return StopReason::time_limit;
-    }
+    if (is_past(deadline_s_)) return StopReason::time_limit;
     if (!progress_) return std::nullopt;
     const std::scoped_lock lock(progress_mutex_);
     SolveProgress state;

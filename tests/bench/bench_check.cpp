@@ -45,14 +45,8 @@ std::vector<calc::SegmentPacket> make_packets(const calc::Tracer& tracer,
       const glm::dvec3 y(vertices[j].position_m), ny(vertices[j].normal);
       if (calc::geometry_term(x, grid.normal[i], y, ny) <= 0.0) continue;
       const glm::vec3 to(y);
-      const auto k = static_cast<std::size_t>(next.count++);
-      next.from_x[k] = from.x;
-      next.from_y[k] = from.y;
-      next.from_z[k] = from.z;
-      next.to_x[k] = to.x;
-      next.to_y[k] = to.y;
-      next.to_z[k] = to.z;
-      if (next.count < calc::SegmentPacket::kSize) continue;
+      next.add(from, to);
+      if (!next.is_full()) continue;
       packets.push_back(next);
       next.count = 0;
     }

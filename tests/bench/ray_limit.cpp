@@ -32,18 +32,10 @@ struct HitQuery {
 };
 
 void add_target(std::vector<PacketQuery>& queries, const glm::vec3& from, const glm::dvec3& to_m) {
-  constexpr int kSize = calc::SegmentPacket::kSize;
-  if (queries.empty() || queries.back().from_m != from || queries.back().packet.count == kSize) {
+  if (queries.empty() || queries.back().from_m != from || queries.back().packet.is_full()) {
     queries.push_back({from, {}});
   }
-  calc::SegmentPacket& packet = queries.back().packet;
-  const auto k = static_cast<std::size_t>(packet.count++);
-  packet.from_x[k] = from.x;
-  packet.from_y[k] = from.y;
-  packet.from_z[k] = from.z;
-  packet.to_x[k] = static_cast<float>(to_m.x);
-  packet.to_y[k] = static_cast<float>(to_m.y);
-  packet.to_z[k] = static_cast<float>(to_m.z);
+  queries.back().packet.add(from, glm::vec3(to_m));
 }
 
 // Places along a Morton curve, for the order in which a sorted pool is visited.
@@ -157,18 +149,11 @@ double packet_ns(const calc::Tracer& tracer, const std::vector<PacketQuery>& que
 std::vector<HitQuery> in_packets(const std::vector<RayQuery>& rays) {
   std::vector<HitQuery> packets;
   for (const RayQuery& ray : rays) {
-    if (packets.empty() || packets.back().rays.count == calc::RayPacket::kSize) {
+    if (packets.empty() || packets.back().rays.is_full()) {
       packets.emplace_back();
       packets.back().reach_m = static_cast<float>(ray.reach_m);
     }
-    calc::RayPacket& packet = packets.back().rays;
-    const auto k = static_cast<std::size_t>(packet.count++);
-    packet.x[k] = static_cast<float>(ray.origin_m.x);
-    packet.y[k] = static_cast<float>(ray.origin_m.y);
-    packet.z[k] = static_cast<float>(ray.origin_m.z);
-    packet.dx[k] = static_cast<float>(ray.direction.x);
-    packet.dy[k] = static_cast<float>(ray.direction.y);
-    packet.dz[k] = static_cast<float>(ray.direction.z);
+    packets.back().rays.add(ray.origin_m, ray.direction);
   }
   return packets;
 }

@@ -95,6 +95,17 @@ TEST_F(Skips, ConvexIsBitwise) {
   expect_same_values(left_out.fields[0], full.fields[0]);
 }
 
+TEST_F(Skips, ConvexIsTakenPerPlane) {
+  Case room = box(0.6);
+  const auto alone = solve(room, {});
+  room.grids.push_back(points_at(-0.5, {0, 0, 1}, -1.8, 1.8));  // under the floor
+  const auto both = solve(room, {});
+  EXPECT_EQ(shadow_rays(both.fields[0]), 0u);
+  EXPECT_GT(shadow_rays(both.fields[1]), 10000u);
+  expect_same_values(both.fields[0], alone.fields[0]);
+  expect_same_values(both.fields[1], solve(room, without(calc::Skip::convex)).fields[1]);
+}
+
 TEST_F(Skips, ConvexIsNotTakenWithAPillar) {
   Case room = box(0.6);
   add_box(room.scene, {0.5, 0.5, 0}, {0.3, 0.3, 3}, 0.4);

@@ -88,7 +88,7 @@ TEST(CostModel, ThreadsShareTheWorkAndConvexSpacesSaveShadowRays) {
   const calc::Prediction four = calc::predict(one_plane(), {1024}, settings(), 4);
   EXPECT_NEAR(four.seconds.connect, one.seconds.connect / 4.0, 1e-12);
   calc::SpaceWorkload convex = one_plane();
-  convex.is_convex = true;
+  convex.planes[0].is_unobstructed = true;
   EXPECT_LT(calc::predict(convex, {1024}, settings(), 1).seconds.connect, one.seconds.connect);
 }
 

@@ -50,7 +50,7 @@ TEST_F(APlan, OfAnEmptyRoomSkipsShadowRaysOnly) {
   EXPECT_EQ(decision(p, calc::Skip::convex).state, calc::SkipState::applies);
   EXPECT_THAT(decision(p, calc::Skip::convex).planes, ElementsAre("work"));
   EXPECT_EQ(decision(p, calc::Skip::decided_points).state, calc::SkipState::while_calculating);
-  EXPECT_TRUE(p.workload.is_convex);
+  EXPECT_TRUE(p.workload.planes[0].is_unobstructed);
   EXPECT_EQ(p.looks, 3);
   EXPECT_EQ(p.planes[0].seeing_points, 25u);
   EXPECT_EQ(p.planes[0].luminaires, 1u);
@@ -78,7 +78,7 @@ TEST_F(APlan, HonoursForbiddenSkips) {
   const calc::ScenePlan p = plan();
   EXPECT_EQ(decision(p, calc::Skip::convex).state, calc::SkipState::forbidden);
   EXPECT_EQ(decision(p, calc::Skip::convex).why, "forbidden by --no-skip convex");
-  EXPECT_FALSE(p.workload.is_convex);
+  EXPECT_FALSE(p.workload.planes[0].is_unobstructed);
   settings.skips.forbid_all();
   std::fill(scene.reflectance.begin(), scene.reflectance.end(), 0.0);
   for (const calc::SkipDecision& d : plan().skips) {

@@ -80,13 +80,9 @@ TEST(Tracer, AThinWallBlocksFromBothSidesInPacketsToo) {
   set_extent(scene);
   const calc::Tracer tracer(scene);
   calc::SegmentPacket packet;
-  for (int k = 0; k < calc::SegmentPacket::kSize; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    packet.from_x[i] = -1.0f;
-    packet.from_y[i] = packet.from_z[i] = 0.0f;
-    packet.to_x[i] = k % 2 == 0 ? 1.0f : -0.5f;  // even ones lie behind the wall
-    packet.to_y[i] = 0.05f * static_cast<float>(k);
-    packet.to_z[i] = 0.1f;
+  for (int k = 0; !packet.is_full(); ++k) {
+    const float x = k % 2 == 0 ? 1.0f : -0.5f;  // even ones lie behind the wall
+    packet.add({-1.0f, 0.0f, 0.0f}, {x, 0.05f * static_cast<float>(k), 0.1f});
   }
   packet.count = 13;
   EXPECT_EQ(tracer.blocked(packet), 0b1010101010101u);

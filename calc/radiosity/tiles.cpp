@@ -1,0 +1,54 @@
+#include "calc/radiosity/tiles.h"
+
+#include "calc/radiosity/radix_sort.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace calc {
+
+std::vector<std::uint32_t> spatial_order(const std::vector<Receiver>& receiver) {
+  if (receiver.empty()) return {};
+  glm::dvec3 low = receiver.front().position_m;
+  glm::dvec3 high = low;
+  for (const Receiver& r : receiver) {
+    low = glm::min(low, r.position_m);
+    high = glm::max(high, r.position_m);
+  }
+  const glm::dvec3 size = high - low;
+  constexpr int kBits = 16;
+  const double scale = ((1 << kBits) - 1) / std::max({size.x, size.y, size.z, 1e-9});
+  std::vector<KeyedIndex> keys;
+  for (std::size_t i = 0; i < receiver.size(); ++i) {
+    const glm::dvec3 cell = (receiver[i].position_m - low) * scale;
+    std::uint64_t key = 0;
+    for (int bit = kBits - 1; bit >= 0; --bit) {
+      for (int axis = 0; axis < 3; ++axis) {
+        key = (key << 1) | ((static_cast<std::uint64_t>(cell[axis]) >> bit) & 1u);
+      }
+    }
+    keys.push_back({key, static_cast<std::uint32_t>(i)});
+  }
+  radix_sort(keys, 3 * kBits);
+  std::vector<std::uint32_t> order;
+  for (const KeyedIndex& k : keys) order.push_back(k.index);
+  return order;
+}
+
+std::vector<ReceiverGroup> make_tiles(const std::vector<Receiver>& receiver,
+                                      const std::vector<std::uint32_t>& order,
+                                      const std::vector<std::uint8_t>& is_wanted) {
+  constexpr std::size_t kTilePoints = 32;
+  std::vector<ReceiverGroup> tiles;
+  for (const std::uint32_t i : order) {
+    if (is_wanted[i] == 0) continue;
+    if (tiles.empty() || tiles.back().point.size() == kTilePoints) tiles.emplace_back();
+    tiles.back().point.push_back(i);
+    tiles.back().receiver.push_back(receiver[i]);
+  }
+  return tiles;
+}
+
+}  // namespace calc
