@@ -4,6 +4,8 @@ luxgate_test(photometry_tests
     unit/calc/photometry/full_circle_test.cpp
     unit/calc/photometry/ies_lm63_test.cpp
     unit/calc/photometry/ies_opening_test.cpp
+    unit/calc/photometry/ies_tilt_test.cpp
+    unit/calc/photometry/ies_types_ab_test.cpp
     unit/calc/photometry/line_cursor_test.cpp
     unit/calc/photometry/number_stream_test.cpp
     unit/calc/photometry/photometry_file_test.cpp

@@ -46,9 +46,10 @@ void require_valid(const std::vector<double>& c_rad, const std::vector<double>& 
 
 PhotometricWeb PhotometricWeb::make(std::vector<double> c_rad, std::vector<double> gamma_rad,
                                     std::vector<double> intensity_cd, LuminousOpening opening,
-                                    PhotometrySource source) {
+                                    PhotometrySource source, TableAxis axis) {
   require_valid(c_rad, gamma_rad, intensity_cd);
   PhotometricWeb web;
+  web.axis_ = axis;
   web.c_rad_ = std::move(c_rad);
   web.gamma_rad_ = std::move(gamma_rad);
   web.intensity_cd_ = std::move(intensity_cd);
@@ -57,7 +58,7 @@ PhotometricWeb PhotometricWeb::make(std::vector<double> c_rad, std::vector<doubl
   web.max_intensity_cd_ = *std::max_element(web.intensity_cd_.begin(), web.intensity_cd_.end());
   if (web.gamma_rad_.front() == 0.0) web.nadir_cd_ = web.mean_over_c_cd(0);
   if (web.gamma_rad_.back() == kPi) web.zenith_cd_ = web.mean_over_c_cd(web.gamma_rad_.size() - 1);
-  web.flux_lm_ = web.zonal_flux_lm(0.0, kPi);
+  web.flux_lm_ = web.table_zone_lm(0.0, kPi);
   require(std::isfinite(web.flux_lm_) && web.flux_lm_ > 0.0, "flux finite and > 0");
   return web;
 }
@@ -78,16 +79,34 @@ double PhotometricWeb::interpolate_gamma_cd(std::size_t plane, std::size_t gamma
   return std::lerp(table_cd(plane, gamma), table_cd(plane, gamma + 1), fraction);
 }
 
+std::array<double, 3> PhotometricWeb::to_table(const std::array<double, 3>& direction) const {
+  const auto [x, y, z] = direction;
+  if (axis_ == TableAxis::vertical) return direction;
+  return {-z, x, -y};
+}
+
+std::array<double, 3> PhotometricWeb::from_table(const std::array<double, 3>& direction) const {
+  const auto [x, y, z] = direction;
+  if (axis_ == TableAxis::vertical) return direction;
+  return {y, -z, -x};
+}
+
 double PhotometricWeb::intensity_cd(const std::array<double, 3>& direction) const {
+  const std::array<double, 3> turned = to_table(direction);
   if (is_axial()) {  // C does not matter
-    const double across = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
-    return intensity_cd(0.0, std::atan2(across, -direction[2]));
+    const double across = std::sqrt(turned[0] * turned[0] + turned[1] * turned[1]);
+    return at_table_angles_cd(0.0, std::atan2(across, -turned[2]));
   }
-  const WebAngles angles = angles_of(direction);
-  return intensity_cd(angles.c_rad, angles.gamma_rad);
+  const WebAngles angles = angles_of(turned);
+  return at_table_angles_cd(angles.c_rad, angles.gamma_rad);
 }
 
 double PhotometricWeb::intensity_cd(double c_rad, double gamma_rad) const {
+  if (axis_ == TableAxis::vertical) return at_table_angles_cd(c_rad, gamma_rad);
+  return intensity_cd(direction_of({c_rad, gamma_rad}));
+}
+
+double PhotometricWeb::at_table_angles_cd(double c_rad, double gamma_rad) const {
   if (gamma_rad <= 0.0) return nadir_cd_;
   if (gamma_rad >= kPi) return zenith_cd_;
   if (gamma_rad < gamma_rad_.front() - kAngleRounding_rad) return 0.0;
@@ -110,6 +129,24 @@ double PhotometricWeb::intensity_cd(double c_rad, double gamma_rad) const {
 }
 
 double PhotometricWeb::zonal_flux_lm(double from_gamma_rad, double to_gamma_rad) const {
+  if (axis_ == TableAxis::vertical) return table_zone_lm(from_gamma_rad, to_gamma_rad);
+  constexpr double kStep_rad = kPi / 360.0;
+  const double zone_rad = to_gamma_rad - from_gamma_rad;
+  if (!(zone_rad > 0.0)) return 0.0;
+  const auto rows = static_cast<int>(std::ceil(zone_rad / kStep_rad));
+  double sum_lm = 0.0;
+  for (int i = 0; i < rows; ++i) {
+    const double low = from_gamma_rad + zone_rad * i / rows;
+    const double high = from_gamma_rad + zone_rad * (i + 1) / rows;
+    const double cell_sr = (std::cos(low) - std::cos(high)) * kStep_rad;
+    for (int k = 0; k < 720; ++k) {
+      sum_lm += cell_sr * intensity_cd(kStep_rad * (k + 0.5), 0.5 * (low + high));
+    }
+  }
+  return sum_lm;
+}
+
+double PhotometricWeb::table_zone_lm(double from_gamma_rad, double to_gamma_rad) const {
   const auto plane_flux = [&](std::size_t plane) {  // lm per radian of C
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < gamma_rad_.size(); ++i) {
@@ -138,6 +175,12 @@ WebAngles angles_of(const std::array<double, 3>& direction) {
   if (across == 0.0) return {0.0, z > 0.0 ? kPi : 0.0};
   const double c = std::atan2(y, x);
   return {c < 0.0 ? c + 2.0 * kPi : c, std::atan2(across, -z)};
+}
+
+std::array<double, 3> direction_of(const WebAngles& angles) {
+  const double across = std::sin(angles.gamma_rad);
+  return {across * std::cos(angles.c_rad), across * std::sin(angles.c_rad),
+          -std::cos(angles.gamma_rad)};
 }
 
 std::size_t interval_of(const std::vector<double>& nodes, double x) {

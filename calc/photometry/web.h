@@ -1,24 +1,53 @@
 #pragma once
 // A luminaire's far-field photometry: absolute luminous intensity over C-gamma.
 
+#include "calc/photometry/lamp_tilt.h"
+
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace calc {
 
-// Shape of the luminous opening, centred on the luminaire, in the plane across its axis.
-enum class OpeningShape { point, rectangle, disk };
+// Shape of the luminous opening, centred on the luminaire: flat across its axis, or a body. A disk
+// and the bodies other than the box may be elliptical; cylinder: upright; cylinder_c0,
+// cylinder_c90: lying along that line (a vertical disk is one of no length).
+enum class OpeningShape {
+  point,
+  rectangle,
+  disk,
+  box,
+  cylinder,
+  cylinder_c0,
+  cylinder_c90,
+  ellipsoid
+};
 
-// along_c0_m: size along the C0-C180 axis, along_c90_m: along C90-C270; a disk (or ellipse) uses
-// them as its two diameters. A file's height (luminous sides) is kept for reports; light leaves the
-// opening plane.
+// along_c0_m: size along the C0-C180 axis, along_c90_m: along C90-C270. height_m of flat shapes is
+// kept for reports.
 struct LuminousOpening {
   OpeningShape shape = OpeningShape::point;
   double along_c0_m = 0.0;
   double along_c90_m = 0.0;
   double height_m = 0.0;
+
+  bool is_body() const { return shape >= OpeningShape::box; }
+  // Of what sends light, along the luminaire's x, y and z.
+  glm::dvec3 size_m() const {
+    if (shape == OpeningShape::point) return glm::dvec3(0.0);
+    return {along_c0_m, along_c90_m, is_body() ? height_m : 0.0};
+  }
+};
+
+// The line that the planes of a table turn about, of which gamma counts the angle.
+enum class TableAxis {
+  vertical,  // C-gamma as in the frame below
+  // LM-63 type B: the line of C90. A direction (x, y, z) has the table angles that (-z, x, -y)
+  // would have about the vertical: C = atan2(x, -z), gamma = acos(y) - so that nadir is C = 0,
+  // gamma = 90.
+  lateral
 };
 
 // Where the numbers came from, for reports. All text is UTF-8.
@@ -31,17 +60,21 @@ struct PhotometrySource {
   double input_power_w = 0;  // 0 = not stated
   std::string
       applied_factors;  // words: "multiplier 1 x ballast 0.9", "LDT conversion 1 x 3000 lm / 1000"
+  std::string
+      axis_rule;  // words: which line of the luminaire C 0 and the opening's sides lie along
+  std::optional<LampTilt> lamp_tilt;  // the intensities hold its factor of tilt 0
 };
 
 // Intensity table over full circles, symmetric files already expanded; bilinear between entries
-// [PHOTO: bilinear in angle]. Immutable after make().
+// [PHOTO: bilinear in angle]. Immutable after make(). Tables about another axis are kept as they
+// are, so that they are interpolated between the angles that were measured.
 //
 // Frame (calc/CONVENTIONS.md): x = C0, y = C90, gamma = 0 is -z, gamma = pi is +z;
 // direction = (sin g cos C, sin g sin C, -cos g).
 //
-// At the poles (nadir, zenith) C has no meaning and the planes of a good file agree. Where they do
-// not, the value there is the mean over C, so that it does not depend on how a direction was
-// rounded.
+// At the poles of the table (nadir, zenith) C has no meaning and the planes of a good file agree.
+// Where they do not, the value there is the mean over C, so that it does not depend on how a
+// direction was rounded.
 class PhotometricWeb {
  public:
   // c_rad: strictly ascending from 0 to 2 pi inclusive with the last plane equal to the first, or
@@ -51,20 +84,26 @@ class PhotometricWeb {
   // std::logic_error.
   static PhotometricWeb make(std::vector<double> c_rad, std::vector<double> gamma_rad,
                              std::vector<double> intensity_cd, LuminousOpening opening,
-                             PhotometrySource source);
+                             PhotometrySource source, TableAxis axis = TableAxis::vertical);
 
   // Luminous intensity (cd) towards a unit direction in the luminaire's frame.
   double intensity_cd(const std::array<double, 3>& direction) const;
-  // The same by angles: c_rad any real (wrapped), gamma_rad in [0, pi]. The first and last
-  // tabulated angle belong to the table, with 1e-14 rad for the rounding of directions.
+  // The same by the angles of that frame, whatever the table's axis: c_rad any real (wrapped),
+  // gamma_rad in [0, pi]. The first and last tabulated angle belong to the table, with 1e-14 rad
+  // for the rounding of directions.
   double intensity_cd(double c_rad, double gamma_rad) const;
 
   // Exact integral of the interpolated table over the sphere (lm), > 0.
   double flux_lm() const { return flux_lm_; }
-  // The same over the zone between two gamma angles, 0 <= from <= to <= pi.
+  // The same over the zone between two gamma angles, 0 <= from <= to <= pi. Exact about a vertical
+  // axis; else by midpoints of half a degree.
   double zonal_flux_lm(double from_gamma_rad, double to_gamma_rad) const;
   double max_intensity_cd() const { return max_intensity_cd_; }
 
+  // The table. Its angles are those of a direction turned into the table's frame.
+  TableAxis axis() const { return axis_; }
+  std::array<double, 3> to_table(const std::array<double, 3>& direction) const;
+  std::array<double, 3> from_table(const std::array<double, 3>& direction) const;
   bool is_axial() const { return c_rad_.size() == 1; }
   const std::vector<double>& c_rad() const { return c_rad_; }
   const std::vector<double>& gamma_rad() const { return gamma_rad_; }
@@ -77,9 +116,12 @@ class PhotometricWeb {
  private:
   PhotometricWeb() = default;
 
+  double at_table_angles_cd(double c_rad, double gamma_rad) const;
+  double table_zone_lm(double from_gamma_rad, double to_gamma_rad) const;
   double mean_over_c_cd(std::size_t gamma) const;
   double interpolate_gamma_cd(std::size_t plane, std::size_t gamma, double fraction) const;
 
+  TableAxis axis_ = TableAxis::vertical;
   std::vector<double> c_rad_, gamma_rad_, intensity_cd_;
   LuminousOpening opening_;
   PhotometrySource source_;
@@ -93,6 +135,7 @@ struct WebAngles {
   double c_rad, gamma_rad;
 };
 WebAngles angles_of(const std::array<double, 3>& direction);
+std::array<double, 3> direction_of(const WebAngles& angles);
 
 // Index i of the interval [nodes[i], nodes[i + 1]] that holds x; the first or last interval when x
 // lies outside. nodes: ascending, at least 2.

@@ -114,8 +114,10 @@ std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOp
     return std::nullopt;
   }
   const double maximum = *std::max_element(table.intensity_cd.begin(), table.intensity_cd.end());
-  warn_of_gamma_range(table, maximum, diagnostics);
-  warn_of_poles(table, diagnostics);
+  if (table.axis == TableAxis::vertical) {  // else the words would name the wrong places
+    warn_of_gamma_range(table, maximum, diagnostics);
+    warn_of_poles(table, diagnostics);
+  }
   warn_of_circle(table, circle, maximum, diagnostics);
 
   std::vector<double> c_rad;
@@ -133,7 +135,7 @@ std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOp
   std::vector<double> gamma_rad;
   for (const double deg : table.gamma_deg) gamma_rad.push_back(deg >= 180.0 ? kPi : radians(deg));
   return PhotometricWeb::make(std::move(c_rad), std::move(gamma_rad), std::move(expanded_cd),
-                              opening, std::move(source));
+                              opening, std::move(source), table.axis);
 }
 
 bool check_angle(double deg, const double* previous, double lowest_deg, double highest_deg,

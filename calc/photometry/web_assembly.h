@@ -16,6 +16,7 @@ namespace calc {
 struct FileTable {
   std::vector<double> c_deg;  // as full_circle() wants them
   PlaneSymmetry symmetry = PlaneSymmetry::none;
+  TableAxis axis = TableAxis::vertical;  // lateral: c_deg and gamma_deg are the table's
   bool lists_c360 = false;  // the format repeats plane 0 at 360 when there is no symmetry
   std::vector<double> gamma_deg;
   std::vector<double> intensity_cd;    // [plane][gamma]

@@ -80,7 +80,7 @@ std::array<double, 3> WebSampler::sample(double u0, double u1) const {
   }
   const double across = std::sin(gamma);
   const SineCosine c = sine_cosine_of_turns(c_turns);
-  return {across * c.cosine, across * c.sine, -std::cos(gamma)};
+  return web_.from_table({across * c.cosine, across * c.sine, -std::cos(gamma)});
 }
 
 double WebSampler::pdf(const std::array<double, 3>& direction) const {
@@ -88,7 +88,7 @@ double WebSampler::pdf(const std::array<double, 3>& direction) const {
 }
 
 std::array<double, 2> WebSampler::invert(const std::array<double, 3>& direction) const {
-  const WebAngles angles = angles_of(direction);
+  const WebAngles angles = angles_of(web_.to_table(direction));
   if (web_.is_axial())
     return {angles.c_rad / (2.0 * kPi), invert_gamma({0, 0, 0.0}, angles.gamma_rad)};
   const std::vector<double>& c = web_.c_rad();

@@ -23,7 +23,8 @@ class WebSampler {
   // Probability density per steradian of that direction: intensity / flux.
   double pdf(const std::array<double, 3>& direction) const;
   // The (u0, u1) that sample() turns into this direction; for round-trip tests. Directions outside
-  // the table give u1 = 0 or 1; a pole counts as C = 0; u1 = 0 where nothing is emitted at that C.
+  // the table give u1 = 0 or 1; a pole of the table counts as C = 0; u1 = 0 where nothing is
+  // emitted at that C.
   std::array<double, 2> invert(const std::array<double, 3>& direction) const;
   // What the prefix sums add up to: web.flux_lm() up to rounding.
   double normalisation_lm() const { return c_prefix_.back(); }

@@ -131,8 +131,7 @@ bool tangent_plane_separates(const Beam& beam, const PlacedLuminaire& luminaire,
     return all_behind(luminaire, corners, normal, side_m);
   };
 
-  const double opening_m =
-      0.5 * std::hypot(luminaire.opening.along_c0_m, luminaire.opening.along_c90_m);
+  const double opening_m = 0.5 * glm::length(luminaire.opening.size_m());
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& corner : corners) middle += corner - luminaire.position_m;
   if (separates(std::atan2(-glm::dot(middle, y), -glm::dot(middle, x)))) return true;
@@ -158,8 +157,7 @@ bool lies_in_dark_cone(const Beam& beam, const PlacedLuminaire& luminaire,
                        std::span<const glm::dvec3> corners, double side_m) {
   const double angle = kPi - beam.half_angle_rad - kAngleSlack_rad;
   if (!(angle > 0.0)) return false;
-  const double opening_m =
-      0.5 * std::hypot(luminaire.opening.along_c0_m, luminaire.opening.along_c90_m);
+  const double opening_m = 0.5 * glm::length(luminaire.opening.size_m());
   const double sine = std::sin(angle), cosine = std::cos(angle);
   return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
     const glm::dvec3 d = corner - luminaire.position_m;
@@ -171,7 +169,10 @@ bool lies_in_dark_cone(const Beam& beam, const PlacedLuminaire& luminaire,
 
 }  // namespace
 
-Beam beam_of(const PhotometricWeb& web) {
+namespace {
+
+// In the frame of the table.
+Beam beam_about_table(const PhotometricWeb& web) {
   const Cells cells(web);
   const auto [first_rad, last_rad] = cells.gamma_range_rad();
   Beam beam{{0.0, 0.0, -1.0}, last_rad};
@@ -184,6 +185,15 @@ Beam beam_of(const PhotometricWeb& web) {
   const double half_angle_rad = std::acos(cells.least_cosine(axis)) + kAngleSlack_rad;
   // A symmetric beam's mean is a pole up to rounding: the pole itself is then the better axis.
   if (half_angle_rad < beam.half_angle_rad) beam = {axis, half_angle_rad};
+  return beam;
+}
+
+}  // namespace
+
+Beam beam_of(const PhotometricWeb& web) {
+  Beam beam = beam_about_table(web);
+  const auto axis = web.from_table({beam.axis.x, beam.axis.y, beam.axis.z});
+  beam.axis = {axis[0], axis[1], axis[2]};
   return beam;
 }
 
@@ -210,10 +220,8 @@ bool beam_misses(const Beam& beam, const PlacedLuminaire& luminaire,
 }
 
 double opening_support_m(const PlacedLuminaire& luminaire, const glm::dvec3& direction) {
-  if (luminaire.opening.shape == OpeningShape::point) return 0.0;
-  const glm::dmat3& axes = luminaire.world_from_luminaire;
-  return 0.5 * (std::abs(glm::dot(direction, axes[0])) * luminaire.opening.along_c0_m +
-                std::abs(glm::dot(direction, axes[1])) * luminaire.opening.along_c90_m);
+  const glm::dvec3 along = glm::abs(glm::transpose(luminaire.world_from_luminaire) * direction);
+  return 0.5 * glm::dot(along, luminaire.opening.size_m());
 }
 
 }  // namespace calc

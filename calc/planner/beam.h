@@ -42,7 +42,7 @@ struct BeamClearance {
 bool beam_misses(const Beam& beam, const PlacedLuminaire& luminaire,
                  std::span<const glm::dvec3> corners, const BeamClearance& clearance);
 
-// max over the opening's bounding rectangle of dot(direction, p - centre), for a unit direction.
+// max over the opening's bounding box of dot(direction, p - centre), for a unit direction.
 double opening_support_m(const PlacedLuminaire& luminaire, const glm::dvec3& direction);
 
 }  // namespace calc

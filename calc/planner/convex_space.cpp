@@ -29,14 +29,11 @@ struct ConvexSearch {
       if (is_used[v] != 0) corners.emplace_back(scene.vertex_m[v]);
     }
     for (const PlacedLuminaire& luminaire : scene.luminaires) {
-      const bool is_point = luminaire.opening.shape == OpeningShape::point;
-      const double half_x = is_point ? 0.0 : 0.5 * luminaire.opening.along_c0_m;
-      const double half_y = is_point ? 0.0 : 0.5 * luminaire.opening.along_c90_m;
-      for (const double x : {-half_x, half_x}) {
-        for (const double y : {-half_y, half_y}) {
-          corners.push_back(luminaire.position_m + x * luminaire.world_from_luminaire[0] +
-                            y * luminaire.world_from_luminaire[1]);
-        }
+      const glm::dvec3 half_m = 0.5 * luminaire.opening.size_m();
+      for (int k = 0; k < 8; ++k) {
+        const glm::dvec3 side((k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0,
+                              (k & 4) != 0 ? 1.0 : -1.0);
+        corners.push_back(luminaire.position_m + luminaire.world_from_luminaire * (side * half_m));
       }
     }
   }
@@ -81,16 +78,18 @@ struct ConvexSearch {
     return std::nullopt;
   }
 
-  // Shadow rays end off the opening, along the luminaire's axis towards the receiver. Across a wall
+  // Shadow rays end off the opening, along the luminaire's axis towards the receiver, or off a
+  // luminous body's surface. Across a wall
   // they would end only at a tilted luminaire in it: one that lies flat in the wall is lifted
   // outward only for receivers outside.
   bool keeps_off(const PlacedLuminaire& luminaire, const Wall& wall) const {
-    const double lift_m =
-        space.offset_m_ * std::abs(glm::dot(wall.outward, luminaire.world_from_luminaire[2]));
+    const bool is_body = luminaire.opening.is_body();
+    const double along_axis = std::abs(glm::dot(wall.outward, luminaire.world_from_luminaire[2]));
+    const double lift_m = space.offset_m_ * (is_body ? 1.0 : along_axis);
     const double highest_m =
         glm::dot(wall.outward, luminaire.position_m) + opening_support_m(luminaire, wall.outward);
-    const bool is_flat =
-        glm::length(glm::cross(wall.outward, luminaire.world_from_luminaire[2])) < 1.0e-6;
+    const bool is_flat = !is_body && glm::length(glm::cross(
+                                         wall.outward, luminaire.world_from_luminaire[2])) < 1.0e-6;
     return is_flat || highest_m + lift_m <= wall.distance_m + space.tolerance_m_;
   }
 

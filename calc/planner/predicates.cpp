@@ -70,12 +70,13 @@ bool is_along(const glm::dvec3& axis, const PlacedLuminaire& luminaire) {
 
 // Light paths start off the opening by ray_offset_m() along the luminaire's axis, on the side they
 // go to. A half-space beam about that axis thus starts well in front of what lies in its opening's
-// plane, as the ceiling about a recessed luminaire does; any other beam must keep off by more than
-// that lift.
+// plane, as the ceiling about a recessed luminaire does; any other beam, and one from a luminous
+// body, must keep off by more than that lift.
 BeamClearance path_clearance(const PreparedScene& scene, const Beam& beam,
                              const PlacedLuminaire& luminaire) {
   const double offset_m = scene.ray_offset_m();
-  return {is_along(beam.axis, luminaire) ? -0.25 * offset_m : 2.0 * offset_m, 2.0 * offset_m};
+  const bool is_flat_along = !luminaire.opening.is_body() && is_along(beam.axis, luminaire);
+  return {is_flat_along ? -0.25 * offset_m : 2.0 * offset_m, 2.0 * offset_m};
 }
 
 bool misses_all(const PreparedScene& scene, const std::vector<ReflectingBody>& bodies,

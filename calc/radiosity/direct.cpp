@@ -1,6 +1,7 @@
 #include "calc/radiosity/direct.h"
 
 #include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/opening.h"
 #include "calc/radiosity/shadow_batch.h"
 
 #include <algorithm>
@@ -23,19 +24,49 @@ void add_source(ShadowBatch& batch, const PlacedLuminaire& luminaire, const glm:
             weight * lx, &sums[luminaire.channel * stride]);
 }
 
+// A point of a luminaire's opening, as seen from the receiver, with all of its light for `weight`.
+void add_opening_point(ShadowBatch& batch, const PlacedLuminaire& luminaire,
+                       const OpeningView& view, double s, double t, const Receiver& receiver,
+                       const glm::vec3& from_m, double weight, double offset_m, double* sums,
+                       std::size_t stride) {
+  const OpeningView::Point source = view.point(s, t);
+  if (!luminaire.opening.is_body()) {
+    return add_source(batch, luminaire, source.position_m, receiver, from_m, weight, offset_m, sums,
+                      stride);
+  }
+  const glm::dvec3 out = glm::normalize(receiver.position_m - source.position_m);
+  const double lx =
+      view.weight(source, out) * point_illuminance_lx(luminaire, source.position_m, receiver);
+  if (!(lx > 0.0)) return;
+  batch.add(from_m, glm::vec3(source.position_m + offset_m * source.normal), weight * lx,
+            &sums[luminaire.channel * stride]);
+}
+
+OpeningView view_from(const PlacedLuminaire& luminaire, const glm::dvec3& position_m) {
+  const glm::dvec3 to_point = position_m - luminaire.position_m;
+  const double distance_m = glm::length(to_point);
+  // At the centre of a flat opening any direction will do.
+  return {luminaire, distance_m > 0.0 ? to_point / distance_m : -luminaire.world_from_luminaire[2]};
+}
+
 struct CellExtent {
   glm::dvec3 centre_m;
   double diameter_m;
 };
 
-CellExtent cell_extent(const PlacedLuminaire& luminaire, const OpeningCell& cell) {
-  const auto at = [&](double s, double t) {
-    return opening_point_m(luminaire, cell.s + s * cell.size, cell.t + t * cell.size);
-  };
-  if (cell.size == 1.0) {  // the whole opening
-    const LuminousOpening& opening = luminaire.opening;
-    return {luminaire.position_m, std::hypot(opening.along_c0_m, opening.along_c90_m)};
+CellExtent cell_extent(const PlacedLuminaire& luminaire, const OpeningView& view,
+                       const OpeningCell& cell) {
+  if (cell.size_s == 1.0 && cell.size_t == 1.0) {  // the whole opening
+    return {luminaire.position_m, glm::length(luminaire.opening.size_m())};
   }
+  const auto at = [&](double s, double t) {
+    // Just inside, where two faces meet.
+    constexpr double kInside = 1.0e-9;
+    return view
+        .point(cell.s + std::clamp(s, kInside, 1.0 - kInside) * cell.size_s,
+               cell.t + t * cell.size_t)
+        .position_m;
+  };
   const glm::dvec3 centre = at(0.5, 0.5);
   double radius = 0.0;
   for (const double s : {0.0, 0.5, 1.0}) {
@@ -60,18 +91,28 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
 // millimetre.
 constexpr int kDeepestSplit = 12;
 
-void split_cell(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
-                const OpeningCell& cell, int depth, std::vector<OpeningCell>& cells) {
-  const CellExtent extent = cell_extent(luminaire, cell);
+void split_cell(const PlacedLuminaire& luminaire, const OpeningView& view,
+                const glm::dvec3& position_m, const OpeningCell& cell, int depth,
+                std::vector<OpeningCell>& cells) {
+  const CellExtent extent = cell_extent(luminaire, view, cell);
   const double distance = glm::length(extent.centre_m - position_m);
   if (extent.diameter_m <= distance || depth == kDeepestSplit) {
-    cells.push_back({cell.s, cell.t, cell.size, cell_samples(extent.diameter_m, distance)});
+    cells.push_back(cell);
+    cells.back().samples = cell_samples(extent.diameter_m, distance);
     return;
   }
-  const double half = 0.5 * cell.size;
-  for (const double ds : {0.0, half}) {
-    for (const double dt : {0.0, half}) {
-      split_cell(luminaire, position_m, {cell.s + ds, cell.t + dt, half, 1}, depth + 1, cells);
+  if (depth == 0 && view.pieces().size() > 2) {  // into the faces of a body first
+    for (std::size_t i = 0; i + 1 < view.pieces().size(); ++i) {
+      const double width = view.pieces()[i + 1] - view.pieces()[i];
+      split_cell(luminaire, view, position_m, {view.pieces()[i], 0.0, width, 1.0, 1}, 1, cells);
+    }
+    return;
+  }
+  const double half_s = 0.5 * cell.size_s, half_t = 0.5 * cell.size_t;
+  for (const double ds : {0.0, half_s}) {
+    for (const double dt : {0.0, half_t}) {
+      split_cell(luminaire, view, position_m, {cell.s + ds, cell.t + dt, half_s, half_t, 1},
+                 depth + 1, cells);
     }
   }
 }
@@ -106,18 +147,18 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     if (is_point(luminaires[l]) || proofs.leaves_out(l)) continue;
+    const OpeningView view = view_from(luminaires[l], receiver.position_m);
     const std::vector<OpeningCell> cells = opening_cells(luminaires[l], receiver.position_m);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const OpeningCell& cell = cells[c];
       const double weight =
-          cell.size * cell.size / cell.samples;  // the sample square is area-preserving
+          cell.size_s * cell.size_t / cell.samples;  // the sample square is area-preserving
       const ScrambledSobol sobol(key.with(l).with(c));
       for (std::uint32_t i = first_round * cell.samples; i < last_round * cell.samples; ++i) {
         const auto u = sobol.sample_pair(i, 0);
-        const glm::dvec3 source =
-            opening_point_m(luminaires[l], cell.s + cell.size * u[0], cell.t + cell.size * u[1]);
-        add_source(batch, luminaires[l], source, receiver, from, weight, tracer.offset_m(), sums,
-                   stride);
+        add_opening_point(batch, luminaires[l], view, cell.s + cell.size_s * u[0],
+                          cell.t + cell.size_t * u[1], receiver, from, weight, tracer.offset_m(),
+                          sums, stride);
       }
     }
   }
@@ -132,10 +173,9 @@ std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, 
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     const RandomKey opening_key = key.with(l);
-    const glm::dvec3 source = opening_point_m(luminaires[l], opening_key.with(0).uniform(),
-                                              opening_key.with(1).uniform());
-    add_source(batch, luminaires[l], source, receiver, from, weight, tracer.offset_m(), sums,
-               stride);
+    add_opening_point(batch, luminaires[l], view_from(luminaires[l], receiver.position_m),
+                      opening_key.with(0).uniform(), opening_key.with(1).uniform(), receiver, from,
+                      weight, tracer.offset_m(), sums, stride);
   }
   batch.flush();
   return batch.rays();
@@ -144,7 +184,7 @@ std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, 
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
                                        const glm::dvec3& position_m) {
   std::vector<OpeningCell> cells;
-  split_cell(luminaire, position_m, {}, 0, cells);
+  split_cell(luminaire, view_from(luminaire, position_m), position_m, {}, 0, cells);
   return cells;
 }
 

@@ -54,10 +54,10 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride);
 
-// A part of an opening in its sample square: [s, s + size] x [t, t + size], with its samples per
-// round.
+// A part of an opening in its sample square (OpeningView): [s, s + size_s] x [t, t + size_t], with
+// its samples per round.
 struct OpeningCell {
-  double s = 0.0, t = 0.0, size = 1.0;
+  double s = 0.0, t = 0.0, size_s = 1.0, size_t = 1.0;
   std::uint32_t samples = 1;
 };
 

@@ -1,5 +1,6 @@
 #include "calc/radiosity/emission.h"
 
+#include "calc/radiosity/opening.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -19,25 +20,6 @@ glm::dvec3 lift_along_axis(const PlacedLuminaire& luminaire, const glm::dvec3& s
 }
 
 }  // namespace
-
-glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t) {
-  const LuminousOpening& opening = luminaire.opening;
-  glm::dvec2 unit(0.0);  // in [-1/2, 1/2]^2
-  switch (opening.shape) {
-    case OpeningShape::point:
-      return luminaire.position_m;
-    case OpeningShape::rectangle:
-      unit = glm::dvec2(s - 0.5, t - 0.5);
-      break;
-    case OpeningShape::disk: {
-      const double radius = 0.5 * std::sqrt(s);  // area-preserving
-      unit = radius * glm::dvec2(std::cos(2.0 * kPi * t), std::sin(2.0 * kPi * t));
-      break;
-    }
-  }
-  return luminaire.position_m + unit.x * opening.along_c0_m * luminaire.world_from_luminaire[0] +
-         unit.y * opening.along_c90_m * luminaire.world_from_luminaire[1];
-}
 
 double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                             const Receiver& receiver) {
@@ -100,14 +82,19 @@ EmittedRay Emitter::emit(std::size_t luminaire, std::array<double, 2> direction_
   const auto local = samplers_[sampler_of_[luminaire]].sample(direction_u[0], direction_u[1]);
   const glm::dvec3 direction =
       placed.world_from_luminaire * glm::dvec3(local[0], local[1], local[2]);
-  const glm::dvec3 source = opening_point_m(placed, opening_u[0], opening_u[1]);
-  return {lift_along_axis(placed, source, direction, offset_m), direction};
+  const OpeningView view(placed, direction);
+  const OpeningView::Point source = view.point(opening_u[0], opening_u[1]);
+  if (!placed.opening.is_body()) {
+    return {lift_along_axis(placed, source.position_m, direction, offset_m), direction};
+  }
+  return {source.position_m + offset_m * source.normal, direction};
 }
 
 int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m,
                             double distance_m) {
   for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
     const PlacedLuminaire& luminaire = scene.luminaires[l];
+    if (is_inside_opening(luminaire, point_m, distance_m)) return static_cast<int>(l);
     if (luminaire.opening.shape != OpeningShape::point) continue;
     if (glm::length(luminaire.position_m - point_m) < distance_m) return static_cast<int>(l);
   }

@@ -15,10 +15,6 @@
 
 namespace calc {
 
-// A luminaire's opening point k of n: a square sample mapped onto rectangle or disk, local
-// coordinates.
-glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);
-
 // Unoccluded illuminance (lx) at a receiver from intensity leaving `source_m`, with
 // all of the luminaire's intensity put into that one point: E = I k / d^2 (k = cos for a plane, 0
 // behind it). Times flux_scale. d = 0 gives 0: a receiver on the luminaire itself is refused before
@@ -26,8 +22,8 @@ glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t)
 double point_illuminance_lx(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                             const Receiver& receiver);
 
-// Where shadow rays towards `source_m` end: lifted along the luminaire's axis to the receiver's
-// side, so that a luminaire flush with the ceiling is not hidden by the ceiling.
+// Where shadow rays towards a point of a flat opening end: lifted along the luminaire's axis to the
+// receiver's side, so that a luminaire flush with the ceiling is not hidden by the ceiling.
 glm::dvec3 lifted_source_m(const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                            const glm::dvec3& receiver_m, double offset_m);
 
@@ -53,7 +49,7 @@ class Emitter {
   std::size_t choose_luminaire(double u) const;
   // Flux over probability of choosing it: what a path from this luminaire stands for.
   double path_flux_lm(std::size_t luminaire) const { return path_flux_lm_[luminaire]; }
-  // direction by exact inversion of the web; position uniform on the opening.
+  // direction by exact inversion of the web; position evenly over the opening as seen along it.
   EmittedRay emit(std::size_t luminaire, std::array<double, 2> direction_u,
                   std::array<double, 2> opening_u, double offset_m) const;
 
@@ -66,8 +62,8 @@ class Emitter {
   double flux_lm_ = 0.0, traced_flux_lm_ = 0.0;
 };
 
-// Index of a luminaire so near to the point (within `distance_m` of its centre, point openings
-// only) that its illuminance there has no meaning, or -1.
+// Index of a luminaire without size within `distance_m` of the point, or with a luminous body
+// around it, so that its illuminance there has no meaning; or -1.
 int find_touching_luminaire(const PreparedScene& scene, const glm::dvec3& point_m,
                             double distance_m);
 

@@ -1,5 +1,6 @@
 #include "calc/scene/prepared_scene.h"
 
+#include "calc/scene/opening_fit.h"
 #include "calc/scene/solids.h"
 
 #include <algorithm>
@@ -53,15 +54,24 @@ std::uint32_t channel_of(const std::string& group, double maintenance_factor,
   return index;
 }
 
-void add_luminaire(const Project& project, const Luminaire& luminaire, PreparedScene& scene) {
+// The table holds the factor of the tilt it was measured at.
+double installed_tilt_factor(const PhotometricWeb& web, const Luminaire& luminaire) {
+  if (!web.source().lamp_tilt) return 1.0;
+  const LampTilt& tilt = *web.source().lamp_tilt;
+  return tilt_factor(tilt, lamp_tilt_rad(tilt, luminaire.world_from_luminaire)) /
+         tilt_factor(tilt, 0.0);
+}
+
+void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFit& fit,
+                   PreparedScene& scene) {
   const LuminaireType& type = project.luminaire_types[luminaire.type];
   const PhotometricWeb& web = project.webs[type.web];
   PlacedLuminaire placed;
   placed.position_m = luminaire.position_m - scene.origin_m;
   placed.world_from_luminaire = luminaire.world_from_luminaire;
   placed.web = &web;
-  placed.flux_scale = type.flux_scale;
-  placed.opening = web.opening();
+  placed.flux_scale = type.flux_scale * installed_tilt_factor(web, luminaire);
+  placed.opening = fit.fitted(web.opening(), luminaire);
   placed.channel = channel_of(luminaire.group, type.maintenance.product, scene.channels);
   scene.luminaires.push_back(placed);
 }
@@ -84,7 +94,10 @@ PreparedScene prepare_scene(const Project& project, const Space& space) {
   for (std::size_t i = 0; i < space.bodies.size(); ++i) {
     add_body(project, space.bodies[i], static_cast<std::uint32_t>(i), scene);
   }
-  for (const Luminaire& luminaire : space.luminaires) add_luminaire(project, luminaire, scene);
+  OpeningFit fit(space);
+  for (const Luminaire& luminaire : space.luminaires) {
+    add_luminaire(project, luminaire, fit, scene);
+  }
   return scene;
 }
 

@@ -23,7 +23,7 @@ PhotometricWeb without_opening(const PhotometricWeb& web) {
     }
   }
   return PhotometricWeb::make(web.c_rad(), web.gamma_rad(), std::move(intensity_cd),
-                              LuminousOpening{}, web.source());
+                              LuminousOpening{}, web.source(), web.axis());
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "calc/scene/project_warnings.h"
 
+#include "calc/scene/opening_fit.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 #include "calc/scene/surface_overlap.h"
+#include "calc/units.h"
 
 #include <fmt/format.h>
 
@@ -62,6 +64,41 @@ void warn_luminaires_outside(const Space& room, Diagnostics& diagnostics) {
   outside.report([&](const FirstOfElement& first) {
     diagnostics.report(DiagnosticId::luminaire_outside_room, first.where, first.id,
                        and_others(first.others), room.id);
+  });
+}
+
+void warn_lamp_tilts(const Project& project, const Space& space, Diagnostics& diagnostics) {
+  constexpr double kDegrees = 180.0 / kPi;
+  PerElement outside;
+  std::map<std::pair<int, int>, const Luminaire*> first_at;
+  for (const Luminaire& luminaire : space.luminaires) {
+    const auto& tilt = project.webs[project.luminaire_types[luminaire.type].web].source().lamp_tilt;
+    if (!tilt || covers(*tilt, lamp_tilt_rad(*tilt, luminaire.world_from_luminaire))) continue;
+    outside.add(luminaire.id, luminaire.where);
+    first_at.try_emplace({luminaire.where.line, luminaire.where.column}, &luminaire);
+  }
+  outside.report([&](const FirstOfElement& first) {
+    const Luminaire& luminaire = *first_at.at({first.where.line, first.where.column});
+    const auto& tilt =
+        *project.webs[project.luminaire_types[luminaire.type].web].source().lamp_tilt;
+    const double tilt_rad = lamp_tilt_rad(tilt, luminaire.world_from_luminaire);
+    diagnostics.report(DiagnosticId::photometry_tilt_outside, first.where, first.id,
+                       and_others(first.others), tilt_rad * kDegrees,
+                       tilt.angle_rad.front() * kDegrees, tilt.angle_rad.back() * kDegrees,
+                       tilt_factor(tilt, tilt_rad));
+  });
+}
+
+void warn_cut_openings(const Project& project, const Space& space, Diagnostics& diagnostics) {
+  PerElement cut;
+  OpeningFit fit(space);
+  for (const Luminaire& luminaire : space.luminaires) {
+    const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+    if (fit.is_cut(web.opening(), luminaire)) cut.add(luminaire.id, luminaire.where);
+  }
+  cut.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::luminous_body_cut, first.where, first.id,
+                       and_others(first.others));
   });
 }
 
@@ -143,6 +180,8 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
       }
     }
+    warn_lamp_tilts(project, space, diagnostics);
+    warn_cut_openings(project, space, diagnostics);
     warn_planes_in_surfaces(space, planes_on_surfaces, diagnostics);
   }
   if (!has_plane) {

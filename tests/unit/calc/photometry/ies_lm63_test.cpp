@@ -226,37 +226,6 @@ TEST(Lm63, Planes0And360ThatDifferAreAveragedAndReported) {
   EXPECT_NEAR(at(*parsed.web, 360, 90), 105.0, 1e-12);
 }
 
-TEST(Lm63, TiltDataScaleByTheFactorAtZero) {
-  IesSample sample;
-  sample.tilt = "TILT=INCLUDE\n1\n3\n-30 10\n40 0.8 1.2 1\n";
-  const Parsed parsed = parse(ies_text(sample));
-  ASSERT_TRUE(parsed.web);
-  EXPECT_NEAR(at(*parsed.web, 0, 0), 100.0 * (0.8 + 0.4 * 30.0 / 40.0), 1e-10);
-  EXPECT_THAT(parsed.messages, HasSubstr("a.ies:7: warning[photometry-tilt-unused]"));
-  sample.tilt = "TILT=INCLUDE\n2 2 0 90 1 0.9\n";
-  EXPECT_NEAR(at(*parse(ies_text(sample)).web, 0, 0), 100.0, 1e-12);
-}
-
-TEST(Lm63, BadTiltDataAreRefused) {
-  IesSample sample;
-  const auto messages = [&](const std::string& tilt) {
-    sample.tilt = tilt;
-    return parse(ies_text(sample)).messages;
-  };
-  EXPECT_THAT(
-      messages("TILT=lamp.tlt\n"),
-      HasSubstr(
-          "a.ies:7: error[photometry-unsupported]: not supported yet: TILT=lamp.tlt; supported: "
-          "TILT=NONE and TILT=INCLUDE"));
-  EXPECT_THAT(messages("TILT=INCLUDE\n4 1 0 1\n"),
-              HasSubstr("allowed: a whole number from 1 to 3"));
-  EXPECT_THAT(messages("TILT=INCLUDE\n1 900000\n"),
-              HasSubstr("the tilt data need 1800000 numbers, but only"));
-  EXPECT_THAT(messages("TILT=INCLUDE\n1 2 10 90 1 1\n"), HasSubstr("the first tilt angle is 10"));
-  EXPECT_THAT(messages("TILT=INCLUDE\n1 2 0 90 1 0\n"),
-              HasSubstr("tilt factor is 0; allowed: > 0"));
-}
-
 TEST(Lm63, OpeningComesInMetresWithLengthAlongC0) {
   IesSample sample;
   sample.opening = "1 1 4 0";  // feet: width 1, length 4
@@ -272,24 +241,14 @@ TEST(Lm63, OpeningComesInMetresWithLengthAlongC0) {
                         "the unit right (the "
                         "file says feet)?"));
   sample.opening = "2 -0.3 -0.3 -0.3";
-  EXPECT_THAT(
-      parse(ies_text(sample)).messages,
-      HasSubstr("warning[photometry-opening-shape]: the opening '-0.3 -0.3 -0.3' means a sphere"));
+  EXPECT_EQ(read(sample).opening().shape, OpeningShape::ellipsoid);
+  sample.opening = "2 0.3 0.3 -0.3";
+  EXPECT_THAT(parse(ies_text(sample)).messages,
+              HasSubstr("warning[photometry-opening-shape]: the opening '0.3 0.3 -0.3' is no shape "
+                        "of the code tables; its bounding box is used"));
   sample.opening = "2 1e9 0 0";
   EXPECT_THAT(parse(ies_text(sample)).messages,
               HasSubstr("error[photometry-value]: the opening's size in metres"));
-}
-
-TEST(Lm63, TypesAAndBAreNamedAsNotSupported) {
-  IesSample sample;
-  sample.type = "2";
-  EXPECT_EQ(parse(ies_text(sample)).messages,
-            "a.ies:8: error[photometry-unsupported]: not supported yet: type B (photometric type "
-            "2); supported: "
-            "type C (photometric type 1)\n");
-  sample.type = "3";
-  EXPECT_THAT(parse(ies_text(sample)).messages,
-              HasSubstr("not supported yet: type A (photometric type 3)"));
 }
 
 TEST(Lm63, CountsAreCheckedAgainstTheFileBeforeAllocating) {

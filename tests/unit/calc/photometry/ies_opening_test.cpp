@@ -26,37 +26,45 @@ void expect(const Case& c) {
 constexpr OpeningShape kPoint = OpeningShape::point;
 constexpr OpeningShape kRectangle = OpeningShape::rectangle;
 constexpr OpeningShape kDisk = OpeningShape::disk;
+constexpr OpeningShape kBox = OpeningShape::box;
+constexpr OpeningShape kCylinder = OpeningShape::cylinder;
+constexpr OpeningShape kAlongC0 = OpeningShape::cylinder_c0;
+constexpr OpeningShape kAlongC90 = OpeningShape::cylinder_c90;
+constexpr OpeningShape kEllipsoid = OpeningShape::ellipsoid;
 
-TEST(Lm63Opening, FlatShapesOfAllVersions) {
+TEST(Lm63Opening, ShapesOfAllVersions) {
   for (const Lm63Version version :
        {Lm63Version::v1986, Lm63Version::v1995, Lm63Version::v2002, Lm63Version::v2019}) {
     expect({0, 0, 0, version, kPoint, 0, 0, 0, false});
     expect({0.3, 1.2, 0, version, kRectangle, 1.2, 0.3, 0, false});
-    expect({0.3, 1.2, 0.1, version, kRectangle, 1.2, 0.3, 0.1, false});
+    expect({0.3, 1.2, 0.1, version, kRectangle, 1.2, 0.3, 0.1, false});  // thin
+    expect({0.3, 1.2, 0.2, version, kBox, 1.2, 0.3, 0.2, false});
+    expect({0, 1.2, 0, version, kRectangle, 1.2, 0, 0, false});  // line
     expect({-0.2, 0, 0, version, kDisk, 0.2, 0.2, 0, false});
     expect({0, -0.2, 0, version, kDisk, 0.2, 0.2, 0, false});
     expect({-0.2, -0.2, 0, version, kDisk, 0.2, 0.2, 0, false});
-    expect({-0.2, -0.2, 0.5, version, kDisk, 0.2, 0.2, 0.5, false});
+    expect({-0.2, -0.2, 0.5, version, kCylinder, 0.2, 0.2, 0.5, false});
+    expect({-0.2, 0, 0.5, version, kCylinder, 0.2, 0.2, 0.5, false});
     expect({-0.2, -0.4, 0, version, kDisk, 0.4, 0.2, 0, false});
     expect({-0.2, 0.4, 0, version, kDisk, 0.4, 0.2, 0, false});
-    expect({0.2, -0.4, 0.3, version, kDisk, 0.4, 0.2, 0.3, false});
+    expect({0.2, -0.4, 0.3, version, kCylinder, 0.4, 0.2, 0.3, false});
+    expect({0, 0, 0.3, version, kCylinder, 0.003, 0.003, 0.3, false});  // an upright line
   }
 }
 
-TEST(Lm63Opening, RoundBodiesKeepTheirBoundingSizeAndSaySo) {
-  expect({-0.3, -0.3, -0.3, Lm63Version::v2002, kDisk, 0.3, 0.3, 0.3, true});
-  expect({-0.3, 0, -0.3, Lm63Version::v1995, kDisk, 0.3, 0.3, 0.3, true});      // sphere
-  expect({-0.3, 0, -0.3, Lm63Version::v2002, kRectangle, 0, 0.3, 0.3, true});   // vertical circle
-  expect({0, 1.5, -0.1, Lm63Version::v1995, kRectangle, 1.5, 0.1, 0.1, true});  // cylinder along C0
-  expect({-0.1, 1.5, -0.1, Lm63Version::v2002, kRectangle, 1.5, 0.1, 0.1, true});
-  expect({-0.1, 1.5, -0.1, Lm63Version::v1995, kDisk, 1.5, 0.1, 0.1, true});  // ellipsoid
-  expect(
-      {1.5, 0, -0.1, Lm63Version::v1995, kRectangle, 0.1, 1.5, 0.1, true});  // cylinder along C90
-  expect({1.5, -0.1, -0.1, Lm63Version::v2002, kRectangle, 0.1, 1.5, 0.1, true});
+TEST(Lm63Opening, RoundBodiesByVersion) {
+  expect({-0.3, -0.3, -0.3, Lm63Version::v2002, kEllipsoid, 0.3, 0.3, 0.3, false});
+  expect({-0.3, 0, -0.3, Lm63Version::v1995, kEllipsoid, 0.3, 0.3, 0.3, false});  // sphere
+  expect({-0.3, 0, -0.3, Lm63Version::v2002, kAlongC0, 0, 0.3, 0.3, false});      // vertical circle
+  expect({0, 1.5, -0.1, Lm63Version::v1995, kAlongC0, 1.5, 0.1, 0.1, false});
+  expect({-0.1, 1.5, -0.1, Lm63Version::v2002, kAlongC0, 1.5, 0.1, 0.1, false});
+  expect({-0.1, 1.5, -0.1, Lm63Version::v1995, kEllipsoid, 1.5, 0.1, 0.1, false});
+  expect({1.5, 0, -0.1, Lm63Version::v1995, kAlongC90, 0.1, 1.5, 0.1, false});
+  expect({1.5, -0.1, -0.1, Lm63Version::v2002, kAlongC90, 0.1, 1.5, 0.1, false});
 }
 
-TEST(Lm63Opening, UnknownCodesKeepTheirSize) {
-  expect({0.4, 0.5, -0.6, Lm63Version::v2002, kRectangle, 0.5, 0.4, 0.6, true});
+TEST(Lm63Opening, UnknownCodesKeepTheirSizeAndSaySo) {
+  expect({0.4, 0.5, -0.6, Lm63Version::v2002, kBox, 0.5, 0.4, 0.6, true});
 }
 
 }  // namespace

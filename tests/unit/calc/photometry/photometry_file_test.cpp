@@ -33,7 +33,7 @@ TEST(PhotometryFile, OtherContentIsRefusedWithAGuess) {
   EXPECT_EQ(messages(""),
             "x: error[photometry-format]: not a photometry file that luxgate reads: the file is "
             "empty; readable: LM-63 "
-            "(.ies) of type C and EULUMDAT (.ldt)\n");
+            "(.ies) and EULUMDAT (.ldt)\n");
   EXPECT_THAT(messages("<?xml version='1.0'?><IESTM33-22/>"), HasSubstr("it is XML (TM-33?)"));
   EXPECT_THAT(messages("PK\x03\x04"), HasSubstr("it is a ZIP archive (GLDF?)"));
   EXPECT_THAT(messages("a\nb\nc\nd\n"),

@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
+#include "calc/radiosity/opening.h"
 #include "tests/unit/calc/planner/planner_scenes.h"
 
 #include <gtest/gtest.h>

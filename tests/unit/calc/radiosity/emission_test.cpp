@@ -1,5 +1,7 @@
 #include "calc/radiosity/emission.h"
 
+#include "calc/radiosity/opening.h"
+
 #include "calc/radiosity/direct.h"
 #include "tests/support/scenes.h"
 
@@ -84,7 +86,7 @@ TEST(OpeningCells, CoverTheOpeningAndGrowTowardsThePoint) {
     for (const double h : {0.3, 0.01, 0.0}) {
       const auto cells = calc::opening_cells(luminaire, {0.1, 0.05, -h});
       double area = 0.0;
-      for (const calc::OpeningCell& cell : cells) area += cell.size * cell.size;
+      for (const calc::OpeningCell& cell : cells) area += cell.size_s * cell.size_t;
       EXPECT_DOUBLE_EQ(area, 1.0);
       EXPECT_GT(cells.size(), 3u);
       EXPECT_LT(cells.size(), 1000u);

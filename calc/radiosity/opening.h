@@ -1,0 +1,65 @@
+#pragma once
+// A luminaire's luminous opening as seen from outside: points on it, and how much of the
+// luminaire's light each of them sends somewhere.
+
+#include "calc/scene/prepared_scene.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace calc {
+
+// A flat opening's point at (s, t) of the unit square, which it fills evenly; local coordinates. Of
+// a body: the centre.
+glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);
+
+// Whether the point lies inside a luminous body, or on it up to `distance_m`.
+bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point_m,
+                       double distance_m);
+
+// The opening seen along one direction. The luminaire's intensity I(w) is spread evenly over what
+// an observer far away in direction w sees of it: a flat opening's whole area, a body's outline.
+// For a receiver nearer by, dE = I(w_x) k / d^2 times the share of x's surface element in the
+// outline along w_x: each point x has its own direction w_x to the receiver.
+//
+// The unit square (s, t) fills the outline along `towards` evenly. Every point of a body that a
+// receiver outside sees is in its outline as seen from the centre towards that receiver: outward
+// normals have n.(p - x) > 0 and n.x >= 0, thus n.p > 0.
+class OpeningView {
+ public:
+  // towards: unit, from the luminaire's centre.
+  OpeningView(const PlacedLuminaire& luminaire, const glm::dvec3& towards);
+
+  struct Point {
+    glm::dvec3 position_m;
+    glm::dvec3 normal;  // unit, outward, on the visible side
+  };
+  Point point(double s, double t) const;
+
+  // What light towards the unit direction counts for, per unit of (s, t): 1 along `towards` and for
+  // flat openings, 0 behind the point's surface.
+  double weight(const Point& at, const glm::dvec3& direction) const;
+
+  // Where the square's first coordinate passes from one face of a body to the next: from 0 to 1,
+  // ascending. point() is continuous between.
+  const std::vector<double>& pieces() const { return pieces_; }
+
+ private:
+  struct LocalPoint {
+    glm::dvec3 position_m, normal;
+  };
+  LocalPoint box_point(std::size_t piece, double s, double t) const;
+  LocalPoint cylinder_point(std::size_t piece, double s, double t) const;
+  LocalPoint ellipsoid_point(double s, double t) const;
+
+  const PlacedLuminaire& luminaire_;
+  bool is_flat_;
+  glm::dvec3 towards_, local_towards_;  // world and luminaire axes
+  glm::dvec3 half_m_;                   // half sizes along the luminaire's axes
+  double outline_m2_ = 1.0;             // of a body, along towards_
+  std::vector<double> pieces_;
+  std::vector<int> faces_;  // of each piece: the axis it is across, or kSide
+};
+
+}  // namespace calc
