@@ -97,17 +97,21 @@ std::optional<std::size_t> ProjectFiles::add_web(PhotometricWeb web, bool as_poi
 }
 
 std::optional<std::size_t> ProjectFiles::web(const std::string& path, bool as_point,
-                                             const SourceLocation& named_at) {
+                                             const SourceLocation& named_at,
+                                             const PhotometryOptions& options) {
   const std::optional<std::string> key = resolve(path, named_at);
   if (!key) return std::nullopt;
-  const auto [entry, is_new] = webs_.try_emplace({*key, as_point});
+  const auto key_of = [&](bool point) {
+    return WebKey{*key, point, options.lamp_set, options.variant, options.emitter};
+  };
+  const auto [entry, is_new] = webs_.try_emplace(key_of(as_point));
   if (!is_new) return entry->second;
-  if (const auto other = webs_.find({*key, !as_point}); other != webs_.end()) {
+  if (const auto other = webs_.find(key_of(!as_point)); other != webs_.end()) {
     if (other->second && as_point) entry->second = add_web(project_.webs[*other->second], true);
     if (!other->second || as_point) return entry->second;
   }
   if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
-    if (auto web = parse_photometry(*bytes, full_path(*key), diagnostics_)) {
+    if (auto web = parse_photometry(*bytes, full_path(*key), diagnostics_, options)) {
       entry->second = add_web(std::move(*web), as_point);
     }
   }

@@ -4,6 +4,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
+#include "calc/photometry/photometry_options.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/mesh_obj.h"
 #include "calc/scene/project.h"
@@ -14,7 +15,7 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 namespace calc {
 
@@ -32,9 +33,11 @@ class ProjectFiles {
   // The project file itself, Project::path.
   std::optional<std::string> read_project();
 
-  // Index into Project::webs. as_point: the luminous opening of the file is not used.
+  // Index into Project::webs. as_point: the luminous opening of the file is not used. options:
+  // which of a file's lights; mistakes in them are reported at options.where.
   std::optional<std::size_t> web(const std::string& path, bool as_point,
-                                 const SourceLocation& named_at);
+                                 const SourceLocation& named_at,
+                                 const PhotometryOptions& options = {});
   // Null on errors; stays valid as long as this object.
   const ObjMesh* mesh(const std::string& path, const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
@@ -48,10 +51,13 @@ class ProjectFiles {
                                   const SourceLocation& named_at);
   std::optional<std::size_t> add_web(PhotometricWeb web, bool as_point);
 
+  // One light of a file: the path, whether without its opening, and the choices.
+  using WebKey = std::tuple<std::string, bool, int, std::string, std::string>;
+
   const FileReader& reader_;
   Project& project_;
   Diagnostics& diagnostics_;
-  std::map<std::pair<std::string, bool>, std::optional<std::size_t>> webs_;
+  std::map<WebKey, std::optional<std::size_t>> webs_;
   std::map<std::string, std::optional<ObjMesh>> meshes_;
   std::map<std::string, std::optional<PointList>> point_lists_;
   std::set<std::string> recorded_;
