@@ -171,7 +171,8 @@ class GldfReader {
         DiagnosticId::gldf_value, fitting.where, "the luminous flux (lm)", stated, file_lm,
         doubt.empty()
             ? "the light was scaled to product.xml"
-            : fmt::format("it is {}; the photometry file's light was kept, 'flux-lm' sets it", doubt));
+            : fmt::format("it is {}; the photometry file's light was kept, 'flux-lm' sets it",
+                          doubt));
     if (!doubt.empty()) return 1.0;
     source.applied_factors += fmt::format(" x GLDF {} lm / {:.6g} lm", stated, file_lm);
     if (!is_absolute) source.rated_lamp_flux_lm = stated;

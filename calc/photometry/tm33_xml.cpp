@@ -82,13 +82,12 @@ class Tm33Reader {
       used_ = all_;
       return true;
     }
+    std::vector<Emitter> by_id;  // ids go before other names
     for (std::size_t i = 0; i < all_.size(); ++i) {
       if (all_[i].is_called(options_.emitter, i)) used_.push_back(all_[i]);
+      if (all_[i].id == options_.emitter) by_id.push_back(all_[i]);
     }
-    const auto by_id = std::find_if(all_.begin(), all_.end(), [this](const Emitter& emitter) {
-      return emitter.id == options_.emitter;
-    });
-    if (by_id != all_.end()) used_ = {*by_id};  // ids go before other names
+    if (!by_id.empty()) used_ = by_id;
     if (used_.size() == 1) return true;
     const SourceLocation where = place_of_choice(options_, name_);
     if (used_.empty()) {

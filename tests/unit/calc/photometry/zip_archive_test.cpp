@@ -46,7 +46,8 @@ TEST(ZipArchive, NamesAreUtf8WhateverTheArchiveUses) {
   Diagnostics diagnostics;
   const std::string utf8 = zip_bytes({{"\xC3\xA4.ldt", "x"}, {"f/g", "y"}});
   const std::string dos = zip_bytes({{"\x84.ldt", "x"}}, true, ZIP_FL_ENC_CP437);
-  EXPECT_THAT(ZipArchive::open(utf8, "a", diagnostics)->names(), ElementsAre("\xC3\xA4.ldt", "f/g"));
+  EXPECT_THAT(ZipArchive::open(utf8, "a", diagnostics)->names(),
+              ElementsAre("\xC3\xA4.ldt", "f/g"));
   const auto archive = ZipArchive::open(dos, "a", diagnostics);
   EXPECT_THAT(archive->names(), ElementsAre("\xC3\xA4.ldt"));
   EXPECT_TRUE(archive->has("\xC3\xA4.ldt"));
@@ -88,7 +89,8 @@ TEST(ZipArchive, RefusesANameThatIsThereTwice) {
 TEST(ZipArchive, RefusesBombs) {
   const std::string bomb = zip_bytes({{"zeros", std::string(8u << 20, '\0')}});
   ASSERT_LT(bomb.size(), 20'000u);
-  EXPECT_THAT(messages(bomb, "zeros"), HasSubstr("error[archive-size]: 'zeros' unpacks to more than"));
+  EXPECT_THAT(messages(bomb, "zeros"),
+              HasSubstr("error[archive-size]: 'zeros' unpacks to more than"));
   ZipLimits generous;
   generous.ratio = 2000;
   EXPECT_EQ(messages(bomb, "zeros", nullptr, generous), "");
