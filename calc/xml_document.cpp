@@ -92,8 +92,8 @@ std::optional<std::string> resolve_reference(std::string_view name) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(Locator& locator, Diagnostics& diagnostics)
-      : locator_(locator), diagnostics_(diagnostics) {}
+  TreeBuilder(Locator& locator, Diagnostics& diagnostics, XmlText text)
+      : locator_(locator), diagnostics_(diagnostics), text_(text) {}
 
   std::optional<XmlElement> build(const pugi::xml_document& document) {
     const std::size_t errors_before = diagnostics_.error_count();
@@ -119,7 +119,7 @@ class TreeBuilder {
 
  private:
   XmlElement convert(const pugi::xml_node& node, int depth) {
-    XmlElement element{node.name(), {}, {}, locator_.at(node.name() - 1)};
+    XmlElement element{node.name(), {}, {}, locator_.at(node.name() - 1), {}};
     if (depth > kXmlDepthLimit) {
       diagnostics_.report(DiagnosticId::xml_too_deep, element.where, kXmlDepthLimit);
       return element;
@@ -135,6 +135,10 @@ class TreeBuilder {
     for (const pugi::xml_node& child : node) {
       if (child.type() == pugi::node_element) {
         element.children.push_back(convert(child, depth + 1));
+      } else if (text_ == XmlText::keep && child.type() == pugi::node_pcdata) {
+        element.text += decode(child.value());
+      } else if (text_ == XmlText::keep && child.type() == pugi::node_cdata) {
+        element.text += child.value();
       } else {
         check_other(child, element.name);
       }
@@ -223,6 +227,7 @@ class TreeBuilder {
 
   Locator& locator_;
   Diagnostics& diagnostics_;
+  XmlText text_;
 };
 
 std::string_view syntax_problem(const pugi::xml_parse_result& result) {
@@ -292,7 +297,7 @@ const XmlAttribute* XmlElement::find(std::string_view attribute) const {
 }
 
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
-                                    Diagnostics& diagnostics) {
+                                    Diagnostics& diagnostics, XmlText text) {
   bytes += '\n';  // pugixml overlooks a single character behind the root element at the very end
   Locator locator(bytes, name);
   if (!check_characters(bytes, locator, diagnostics)) return std::nullopt;
@@ -309,7 +314,7 @@ std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
     diagnostics.report(DiagnosticId::xml_syntax, locator.at(offset), syntax_problem(result));
     return std::nullopt;
   }
-  return TreeBuilder(locator, diagnostics).build(document);
+  return TreeBuilder(locator, diagnostics, text).build(document);
 }
 
 }  // namespace calc

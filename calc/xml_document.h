@@ -1,7 +1,7 @@
 #pragma once
 // Bytes to a tree of XML elements with source locations. The only owner of pugixml; stricter than
 // it: everything an XML parser must refuse is refused, and so is what our files never need
-// (DOCTYPE, text, other encodings).
+// (DOCTYPE, other encodings, and text between tags unless it is asked for).
 
 #include "calc/diagnostics.h"
 
@@ -24,6 +24,7 @@ struct XmlElement {
   std::vector<XmlAttribute> attributes;  // in file order, no name twice
   std::vector<XmlElement> children;      // in file order
   SourceLocation where;                  // of its '<'
+  std::string text{};  // own text, references resolved, line ends as blanks; XmlText::keep only
 
   // Null if there is none.
   const XmlAttribute* find(std::string_view attribute) const;
@@ -32,10 +33,13 @@ struct XmlElement {
 inline constexpr int kXmlDepthLimit = 64;
 inline constexpr std::size_t kXmlAttributeLimit = 100;
 
+// Text between tags: an error in our own formats, data in foreign ones.
+enum class XmlText { refuse, keep };
+
 // The root element of a UTF-8 file (byte order mark and CRLF are fine; columns count characters).
 // name: the path used in messages. Comments and processing instructions are skipped. Empty if and
 // only if an error was reported.
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
-                                    Diagnostics& diagnostics);
+                                    Diagnostics& diagnostics, XmlText text = XmlText::refuse);
 
 }  // namespace calc

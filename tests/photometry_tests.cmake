@@ -2,6 +2,8 @@ luxgate_test(photometry_tests
   SOURCES
     unit/calc/photometry/eulumdat_test.cpp
     unit/calc/photometry/full_circle_test.cpp
+    unit/calc/photometry/gldf_choice_test.cpp
+    unit/calc/photometry/gldf_test.cpp
     unit/calc/photometry/ies_lm63_test.cpp
     unit/calc/photometry/ies_opening_test.cpp
     unit/calc/photometry/ies_tilt_test.cpp
@@ -12,6 +14,11 @@ luxgate_test(photometry_tests
     unit/calc/photometry/real_files_test.cpp
     unit/calc/photometry/sine_segment_test.cpp
     unit/calc/photometry/text_encoding_test.cpp
+    unit/calc/photometry/tm33_opening_test.cpp
+    unit/calc/photometry/tm33_xml_test.cpp
+    unit/calc/photometry/web_hermite_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
     unit/calc/photometry/web_test.cpp
-  LIBRARIES calc_model)
+    unit/calc/photometry/xml_query_test.cpp
+    unit/calc/photometry/zip_archive_test.cpp
+  LIBRARIES calc_model ${LUXGATE_ZIP_LIBRARY})

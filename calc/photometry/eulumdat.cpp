@@ -1,7 +1,7 @@
 #include "calc/photometry/eulumdat.h"
 
-#include "calc/photometry/line_cursor.h"
-#include "calc/photometry/number_stream.h"
+#include "calc/photometry/eulumdat_lines.h"
+#include "calc/photometry/ies_opening.h"
 #include "calc/photometry/text_encoding.h"
 #include "calc/photometry/web_assembly.h"
 #include "calc/text.h"
@@ -21,8 +21,12 @@ constexpr double kEfficiencyLimit = 1.02;  // of the lamps' lumens
 
 class EulumdatReader {
  public:
-  EulumdatReader(std::string_view text, const std::string& name, Diagnostics& diagnostics)
-      : name_(name), diagnostics_(diagnostics), lines_(text) {}
+  EulumdatReader(std::string_view text, const std::string& name, const PhotometryOptions& options,
+                 Diagnostics& diagnostics)
+      : name_(name),
+        options_(options),
+        diagnostics_(diagnostics),
+        lines_(text, name, diagnostics) {}
 
   std::optional<PhotometricWeb> read() {
     if (!read_head() || !read_opening() || !read_ratios() || !read_lamps() || !read_angles() ||
@@ -36,96 +40,33 @@ class EulumdatReader {
   }
 
  private:
-  SourceLocation here() const { return {name_, lines_.line(), 0}; }
-
-  bool refuse(std::string_view field, double value, std::string_view allowed) {
-    diagnostics_.report(DiagnosticId::photometry_value, here(), field, fmt::format("{}", value),
-                        allowed);
-    return false;
-  }
-
-  std::optional<std::string_view> text_line(std::string_view field) {
-    const std::optional<std::string_view> line = lines_.next();
-    if (!line) diagnostics_.report(DiagnosticId::photometry_end, here(), field);
-    return line;
-  }
-
-  bool skip_lines(int count, std::string_view field) {
-    for (int i = 0; i < count; ++i) {
-      if (!text_line(field)) return false;
-    }
-    return true;
-  }
-
-  // A decimal point or comma; words behind the number are warned of once.
-  bool read_number(std::string_view field, double& value) {
-    const std::optional<std::string_view> line = text_line(field);
-    if (!line) return false;
-    const std::vector<std::string_view> words = split_words(line->substr(0, 200));
-    std::string word(words.empty() ? std::string_view() : words.front());
-    if (word.find('.') == std::string::npos) std::replace(word.begin(), word.end(), ',', '.');
-    const std::optional<double> found = parse_photometry_number(word);
-    if (!found) {
-      diagnostics_.report(DiagnosticId::photometry_number, here(), field, quotable(trim(*line)));
-      return false;
-    }
-    if (words.size() > 1 && !warned_of_text_) {
-      diagnostics_.report(DiagnosticId::photometry_text_after_number, here(),
-                          quotable(trim(*line)));
-      warned_of_text_ = true;
-    }
-    value = *found;
-    return true;
-  }
-
-  // As read_number(); a blank line is 0 and warned of.
-  bool read_number_or_blank(std::string_view field, double& value) {
-    LineCursor ahead = lines_;
-    const std::optional<std::string_view> line = ahead.next();
-    if (!line || !trim(*line).empty()) return read_number(field, value);
-    lines_ = ahead;
-    diagnostics_.report(DiagnosticId::photometry_blank, here(), field);
-    value = 0.0;
-    return true;
-  }
-
-  bool read_whole(std::string_view field, int lowest, int highest, int& value) {
-    double found = 0.0;
-    if (!read_number(field, found)) return false;
-    if (found != std::floor(found) || found < lowest || found > highest) {
-      return refuse(field, found, fmt::format("a whole number from {} to {}", lowest, highest));
-    }
-    value = static_cast<int>(found);
-    return true;
-  }
-
   bool check_line_count(std::size_t needed) {
     const std::size_t present = lines_.count_remaining();
     if (needed == present) return true;
-    diagnostics_.report(DiagnosticId::photometry_lines, here(), needed, present);
+    diagnostics_.report(DiagnosticId::photometry_lines, lines_.here(), needed, present);
     return false;
   }
 
   bool read_head() {
     source_.format = "EULUMDAT";
-    const std::optional<std::string_view> company = text_line("the company");
+    const std::optional<std::string_view> company = lines_.text_line("the company");
     if (!company) return false;
     source_.manufacturer = utf8_from_file_text(trim(*company));
     int type = 0;
     double step = 0.0;  // both steps follow from the angles
-    if (!read_whole("the luminaire type (Ityp)", 0, 3, type) ||
-        !read_whole("the symmetry (Isym)", 0, 4, isym_) ||
-        !read_whole("the number of C-planes (Mc)", 1, 1'000'000'000, plane_count_) ||
-        !read_number_or_blank("the step of the C-planes (Dc)", step) ||
-        !read_whole("the number of gamma angles (Ng)", 2, 1'000'000'000, gamma_count_) ||
-        !read_number_or_blank("the step of the gamma angles (Dg)", step) ||
-        !skip_lines(1, "the report number")) {
+    if (!lines_.read_whole("the luminaire type (Ityp)", 0, 3, type) ||
+        !lines_.read_whole("the symmetry (Isym)", 0, 4, isym_) ||
+        !lines_.read_whole("the number of C-planes (Mc)", 1, 1'000'000'000, plane_count_) ||
+        !lines_.read_number_or_blank("the step of the C-planes (Dc)", step) ||
+        !lines_.read_whole("the number of gamma angles (Ng)", 2, 1'000'000'000, gamma_count_) ||
+        !lines_.read_number_or_blank("the step of the gamma angles (Dg)", step) ||
+        !lines_.skip(1, "the report number")) {
       return false;
     }
-    const std::optional<std::string_view> luminaire = text_line("the luminaire's name");
+    const std::optional<std::string_view> luminaire = lines_.text_line("the luminaire's name");
     if (!luminaire) return false;
     source_.luminaire_name = utf8_from_file_text(trim(*luminaire));
-    return skip_lines(3, "luminaire number, file name, date");
+    return lines_.skip(3, "luminaire number, file name, date");
   }
 
   bool read_opening() {
@@ -137,9 +78,10 @@ class EulumdatReader {
         "the luminous height at C90 (mm)", "the luminous height at C180 (mm)",
         "the luminous height at C270 (mm)"};
     for (std::size_t i = 0; i < mm.size(); ++i) {
-      if (!read_number_or_blank(kNames[i], mm[i])) return false;
+      if (!lines_.read_number_or_blank(kNames[i], mm[i])) return false;
       // Heights are signed in practice; the opening's plane keeps no position along the axis.
-      if (i < 5 && !(mm[i] >= 0.0 && mm[i] <= 1.0e7)) return refuse(kNames[i], mm[i], "0 to 1e7");
+      if (i < 5 && !(mm[i] >= 0.0 && mm[i] <= 1.0e7))
+        return lines_.refuse(kNames[i], mm[i], "0 to 1e7");
     }
     const double length = mm[3] * kMetresPerMillimetre;
     const double width = mm[4] * kMetresPerMillimetre;
@@ -148,59 +90,110 @@ class EulumdatReader {
     opening_.along_c0_m = width == 0.0 ? length : width;
     opening_.along_c90_m = length;
     if (length == 0.0 && width == 0.0) {
-      diagnostics_.report(DiagnosticId::photometry_no_area, here());
+      diagnostics_.report(DiagnosticId::photometry_no_area, lines_.here());
     } else {
       opening_.shape = width == 0.0 ? OpeningShape::disk : OpeningShape::rectangle;
+      // Sides that shine all round alike; with some only, the flat opening is the lesser mistake.
+      const bool is_even =
+          std::all_of(mm.begin() + 5, mm.end(), [&](double side_mm) { return side_mm == mm[5]; });
+      if (is_even &&
+          !is_flat_enough(opening_.along_c0_m, opening_.along_c90_m, opening_.height_m)) {
+        opening_.shape = width == 0.0 ? OpeningShape::cylinder : OpeningShape::box;
+      }
     }
     return true;
   }
 
   bool read_ratios() {
     double tilt = 0.0;
-    if (!read_number_or_blank("the downward flux fraction (DFF)", downward_percent_) ||
-        !read_number_or_blank("the light output ratio (LORL)", output_ratio_percent_) ||
-        !read_number("the conversion factor for intensities", conversion_)) {
+    if (!lines_.read_number_or_blank("the downward flux fraction (DFF)", downward_percent_) ||
+        !lines_.read_number_or_blank("the light output ratio (LORL)", output_ratio_percent_) ||
+        !lines_.read_number("the conversion factor for intensities", conversion_)) {
       return false;
     }
     if (!(conversion_ > 0.0))
-      return refuse("the conversion factor for intensities", conversion_, "> 0");
-    if (!read_number_or_blank("the tilt during measurement", tilt)) return false;
-    if (tilt != 0.0) diagnostics_.report(DiagnosticId::photometry_measured_tilt, here(), tilt);
+      return lines_.refuse("the conversion factor for intensities", conversion_, "> 0");
+    if (!lines_.read_number_or_blank("the tilt during measurement", tilt)) return false;
+    if (tilt != 0.0)
+      diagnostics_.report(DiagnosticId::photometry_measured_tilt, lines_.here(), tilt);
+    return true;
+  }
+
+  // What the sets are called, without moving on: "1 (LED110, 1000 lm)".
+  std::vector<PhotometryChoice> lamp_set_choices(int sets) const {
+    std::vector<PhotometryChoice> choices;
+    LineCursor ahead = lines_.cursor();
+    for (int set = 1; set <= sets; ++set) {
+      std::array<std::string, 6> line;
+      for (std::string& text : line) {
+        const std::optional<std::string_view> next = ahead.next();
+        if (!next) return choices;
+        text = trim(*next);
+      }
+      choices.push_back({fmt::format("{}", set), fmt::format("{}, {} lm", line[1], line[2])});
+    }
+    return choices;
+  }
+
+  // Sets are alternatives. The number, from 1, of the one to use; empty if there is no such set.
+  std::optional<int> choose_lamp_set(int sets) {
+    const int chosen = options_.lamp_set == 0 ? 1 : options_.lamp_set;
+    if (chosen < 1 || chosen > sets) {
+      diagnostics_.report(DiagnosticId::photometry_choice, place_of_choice(options_, name_), name_,
+                          "lamp set", chosen, list_choices(lamp_set_choices(sets)));
+      return std::nullopt;
+    }
+    if (sets > 1 && options_.lamp_set == 0) {
+      diagnostics_.report(DiagnosticId::photometry_lamp_sets, lines_.here(), sets,
+                          list_choices(lamp_set_choices(sets)));
+    }
+    return chosen;
+  }
+
+  bool read_lamp_set() {
+    double lamps = 0.0;  // only its sign matters
+    double flux_lm = 0.0;
+    if (!lines_.read_number_or_blank("the number of lamps", lamps) ||
+        !lines_.skip(1, "the lamp type") ||
+        !lines_.read_number("the flux of the lamp set (lm)", flux_lm)) {
+      return false;
+    }
+    if (!(flux_lm > 0.0)) {
+      return lines_.refuse("the flux of the lamp set (lm)", flux_lm,
+                           "> 0 (intensities are per 1000 lm)");
+    }
+    if (!lines_.skip(2, "the lamp's colour") ||
+        !lines_.read_number_or_blank("the watts of the lamp set", source_.input_power_w)) {
+      return false;
+    }
+    if (source_.input_power_w < 0.0)
+      return lines_.refuse("the watts of the lamp set", source_.input_power_w, ">= 0");
+    if (source_.input_power_w == 0.0)
+      diagnostics_.report(DiagnosticId::photometry_no_power, lines_.here());
+    set_flux_lm_ = flux_lm;
+    source_.rated_lamp_flux_lm = lamps < 0.0 ? 0.0 : flux_lm;
+    source_.applied_factors = fmt::format("LDT conversion {} x {} lm / 1000", conversion_, flux_lm);
     return true;
   }
 
   bool read_lamps() {
     int sets = 0;
-    if (!read_whole("the number of lamp sets", 1, 1'000'000, sets)) return false;
-    if (sets > 1) diagnostics_.report(DiagnosticId::photometry_lamp_sets, here(), sets);
-    double lamps = 0.0;
-    double flux_lm = 0.0;
-    if (!read_number("the number of lamps", lamps) || !skip_lines(1, "the lamp type") ||
-        !read_number("the flux of the lamp set (lm)", flux_lm)) {
+    if (!lines_.read_whole("the number of lamp sets", 1, 1'000'000, sets)) return false;
+    const std::optional<int> chosen = choose_lamp_set(sets);
+    if (!chosen || !lines_.skip(6 * (*chosen - 1), "the lamp sets before") || !read_lamp_set())
       return false;
-    }
-    if (!(flux_lm > 0.0))
-      return refuse("the flux of the lamp set (lm)", flux_lm, "> 0 (intensities are per 1000 lm)");
-    if (!skip_lines(2, "the lamp's colour") ||
-        !read_number_or_blank("the watts of the lamp set", source_.input_power_w)) {
-      return false;
-    }
-    if (source_.input_power_w < 0.0)
-      return refuse("the watts of the lamp set", source_.input_power_w, ">= 0");
-    if (source_.input_power_w == 0.0)
-      diagnostics_.report(DiagnosticId::photometry_no_power, here());
-    set_flux_lm_ = flux_lm;
-    source_.rated_lamp_flux_lm = lamps < 0.0 ? 0.0 : flux_lm;
-    source_.applied_factors = fmt::format("LDT conversion {} x {} lm / 1000", conversion_, flux_lm);
-    return skip_lines(6 * (sets - 1), "the other lamp sets") && skip_lines(10, "the direct ratios");
+    if (sets > 1) source_.applied_factors += fmt::format(" (lamp set {} of {})", *chosen, sets);
+    return lines_.skip(6 * (sets - *chosen), "the other lamp sets") &&
+           lines_.skip(10, "the direct ratios");
   }
 
   bool read_angle_list(int count, double highest_deg, const char* what,
                        std::vector<double>& angles) {
     for (int i = 0; i < count; ++i) {
       double deg = 0.0;
-      if (!read_number(fmt::format("{} angle {} of {}", what, i + 1, count), deg)) return false;
-      if (!check_angle(deg, i > 0 ? &angles.back() : nullptr, 0.0, highest_deg, what, here(),
+      if (!lines_.read_number(fmt::format("{} angle {} of {}", what, i + 1, count), deg))
+        return false;
+      if (!check_angle(deg, i > 0 ? &angles.back() : nullptr, 0.0, highest_deg, what, lines_.here(),
                        diagnostics_)) {
         return false;
       }
@@ -220,7 +213,7 @@ class EulumdatReader {
     for (std::size_t i = 0; i < all_c_deg_.size(); ++i) {
       if (std::abs(all_c_deg_[i] - c_deg) < 1.0e-6) return i;
     }
-    diagnostics_.report(DiagnosticId::photometry_symmetry_plane, here(), isym_, c_deg);
+    diagnostics_.report(DiagnosticId::photometry_symmetry_plane, lines_.here(), isym_, c_deg);
     return std::nullopt;
   }
 
@@ -254,18 +247,18 @@ class EulumdatReader {
   bool read_table() {
     const std::size_t count = table_.c_deg.size() * table_.gamma_deg.size();
     if (!check_line_count(count)) return false;
-    table_.where = here();
+    table_.where = lines_.here();
     ++table_.where.line;
     table_.intensity_cd.reserve(count);
     double lowest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       double cd_per_klm = 0.0;
-      if (!read_number("intensity (cd/klm)", cd_per_klm)) return false;
+      if (!lines_.read_number("intensity (cd/klm)", cd_per_klm)) return false;
       table_.intensity_cd.push_back(cd_per_klm * conversion_ * set_flux_lm_ / 1000.0);
       if (!std::isfinite(table_.intensity_cd.back())) {
-        return refuse("intensity (cd/klm)", cd_per_klm, "up to 1e12 cd in all");
+        return lines_.refuse("intensity (cd/klm)", cd_per_klm, "up to 1e12 cd in all");
       }
-      if (cd_per_klm < lowest || i == 0) table_.most_negative_where = here();
+      if (cd_per_klm < lowest || i == 0) table_.most_negative_where = lines_.here();
       lowest = std::min(lowest, cd_per_klm);
     }
     return true;
@@ -291,9 +284,9 @@ class EulumdatReader {
   }
 
   const std::string& name_;
+  const PhotometryOptions& options_;
   Diagnostics& diagnostics_;
-  LineCursor lines_;
-  bool warned_of_text_ = false;
+  EulumdatLines lines_;
   int isym_ = 0, plane_count_ = 0, gamma_count_ = 0;
   double conversion_ = 1.0, set_flux_lm_ = 0.0;
   double downward_percent_ = 0.0, output_ratio_percent_ = 0.0;
@@ -306,8 +299,9 @@ class EulumdatReader {
 }  // namespace
 
 std::optional<PhotometricWeb> parse_eulumdat(std::string_view text, const std::string& name,
+                                             const PhotometryOptions& options,
                                              Diagnostics& diagnostics) {
-  return EulumdatReader(text, name, diagnostics).read();
+  return EulumdatReader(text, name, options, diagnostics).read();
 }
 
 }  // namespace calc

@@ -1,11 +1,14 @@
 #include "calc/photometry/photometry_file.h"
 
 #include "calc/photometry/eulumdat.h"
+#include "calc/photometry/gldf.h"
 #include "calc/photometry/ies_header.h"
 #include "calc/photometry/ies_lm63.h"
 #include "calc/photometry/line_cursor.h"
 #include "calc/photometry/number_stream.h"
 #include "calc/photometry/text_encoding.h"
+#include "calc/photometry/tm33_xml.h"
+#include "calc/photometry/zip_archive.h"
 #include "calc/text.h"
 
 #include <algorithm>
@@ -31,17 +34,30 @@ bool looks_like_eulumdat(std::string_view text) {
 }
 
 std::string what_it_is(std::string_view text) {
-  const std::string_view start = trim(text.substr(0, 200));
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
-  if (start.starts_with("PK")) return "it is a ZIP archive (GLDF?)";
-  if (start.starts_with('<')) return "it is XML (TM-33?)";
+  if (looks_like_zip(text)) return "it is a ZIP archive inside another one";
   return "no TILT= line, and lines 2 to 4 are not the three counts of EULUMDAT";
+}
+
+bool looks_like_xml(std::string_view text) {
+  const std::string_view start = trim(text.substr(0, 200));
+  if (!start.starts_with('<') || start.size() < 2) return false;
+  const char next = start[1];
+  return next == '?' || next == '!' || (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');
 }
 
 }  // namespace
 
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
-                                               Diagnostics& diagnostics) {
+                                               Diagnostics& diagnostics,
+                                               const PhotometryOptions& options) {
+  if (looks_like_zip(bytes)) return parse_gldf(bytes, name, options, diagnostics);
+  return parse_text_photometry(bytes, name, diagnostics, options);
+}
+
+std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, const std::string& name,
+                                                    Diagnostics& diagnostics,
+                                                    const PhotometryOptions& options) {
   const SourceLocation file{name, 0, 0};
   if (looks_like_utf16(bytes)) {
     diagnostics.report(DiagnosticId::photometry_encoding, file);
@@ -53,9 +69,16 @@ std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
-  if (read_lm63_header(text)) return parse_lm63(text, name, diagnostics);
-  if (trim(text.substr(0, 200)).starts_with("IES")) return parse_lm63(text, name, diagnostics);
-  if (looks_like_eulumdat(text)) return parse_eulumdat(text, name, diagnostics);
+  if (read_lm63_header(text) || trim(text.substr(0, 200)).starts_with("IES")) {
+    if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
+    return parse_lm63(text, name, diagnostics, options.read_companion);
+  }
+  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
+  if (looks_like_eulumdat(text)) {
+    if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
+      return std::nullopt;
+    return parse_eulumdat(text, name, options, diagnostics);
+  }
   diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text));
   return std::nullopt;
 }

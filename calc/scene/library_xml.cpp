@@ -39,21 +39,35 @@ MaintenanceFactor read_maintenance(ElementReader& reader) {
   return factor;
 }
 
+// Which light of the photometry file is meant.
+PhotometryOptions read_photometry_options(ElementReader& reader) {
+  PhotometryOptions options;
+  options.where = reader.where("photometry");
+  if (reader.has("lamp-set")) options.lamp_set = reader.integer("lamp-set", 1);
+  if (reader.has("variant")) options.variant = reader.text("variant");
+  if (reader.has("emitter")) options.emitter = reader.text("emitter");
+  return options;
+}
+
 LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader) {
   reader.allow_attributes({"id", "photometry", "flux-lm", "power-w", "maintenance-factor", "llmf",
-                           "lsf", "lmf", "rsmf", "opening"});
+                           "lsf", "lmf", "rsmf", "opening", "interpolation", "lamp-set", "variant",
+                           "emitter"});
   reader.allow_children({});
   LuminaireType type;
   type.id = reader.id();
   type.where = reader.where();
   type.photometry_file = reader.text("photometry");
   type.maintenance = read_maintenance(reader);
-  const bool as_point = reader.choice_or("opening", {"file", "point"}, 0) == 1;
+  const WebUse use{reader.choice_or("opening", {"file", "point"}, 0) == 1,
+                   reader.choice_or("interpolation", {"linear", "cubic"}, 0) == 1};
   const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
   const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
-  if (type.photometry_file.empty()) return type;
+  const std::size_t errors = reader.diagnostics().error_count();
+  const PhotometryOptions options = read_photometry_options(reader);
+  if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return type;
   const std::optional<std::size_t> index =
-      context.files.web(type.photometry_file, as_point, reader.where("photometry"));
+      context.files.web(type.photometry_file, use, reader.where("photometry"), options);
   if (!index) return type;
   const PhotometricWeb& web = context.project.webs[*index];
   type.web = *index;

@@ -148,7 +148,7 @@ struct Project {
   std::string path;
   std::string name;
   std::vector<Material> materials;
-  std::vector<PhotometricWeb> webs;  // one per distinct file and treatment of its opening
+  std::vector<PhotometricWeb> webs;  // one per light of a file, with or without opening
   std::vector<LuminaireType> luminaire_types;
   std::vector<LightScene> scenes;
   std::vector<Space> spaces;  // rooms in file order; the open space last, if it has anything in it

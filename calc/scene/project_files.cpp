@@ -2,6 +2,7 @@
 
 #include "calc/file_hash.h"
 #include "calc/photometry/photometry_file.h"
+#include "calc/photometry/web_hermite.h"
 #include "calc/scene/point_list_csv.h"
 
 #include <vector>
@@ -91,26 +92,37 @@ std::optional<std::string> ProjectFiles::read(const std::string& key, const std:
   return std::move(content.bytes);
 }
 
-std::optional<std::size_t> ProjectFiles::add_web(PhotometricWeb web, bool as_point) {
-  project_.webs.push_back(as_point ? without_opening(web) : std::move(web));
-  return project_.webs.size() - 1;
+const std::optional<PhotometricWeb>& ProjectFiles::photometry(const FileLight& light,
+                                                              const std::string& as_named,
+                                                              const SourceLocation& named_at,
+                                                              PhotometryOptions options) {
+  const auto [entry, is_new] = photometry_.try_emplace(light);
+  if (!is_new) return entry->second;
+  const std::string& key = std::get<0>(light);
+  options.read_companion = [&](const std::string& file_name) -> std::optional<std::string> {
+    const std::size_t slash = key.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : key.substr(0, slash + 1);
+    return read(folder + file_name, folder + file_name, named_at);
+  };
+  if (const std::optional<std::string> bytes = read(key, as_named, named_at)) {
+    entry->second = parse_photometry(*bytes, full_path(key), diagnostics_, options);
+  }
+  return entry->second;
 }
 
-std::optional<std::size_t> ProjectFiles::web(const std::string& path, bool as_point,
-                                             const SourceLocation& named_at) {
+std::optional<std::size_t> ProjectFiles::web(const std::string& path, const WebUse& use,
+                                             const SourceLocation& named_at,
+                                             const PhotometryOptions& options) {
   const std::optional<std::string> key = resolve(path, named_at);
   if (!key) return std::nullopt;
-  const auto [entry, is_new] = webs_.try_emplace({*key, as_point});
+  const FileLight light{*key, options.lamp_set, options.variant, options.emitter};
+  const auto [entry, is_new] = webs_.try_emplace({light, use.as_point, use.is_cubic});
   if (!is_new) return entry->second;
-  if (const auto other = webs_.find({*key, !as_point}); other != webs_.end()) {
-    if (other->second && as_point) entry->second = add_web(project_.webs[*other->second], true);
-    if (!other->second || as_point) return entry->second;
-  }
-  if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
-    if (auto web = parse_photometry(*bytes, full_path(*key), diagnostics_)) {
-      entry->second = add_web(std::move(*web), as_point);
-    }
-  }
+  const std::optional<PhotometricWeb>& web = photometry(light, path, named_at, options);
+  if (!web) return std::nullopt;
+  const PhotometricWeb shaped = use.as_point ? without_opening(*web) : *web;
+  project_.webs.push_back(use.is_cubic ? hermite_refined(shaped) : shaped);
+  entry->second = project_.webs.size() - 1;
   return entry->second;
 }
 

@@ -4,6 +4,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
+#include "calc/photometry/photometry_options.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/mesh_obj.h"
 #include "calc/scene/project.h"
@@ -14,13 +15,19 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 namespace calc {
 
 // "a/./b/../c" -> "a/c"; empty for absolute names and for names that lead out of the folder they
 // start from.
 std::optional<std::string> normalize_relative_path(std::string_view path);
+
+// How a project uses a file's light.
+struct WebUse {
+  bool as_point = false;  // from the luminaire's centre, without the file's luminous opening
+  bool is_cubic = false;  // hermite_refined()
+};
 
 // Problems are reported where the project names the file. A file that cannot be used is reported
 // once; later uses of it give an empty result without a message.
@@ -32,9 +39,11 @@ class ProjectFiles {
   // The project file itself, Project::path.
   std::optional<std::string> read_project();
 
-  // Index into Project::webs. as_point: the luminous opening of the file is not used.
-  std::optional<std::size_t> web(const std::string& path, bool as_point,
-                                 const SourceLocation& named_at);
+  // Index into Project::webs. options: which of a file's lights; mistakes in them are reported at
+  // options.where.
+  std::optional<std::size_t> web(const std::string& path, const WebUse& use,
+                                 const SourceLocation& named_at,
+                                 const PhotometryOptions& options = {});
   // Null on errors; stays valid as long as this object.
   const ObjMesh* mesh(const std::string& path, const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
@@ -46,12 +55,19 @@ class ProjectFiles {
   std::string full_path(const std::string& key) const;
   std::optional<std::string> read(const std::string& key, const std::string& as_named,
                                   const SourceLocation& named_at);
-  std::optional<std::size_t> add_web(PhotometricWeb web, bool as_point);
+
+  // One light of a file: the path and the choices.
+  using FileLight = std::tuple<std::string, int, std::string, std::string>;
+  const std::optional<PhotometricWeb>& photometry(const FileLight& light,
+                                                  const std::string& as_named,
+                                                  const SourceLocation& named_at,
+                                                  PhotometryOptions options);
 
   const FileReader& reader_;
   Project& project_;
   Diagnostics& diagnostics_;
-  std::map<std::pair<std::string, bool>, std::optional<std::size_t>> webs_;
+  std::map<FileLight, std::optional<PhotometricWeb>> photometry_;
+  std::map<std::tuple<FileLight, bool, bool>, std::optional<std::size_t>> webs_;
   std::map<std::string, std::optional<ObjMesh>> meshes_;
   std::map<std::string, std::optional<PointList>> point_lists_;
   std::set<std::string> recorded_;

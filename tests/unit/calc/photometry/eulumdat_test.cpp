@@ -25,9 +25,11 @@ struct Parsed {
   std::string messages;
 };
 
-Parsed parse(const std::string& text) {
+Parsed parse(const std::string& text, int lamp_set = 0) {
   Diagnostics diagnostics;
-  Parsed parsed{parse_photometry(text, "a.ldt", diagnostics), ""};
+  PhotometryOptions options;
+  options.lamp_set = lamp_set;
+  Parsed parsed{parse_photometry(text, "a.ldt", diagnostics, options), ""};
   parsed.messages = diagnostics_text(diagnostics);
   EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
   return parsed;
@@ -99,16 +101,67 @@ TEST(Eulumdat, NegativeLampCountMarksAbsolutePhotometry) {
   EXPECT_NEAR(at(web, 0, 0), 4321.0 / kPi, 1e-9);
 }
 
-TEST(Eulumdat, TheFirstOfSeveralLampSetsIsUsed) {
+LdtSample with_three_lamp_sets() {
   LdtSample sample;
-  sample.lamp_set_lines = {"1", "LED110", "1000", "4000", "80", "10",
-                           "1", "LED120", "1200", "4000", "80", "12"};
+  sample.lamp_set_lines = {"1",  "LED110", "1000", "4000", "80", "10",  //
+                           "-1", "LED120", "1200", "4000", "80", "12",  //
+                           "2",  "broken", "none", "4000", "80", "?"};
+  return sample;
+}
+
+TEST(Eulumdat, TheFirstOfSeveralLampSetsIsUsed) {
+  const Parsed parsed = parse(ldt_text(with_three_lamp_sets()));
+  EXPECT_EQ(parsed.messages,
+            "a.ldt:26: warning[photometry-lamp-sets]: 3 lamp sets are stated; they are "
+            "alternatives, the first one is used; choose with lamp-set: 1 (LED110, 1000 lm), 2 "
+            "(LED120, 1200 lm), 3 (broken, none lm)\n");
+  EXPECT_EQ(parsed.web->source().rated_lamp_flux_lm, 1000.0);
+  EXPECT_NEAR(at(*parsed.web, 0, 0), 1000.0 / kPi, 1e-10);
+}
+
+TEST(Eulumdat, AChosenLampSetGivesTheLightAndThePower) {
+  const Parsed parsed = parse(ldt_text(with_three_lamp_sets()), 2);
+  EXPECT_EQ(parsed.messages, "");
+  EXPECT_NEAR(at(*parsed.web, 0, 0), 1200.0 / kPi, 1e-10);
+  EXPECT_EQ(parsed.web->source().input_power_w, 12.0);
+  EXPECT_EQ(parsed.web->source().rated_lamp_flux_lm, 0.0);  // -1 lamps: absolute
+  EXPECT_EQ(parsed.web->source().applied_factors,
+            "LDT conversion 1 x 1200 lm / 1000 (lamp set 2 of 3)");
+  EXPECT_EQ(parse(ldt_text(with_three_lamp_sets()), 1).messages, "");
+  EXPECT_EQ(parse(ldt_text(with_three_lamp_sets()), 3).messages,
+            "a.ldt:41: error[photometry-number]: the flux of the lamp set (lm): 'none' is not a "
+            "number; allowed: digits with a decimal point and an exponent\n");
+}
+
+TEST(Eulumdat, AnAbsentLampSetIsAnErrorThatListsTheOthers) {
+  EXPECT_EQ(parse(ldt_text(with_three_lamp_sets()), 4).messages,
+            "a.ldt: error[photometry-choice]: a.ldt has no lamp set '4'; allowed: 1 (LED110, 1000 "
+            "lm), 2 (LED120, 1200 lm), 3 (broken, none lm)\n");
+  EXPECT_THAT(parse(ldt_text({}), 2).messages, HasSubstr("allowed: 1 (LED, 1000 lm)"));
+  EXPECT_THAT(parse(ldt_text({}), -1).messages, HasSubstr("has no lamp set '-1'"));
+  EXPECT_EQ(parse(ldt_text({}), 1).messages, "");
+}
+
+TEST(Eulumdat, ABlankNumberOfLampsIsWarnedOf) {
+  LdtSample sample;
+  sample.lamp_set_lines[0] = "";
   const Parsed parsed = parse(ldt_text(sample));
   EXPECT_EQ(parsed.messages,
-            "a.ldt:26: warning[photometry-lamp-sets]: 2 lamp sets are stated; they are "
-            "alternatives, the first one is "
-            "used\n");
+            "a.ldt:27: warning[photometry-blank]: the number of lamps is blank and counts as 0\n");
   EXPECT_EQ(parsed.web->source().rated_lamp_flux_lm, 1000.0);
+}
+
+TEST(Eulumdat, TheLargestLuminousHeightIsKept) {
+  for (int side = 0; side < 4; ++side) {
+    std::string text = ldt_text({});
+    std::size_t line = 0;
+    for (int i = 0; i < 17 + side; ++i) line = text.find('\n', line) + 1;  // to lines 18 to 21
+    ASSERT_EQ(text[line], '0');
+    text.replace(line, 1, "45,5");
+    const Parsed parsed = parse(text);
+    ASSERT_TRUE(parsed.web) << parsed.messages;
+    EXPECT_DOUBLE_EQ(parsed.web->opening().height_m, 0.0455) << side;
+  }
 }
 
 TEST(Eulumdat, SymmetryNoneStoresAllPlanes) {

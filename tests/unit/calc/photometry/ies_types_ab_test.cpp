@@ -151,7 +151,7 @@ TEST(Lm63TypesAB, SampledDirectionsFollowTheLight) {
   const WebSampler sampler(web);
   EXPECT_NEAR(sampler.normalisation_lm(), web.flux_lm(), 1e-9 * web.flux_lm());
   glm::dvec3 mean(0.0);
-  constexpr int kSide = 100;
+  constexpr int kSide = 400;
   for (int i = 0; i < kSide * kSide; ++i) {
     const double u0 = (i % kSide + 0.5) / kSide, u1 = (i / kSide + 0.5) / kSide;
     const Direction d = sampler.sample(u0, u1);

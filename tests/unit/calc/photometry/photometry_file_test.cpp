@@ -32,13 +32,49 @@ TEST(PhotometryFile, FormatIsToldByContent) {
 TEST(PhotometryFile, OtherContentIsRefusedWithAGuess) {
   EXPECT_EQ(messages(""),
             "x: error[photometry-format]: not a photometry file that luxgate reads: the file is "
-            "empty; readable: LM-63 "
-            "(.ies) and EULUMDAT (.ldt)\n");
-  EXPECT_THAT(messages("<?xml version='1.0'?><IESTM33-22/>"), HasSubstr("it is XML (TM-33?)"));
-  EXPECT_THAT(messages("PK\x03\x04"), HasSubstr("it is a ZIP archive (GLDF?)"));
+            "empty; readable: LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) and GLDF (.gldf)\n");
+  EXPECT_THAT(messages("\n <?xml version='1.0'?><IESTM33-22/>"), HasSubstr("error[xml-syntax]"));
+  EXPECT_THAT(messages("\xEF\xBB\xBF<IESTM33-22/>"), HasSubstr("has no <Emitter>"));
+  EXPECT_THAT(messages("PK\x03\x04"), HasSubstr("error[archive-unreadable]"));
   EXPECT_THAT(messages("a\nb\nc\nd\n"),
               HasSubstr("no TILT= line, and lines 2 to 4 are not the three counts"));
   EXPECT_THAT(messages("IESNA:LM-63-2002\n1 2 3\n"), HasSubstr("error[photometry-no-tilt-line]"));
+}
+
+std::string messages(const std::string& bytes, const PhotometryOptions& options) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_photometry(bytes, "x", diagnostics, options));
+  return test_support::diagnostics_text(diagnostics);
+}
+
+TEST(PhotometryFile, ChoicesThatAFormatDoesNotHaveAreErrors) {
+  PhotometryOptions all{2, "v", "e", {"p.xml", 7, 3}};
+  EXPECT_EQ(messages(test_support::ies_text({}), all),
+            "p.xml:7:3: error[photometry-option-unused]: 'x' is an LM-63 file, which has no lamp "
+            "sets to choose; leave out 'lamp-set'\n"
+            "p.xml:7:3: error[photometry-option-unused]: 'x' is an LM-63 file, which has no "
+            "variants to choose; leave out 'variant'\n"
+            "p.xml:7:3: error[photometry-option-unused]: 'x' is an LM-63 file, which has no "
+            "emitters to choose; leave out 'emitter'\n");
+  all.where = {};
+  const std::string ldt = messages(test_support::ldt_text({}), all);
+  EXPECT_THAT(ldt, HasSubstr("x: error[photometry-option-unused]: 'x' is an EULUMDAT file, which "
+                             "has no variants"));
+  EXPECT_THAT(ldt, HasSubstr("no emitters"));
+  EXPECT_THAT(ldt, testing::Not(HasSubstr("no lamp sets")));
+  const std::string xml = messages("<IESTM33-22/>", all);
+  EXPECT_THAT(xml, HasSubstr("a TM-33 file, which has no lamp sets"));
+  EXPECT_THAT(xml, HasSubstr("no variants"));
+  EXPECT_THAT(xml, testing::Not(HasSubstr("no emitters")));
+}
+
+TEST(PhotometryFile, ListsOfChoicesStopAtTen) {
+  std::vector<PhotometryChoice> choices(12, {"id", "words"});
+  choices[1].label.clear();
+  const std::string text = list_choices(choices);
+  EXPECT_TRUE(text.starts_with("id (words), id, id (words), ")) << text;
+  EXPECT_TRUE(text.ends_with("id (words), ... (12 in all)")) << text;
+  EXPECT_EQ(list_choices({}), "none");
 }
 
 TEST(PhotometryFile, Utf16IsNamed) {

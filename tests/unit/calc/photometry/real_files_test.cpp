@@ -87,5 +87,58 @@ TEST(RealPhotometryFiles, AreReadWithTheFluxOfAnotherProgram) {
   for (const auto& [what, count] : counts) std::printf("%s: %d\n", what.c_str(), count);
 }
 
+// What becomes of a file without a choice: its flux, or part of the message that refuses it.
+struct Outcome {
+  const char* file;
+  double flux_lm;  // 0 = refused
+  const char* message;
+  const char* variant = "";
+  const char* emitter = "";
+};
+
+class RealXmlAndContainers : public testing::TestWithParam<Outcome> {};
+
+TEST_P(RealXmlAndContainers, AreReadOrRefusedWithTheRightReason) {
+  const Outcome& expected = GetParam();
+  const char* shared = std::getenv("LUXGATE_SHARED_DATA");
+  if (shared == nullptr) GTEST_SKIP() << "LUXGATE_SHARED_DATA is not set";
+  const FileContent content =
+      DiskFileReader().read(std::string(shared) + "/photometry/" + expected.file);
+  if (!content.ok()) GTEST_SKIP() << expected.file << ": " << content.error;
+  Diagnostics diagnostics;
+  PhotometryOptions options;
+  options.variant = expected.variant;
+  options.emitter = expected.emitter;
+  const auto web = parse_photometry(content.bytes, expected.file, diagnostics, options);
+  const std::string messages = test_support::diagnostics_text(diagnostics);
+  if (std::getenv("LUXGATE_VERBOSE") != nullptr)
+    std::printf("%s: %g lm\n%s", expected.file, web ? web->flux_lm() : 0.0, messages.c_str());
+  ASSERT_EQ(web.has_value(), expected.flux_lm > 0.0) << messages;
+  EXPECT_NE(messages.find(expected.message), std::string::npos) << messages;
+  if (web) {
+    EXPECT_NEAR(web->flux_lm() / expected.flux_lm, 1.0, 5e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, RealXmlAndContainers,
+    testing::Values(
+        Outcome{"tm33/eurs__minimal.xml", 974.24, "[photometry-outer-size]"},
+        Outcome{"tm33/eurs__fluorescent.xml", 803.0, "[photometry-low-flux]"},
+        Outcome{"tm33/eurs__with_custom_data.xml", 659.73, "[photometry-no-area]"},
+        Outcome{"tm33/eurs__road_luminaire_bim.xml", 2100.3, "states 684, but the data have 24"},
+        Outcome{"gldf/gldfnet__GldfWithFilesComplete.gldf", 0, "emitter-1#1, emitter-1#2"},
+        Outcome{"gldf/gldfnet__GldfWithFilesComplete.gldf", 6300 * 0.6425,
+                "[photometry-not-applied]", "", "emitter-1#2"},
+        Outcome{"gldf/gldfnet__GldfWithInvalidRoot.gldf", 0, "error[gldf-content-type]"},
+        Outcome{"gldf/gldfnet__GldfWithMissingProduct.gldf", 0, "has no 'product.xml'"},
+        Outcome{"gldf/gldfrs__Just_URLs.gldf", 0, "error[gldf-url]"},
+        Outcome{"gldf/gldfrs__Philips_SP542P_0.9_DEMO.gldf", 6600, "light was kept"},
+        Outcome{"gldf/gldfrs__full_demo.gldf", 0, "choose one with 'variant'"},
+        Outcome{"gldf/gldfrs__full_demo.gldf", 0, "emitter01#1", "lui_k30x60", ""},
+        Outcome{"gldf/gldfrs__full_demo.gldf", 810, "", "lui_zoom_max", ""},
+        Outcome{"gldf/gldfrs__full_demo.gldf", 700, "", "lui_k30x60", "emitter01#2"},
+        Outcome{"gldf/gldfrs__igz___p450.gldf", 2000 * 0.54, ""}));
+
 }  // namespace
 }  // namespace calc

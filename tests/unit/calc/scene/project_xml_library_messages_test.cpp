@@ -58,8 +58,26 @@ const std::vector<MessageCase> kCases{
      "directory"},
     {"BrokenPhotometry", in_project(R"(<luminaire-type id="t" photometry="broken.ies"/>)"),
      "dir/broken.ies: error[photometry-format]: not a photometry file that luxgate reads: no TILT= "
-     "line, and lines 2 to 4 are not the three counts of EULUMDAT; readable: LM-63 (.ies) of type "
-     "C and EULUMDAT (.ldt)"},
+     "line, and lines 2 to 4 are not the three counts of EULUMDAT; readable: LM-63 (.ies), "
+     "EULUMDAT "
+     "(.ldt), TM-33 (.xml) and GLDF (.gldf)"},
+    {"LampSetOfLm63", in_project(R"(<luminaire-type id="t" photometry="spot.ies" lamp-set="1"/>)"),
+     "dir/p.xml:4:24: error[photometry-option-unused]: 'dir/spot.ies' is an LM-63 file, which has "
+     "no lamp sets to choose; leave out 'lamp-set'"},
+    {"AbsentLampSet", in_project(R"(<luminaire-type id="t" photometry="two.ldt" lamp-set="3"/>)"),
+     "dir/p.xml:4:24: error[photometry-choice]: dir/two.ldt has no lamp set '3'; allowed: 1 (warm, "
+     "1000 lm), 2 (cold, 1200 lm)"},
+    {"LampSetZero", in_project(R"(<luminaire-type id="t" photometry="two.ldt" lamp-set="0"/>)"),
+     "dir/p.xml:4:45: error[number-out-of-range]: attribute 'lamp-set' of <luminaire-type>: 0 is "
+     "not allowed; expected a whole number from 1"},
+    {"AbsentEmitter", in_project(R"(<luminaire-type id="t" photometry="two.xml" emitter="x"/>)"),
+     "dir/p.xml:4:24: error[photometry-choice]: dir/two.xml has no emitter 'x'; allowed: led, 2"},
+    {"NoVariantChosen", in_project(R"(<luminaire-type id="t" photometry="two.gldf"/>)"),
+     "dir/p.xml:4:24: error[photometry-choice-needed]: there are 2 variants with different light; "
+     "choose one with 'variant': down, up"},
+    {"AbsentVariant", in_project(R"(<luminaire-type id="t" photometry="two.gldf" variant="x"/>)"),
+     "dir/p.xml:4:24: error[photometry-choice]: dir/two.gldf has no variant 'x'; allowed: down, "
+     "up"},
     {"PathLeavesFolder", in_project(R"(<luminaire-type id="t" photometry="a/../../spot.ies"/>)"),
      "dir/p.xml:4:24: error[file-outside-project]: 'a/../../spot.ies' leaves the project's folder; "
      "files are read from that folder and below it only"},

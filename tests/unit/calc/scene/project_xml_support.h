@@ -3,7 +3,9 @@
 
 #include "calc/diagnostics.h"
 #include "calc/scene/project_xml.h"
+#include "tests/support/gldf_samples.h"
 #include "tests/support/memory_file_reader.h"
+#include "tests/support/tm33_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -27,9 +29,39 @@ struct Loaded {
   std::string messages;  // formatted, one per line, no line end after the last one
 };
 
+// Two lamp sets, of 1000 and 1200 lm.
+inline std::string two_lamp_sets_ldt() {
+  test_support::LdtSample sample;
+  sample.lamp_set_lines = {"1", "warm", "1000", "", "", "10", "1", "cold", "1200", "", "", "12"};
+  return test_support::ldt_text(sample);
+}
+
+// Two emitters of 100 cd straight down, the second with the quantity 2.
+inline std::string two_emitters_tm33() {
+  test_support::Tm33Emitter second;
+  second.head = "<Quantity>2</Quantity><InputWattage>1</InputWattage>";
+  return test_support::tm33_text(test_support::tm33_emitter({}) +
+                                 test_support::tm33_emitter(second));
+}
+
+// The variants "down" (an .ldt) and "up" (an .ies).
+inline std::string two_variants_gldf() {
+  test_support::GldfSample sample;
+  sample.emitters =
+      "<Emitter id='e1'><LightEmitter photometryId='p1'/></Emitter>"
+      "<Emitter id='e2'><LightEmitter photometryId='p2'/></Emitter>";
+  sample.variants =
+      "<Variant id='down'><EmitterReference emitterId='e1'/></Variant>"
+      "<Variant id='up'><EmitterReference emitterId='e2'/></Variant>";
+  return test_support::gldf_bytes(sample);
+}
+
 inline MemoryFileReader project_files(const std::string& xml) {
   return MemoryFileReader({{"dir/p.xml", xml},
                            {"dir/spot.ies", kSpotIes},
+                           {"dir/two.ldt", two_lamp_sets_ldt()},
+                           {"dir/two.xml", two_emitters_tm33()},
+                           {"dir/two.gldf", two_variants_gldf()},
                            {"dir/table.obj", kTableObj},
                            {"dir/points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"}});
 }

@@ -73,6 +73,33 @@ TEST(ProjectXml, ReadsEachPhotometryFileOnce) {
   EXPECT_EQ(files.reads("dir/spot.ies"), 1);
 }
 
+TEST(ProjectXml, OneFileMayGiveSeveralLights) {
+  const Loaded loaded = load(
+      in_project("<luminaire-type id='a' photometry='two.ldt' lamp-set='2'/>"
+                 "<luminaire-type id='b' photometry='two.ldt' lamp-set='1'/>"
+                 "<luminaire-type id='c' photometry='two.ldt' lamp-set='2' opening='point'/>"
+                 "<luminaire-type id='d' photometry='two.ldt' lamp-set='2'/>"
+                 "<luminaire-type id='e' photometry='two.xml' emitter='led'/>"
+                 "<luminaire-type id='f' photometry='two.gldf' variant='up'/>"
+                 "<luminaire-type id='g' photometry='two.gldf' variant='down' emitter='e1'/>"));
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_EQ(loaded.messages.find("photometry-lamp-sets"), std::string::npos) << loaded.messages;
+  const Project& project = *loaded.project;
+  const auto flux_lm = [&](std::size_t type) {
+    return project.webs[project.luminaire_types[type].web].flux_lm();
+  };
+  EXPECT_NEAR(flux_lm(1), 1200.0, 1.5);
+  EXPECT_NEAR(flux_lm(2), 1000.0, 1.5);
+  EXPECT_EQ(flux_lm(3), flux_lm(1));
+  EXPECT_EQ(project.luminaire_types[4].web, project.luminaire_types[1].web);
+  EXPECT_NE(project.luminaire_types[3].web, project.luminaire_types[1].web);
+  EXPECT_EQ(project.webs[project.luminaire_types[3].web].opening().shape, OpeningShape::point);
+  EXPECT_NEAR(flux_lm(5), 100.0 * kPi, 0.5);
+  EXPECT_NEAR(flux_lm(6), 100.0 * kPi, 0.5);
+  EXPECT_NEAR(flux_lm(7), 1000.0, 1.5);
+  EXPECT_EQ(project.inputs.size(), 5u);  // the project, spot.ies and each of the three once
+}
+
 TEST(ProjectXml, OpeningPointDropsTheOpeningButNotTheLight) {
   std::string ies = kSpotIes;
   ies.replace(ies.find("2 0 0 0"), 7, "2 .5 1 0");  // metres: 0.5 wide, 1 long
