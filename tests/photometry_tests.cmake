@@ -8,8 +8,12 @@ luxgate_test(photometry_tests
     unit/calc/photometry/number_stream_test.cpp
     unit/calc/photometry/photometry_file_test.cpp
     unit/calc/photometry/real_files_test.cpp
+    unit/calc/photometry/real_pairs_test.cpp
     unit/calc/photometry/sine_segment_test.cpp
     unit/calc/photometry/text_encoding_test.cpp
+    unit/calc/photometry/web_compare_test.cpp
+    unit/calc/photometry/web_measures_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
     unit/calc/photometry/web_test.cpp
+    unit/calc/photometry/write_photometry_test.cpp
   LIBRARIES calc_model)
