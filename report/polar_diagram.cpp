@@ -120,8 +120,8 @@ class Drawer {
       const PolarRole role = deg == 90 || deg == -90 ? PolarRole::frame : PolarRole::grid;
       drawing_.lines.push_back({role, 1.0, false, {at(angle, 0.0), at(angle, kRadius)}});
       drawing_.labels.push_back({PolarRole::faint_text, at(angle, kRadius + 20.0),
-                                 PolarLabel::Anchor::middle,
-                                 format_fixed(std::abs(deg), 0) + "°", false});
+                                 PolarLabel::Anchor::middle, format_fixed(std::abs(deg), 0) + "°",
+                                 false});
     }
   }
 

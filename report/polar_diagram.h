@@ -47,8 +47,8 @@ PolarDrawing draw_polar_diagram(const calc::PhotometricWeb& web, const std::stri
 // One file without anything to load; follows the reader's light or dark colour scheme.
 std::string render_polar_svg(const PolarDrawing& drawing);
 
-// Dark lines on white, twice the drawing's size, without the strip of the title (file names say it). Throws
-// std::runtime_error as encode_png() does.
+// Dark lines on white, twice the drawing's size, without the strip of the title (file names say
+// it). Throws std::runtime_error as encode_png() does.
 std::string render_polar_png(const PolarDrawing& drawing);
 
 // The distance of rings that gives three to six of them up to a highest value > 0: 1, 2 or 5 times

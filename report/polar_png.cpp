@@ -88,8 +88,7 @@ class Canvas {
       for (int x = left; x <= right; ++x) {
         const double px = x + 0.5 - a.x;
         const double py = y + 0.5 - a.y;
-        const double t =
-            length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
+        const double t = length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
         const double distance = std::hypot(px - t * dx, py - t * dy);
         const double share = std::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0);
         float& covered = coverage_[index(x, y)];
@@ -128,8 +127,8 @@ class Canvas {
     const std::array<std::uint8_t, 3> paint{colour.r, colour.g, colour.b};
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint8_t& value = raster_.rgba[4 * pixel + k];
-      value = static_cast<std::uint8_t>(std::lround(
-          static_cast<float>(value) + share * (static_cast<float>(paint[k]) - value)));
+      value = static_cast<std::uint8_t>(
+          std::lround(static_cast<float>(value) + share * (static_cast<float>(paint[k]) - value)));
     }
   }
 

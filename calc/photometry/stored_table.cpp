@@ -13,17 +13,14 @@ namespace {
 
 constexpr double kOneAngle_deg = 1.0e-5;  // images of planes this near are the same plane
 
-double rounded_degrees(double rad) {
-  return std::round(degrees_from_radians(rad) * 1.0e9) / 1.0e9;
-}
+double rounded_degrees(double rad) { return std::round(degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
 
 // The table itself at a plane between its planes; at the poles, too, unlike intensity_cd().
 double table_at(const PhotometricWeb& web, double c_deg, std::size_t gamma) {
   if (web.is_axial()) return web.table_cd(0, gamma);
   const double c = std::clamp(radians_from_degrees(c_deg), 0.0, 2.0 * kPi);
   const std::size_t plane = interval_of(web.c_rad(), c);
-  const double fraction =
-      (c - web.c_rad()[plane]) / (web.c_rad()[plane + 1] - web.c_rad()[plane]);
+  const double fraction = (c - web.c_rad()[plane]) / (web.c_rad()[plane + 1] - web.c_rad()[plane]);
   return std::lerp(web.table_cd(plane, gamma), web.table_cd(plane + 1, gamma),
                    std::clamp(fraction, 0.0, 1.0));
 }
@@ -142,8 +139,7 @@ int decimals_for(double value, int digits) {
 }
 
 std::string decimal_text(double value, int digits, int decimals) {
-  const int places =
-      value == 0.0 ? 0 : std::min(decimals, decimals_for(std::abs(value), digits));
+  const int places = value == 0.0 ? 0 : std::min(decimals, decimals_for(std::abs(value), digits));
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::fixed, places)

@@ -23,11 +23,12 @@ struct PlanePair {
 std::vector<PlanePair> plane_pairs(const MeasureAngles& a, const MeasureAngles& b, WebTurn turn) {
   const double shift = 0.5 * kPi * turn.quarters;
   // A single plane says nothing about C.
-  const bool from_a = b.c_rad.size() == 1 || (a.c_rad.size() > 1 && a.c_rad.size() < b.c_rad.size());
+  const bool from_a =
+      b.c_rad.size() == 1 || (a.c_rad.size() > 1 && a.c_rad.size() < b.c_rad.size());
   std::vector<PlanePair> pairs;
   for (const double c : from_a ? a.c_rad : b.c_rad) {
-    const double image = from_a ? (turn.mirrored ? shift - c : c + shift)
-                                : (turn.mirrored ? shift - c : c - shift);
+    const double image =
+        from_a ? (turn.mirrored ? shift - c : c + shift) : (turn.mirrored ? shift - c : c - shift);
     pairs.push_back(from_a ? PlanePair{c, image} : PlanePair{image, c});
   }
   return pairs;
@@ -101,8 +102,8 @@ WebComparison compare_webs(const PhotometricWeb& a, const PhotometricWeb& b) {
   std::stable_sort(fits.begin(), fits.end(),
                    [](const TurnFit& x, const TurnFit& y) { return x.rms < y.rms; });
   const double limit = fits.front().rms + kIndistinguishable;
-  const auto others = std::find_if(fits.begin(), fits.end(),
-                                   [&](const TurnFit& fit) { return fit.rms > limit; });
+  const auto others =
+      std::find_if(fits.begin(), fits.end(), [&](const TurnFit& fit) { return fit.rms > limit; });
   comparison.alike = static_cast<std::size_t>(others - fits.begin());
   const auto rank = [&](const TurnFit& fit) {
     const bool is_against =

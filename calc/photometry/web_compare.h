@@ -31,9 +31,9 @@ struct TurnFit {
 
 // How the openings' sizes along C0 and C90 go with a turn; equal means within 5 mm or 3 %.
 enum class OpeningRelation {
-  not_stated,  // one of them is a point
-  agree,       // equal after the turn, and not without
-  exchanged,   // equal only with the two axes of one opening exchanged after the turn
+  not_stated,   // one of them is a point
+  agree,        // equal after the turn, and not without
+  exchanged,    // equal only with the two axes of one opening exchanged after the turn
   indifferent,  // both have equal sides: a turn does not show
   differ,
 };

@@ -33,11 +33,11 @@ Peak peak_of(const PhotometricWeb& web);
 // plane pair C and C + pi, a full circle through nadir and zenith. Share 0.5 is the beam angle, 0.1
 // the field angle.
 struct BeamWidth {
-  int lobes = 0;         // separate arcs of such directions; 0: no light in this plane pair
-  double lobe_rad = 0;   // width of the arc that holds the highest intensity
-  double span_rad = 0;   // of the smallest arc that holds all of them; equals lobe_rad for one lobe
-  double from_rad = 0;   // ends of the lobe: signed gamma, < 0 on the side of C + pi; `to_rad` may
-  double to_rad = 0;     // exceed pi when the lobe goes over the zenith
+  int lobes = 0;        // separate arcs of such directions; 0: no light in this plane pair
+  double lobe_rad = 0;  // width of the arc that holds the highest intensity
+  double span_rad = 0;  // of the smallest arc that holds all of them; equals lobe_rad for one lobe
+  double from_rad = 0;  // ends of the lobe: signed gamma, < 0 on the side of C + pi; `to_rad` may
+  double to_rad = 0;    // exceed pi when the lobe goes over the zenith
 };
 // c_rad: the plane that counts as positive. share: in (0, 1].
 BeamWidth beam_width(const PhotometricWeb& web, double c_rad, double share);

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kTextLength = 78;  // as the format's description limits texts
 constexpr std::size_t kMostPlanes = 360, kMostGammaAngles = 361;
 constexpr int kDigits = 7;
-constexpr double kLinearAspect = 2.5;         // openings this long count as linear luminaires
-constexpr double kThinnest_m = 1.0e-6;        // a width of 0 would mean a circle
+constexpr double kLinearAspect = 2.5;   // openings this long count as linear luminaires
+constexpr double kThinnest_m = 1.0e-6;  // a width of 0 would mean a circle
 constexpr double kSameDiameter_m = 0.5e-6;
 
 class EulumdatWriter {
@@ -50,7 +50,8 @@ class EulumdatWriter {
   void text_line(const std::string& utf8) {
     const bool looks_like_lm63 = trim(utf8).starts_with("TILT=");  // readers tell formats by that
     bool changed = utf8.size() > kTextLength || looks_like_lm63;
-    line((looks_like_lm63 ? "_" : "") + file_line(utf8, changed).substr(0, kTextLength - (looks_like_lm63 ? 1 : 0)));
+    line((looks_like_lm63 ? "_" : "") +
+         file_line(utf8, changed).substr(0, kTextLength - (looks_like_lm63 ? 1 : 0)));
     if (changed) {
       diagnostics_.report(DiagnosticId::photometry_write_text, file(), utf8, "EULUMDAT");
     }

@@ -1,8 +1,8 @@
 #include "report/cli/options.h"
 
-#include "calc/text.h"
 #include "report/cli/exit_code.h"
 #include "report/cli/option_values.h"
+#include "report/cli/photometry_options.h"
 #include "report/cli/version.h"
 
 #include <fmt/format.h>
@@ -145,7 +145,8 @@ void add_photometry(CLI::App& app, Options& options) {
       ->type_name("FILE");
   const auto format = [&](const std::string& name, PhotometryFormat value,
                           const std::string& help) {
-    return app.add_flag_callback(name, [&photometry, value] { photometry.format = value; }, help);
+    return app.add_flag_callback(
+        name, [&photometry, value] { photometry.format = value; }, help);
   };
   CLI::Option* json = format("--json", PhotometryFormat::json, "As JSON");
   format("--csv", PhotometryFormat::csv, "As CSV, one line per file")->excludes(json);
@@ -165,30 +166,6 @@ void add_photometry(CLI::App& app, Options& options) {
   app.footer(
       "Exit codes: 0 all files are readable, 1 warnings with --strict, 2 an unreadable file or\n"
       "another error. A bad file does not keep the others from being shown.");
-}
-
-bool ends_with_one_of(std::string text, const std::vector<std::string_view>& endings) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) {
-    return std::string_view(text).ends_with(ending);
-  });
-}
-
-std::string photometry_contradiction(const PhotometryOptions& photometry) {
-  const std::size_t files = photometry.files.size();
-  const auto one_file = [&](const char* name, const std::string& value,
-                            const std::vector<std::string_view>& endings) -> std::string {
-    if (value.empty()) return "";
-    if (files != 1) return fmt::format("{} is for one FILE, but {} are given", name, files);
-    if (ends_with_one_of(value, endings)) return "";
-    return fmt::format("{}: '{}' must end with {}", name, value, calc::join_choices(endings));
-  };
-  std::string problem = one_file("--polar", photometry.polar_file, {".svg", ".png"});
-  if (problem.empty()) problem = one_file("--convert", photometry.convert_file, {".ies", ".ldt"});
-  if (!problem.empty()) return problem;
-  if (!photometry.compare) return "";
-  if (files != 2) return fmt::format("--compare needs two FILEs, but {} are given", files);
-  return photometry.format == PhotometryFormat::csv ? "--compare has no CSV form; use --json" : "";
 }
 
 // What can only be seen with all options together; "" = nothing is wrong.
@@ -289,8 +266,8 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       *app.add_subcommand("validate", "Check projects for errors without calculating");
   add_projects(validate, options);
   validate.footer("Exit codes: 0 no error, 2 at least one error.");
-  CLI::App& photometry = *app.add_subcommand(
-      "photometry", "Show, check, convert, draw and compare photometry files");
+  CLI::App& photometry =
+      *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
   add_photometry(photometry, options);
   for (CLI::App* command : {&check, &plan, &validate, &photometry}) {
     command->add_flag("-q,--quiet", options.quiet,

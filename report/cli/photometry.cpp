@@ -60,15 +60,15 @@ class Run {
     comparison_ = calc::compare_webs(*files_[0].web, *files_[1].web);
     const double rms = comparison_->fits.front().rms;
     if (rms <= kNearlySameLight) return;
-    others_.report(calc::DiagnosticId::photometry_pair_differs, {}, files_[0].path,
-                   files_[1].path, 100.0 * rms);
+    others_.report(calc::DiagnosticId::photometry_pair_differs, {}, files_[0].path, files_[1].path,
+                   100.0 * rms);
   }
 
   void convert(const PhotometryFile& file) {
     const std::string& path = wanted_.convert_file;
-    const std::optional<std::string> bytes =
-        lower_extension(path) == ".ies" ? calc::write_lm63(*file.web, path, others_)
-                                        : calc::write_eulumdat(*file.web, path, others_);
+    const std::optional<std::string> bytes = lower_extension(path) == ".ies"
+                                                 ? calc::write_lm63(*file.web, path, others_)
+                                                 : calc::write_eulumdat(*file.web, path, others_);
     if (bytes) write(path, *bytes);
   }
 

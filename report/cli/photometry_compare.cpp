@@ -28,7 +28,8 @@ std::string file_line(const char* letter, const PhotometryFile& file) {
 std::string found_words(const calc::TurnFit& fit) {
   const bool is_plain = fit.turn == calc::WebTurn{};
   if (fit.rms <= kSameLight) {
-    return is_plain ? "B is A as it is, not turned (C = C)" : "B is A " + calc::turn_words(fit.turn);
+    return is_plain ? "B is A as it is, not turned (C = C)"
+                    : "B is A " + calc::turn_words(fit.turn);
   }
   if (fit.rms <= kNearlySameLight) {
     return is_plain ? "B is nearly A as it is, not turned (C = C)"
@@ -46,8 +47,8 @@ std::string size_words(const calc::LuminousOpening& opening) {
 
 std::string opening_words(const PhotometryFile& a, const PhotometryFile& b,
                           calc::OpeningRelation relation) {
-  const std::string sizes = fmt::format(" (A {}, B {})", size_words(a.web->opening()),
-                                        size_words(b.web->opening()));
+  const std::string sizes =
+      fmt::format(" (A {}, B {})", size_words(a.web->opening()), size_words(b.web->opening()));
   switch (relation) {
     case calc::OpeningRelation::agree:
       return "they agree with that" + sizes;
@@ -68,10 +69,10 @@ std::string opening_words(const PhotometryFile& a, const PhotometryFile& b,
 std::string render_comparison_text(const PhotometryFile& a, const PhotometryFile& b,
                                    const calc::WebComparison& comparison, bool colour) {
   std::string text = file_line("A", a) + file_line("B", b);
-  text += row("flux", fmt::format("A {} lm, B {} lm: B / A = {}",
-                                  report::format_fixed(a.web->flux_lm(), 1),
-                                  report::format_fixed(b.web->flux_lm(), 1),
-                                  report::format_fixed(comparison.flux_ratio, 4)));
+  text += row("flux",
+              fmt::format("A {} lm, B {} lm: B / A = {}", report::format_fixed(a.web->flux_lm(), 1),
+                          report::format_fixed(b.web->flux_lm(), 1),
+                          report::format_fixed(comparison.flux_ratio, 4)));
   const calc::TurnFit& best = comparison.fits.front();
   const std::string found = found_words(best);
   text += row("found", colour ? "\033[1m" + found + "\033[0m" : found);

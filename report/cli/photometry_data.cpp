@@ -16,19 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double degrees(double rad) {
-  return std::round(calc::degrees_from_radians(rad) * 1.0e9) / 1.0e9;
-}
+double degrees(double rad) { return std::round(calc::degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
 
 Json if_stated(double value) { return value > 0.0 ? Json(value) : Json(nullptr); }
 
 Json width_json(PlanePair pair, const calc::BeamWidth& width) {
-  Json json = {{"planes", plane_pair_name(pair)},
-               {"lobes", width.lobes},
-               {"lobe_deg", degrees(width.lobe_rad)},
-               {"span_deg", degrees(width.span_rad)},
-               {"from_deg", degrees(width.from_rad)},
-               {"to_deg", degrees(width.to_rad)}};
+  Json json = {{"planes", plane_pair_name(pair)},     {"lobes", width.lobes},
+               {"lobe_deg", degrees(width.lobe_rad)}, {"span_deg", degrees(width.span_rad)},
+               {"from_deg", degrees(width.from_rad)}, {"to_deg", degrees(width.to_rad)}};
   return json;
 }
 

@@ -41,10 +41,9 @@ std::string light_rows(const calc::PhotometricWeb& web, const PhotometryFacts& f
       row("flux", fmt::format("{} lm from the intensities; {} down, {} up", number(flux, 6),
                               percent(facts.downward_share), percent(1.0 - facts.downward_share)));
   const double rated = source.rated_lamp_flux_lm;
-  text += row("lamps", rated > 0.0
-                           ? fmt::format("{} lm stated; the luminaire gives {} of it",
-                                         number(rated, 6), percent(flux / rated, 2))
-                           : std::string("no flux stated (absolute photometry)"));
+  text += row("lamps", rated > 0.0 ? fmt::format("{} lm stated; the luminaire gives {} of it",
+                                                 number(rated, 6), percent(flux / rated, 2))
+                                   : std::string("no flux stated (absolute photometry)"));
   const double power = source.input_power_w;
   text += row("efficacy", power > 0.0 ? fmt::format("{} lm/W at {} W", number(flux / power, 4),
                                                     report::format_shortest(power))
@@ -54,7 +53,8 @@ std::string light_rows(const calc::PhotometricWeb& web, const PhotometryFacts& f
 
 std::string peak_row(const PhotometryFacts& facts) {
   const double gamma = facts.peak.gamma_rad;
-  std::string where = fmt::format("C {}, gamma {}", degrees(facts.peak.c_rad, 3), degrees(gamma, 3));
+  std::string where =
+      fmt::format("C {}, gamma {}", degrees(facts.peak.c_rad, 3), degrees(gamma, 3));
   if (gamma <= 0.0) where = "nadir (gamma 0)";
   if (gamma >= calc::kPi) where = "zenith (gamma 180)";
   return row("maximum", fmt::format("{} cd at {}", number(facts.peak.intensity_cd), where));
@@ -116,13 +116,13 @@ std::string steps_words(const std::vector<double>& angles_rad) {
 
 std::string table_row(const calc::PhotometricWeb& web) {
   const std::vector<double>& gamma = web.gamma_rad();
-  const std::string planes =
-      web.is_axial() ? "1 C-plane for all"
-                     : fmt::format("{} C-planes around the circle, {}", web.c_rad().size() - 1,
-                                   steps_words(web.c_rad()));
-  return row("table", fmt::format("{}; {} gamma angles {} to {}, {}", planes, gamma.size(),
-                                  degrees(gamma.front(), 3), degrees(gamma.back(), 3),
-                                  steps_words(gamma)));
+  const std::string planes = web.is_axial()
+                                 ? "1 C-plane for all"
+                                 : fmt::format("{} C-planes around the circle, {}",
+                                               web.c_rad().size() - 1, steps_words(web.c_rad()));
+  return row("table",
+             fmt::format("{}; {} gamma angles {} to {}, {}", planes, gamma.size(),
+                         degrees(gamma.front(), 3), degrees(gamma.back(), 3), steps_words(gamma)));
 }
 
 // How the plane of the maximum lies to the longer side.
@@ -138,17 +138,17 @@ std::string peak_to_side(const calc::Peak& peak, LongerSide side) {
 std::string opening_row(const calc::LuminousOpening& opening, const calc::Peak& peak) {
   std::string words = opening_shape_name(opening.shape);
   if (opening.shape != calc::OpeningShape::point) {
-    words += fmt::format(" {} m along C0, {} m along C90",
-                         report::format_metres(opening.along_c0_m),
-                         report::format_metres(opening.along_c90_m));
+    words +=
+        fmt::format(" {} m along C0, {} m along C90", report::format_metres(opening.along_c0_m),
+                    report::format_metres(opening.along_c90_m));
   }
   if (opening.height_m > 0.0) {
     words += fmt::format(", {} m high", report::format_metres(opening.height_m));
   }
   const LongerSide side = longer_side(opening);
   if (side != LongerSide::none) {
-    words += fmt::format("; longer side along {}{}", longer_side_name(side),
-                         peak_to_side(peak, side));
+    words +=
+        fmt::format("; longer side along {}{}", longer_side_name(side), peak_to_side(peak, side));
   }
   return row("opening", words);
 }
@@ -187,8 +187,8 @@ std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   text += table_row(web);
   // The place for one more row: how far another interpolation departs from the bilinear one.
   text += opening_row(web.opening(), file.facts.peak);
-  text += row("factors", source.applied_factors.empty() ? "none"
-                                                        : report::printable(source.applied_factors));
+  text += row("factors",
+              source.applied_factors.empty() ? "none" : report::printable(source.applied_factors));
   return text + warning_rows(file, colour);
 }
 

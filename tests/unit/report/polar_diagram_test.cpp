@@ -22,11 +22,10 @@ const PolarLine& line_of(const PolarDrawing& drawing, PolarRole role) {
 }
 
 PolarDrawing spot_towards(double c_deg) {
-  return draw_polar_diagram(make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),
-                                     [=](double c, double g) {
-                                       return c == c_deg && g == 60 ? 1000.0 : 10.0;
-                                     }),
-                            "x");
+  return draw_polar_diagram(
+      make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),
+               [=](double c, double g) { return c == c_deg && g == 60 ? 1000.0 : 10.0; }),
+      "x");
 }
 
 // The point furthest from the centre, against it.
@@ -47,20 +46,18 @@ TEST(PolarDiagram, HasC0AndC90OnTheRight) {
 }
 
 TEST(PolarDiagram, HasNadirDown) {
-  const PolarDrawing drawing =
-      draw_polar_diagram(make_web({0}, {0, 90, 180}, [](double, double g) { return 180.0 - g; }),
-                         "x");
+  const PolarDrawing drawing = draw_polar_diagram(
+      make_web({0}, {0, 90, 180}, [](double, double g) { return 180.0 - g; }), "x");
   const std::vector<PolarPoint>& points = line_of(drawing, PolarRole::c0_c180).points;
-  const auto lowest = std::max_element(
-      points.begin(), points.end(), [](PolarPoint a, PolarPoint b) { return a.y < b.y; });
+  const auto lowest = std::max_element(points.begin(), points.end(),
+                                       [](PolarPoint a, PolarPoint b) { return a.y < b.y; });
   EXPECT_NEAR(lowest->x, 0.5 * drawing.width, 1e-6);
   EXPECT_GT(lowest->y, 0.5 * drawing.height);
 }
 
 TEST(PolarDiagram, LeavesADarkHalfOut) {
   const auto height = [](double first, double last) {
-    return draw_polar_diagram(
-               make_web({0}, {first, last}, [](double, double) { return 1.0; }), "x")
+    return draw_polar_diagram(make_web({0}, {first, last}, [](double, double) { return 1.0; }), "x")
         .height;
   };
   EXPECT_LT(height(0, 90), 400.0);

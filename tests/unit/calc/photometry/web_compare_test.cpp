@@ -55,9 +55,9 @@ TEST(CompareWebs, SaysWhichTurnsASymmetricLightCannotTellApart) {
   EXPECT_TRUE((quadrant.fits[0].turn == WebTurn{0, false}));
   EXPECT_TRUE((quadrant.fits[1].turn == WebTurn{2, false}));
 
-  const WebComparison axial = compare_webs(web_of(test_support::narrow_spot),
-                                           make_web({0}, angle_steps(0, 90, 5),
-                                                    test_support::narrow_spot));
+  const WebComparison axial =
+      compare_webs(web_of(test_support::narrow_spot),
+                   make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot));
   EXPECT_EQ(axial.alike, 8u);
   EXPECT_LT(axial.fits[7].rms, 1e-12);
 }

@@ -13,8 +13,9 @@ using test_support::make_web;
 double deg(double rad) { return degrees_from_radians(rad); }
 
 TEST(PeakOf, FindsTheBrightestTableAngle) {
-  const Peak peak = peak_of(make_web(angle_steps(0, 360, 15), angle_steps(0, 90, 5),
-                                     [](double c, double g) { return c == 210 && g == 35 ? 9 : 2; }));
+  const Peak peak =
+      peak_of(make_web(angle_steps(0, 360, 15), angle_steps(0, 90, 5),
+                       [](double c, double g) { return c == 210 && g == 35 ? 9 : 2; }));
   EXPECT_DOUBLE_EQ(peak.intensity_cd, 9.0);
   EXPECT_NEAR(deg(peak.c_rad), 210.0, 1e-9);
   EXPECT_NEAR(deg(peak.gamma_rad), 35.0, 1e-9);
@@ -38,9 +39,8 @@ TEST(PeakOf, HasNoCAtAPole) {
 
 // Linear from 100 at nadir to 0 at 80 degrees: half at 40, a tenth at 72.
 TEST(BeamWidth, IsExactForALinearBeam) {
-  const PhotometricWeb web = make_web({0}, {0, 80, 90}, [](double, double g) {
-    return g < 80 ? 100.0 - 1.25 * g : 0.0;
-  });
+  const PhotometricWeb web =
+      make_web({0}, {0, 80, 90}, [](double, double g) { return g < 80 ? 100.0 - 1.25 * g : 0.0; });
   const BeamWidth beam = beam_width(web, 0.0, 0.5);
   EXPECT_EQ(beam.lobes, 1);
   EXPECT_NEAR(deg(beam.lobe_rad), 80.0, 1e-9);
@@ -100,9 +100,8 @@ TEST(BeamWidth, OfLightEverywhereIsTheFullCircle) {
 }
 
 TEST(BeamWidth, OfADarkPlanePairHasNoLobe) {
-  const PhotometricWeb web = make_web(angle_steps(0, 360, 45), {10, 60}, [](double c, double) {
-    return c == 45 ? 1.0 : 0.0;
-  });
+  const PhotometricWeb web = make_web(angle_steps(0, 360, 45), {10, 60},
+                                      [](double c, double) { return c == 45 ? 1.0 : 0.0; });
   EXPECT_EQ(beam_width(web, 0.0, 0.5).lobes, 0);
   EXPECT_EQ(beam_width(web, 0.5 * kPi, 0.5).span_rad, 0.0);
 }
@@ -124,8 +123,8 @@ TEST(SymmetryFit, FindsEachSymmetryAndNoHigherOne) {
 }
 
 TEST(SymmetryFit, IsTheLargestDifferenceOverTheMaximum) {
-  const SymmetryFit fit = symmetry_fit(make_web(
-      angle_steps(0, 360, 30), angle_steps(0, 90, 10), [](double c, double g) {
+  const SymmetryFit fit = symmetry_fit(
+      make_web(angle_steps(0, 360, 30), angle_steps(0, 90, 10), [](double c, double g) {
         return (g == 40 ? 100.0 : 80.0) - (c == 30 && g == 40 ? 2.0 : 0.0);
       }));
   EXPECT_NEAR(fit.axial, 0.02, 1e-12);

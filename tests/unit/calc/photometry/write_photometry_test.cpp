@@ -93,8 +93,8 @@ TEST(WritePhotometry, RoundTripsEverySymmetry) {
   for (const Case& one : cases()) {
     for (const double rated_lm : {0.0, 12345.678}) {
       SCOPED_TRACE(one.name);
-      const PhotometricWeb web = with_source(
-          make_web(one.c_deg, angle_steps(0, 90, 5), one.light), opening, some_source(rated_lm));
+      const PhotometricWeb web = with_source(make_web(one.c_deg, angle_steps(0, 90, 5), one.light),
+                                             opening, some_source(rated_lm));
       const std::string ies = expect_round_trip(write_lm63, web);
       const std::string ldt = expect_round_trip(write_eulumdat, web);
       EXPECT_THAT(ldt, HasSubstr("maker\r\n" + std::string(one.isym == "1" ? "1" : "2") + "\r\n" +
@@ -110,8 +110,8 @@ TEST(WritePhotometry, StoresOnlyWhatTheSymmetryLeavesFree) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
     Diagnostics diagnostics;
-    const std::string ies = written(
-        write_lm63, make_web(one.c_deg, angle_steps(0, 90, 5), one.light), diagnostics);
+    const std::string ies =
+        written(write_lm63, make_web(one.c_deg, angle_steps(0, 90, 5), one.light), diagnostics);
     EXPECT_THAT(ies, HasSubstr(fmt::format("1 -1 1 19 {} 1 2 0 0 0\r\n", one.lm63_c[2])));
     const std::size_t gammas_end = ies.find(" 90\r\n") + 5;
     const std::string planes = ies.substr(gammas_end, ies.find("\r\n", gammas_end) - gammas_end);
@@ -122,11 +122,11 @@ TEST(WritePhotometry, StoresOnlyWhatTheSymmetryLeavesFree) {
 
 TEST(WritePhotometry, PutsMissingPlanesOfASymmetryIn) {
   // Planes 0 40 140 220 320: symmetric to both axes, none at 90, 180, 270.
-  const PhotometricWeb web = make_web({0, 40, 140, 180, 220, 320, 360}, angle_steps(0, 90, 5),
-                                      [](double c, double gamma) {
-                                        const bool on_axis = c == 0 || c == 180;
-                                        return (on_axis ? 50.0 : 80.0) * (90.0 - gamma);
-                                      });
+  const PhotometricWeb web =
+      make_web({0, 40, 140, 180, 220, 320, 360}, angle_steps(0, 90, 5), [](double c, double gamma) {
+        const bool on_axis = c == 0 || c == 180;
+        return (on_axis ? 50.0 : 80.0) * (90.0 - gamma);
+      });
   EXPECT_THAT(expect_round_trip(write_lm63, web), HasSubstr("\r\n0 40 90\r\n"));
   EXPECT_THAT(expect_round_trip(write_eulumdat, web),
               HasSubstr("\r\n0\r\n40\r\n90\r\n140\r\n180\r\n220\r\n270\r\n320\r\n"));
@@ -160,8 +160,8 @@ TEST(WriteEulumdat, WarnsOfOpeningsThatItCannotHold) {
   Diagnostics diagnostics;
   const std::string ellipse =
       written(write_eulumdat, with_opening(web, {OpeningShape::disk, 0.2, 0.3, 0}), diagnostics);
-  const std::string flat = written(
-      write_eulumdat, with_opening(web, {OpeningShape::rectangle, 0, 0.3, 0}), diagnostics);
+  const std::string flat =
+      written(write_eulumdat, with_opening(web, {OpeningShape::rectangle, 0, 0.3, 0}), diagnostics);
   EXPECT_EQ(diagnostics_text(diagnostics),
             "new: warning[photometry-write-opening]: EULUMDAT cannot hold an opening of this kind: "
             "an ellipse: it is written as the rectangle around it\n"
@@ -179,7 +179,8 @@ TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
 
   const auto up = make_web({0}, {100, 120, 170}, [](double, double g) { return g == 120; });
   EXPECT_THAT(expect_round_trip(write_lm63, up), HasSubstr("\r\n90 100 120 170 180\r\n"));
-  EXPECT_THAT(expect_round_trip(write_eulumdat, up), HasSubstr("\r\n0\r\n100\r\n120\r\n170\r\n180"));
+  EXPECT_THAT(expect_round_trip(write_eulumdat, up),
+              HasSubstr("\r\n0\r\n100\r\n120\r\n170\r\n180"));
 
   Diagnostics diagnostics;
   written(write_lm63, make_web({0}, {0, 65}, [](double, double) { return 1.0; }), diagnostics);
@@ -197,9 +198,9 @@ TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
 
 // Symmetric but for the values at nadir, which a web averages: they must not be lost.
 TEST(WritePhotometry, TakesTheValuesAtThePolesIntoAccount) {
-  const auto web = make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10), [](double c, double g) {
-    return g == 0 ? 100.0 + c / 90.0 : 90.0 - g;
-  });
+  const auto web =
+      make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),
+               [](double c, double g) { return g == 0 ? 100.0 + c / 90.0 : 90.0 - g; });
   EXPECT_THAT(expect_round_trip(write_lm63, web), HasSubstr("\r\n0 90 180 270 360\r\n"));
   expect_round_trip(write_eulumdat, web);
 }
@@ -208,13 +209,14 @@ TEST(WritePhotometry, ChangesTextsThatDoNotFitWithAWarning) {
   PhotometrySource source;
   source.luminaire_name = "\xE2\x82\xAC 5\nnew line";
   source.manufacturer = "TILT=NONE";
-  const auto web = with_source(
-      make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot), {}, source);
+  const auto web =
+      with_source(make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot), {}, source);
   Diagnostics diagnostics;
   EXPECT_THAT(written(write_lm63, web, diagnostics), HasSubstr("[LUMINAIRE] ? 5 new line\r\n"));
   const std::string ldt = written(write_eulumdat, web, diagnostics);
   EXPECT_THAT(ldt, ::testing::StartsWith("_TILT=NONE\r\n"));
-  EXPECT_THAT(diagnostics_text(diagnostics), HasSubstr("was shortened or changed to fit into LM-63"));
+  EXPECT_THAT(diagnostics_text(diagnostics),
+              HasSubstr("was shortened or changed to fit into LM-63"));
   EXPECT_THAT(diagnostics_text(diagnostics), HasSubstr("'TILT=NONE' was shortened or changed"));
   EXPECT_TRUE(parse_photometry(ldt, "x", diagnostics).has_value());
 }
@@ -229,8 +231,9 @@ TEST(WriteEulumdat, WarnsOfMoreAnglesThanTheFormatAllows) {
 
 TEST(WriteLm63, KeepsLinesShort) {
   Diagnostics diagnostics;
-  const std::string text = written(
-      write_lm63, make_web(angle_steps(0, 360, 5), angle_steps(0, 180, 1), crooked_light), diagnostics);
+  const std::string text =
+      written(write_lm63, make_web(angle_steps(0, 360, 5), angle_steps(0, 180, 1), crooked_light),
+              diagnostics);
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = text.find("\r\n", begin);

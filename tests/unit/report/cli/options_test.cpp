@@ -218,9 +218,8 @@ TEST(Options, ReadsThePhotometryCommand) {
 TEST(Options, RefusesPhotometryOptionsThatContradict) {
   expect_usage_error({"photometry"}, "files is required");
   expect_usage_error({"photometry", "a.ies", "--json", "--csv"}, "excludes");
-  expect_usage_error({"photometry", "a.ies", "--compare"},
-                     "--compare needs two FILEs, but 1 are given");
-  expect_usage_error({"photometry", "a", "b", "c", "--compare"}, "but 3 are given");
+  expect_usage_error({"photometry", "a.ies", "--compare"}, "--compare needs two FILEs; found 1");
+  expect_usage_error({"photometry", "a", "b", "c", "--compare"}, "found 3");
   expect_usage_error({"photometry", "a", "b", "--compare", "--csv"}, "use --json");
   expect_usage_error({"photometry", "a", "b", "--convert", "c.ies"}, "--convert is for one FILE");
   expect_usage_error({"photometry", "a", "--convert", "c.txt"}, "must end with .ies or .ldt");

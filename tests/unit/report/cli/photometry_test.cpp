@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -33,6 +34,12 @@ std::string upright_ies() {
     return test_support::crooked_light(c + 90.0 >= 360.0 ? c - 270.0 : c + 90.0, gamma);
   };
   return test_support::ies_text(sample);
+}
+
+cli::PhotometryOptions for_files(const std::vector<std::string>& paths) {
+  cli::PhotometryOptions options;
+  options.files = paths;
+  return options;
 }
 
 // A folder of its own with the given files, removed afterwards.
@@ -67,7 +74,8 @@ class PhotometryCommand : public ::testing::Test {
 };
 
 TEST_F(PhotometryCommand, ShowsTheOthersWhenOneFileIsBad) {
-  const cli::PhotometryRun result = run({{path("bad.ies"), path("none.ies"), path("a.ies")}});
+  const cli::PhotometryRun result =
+      run(for_files({path("bad.ies"), path("none.ies"), path("a.ies")}));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.out, HasSubstr("bad.ies\n  not readable: see the errors\n"));
   EXPECT_THAT(result.out, HasSubstr("a.ies: formula (luxgate examples)\n"));
@@ -76,18 +84,18 @@ TEST_F(PhotometryCommand, ShowsTheOthersWhenOneFileIsBad) {
 }
 
 TEST_F(PhotometryCommand, HintsAtAnOpeningAcrossH0) {
-  const cli::PhotometryRun across = run({{path("b.ies")}});
+  const cli::PhotometryRun across = run(for_files({path("b.ies")}));
   EXPECT_EQ(across.exit_code, 0);
   EXPECT_THAT(across.out, HasSubstr("warning[photometry-across-h0]: the opening is 0.3 m along H 0 "
                                     "and 1.2 m across it"));
   EXPECT_EQ(across.err, "");
-  EXPECT_THAT(run({{path("a.ies")}}).out, Not(HasSubstr("across-h0")));
+  EXPECT_THAT(run(for_files({path("a.ies")})).out, Not(HasSubstr("across-h0")));
   write("c.ldt", test_support::ldt_text({}));  // 1.2 m along C90, as the format has it
-  EXPECT_THAT(run({{path("c.ldt")}}).out, Not(HasSubstr("across-h0")));
+  EXPECT_THAT(run(for_files({path("c.ldt")})).out, Not(HasSubstr("across-h0")));
 }
 
 TEST_F(PhotometryCommand, GivesOneForWarningsIfStrict) {
-  cli::PhotometryOptions options{{path("b.ies")}};
+  cli::PhotometryOptions options = for_files({path("b.ies")});
   options.strict = true;
   EXPECT_EQ(run(options).exit_code, 1);
   options.files = {path("a.ies")};
@@ -97,7 +105,7 @@ TEST_F(PhotometryCommand, GivesOneForWarningsIfStrict) {
 }
 
 TEST_F(PhotometryCommand, FindsTheQuarterTurnBetweenTwoFiles) {
-  cli::PhotometryOptions options{{path("a.ies"), path("b.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies"), path("b.ies")});
   options.compare = true;
   const cli::PhotometryRun result = run(options);
   EXPECT_THAT(result.out, HasSubstr("found       B is A turned by 90 degrees about the vertical "
@@ -116,7 +124,7 @@ TEST_F(PhotometryCommand, FindsTheQuarterTurnBetweenTwoFiles) {
 TEST_F(PhotometryCommand, WarnsOfAPairThatIsNotOneLight) {
   test_support::IesSample other;
   write("other.ies", test_support::ies_text(other));
-  cli::PhotometryOptions options{{path("a.ies"), path("other.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies"), path("other.ies")});
   options.compare = true;
   options.strict = true;
   const cli::PhotometryRun result = run(options);
@@ -126,13 +134,13 @@ TEST_F(PhotometryCommand, WarnsOfAPairThatIsNotOneLight) {
 }
 
 TEST_F(PhotometryCommand, ConvertsBothWays) {
-  cli::PhotometryOptions options{{path("a.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies")});
   options.convert_file = path("new/a.LDT");
   EXPECT_EQ(run(options).exit_code, 0);
-  options = {{path("new/a.LDT")}};
+  options = for_files({path("new/a.LDT")});
   options.convert_file = path("back.ies");
   EXPECT_EQ(run(options).exit_code, 0);
-  options = {{path("a.ies"), path("back.ies")}};
+  options = for_files({path("a.ies"), path("back.ies")});
   options.compare = true;
   options.format = cli::PhotometryFormat::json;
   const auto json = nlohmann::json::parse(run(options).out);
@@ -145,7 +153,7 @@ TEST_F(PhotometryCommand, ConvertsBothWays) {
 
 TEST_F(PhotometryCommand, NeverOverwritesAnInput) {
   const std::string before = content("a.ies");
-  cli::PhotometryOptions options{{path("a.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies")});
   options.convert_file = path("x/../a.ies");
   const cli::PhotometryRun result = run(options);
   EXPECT_EQ(result.exit_code, 2);
@@ -156,21 +164,21 @@ TEST_F(PhotometryCommand, NeverOverwritesAnInput) {
 TEST_F(PhotometryCommand, DrawsOneFileOrAll) {
   fs::create_directory(folder_ / "other");
   write("other/a.ies", upright_ies());
-  cli::PhotometryOptions options{{path("a.ies"), path("bad.ies"), path("other/a.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies"), path("bad.ies"), path("other/a.ies")});
   options.polar_folder = path("polar");
   run(options);
   EXPECT_THAT(content("polar/a.ies.svg"), HasSubstr("<title>Polar diagram: formula</title>"));
   EXPECT_THAT(content("polar/a.ies-2.svg"), HasSubstr("</svg>"));
   EXPECT_FALSE(fs::exists(path("polar/bad.ies.svg")));
 
-  options = {{path("a.ies")}};
+  options = for_files({path("a.ies")});
   options.polar_file = path("a.png");
   EXPECT_EQ(run(options).exit_code, 0);
   EXPECT_EQ(content("a.png").substr(1, 3), "PNG");
 }
 
 TEST_F(PhotometryCommand, JsonHoldsWhatTheTextSays) {
-  cli::PhotometryOptions options{{path("a.ies"), path("b.ies"), path("bad.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies"), path("b.ies"), path("bad.ies")});
   options.format = cli::PhotometryFormat::json;
   const cli::PhotometryRun result = run(options);
   const auto json = nlohmann::json::parse(result.out);
@@ -194,7 +202,7 @@ TEST_F(PhotometryCommand, JsonHoldsWhatTheTextSays) {
 }
 
 TEST_F(PhotometryCommand, CsvHasOneFullLinePerFile) {
-  cli::PhotometryOptions options{{path("a.ies"), path("bad.ies")}};
+  cli::PhotometryOptions options = for_files({path("a.ies"), path("bad.ies")});
   options.format = cli::PhotometryFormat::csv;
   const std::string csv = run(options).out;
   std::size_t begin = 0;
@@ -209,7 +217,7 @@ TEST_F(PhotometryCommand, CsvHasOneFullLinePerFile) {
 }
 
 TEST_F(PhotometryCommand, QuietPrintsErrorsOnly) {
-  const cli::PhotometryRun result = run({{path("b.ies"), path("bad.ies")}}, true);
+  const cli::PhotometryRun result = run(for_files({path("b.ies"), path("bad.ies")}), true);
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err, Not(HasSubstr("warning")));
   EXPECT_THAT(result.err, HasSubstr("error[photometry-format]"));
@@ -222,8 +230,7 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
                                if (g == 30) return c == 90 ? 995.0 : c == 270 ? 1000.0 : 50.0;
                                return g == 0 ? 100.0 : 0.0;
                              }),
-      {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05},
-      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x"});
+      {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05}, {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x"});
   cli::PhotometryFile file;
   file.path = "f.ldt";
   file.web = web;
@@ -232,11 +239,14 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
   EXPECT_THAT(text, HasSubstr("f.ldt: lamp \n"));
   EXPECT_THAT(text, HasSubstr("lamps       1000.00 lm stated; the luminaire gives "));
   EXPECT_THAT(text, HasSubstr("maximum     1000.0 cd at C 270, gamma 30\n"));
-  EXPECT_THAT(text, HasSubstr("beam 50 %   C0-C180 60°; C90-C270 90° over 2 lobes, 31.7° the highest\n"));
-  EXPECT_THAT(text, HasSubstr("symmetry    about C90-C270; about C0-C180 and C90-C270 within 0.50 % "
-                              "of the maximum\n"));
-  EXPECT_THAT(text, HasSubstr("opening     rectangle 1.20 m along C0, 0.30 m along C90, 0.05 m high; "
-                              "longer side along C0-C180, the maximum lies across it\n"));
+  EXPECT_THAT(
+      text, HasSubstr("beam 50 %   C0-C180 60°; C90-C270 89.9° over 2 lobes, 31.7° the highest\n"));
+  EXPECT_THAT(text,
+              HasSubstr("symmetry    about C90-C270; about C0-C180 and C90-C270 within 0.50 % "
+                        "of the maximum\n"));
+  EXPECT_THAT(text,
+              HasSubstr("opening     rectangle 1.20 m along C0, 0.30 m along C90, 0.05 m high; "
+                        "longer side along C0-C180, the maximum lies across it\n"));
   EXPECT_THAT(text, HasSubstr("warnings    none\n"));
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_NE(cli::render_photometry_text(file, true).find("\033[1mf.ldt"), std::string::npos);
