@@ -74,10 +74,15 @@ class Run {
 
   void draw(const PhotometryFile& file, const std::string& path) {
     const std::string& name = file.web->source().luminaire_name;
-    const report::PolarDrawing drawing = report::draw_polar_diagram(
-        *file.web, name.empty() ? fs::path(file.path).filename().string() : name);
-    write(path, lower_extension(path) == ".png" ? report::render_polar_png(drawing)
-                                                : report::render_polar_svg(drawing));
+    try {
+      const report::PolarDrawing drawing = report::draw_polar_diagram(
+          *file.web, name.empty() ? fs::path(file.path).filename().string() : name);
+      write(path, lower_extension(path) == ".png" ? report::render_polar_png(drawing)
+                                                  : report::render_polar_svg(drawing));
+    } catch (const std::exception& error) {
+      others_.report(calc::DiagnosticId::output_not_possible, {},
+                     fmt::format("cannot draw '{}': {}", path, error.what()));
+    }
   }
 
   // a.ies -> a.ies.svg: a.ies and a.ldt often stand side by side.
