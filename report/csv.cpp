@@ -1,7 +1,7 @@
 #include "report/csv.h"
 
+#include "report/csv_field.h"
 #include "report/number_format.h"
-#include "report/plain_text.h"
 #include "report/words.h"
 
 #include <initializer_list>
@@ -10,17 +10,7 @@
 namespace report {
 namespace {
 
-std::string field(std::string_view text) {
-  const std::string safe = printable(text);
-  if (safe.find_first_of(",\"") == std::string::npos) return safe;
-  std::string quoted = "\"";
-  for (const char c : safe) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
+std::string field(std::string_view text) { return csv_field(text); }
 std::string number(double value) { return format_shortest(value); }
 
 void add_row(std::initializer_list<std::string> fields, std::string& csv) {

@@ -7,7 +7,8 @@ luxgate_test(cli_tests
     unit/report/cli/init_test.cpp
     unit/report/cli/options_test.cpp
     unit/report/cli/outputs_test.cpp
-  LIBRARIES luxgate_cli)
+    unit/report/cli/photometry_test.cpp
+  LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 
 add_executable(compare_csv tools/compare_csv.cpp)
 target_link_libraries(compare_csv PRIVATE calc_model)

@@ -12,13 +12,17 @@ luxgate_test(photometry_tests
     unit/calc/photometry/number_stream_test.cpp
     unit/calc/photometry/photometry_file_test.cpp
     unit/calc/photometry/real_files_test.cpp
+    unit/calc/photometry/real_pairs_test.cpp
     unit/calc/photometry/sine_segment_test.cpp
     unit/calc/photometry/text_encoding_test.cpp
     unit/calc/photometry/tm33_opening_test.cpp
     unit/calc/photometry/tm33_xml_test.cpp
+    unit/calc/photometry/web_compare_test.cpp
     unit/calc/photometry/web_hermite_test.cpp
+    unit/calc/photometry/web_measures_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
     unit/calc/photometry/web_test.cpp
+    unit/calc/photometry/write_photometry_test.cpp
     unit/calc/photometry/xml_query_test.cpp
     unit/calc/photometry/zip_archive_test.cpp
   LIBRARIES calc_model ${LUXGATE_ZIP_LIBRARY})

@@ -11,5 +11,6 @@ luxgate_test(report_tests
     unit/report/plain_text_test.cpp
     unit/report/plan_layout_test.cpp
     unit/report/png_test.cpp
+    unit/report/polar_diagram_test.cpp
     unit/report/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)

@@ -49,6 +49,7 @@ class EulumdatReader {
 
   bool read_head() {
     source_.format = "EULUMDAT";
+    source_.axis_rule = "C as written; length along C 90, width along C 0";
     const std::optional<std::string_view> company = lines_.text_line("the company");
     if (!company) return false;
     source_.manufacturer = utf8_from_file_text(trim(*company));

@@ -46,6 +46,7 @@ class Lm63Reader {
  private:
   void warn_of_header() {
     source_.format = header_.tag;
+    source_.axis_rule = "H 0 is C 0; length along C 0, width along C 90";
     if (!header_.version_known) {
       diagnostics_.report(DiagnosticId::photometry_version, numbers_.at(1), quotable(header_.tag));
     }
@@ -218,6 +219,9 @@ class Lm63Reader {
                           type_ == Lm63Type::b ? "B" : "A", problem);
       return false;
     }
+    source_.axis_rule = type_ == Lm63Type::b
+                            ? "type B, planes about the C 90 line: nadir is H 0 V 0, C 270 is H 90"
+                            : "type A: C 0 is H 0, C 270 is H 90, gamma is V + 90";
     full.where = table_.where;
     full.most_negative_where = table_.most_negative_where;
     table_ = std::move(full);

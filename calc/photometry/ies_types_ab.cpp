@@ -88,9 +88,9 @@ FileTable around_nadir(const TypeAbTable& file, std::string& problem) {
   constexpr double kRounding = 1.0e-6;  // of the maximum: files are printed
   const double most_cd = *std::max_element(file.intensity_cd.begin(), file.intensity_cd.end());
   for (std::size_t i = 0; i < count; ++i) {
-    const bool has_twin = file.vertical_deg[i] == -file.vertical_deg[count - 1 - i] &&
-                          std::abs(file.intensity_cd[i] - file.intensity_cd[count - 1 - i]) <=
-                              kRounding * most_cd;
+    const bool has_twin =
+        file.vertical_deg[i] == -file.vertical_deg[count - 1 - i] &&
+        std::abs(file.intensity_cd[i] - file.intensity_cd[count - 1 - i]) <= kRounding * most_cd;
     if (file.vertical_deg.front() < 0.0 && !has_twin) {
       problem = "a single horizontal angle with vertical angles that differ on both sides of 0";
     }

@@ -102,6 +102,7 @@ class Tm33Reader {
 
   void read_header() {
     source_.format = fmt::format("TM-33 ({})", local_name(root_.name));
+    source_.axis_rule = "C as written; length along C 90, width along C 0";
     const XmlElement* header = child_of(root_, "Header");
     if (header == nullptr) return;
     source_.manufacturer = text_of(child_of(*header, "Manufacturer"));

@@ -2,6 +2,7 @@
 
 #include "report/cli/exit_code.h"
 #include "report/cli/option_values.h"
+#include "report/cli/photometry_options.h"
 #include "report/cli/version.h"
 
 #include <fmt/format.h>
@@ -59,6 +60,15 @@ void add_projects(CLI::App& app, Options& options) {
                     ->type_name("FILE"));
 }
 
+void add_color(CLI::App& app, Options& options) {
+  add_value(
+      app, "--color", "WHEN",
+      "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
+      choice<ColorChoice>(options.color, {{"auto", ColorChoice::automatic},
+                                          {"always", ColorChoice::always},
+                                          {"never", ColorChoice::never}}));
+}
+
 void add_output(CLI::App& app, Options& options) {
   allow_repeats(
       add_value(app, "--format", "KIND[=FILE]",
@@ -79,12 +89,7 @@ void add_output(CLI::App& app, Options& options) {
                "Print times and counts of rays to standard error and put them into reports");
   app.add_flag("--explain-cost", options.explain_cost,
                "Print predicted beside true work to standard error: see 'luxgate plan'");
-  add_value(
-      app, "--color", "WHEN",
-      "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
-      choice<ColorChoice>(options.color, {{"auto", ColorChoice::automatic},
-                                          {"always", ColorChoice::always},
-                                          {"never", ColorChoice::never}}));
+  add_color(app, options);
 }
 
 // What the amount of work depends on: for the calculation and for its plan.
@@ -133,8 +138,39 @@ void add_calculation(CLI::App& app, Options& options) {
             choice<Backend>(options.backend, {{"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
 }
 
+void add_photometry(CLI::App& app, Options& options) {
+  PhotometryOptions& photometry = options.photometry;
+  app.add_option("files", photometry.files, "Photometry files (LM-63, EULUMDAT)")
+      ->required()
+      ->type_name("FILE");
+  const auto format = [&](const std::string& name, PhotometryFormat value,
+                          const std::string& help) {
+    return app.add_flag_callback(
+        name, [&photometry, value] { photometry.format = value; }, help);
+  };
+  CLI::Option* json = format("--json", PhotometryFormat::json, "As JSON");
+  format("--csv", PhotometryFormat::csv, "As CSV, one line per file")->excludes(json);
+  app.add_option("--polar", photometry.polar_file,
+                 "Draw one file's polar diagram; the kind by the name")
+      ->type_name("OUT.svg|.png");
+  app.add_option("--polar-dir", photometry.polar_folder,
+                 "Draw every file's polar diagram: FOLDER/FILE.svg; made if needed")
+      ->type_name("FOLDER");
+  app.add_option("--convert", photometry.convert_file,
+                 "Write one file again as LM-63-2002 or EULUMDAT, by the name; never over an input")
+      ->type_name("OUT.ies|.ldt");
+  app.add_flag("--compare", photometry.compare,
+               "Compare two files: are they one light, and which quarter turn lies between them?");
+  app.add_flag("--strict", photometry.strict, "Exit code 1 if there are warnings");
+  add_color(app, options);
+  app.footer(
+      "Exit codes: 0 all files are readable, 1 warnings with --strict, 2 an unreadable file or\n"
+      "another error. A bad file does not keep the others from being shown.");
+}
+
 // What can only be seen with all options together; "" = nothing is wrong.
 std::string contradiction(const Options& options) {
+  if (options.command == Command::photometry) return photometry_contradiction(options.photometry);
   const auto stdout_formats =
       std::count_if(options.formats.begin(), options.formats.end(),
                     [](const OutputFormat& format) { return format.file.empty(); });
@@ -230,9 +266,12 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       *app.add_subcommand("validate", "Check projects for errors without calculating");
   add_projects(validate, options);
   validate.footer("Exit codes: 0 no error, 2 at least one error.");
-  for (CLI::App* command : {&check, &plan, &validate}) {
+  CLI::App& photometry =
+      *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
+  add_photometry(photometry, options);
+  for (CLI::App* command : {&check, &plan, &validate, &photometry}) {
     command->add_flag("-q,--quiet", options.quiet,
-                      "Print errors and what --format asks for, nothing else");
+                      "Print errors and what an option asks for, nothing else");
   }
   CLI::App& schema = *app.add_subcommand("schema", "Print the XML schema of project files");
   CLI::App& init = *app.add_subcommand("init", "Write a small project that runs and passes");
@@ -251,6 +290,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
 
   if (plan.parsed()) options.command = Command::plan;
   if (validate.parsed()) options.command = Command::validate;
+  if (photometry.parsed()) options.command = Command::photometry;
   if (schema.parsed()) options.command = Command::schema;
   if (init.parsed()) options.command = Command::init;
   if (version.parsed()) options.command = Command::version;

@@ -10,7 +10,7 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, schema, init, version };
+enum class Command { check, plan, validate, photometry, schema, init, version };
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
 enum class Backend { cpu, gpu };
@@ -19,6 +19,16 @@ enum class ColorChoice { automatic, always, never };
 struct OutputFormat {
   FormatKind kind = FormatKind::text;
   std::string file;  // "" = standard output; at most one format goes there
+};
+
+enum class PhotometryFormat { text, json, csv };
+struct PhotometryOptions {
+  std::vector<std::string> files;
+  PhotometryFormat format = PhotometryFormat::text;
+  std::string polar_file, polar_folder;  // "" = none; the former for one file only
+  std::string convert_file;              // "" = none; for one file only
+  bool compare = false;                  // exactly two files
+  bool strict = false;                   // warnings give exit code 1
 };
 
 struct Options {
@@ -42,6 +52,7 @@ struct Options {
   Backend backend = Backend::cpu;
 
   bool plan_as_json = false;
+  PhotometryOptions photometry;
   std::string init_folder = ".";
   bool version_as_json = false;
 };

@@ -46,12 +46,6 @@ std::string writability(const std::string& file) {
   return "";
 }
 
-std::string identity(const std::string& file) {
-  std::error_code ignored;
-  const fs::path path = fs::weakly_canonical(file, ignored);
-  return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
-}
-
 // Writes what `make` gives; "" or a message.
 std::string write_made(const std::string& path, const std::function<std::string()>& make) {
   try {
@@ -66,12 +60,12 @@ std::string write_made(const std::string& path, const std::function<std::string(
 class Writer {
  public:
   explicit Writer(const std::set<std::string>& inputs) {
-    for (const std::string& input : inputs) inputs_.insert(identity(input));
+    for (const std::string& input : inputs) inputs_.insert(path_identity(input));
   }
 
   void write(const std::string& path, const std::function<std::string()>& make) {
     std::string problem =
-        inputs_.contains(identity(path))
+        inputs_.contains(path_identity(path))
             ? fmt::format("'{}' was read as an input and is not overwritten", path)
             : write_made(path, make);
     if (!problem.empty()) problems_.push_back(std::move(problem));
@@ -104,6 +98,12 @@ void write_images(const std::string& folder, const report::Document& document, W
 
 }  // namespace
 
+std::string path_identity(const std::string& file) {
+  std::error_code ignored;
+  const fs::path path = fs::weakly_canonical(file, ignored);
+  return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
+}
+
 std::vector<OutputFormat> planned_files(const Options& options) {
   std::vector<OutputFormat> files;
   for (const OutputFormat& format : options.formats) {
@@ -121,10 +121,10 @@ std::vector<OutputFormat> planned_files(const Options& options) {
 
 std::string check_outputs(const Options& options) {
   std::set<std::string> inputs, seen;
-  for (const std::string& file : options.projects) inputs.insert(identity(file));
-  for (const std::string& file : options.rule_files) inputs.insert(identity(file));
+  for (const std::string& file : options.projects) inputs.insert(path_identity(file));
+  for (const std::string& file : options.rule_files) inputs.insert(path_identity(file));
   for (const OutputFormat& format : planned_files(options)) {
-    const std::string name = identity(format.file);
+    const std::string name = path_identity(format.file);
     if (inputs.contains(name)) {
       return fmt::format("'{}' is an input and would be overwritten", format.file);
     }

@@ -25,6 +25,9 @@ std::string check_outputs(const Options& options);
 std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
                                        const std::set<std::string>& inputs);
 
+// Equal for two paths to the same file, whether it exists or not.
+std::string path_identity(const std::string& file);
+
 // The document in one format. text: for FormatKind::text only.
 std::string render(FormatKind kind, const report::Document& document,
                    const report::TextOptions& text = {});

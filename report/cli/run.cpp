@@ -6,6 +6,7 @@
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/outputs.h"
+#include "report/cli/photometry.h"
 #include "report/cli/plan.h"
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
@@ -231,6 +232,13 @@ ExitCode run_init(const Options& options) {
   return kAllMet;
 }
 
+ExitCode run_photometry(const Options& options, const Environment& environment) {
+  const PhotometryRun result =
+      run_photometry(options, calc::DiskFileReader(), use_color(options.color, environment));
+  fmt::print(stderr, "{}", result.err);
+  return print_result(result.out) ? static_cast<ExitCode>(result.exit_code) : kNotJudged;
+}
+
 ExitCode print_or_fail(const std::string& text) {
   return print_result(text) ? kAllMet : kNotJudged;
 }
@@ -245,6 +253,8 @@ ExitCode run(const Options& options, const Environment& environment) {
       return run_plan(options);
     case Command::validate:
       return run_validate(options);
+    case Command::photometry:
+      return run_photometry(options, environment);
     case Command::schema:
       return print_or_fail(std::string(calc::project_schema()));
     case Command::init:

@@ -205,4 +205,25 @@ TEST(Options, ReproducibleCommandHoldsWhatChangesResultsOnly) {
             "luxgate check a.xml");
 }
 
+TEST(Options, ReadsThePhotometryCommand) {
+  const cli::Options options =
+      parsed({"photometry", "a.ies", "b.ldt", "--compare", "--json", "--strict", "-q"});
+  EXPECT_EQ(options.command, cli::Command::photometry);
+  EXPECT_THAT(options.photometry.files, ::testing::ElementsAre("a.ies", "b.ldt"));
+  EXPECT_EQ(options.photometry.format, cli::PhotometryFormat::json);
+  EXPECT_TRUE(options.photometry.compare && options.photometry.strict && options.quiet);
+  EXPECT_EQ(parsed({"photometry", "a.ies", "--convert", "b.LDT"}).photometry.convert_file, "b.LDT");
+}
+
+TEST(Options, RefusesPhotometryOptionsThatContradict) {
+  expect_usage_error({"photometry"}, "files is required");
+  expect_usage_error({"photometry", "a.ies", "--json", "--csv"}, "excludes");
+  expect_usage_error({"photometry", "a.ies", "--compare"}, "--compare needs two FILEs; found 1");
+  expect_usage_error({"photometry", "a", "b", "c", "--compare"}, "found 3");
+  expect_usage_error({"photometry", "a", "b", "--compare", "--csv"}, "use --json");
+  expect_usage_error({"photometry", "a", "b", "--convert", "c.ies"}, "--convert is for one FILE");
+  expect_usage_error({"photometry", "a", "--convert", "c.txt"}, "must end with .ies or .ldt");
+  expect_usage_error({"photometry", "a", "--polar", "c.gif"}, "must end with .svg or .png");
+}
+
 }  // namespace

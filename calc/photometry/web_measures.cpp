@@ -1,0 +1,184 @@
+#include "calc/photometry/web_measures.h"
+
+#include "calc/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace calc {
+namespace {
+
+constexpr double kSameIntensity = 1.0e-9;  // relative
+constexpr int kUniformPlanes = 360, kUniformGammaSteps = 360;
+
+bool is_pole(double gamma_rad) { return gamma_rad <= 0.0 || gamma_rad >= kPi; }
+
+struct ProfilePoint {
+  double angle_rad;  // signed gamma
+  double cd;
+};
+
+// One plane from nadir to zenith. The jumps at the ends of the table are two points at one angle.
+std::vector<ProfilePoint> half_profile(const PhotometricWeb& web, double c_rad,
+                                       const std::vector<double>& gamma_rad) {
+  std::vector<ProfilePoint> points;
+  if (gamma_rad.front() > 0.0) points.insert(points.end(), {{0.0, 0.0}, {gamma_rad.front(), 0.0}});
+  for (const double gamma : gamma_rad) points.push_back({gamma, web.intensity_cd(c_rad, gamma)});
+  if (gamma_rad.back() < kPi) points.insert(points.end(), {{gamma_rad.back(), 0.0}, {kPi, 0.0}});
+  return points;
+}
+
+// From -pi over nadir to pi; linear between the points.
+std::vector<ProfilePoint> full_profile(const PhotometricWeb& web, double c_rad) {
+  const std::vector<double> gamma_rad = measure_angles(web).gamma_rad;
+  std::vector<ProfilePoint> points = half_profile(web, c_rad + kPi, gamma_rad);
+  std::reverse(points.begin(), points.end());
+  for (ProfilePoint& point : points) point.angle_rad = -point.angle_rad;
+  const std::vector<ProfilePoint> right = half_profile(web, c_rad, gamma_rad);
+  points.insert(points.end(), right.begin(), right.end());
+  return points;
+}
+
+struct Arc {
+  double from_rad, to_rad;
+};
+
+// Where the profile is at least threshold_cd, ascending; an arc over the zenith ends beyond pi.
+std::vector<Arc> arcs_above(const std::vector<ProfilePoint>& profile, double threshold_cd) {
+  std::vector<Arc> arcs;
+  bool inside = profile.front().cd >= threshold_cd;
+  double from = -kPi;
+  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+    const ProfilePoint& a = profile[i];
+    const ProfilePoint& b = profile[i + 1];
+    if ((a.cd >= threshold_cd) == (b.cd >= threshold_cd)) continue;
+    const double crossing =
+        std::lerp(a.angle_rad, b.angle_rad, (threshold_cd - a.cd) / (b.cd - a.cd));
+    if (inside) arcs.push_back({from, crossing});
+    inside = !inside;
+    from = crossing;
+  }
+  if (inside) arcs.push_back({from, kPi});
+  if (arcs.size() > 1 && arcs.front().from_rad == -kPi && arcs.back().to_rad == kPi) {
+    arcs.back().to_rad = arcs.front().to_rad + 2.0 * kPi;
+    arcs.erase(arcs.begin());
+  }
+  return arcs;
+}
+
+double smallest_span(const std::vector<Arc>& arcs) {
+  double widest_gap = arcs.front().from_rad + 2.0 * kPi - arcs.back().to_rad;
+  for (std::size_t i = 0; i + 1 < arcs.size(); ++i) {
+    widest_gap = std::max(widest_gap, arcs[i + 1].from_rad - arcs[i].to_rad);
+  }
+  return 2.0 * kPi - widest_gap;
+}
+
+// Of equal values the one furthest towards the positive side.
+ProfilePoint highest(const std::vector<ProfilePoint>& profile) {
+  ProfilePoint best = profile.front();
+  for (const ProfilePoint& point : profile) {
+    if (point.cd >= best.cd * (1.0 - kSameIntensity)) {
+      best = {point.angle_rad, std::max(point.cd, best.cd)};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+bool has_c_gamma_table(const PhotometricWeb& web) {
+  const double tolerance_cd = kSameIntensity * web.max_intensity_cd();
+  for (std::size_t p = 0; p < web.c_rad().size(); ++p) {
+    for (std::size_t g = 0; g < web.gamma_rad().size(); ++g) {
+      if (is_pole(web.gamma_rad()[g])) continue;
+      const double cd = web.intensity_cd(web.c_rad()[p], web.gamma_rad()[g]);
+      if (!(std::abs(cd - web.table_cd(p, g)) <= tolerance_cd)) return false;
+    }
+  }
+  return true;
+}
+
+MeasureAngles measure_angles(const PhotometricWeb& web) {
+  if (has_c_gamma_table(web)) {
+    MeasureAngles angles{web.c_rad(), web.gamma_rad()};
+    if (angles.c_rad.size() > 1) angles.c_rad.pop_back();  // 2 pi is 0 again
+    return angles;
+  }
+  MeasureAngles angles;
+  for (int i = 0; i < kUniformPlanes; ++i) angles.c_rad.push_back(2.0 * kPi * i / kUniformPlanes);
+  for (int i = 0; i <= kUniformGammaSteps; ++i) {
+    angles.gamma_rad.push_back(kPi * i / kUniformGammaSteps);
+  }
+  return angles;
+}
+
+Peak peak_of(const PhotometricWeb& web) {
+  const MeasureAngles angles = measure_angles(web);
+  Peak peak;
+  for (const double gamma : angles.gamma_rad) {
+    for (const double c : angles.c_rad) {
+      const double cd = web.intensity_cd(c, gamma);
+      if (cd > peak.intensity_cd * (1.0 + kSameIntensity)) {
+        peak = {cd, is_pole(gamma) ? 0.0 : c, gamma};
+      }
+    }
+  }
+  return peak;
+}
+
+BeamWidth beam_width(const PhotometricWeb& web, double c_rad, double share) {
+  const std::vector<ProfilePoint> profile = full_profile(web, c_rad);
+  const ProfilePoint top = highest(profile);
+  if (!(top.cd > 0.0)) return {};
+  const std::vector<Arc> arcs = arcs_above(profile, share * top.cd);
+  if (arcs.empty()) return {};  // a share of 1 next to rounding
+  BeamWidth width;
+  width.lobes = static_cast<int>(arcs.size());
+  width.span_rad = smallest_span(arcs);
+  for (const Arc& arc : arcs) {
+    const bool holds_top = (arc.from_rad <= top.angle_rad && top.angle_rad <= arc.to_rad) ||
+                           top.angle_rad + 2.0 * kPi <= arc.to_rad;
+    if (!holds_top) continue;
+    width.lobe_rad = arc.to_rad - arc.from_rad;
+    width.from_rad = arc.from_rad;
+    width.to_rad = arc.to_rad;
+  }
+  return width;
+}
+
+SymmetryFit symmetry_fit(const PhotometricWeb& web) {
+  SymmetryFit fit;
+  if (web.is_axial() && has_c_gamma_table(web)) return fit;
+  const MeasureAngles angles = measure_angles(web);
+  for (const double gamma : angles.gamma_rad) {
+    double lowest = web.max_intensity_cd();
+    double highest_cd = 0.0;
+    for (const double c : angles.c_rad) {
+      const double cd = web.intensity_cd(c, gamma);
+      lowest = std::min(lowest, cd);
+      highest_cd = std::max(highest_cd, cd);
+      fit.c0_c180 = std::max(fit.c0_c180, std::abs(cd - web.intensity_cd(-c, gamma)));
+      fit.c90_c270 = std::max(fit.c90_c270, std::abs(cd - web.intensity_cd(kPi - c, gamma)));
+    }
+    fit.axial = std::max(fit.axial, highest_cd - lowest);
+  }
+  fit.axial /= web.max_intensity_cd();
+  fit.c0_c180 /= web.max_intensity_cd();
+  fit.c90_c270 /= web.max_intensity_cd();
+  return fit;
+}
+
+PlaneSymmetry symmetry_within(const SymmetryFit& fit, double share) {
+  if (fit.axial <= share) return PlaneSymmetry::axial;
+  if (fit.c0_c180 <= share && fit.c90_c270 <= share) return PlaneSymmetry::quadrant;
+  if (fit.c0_c180 <= share) return PlaneSymmetry::c0_c180;
+  return fit.c90_c270 <= share ? PlaneSymmetry::c90_c270 : PlaneSymmetry::none;
+}
+
+double downward_share(const PhotometricWeb& web) {
+  return std::clamp(web.zonal_flux_lm(0.0, 0.5 * kPi) / web.flux_lm(), 0.0, 1.0);
+}
+
+}  // namespace calc
