@@ -1,6 +1,11 @@
 luxgate_test(scene_tests
   SOURCES
+    unit/calc/scene/mesh_check_test.cpp
+    unit/calc/scene/mesh_file_test.cpp
+    unit/calc/scene/mesh_gltf_test.cpp
     unit/calc/scene/mesh_obj_test.cpp
+    unit/calc/scene/mesh_ply_test.cpp
+    unit/calc/scene/mesh_stl_test.cpp
     unit/calc/scene/polygon_test.cpp
     unit/calc/scene/prepared_scene_test.cpp
     unit/calc/scene/sensor_grid_test.cpp

@@ -5,7 +5,7 @@
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
 #include "calc/photometry/web.h"
-#include "calc/scene/mesh_obj.h"
+#include "calc/scene/mesh_file.h"
 #include "calc/scene/project.h"
 
 #include <cstddef>
@@ -35,8 +35,9 @@ class ProjectFiles {
   // Index into Project::webs. as_point: the luminous opening of the file is not used.
   std::optional<std::size_t> web(const std::string& path, bool as_point,
                                  const SourceLocation& named_at);
-  // Null on errors; stays valid as long as this object.
-  const ObjMesh* mesh(const std::string& path, const SourceLocation& named_at);
+  // Null on errors; stays valid as long as this object. format: if given, other files are errors.
+  const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
+                           const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
   const std::optional<PointList>& point_list(const std::string& path,
                                              const SourceLocation& named_at);
@@ -52,7 +53,7 @@ class ProjectFiles {
   Project& project_;
   Diagnostics& diagnostics_;
   std::map<std::pair<std::string, bool>, std::optional<std::size_t>> webs_;
-  std::map<std::string, std::optional<ObjMesh>> meshes_;
+  std::map<std::string, std::optional<TriangleMesh>> meshes_;
   std::map<std::string, std::optional<PointList>> point_lists_;
   std::set<std::string> recorded_;
 };

@@ -4,6 +4,7 @@
 #include "calc/diagnostics.h"
 #include "calc/scene/project_xml.h"
 #include "tests/support/memory_file_reader.h"
+#include "tests/support/mesh_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,8 @@ inline std::string in_room(const std::string& lines) {
 inline MemoryFileReader files_for_messages(const std::string& xml) {
   MemoryFileReader files = project_files(xml);
   files.add("dir/broken.ies", "hello");
+  files.add("dir/tile.gltf", kSquareGltf);
+  files.add("dir/tile.bin", square_bytes());
   files.add("dir/bad.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,1\n1,2,3,0,0\n1,2,x,0,0,1\n");
   files.add("dir/zero.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,0\n");
   files.add("dir/head.csv", "x;y;z\n");
