@@ -1,16 +1,13 @@
 #include "calc/scene/bodies_xml.h"
 
 #include "calc/scene/frame.h"
+#include "calc/scene/material_map.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace calc {
@@ -43,47 +40,14 @@ const std::vector<glm::uvec3>& box_triangles() {
   return kTriangles;
 }
 
-// Materials of a mesh by the file's names; `fallback` for names not mapped.
-struct MeshMaterials {
-  std::map<std::string, std::uint32_t, std::less<>> of_name;
-  std::optional<std::uint32_t> fallback;
-};
-
-MeshMaterials read_mesh_materials(ProjectContext& context, ElementReader& reader,
-                                  const TriangleMesh* mesh) {
-  MeshMaterials materials;
-  if (reader.has("material")) materials.fallback = read_material(context, reader);
-  std::set<std::string_view> known;
-  if (mesh != nullptr) known.insert(mesh->material_name.begin(), mesh->material_name.end());
-  known.erase("");
-  IdTable names("mesh material");
-  for (const XmlElement& child : reader.element().children) {
-    if (child.name != "map") continue;
-    ElementReader map(child, context.diagnostics);
-    map.allow_attributes({"name", "material"});
-    map.allow_children({});
-    const std::string name = map.text("name");
-    names.add(map, name, 0);
-    if (mesh != nullptr && !name.empty() && !known.contains(name)) {
-      report_unknown_reference(map, "name", "material of the mesh", name,
-                               Names(known.begin(), known.end()));
-    }
-    materials.of_name[name] = read_material(context, map);
-  }
-  return materials;
-}
-
 // Per triangle. Reports all names without a material in one message.
 std::vector<std::uint32_t> assign_materials(ElementReader& reader, const TriangleMesh& mesh,
-                                            const MeshMaterials& materials) {
+                                            const MaterialMap& materials) {
   std::vector<std::uint32_t> material_of_name;
   std::vector<std::string> missing;
   for (const std::string& name : mesh.material_name) {
-    const auto mapped = materials.of_name.find(name);
-    if (mapped != materials.of_name.end()) {
-      material_of_name.push_back(mapped->second);
-    } else if (materials.fallback) {
-      material_of_name.push_back(*materials.fallback);
+    if (const std::optional<std::uint32_t> material = materials.find(name)) {
+      material_of_name.push_back(*material);
     } else {
       material_of_name.push_back(0);
       missing.push_back(name.empty() ? "faces without a material" : "'" + name + "'");
@@ -201,7 +165,8 @@ ObjectSet read_mesh(ProjectContext& context, ElementReader& reader) {
   const double scale = reader.number_or("scale", kPositive, 1.0);
   const TriangleMesh* mesh = read_mesh_file(context, reader);
   const MeshAxes axes = read_mesh_axes(reader, mesh);
-  const MeshMaterials materials = read_mesh_materials(context, reader, mesh);
+  const MaterialMap materials = read_material_map(context, reader, "material of the mesh",
+                                                  mesh != nullptr ? &mesh->material_name : nullptr);
   if (mesh == nullptr) return {};
   Body body;
   body.where = reader.where();

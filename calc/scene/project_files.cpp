@@ -137,6 +137,32 @@ const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<Me
   return &*entry->second;
 }
 
+const GbxmlBuilding* ProjectFiles::building(const std::string& path,
+                                            const SourceLocation& named_at) {
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return nullptr;
+  const auto [entry, is_new] = buildings_.try_emplace(*key);
+  if (is_new) {
+    if (std::optional<std::string> bytes = read(*key, path, named_at)) {
+      entry->second = parse_gbxml(std::move(*bytes), full_path(*key), diagnostics_);
+    }
+  }
+  return entry->second ? &*entry->second : nullptr;
+}
+
+const LuminaireList* ProjectFiles::luminaire_list(const std::string& path,
+                                                  const SourceLocation& named_at) {
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return nullptr;
+  const auto [entry, is_new] = luminaire_lists_.try_emplace(*key);
+  if (is_new) {
+    if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
+      entry->second = parse_luminaire_list(*bytes, full_path(*key), diagnostics_);
+    }
+  }
+  return entry->second ? &*entry->second : nullptr;
+}
+
 const std::optional<PointList>& ProjectFiles::point_list(const std::string& path,
                                                          const SourceLocation& named_at) {
   static const std::optional<PointList> kNone;

@@ -5,6 +5,8 @@
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/gbxml.h"
+#include "calc/scene/luminaire_list_csv.h"
 #include "calc/scene/mesh_file.h"
 #include "calc/scene/project.h"
 
@@ -38,6 +40,10 @@ class ProjectFiles {
   // Null on errors; stays valid as long as this object. format: if given, other files are errors.
   const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
                            const SourceLocation& named_at);
+  // A gbXML file; null on errors, stays valid as long as this object.
+  const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
+  // A CSV file of luminaires; null on errors, stays valid as long as this object.
+  const LuminaireList* luminaire_list(const std::string& path, const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
   const std::optional<PointList>& point_list(const std::string& path,
                                              const SourceLocation& named_at);
@@ -54,6 +60,8 @@ class ProjectFiles {
   Diagnostics& diagnostics_;
   std::map<std::pair<std::string, bool>, std::optional<std::size_t>> webs_;
   std::map<std::string, std::optional<TriangleMesh>> meshes_;
+  std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
+  std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
   std::map<std::string, std::optional<PointList>> point_lists_;
   std::set<std::string> recorded_;
 };

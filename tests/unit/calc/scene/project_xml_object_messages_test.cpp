@@ -127,7 +127,8 @@ const std::vector<MessageCase> kCases{
      "directory"},
     {"PlaneInAssembly", in_room(R"(<assembly id="a"><plane id="p" height="1"/></assembly>)"),
      "dir/p.xml:5:18: error[unknown-element]: unknown element <plane> in <assembly>; allowed: box, "
-     "quad, polygon, mesh, assembly, luminaire, luminaire-grid, luminaire-line or luminaire-ring"},
+     "quad, polygon, mesh, assembly, luminaire, luminaire-grid, luminaire-line, luminaire-ring or "
+     "luminaires"},
     {"AxisAndAim",
      in_room(R"(<luminaire id="k" type="spot" position="1 1 1" axis="0 0 -1" aim="0 0 0"/>)"),
      "dir/p.xml:5:62: error[exclusive-attributes]: <luminaire> has both 'axis' and 'aim'; give "

@@ -3,6 +3,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/scene/project_xml.h"
+#include "tests/support/gbxml_samples.h"
 #include "tests/support/memory_file_reader.h"
 #include "tests/support/mesh_samples.h"
 
@@ -32,6 +33,8 @@ inline MemoryFileReader project_files(const std::string& xml) {
   return MemoryFileReader({{"dir/p.xml", xml},
                            {"dir/spot.ies", kSpotIes},
                            {"dir/table.obj", kTableObj},
+                           {"dir/house.xml", two_rooms()},
+                           {"dir/plan.csv", "name,type,x_m,y_m,z_m\nA1,spot,1,1,2.5\n"},
                            {"dir/points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"}});
 }
 
