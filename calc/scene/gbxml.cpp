@@ -88,7 +88,10 @@ class BuildingReader {
   void add_space(const pugi::xml_node& space) {
     const Children names(space, "Name");
     const std::string name = names.empty() ? "" : std::string(trim(names.front().child_value()));
-    building_.space.push_back({space.attribute("id").value(), name});
+    const std::string id = space.attribute("id").value();
+    std::vector<glm::dvec3> floor;
+    if (!Children(space, "PlanarGeometry").empty()) floor = corners_of(space, id);
+    building_.space.push_back({id, name, std::move(floor)});
   }
 
   void add_surface(const pugi::xml_node& node) {

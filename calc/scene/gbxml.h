@@ -34,6 +34,7 @@ struct GbxmlSurface {
 
 struct GbxmlSpace {
   std::string id, name;
+  std::vector<glm::dvec3> floor_m;  // corners of its own PlanarGeometry; empty if it has none
 };
 
 struct GbxmlBuilding {
@@ -59,7 +60,8 @@ struct GbxmlPart {
 struct GbxmlRoom {
   std::string name;
   std::vector<GbxmlPart> part;
-  // Of the floor if it is one flat polygon, with its height above 0; else empty.
+  // Of the space's own PlanarGeometry, else of the floor if it is one polygon; empty if that is not
+  // horizontal. The height is that of the highest surface above it.
   std::vector<glm::dvec2> footprint_m;
   double floor_z_m = 0.0, height_m = 0.0;
 };

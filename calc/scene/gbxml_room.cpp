@@ -73,8 +73,8 @@ GbxmlPart part_of(const Plane& plane, const std::vector<ConvexPiece>& pieces, st
 
 class RoomBuilder {
  public:
-  RoomBuilder(const GbxmlBuilding& building, const std::string& space_id, Diagnostics& diagnostics)
-      : building_(building), space_id_(space_id), diagnostics_(diagnostics) {}
+  RoomBuilder(const GbxmlBuilding& building, const GbxmlSpace& space, Diagnostics& diagnostics)
+      : building_(building), space_(space), diagnostics_(diagnostics) {}
 
   GbxmlRoom run() {
     find_surfaces();
@@ -86,7 +86,7 @@ class RoomBuilder {
  private:
   void find_surfaces() {
     for (const GbxmlSurface& surface : building_.surface) {
-      const auto sees = [&](const GbxmlSurface::Side& side) { return side.space == space_id_; };
+      const auto sees = [&](const GbxmlSurface::Side& side) { return side.space == space_.id; };
       if (std::none_of(surface.side.begin(), surface.side.end(), sees)) continue;
       surfaces_.push_back(&surface);
       for (const glm::dvec3& p : surface.corner_m) bounds_.add(p);
@@ -96,7 +96,7 @@ class RoomBuilder {
   // As the room sees it: one slab is the floor above and the ceiling below.
   std::string type_of(const GbxmlSurface& surface) const {
     for (const GbxmlSurface::Side& side : surface.side) {
-      if (side.space == space_id_ && !side.type.empty()) return side.type;
+      if (side.space == space_.id && !side.type.empty()) return side.type;
     }
     if (surface.type != "InteriorFloor" && surface.type != "Ceiling") return surface.type;
     const BoundingBox box = bounding_box(surface.corner_m);
@@ -159,20 +159,28 @@ class RoomBuilder {
   }
 
   void find_floor() {
-    const GbxmlSurface* floor = nullptr;
+    const std::vector<glm::dvec3>* floor = &space_.floor_m;
+    if (floor->empty()) floor = lowest_surface();
+    if (floor == nullptr) return;
+    const BoundingBox box = bounding_box(*floor);
+    std::vector<glm::dvec2> corners;
+    for (const glm::dvec3& p : *floor) corners.emplace_back(p.x, p.y);
+    if (box.upper.z - box.lower.z > kSameHeight_m || !is_simple_polygon(corners)) return;
+    room_.footprint_m = std::move(corners);
+    room_.floor_z_m = box.centre().z;
+    room_.height_m = bounds_.upper.z - room_.floor_z_m;
+  }
+
+  // The one at the room's lowest height; null if there are several.
+  const std::vector<glm::dvec3>* lowest_surface() const {
+    const GbxmlSurface* lowest = nullptr;
     for (const GbxmlSurface* surface : surfaces_) {
       const BoundingBox box = bounding_box(surface->corner_m);
       if (box.is_empty() || box.upper.z > bounds_.lower.z + kSameHeight_m) continue;
-      if (floor != nullptr) return;  // of several polygons
-      floor = surface;
+      if (lowest != nullptr) return nullptr;
+      lowest = surface;
     }
-    if (floor == nullptr) return;
-    std::vector<glm::dvec2> corners;
-    for (const glm::dvec3& p : floor->corner_m) corners.emplace_back(p.x, p.y);
-    if (!is_simple_polygon(corners)) return;
-    room_.footprint_m = std::move(corners);
-    room_.floor_z_m = bounds_.lower.z;
-    room_.height_m = bounds_.upper.z - bounds_.lower.z;
+    return lowest != nullptr ? &lowest->corner_m : nullptr;
   }
 
   template <class... Args>
@@ -181,7 +189,7 @@ class RoomBuilder {
   }
 
   const GbxmlBuilding& building_;
-  const std::string& space_id_;
+  const GbxmlSpace& space_;
   Diagnostics& diagnostics_;
   std::vector<const GbxmlSurface*> surfaces_;
   BoundingBox bounds_;
@@ -203,7 +211,7 @@ std::optional<GbxmlRoom> gbxml_room(const GbxmlBuilding& building, const std::st
                        is_short ? suggestion(space_id, ids) : std::string());
     return std::nullopt;
   }
-  GbxmlRoom room = RoomBuilder(building, space_id, diagnostics).run();
+  GbxmlRoom room = RoomBuilder(building, *space, diagnostics).run();
   if (room.part.empty()) {
     diagnostics.report(DiagnosticId::gbxml_no_surfaces, where, building.file, space_id);
     return std::nullopt;

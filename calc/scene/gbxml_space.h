@@ -7,9 +7,8 @@
 namespace calc {
 
 // Attributes "file", "space" and "material" and the children <map>; fills the space's name (if it
-// has none) and bodies, named "<room>.<id in the file>". plan becomes the floor's outline and the
-// largest height if the floor is one flat polygon, else it has no corners. All of it may be missing
-// after an error.
+// has none) and bodies, named "<room>.<id in the file>". plan becomes GbxmlRoom's footprint, or has
+// no corners. All of it may be missing after an error.
 void read_gbxml_surfaces(ProjectContext& context, ElementReader& reader, Space& space,
                          RoomPlan& plan);
 

@@ -57,8 +57,9 @@ class PlaneReader {
       return false;
     }
     if (form == "height" && around_.room == nullptr && around_.room_is_good) {
-      reader_.report(DiagnosticId::gbxml_plane, reader_.where(form), form,
-                     "the floor of this gbXML room is not one flat polygon; use 'points'");
+      reader_.report(
+          DiagnosticId::gbxml_plane, reader_.where(form), form,
+          "this gbXML room says no outline, and its floor is not one flat polygon; use 'points'");
     }
     return form != "height" || around_.room != nullptr;
   }

@@ -73,6 +73,21 @@ TEST(Gbxml, ASlabIsACeilingFromBelowAndAFloorFromAbove) {
   EXPECT_TRUE(areas(*room_of(stated).room).contains("deck Air"));
 }
 
+TEST(Gbxml, TheSpacesOwnOutlineIsTheFootprint) {
+  const std::string outline = poly_loop({{0.1, 0.1, 0}, {3.9, 0.1, 0}, {0.1, 2.9, 0}});
+  const Room low = room_of(with(two_rooms(), "Low room </Name>", "Low room </Name>" + outline));
+  ASSERT_TRUE(low.room) << low.messages;
+  EXPECT_EQ(low.room->footprint_m.size(), 3u);
+  const std::string sloped = poly_loop({{0.1, 0.1, 0}, {3.9, 0.1, 0}, {0.1, 2.9, 0.5}});
+  EXPECT_TRUE(room_of(with(two_rooms(), "Low room </Name>", "Low room </Name>" + sloped))
+                  .room->footprint_m.empty());
+  // Without an outline, a floor in two pieces is none.
+  const std::string piece =
+      gbxml_surface("more", "SlabOnGrade", {"low"}, {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  EXPECT_TRUE(
+      room_of(with(two_rooms(), "</Campus>", piece + "</Campus>")).room->footprint_m.empty());
+}
+
 TEST(Gbxml, PrefixesAndUnitsAreUnderstood) {
   std::string xml = with(two_rooms(), "\"Meters\"", "\"Feet\"");
   for (const std::string tag :
