@@ -4,6 +4,7 @@ luxgate_test(cli_tests
     unit/report/build_test.cpp
     unit/report/cli/environment_test.cpp
     unit/report/cli/exit_code_test.cpp
+    unit/report/cli/geometry_test.cpp
     unit/report/cli/init_test.cpp
     unit/report/cli/options_test.cpp
     unit/report/cli/outputs_test.cpp

@@ -1,12 +1,21 @@
 luxgate_test(scene_tests
   SOURCES
+    unit/calc/scene/mesh_check_test.cpp
+    unit/calc/scene/mesh_file_test.cpp
+    unit/calc/scene/mesh_gltf_test.cpp
     unit/calc/scene/mesh_obj_test.cpp
+    unit/calc/scene/mesh_ply_test.cpp
+    unit/calc/scene/mesh_stl_test.cpp
+    unit/calc/scene/polygon_cut_test.cpp
     unit/calc/scene/polygon_test.cpp
     unit/calc/scene/prepared_scene_test.cpp
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
     unit/calc/file_hash_test.cpp
     unit/calc/scene/frame_test.cpp
+    unit/calc/scene/gbxml_space_test.cpp
+    unit/calc/scene/gbxml_test.cpp
+    unit/calc/scene/luminaire_list_csv_test.cpp
     unit/calc/scene/luminaires_xml_test.cpp
     unit/calc/scene/objects_xml_test.cpp
     unit/calc/scene/planes_xml_test.cpp

@@ -1,16 +1,13 @@
 #include "calc/scene/bodies_xml.h"
 
 #include "calc/scene/frame.h"
+#include "calc/scene/material_map.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace calc {
@@ -43,58 +40,65 @@ const std::vector<glm::uvec3>& box_triangles() {
   return kTriangles;
 }
 
-// Materials of a mesh by usemtl name; `fallback` for names not mapped.
-struct MeshMaterials {
-  std::map<std::string, std::uint32_t, std::less<>> of_name;
-  std::optional<std::uint32_t> fallback;
-};
-
-MeshMaterials read_mesh_materials(ProjectContext& context, ElementReader& reader,
-                                  const ObjMesh* mesh) {
-  MeshMaterials materials;
-  if (reader.has("material")) materials.fallback = read_material(context, reader);
-  std::set<std::string_view> known;
-  if (mesh != nullptr) known.insert(mesh->material.begin(), mesh->material.end());
-  known.erase("");
-  IdTable names("usemtl");
-  for (const XmlElement& child : reader.element().children) {
-    if (child.name != "map") continue;
-    ElementReader map(child, context.diagnostics);
-    map.allow_attributes({"name", "material"});
-    map.allow_children({});
-    const std::string name = map.text("name");
-    names.add(map, name, 0);
-    if (mesh != nullptr && !name.empty() && !known.contains(name)) {
-      report_unknown_reference(map, "name", "usemtl", name, Names(known.begin(), known.end()));
-    }
-    materials.of_name[name] = read_material(context, map);
-  }
-  return materials;
-}
-
-// Reports all names without a material in one message.
-std::vector<std::uint32_t> assign_materials(ElementReader& reader, const ObjMesh& mesh,
-                                            const MeshMaterials& materials) {
-  std::vector<std::uint32_t> material_of;
+// Per triangle. Reports all names without a material in one message.
+std::vector<std::uint32_t> assign_materials(ElementReader& reader, const TriangleMesh& mesh,
+                                            const MaterialMap& materials) {
+  std::vector<std::uint32_t> material_of_name;
   std::vector<std::string> missing;
-  for (const std::string& name : mesh.material) {
-    const auto mapped = materials.of_name.find(name);
-    if (mapped != materials.of_name.end()) {
-      material_of.push_back(mapped->second);
-    } else if (materials.fallback) {
-      material_of.push_back(*materials.fallback);
+  for (const std::string& name : mesh.material_name) {
+    if (const std::optional<std::uint32_t> material = materials.find(name)) {
+      material_of_name.push_back(*material);
     } else {
-      const std::string words = name.empty() ? "faces without usemtl" : "usemtl '" + name + "'";
-      if (std::find(missing.begin(), missing.end(), words) == missing.end()) {
-        missing.push_back(words);
-      }
+      material_of_name.push_back(0);
+      missing.push_back(name.empty() ? "faces without a material" : "'" + name + "'");
     }
   }
   if (!missing.empty()) {
     reader.report(DiagnosticId::unmapped_mesh_materials, reader.where(), reader.text("id"),
                   fmt::format("{}", fmt::join(missing, ", ")));
   }
+  std::vector<std::uint32_t> material_of;
+  material_of.reserve(mesh.material_of.size());
+  for (const std::uint32_t name : mesh.material_of) material_of.push_back(material_of_name[name]);
   return material_of;
+}
+
+// How coordinates of a mesh file become metres with z up.
+struct MeshAxes {
+  double metres_per_unit = 1.0;
+  bool y_is_up = true;
+};
+
+// Files that fix both may be told the same again, nothing else; all others must be told.
+MeshAxes read_mesh_axes(ElementReader& reader, const TriangleMesh* mesh) {
+  const Names up_names{"z", "y"};
+  if (mesh == nullptr || !has_fixed_units(mesh->format)) {
+    // Without the file nothing is known that would be missing.
+    const auto wanted = [&](std::string_view name) { return mesh != nullptr || reader.has(name); };
+    MeshAxes axes;
+    if (wanted("units"))
+      axes.metres_per_unit = metres_per_unit(reader.choice("units", unit_names()));
+    if (wanted("up")) axes.y_is_up = reader.choice("up", up_names) == 1;
+    return axes;
+  }
+  const std::string_view format = mesh_format_name(mesh->format);
+  if (reader.choice_or("units", unit_names(), 0) != 0) {
+    reader.report(DiagnosticId::mesh_units_fixed, reader.where("units"), "units", format, "m");
+  }
+  if (reader.choice_or("up", up_names, 1) != 1) {
+    reader.report(DiagnosticId::mesh_units_fixed, reader.where("up"), "up", format, "y");
+  }
+  return {};
+}
+
+const TriangleMesh* read_mesh_file(ProjectContext& context, ElementReader& reader) {
+  std::optional<MeshFormat> format;
+  if (reader.has("format")) {
+    format = static_cast<MeshFormat>(reader.choice("format", mesh_format_names()));
+  }
+  const std::string file = reader.text("file");
+  if (file.empty()) return nullptr;
+  return context.files.mesh(file, format, reader.where("file"));
 }
 
 }  // namespace
@@ -153,18 +157,16 @@ ObjectSet read_polygon(ProjectContext& context, ElementReader& reader) {
 }
 
 ObjectSet read_mesh(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes(
-      {"id", "file", "position", "rotation", "scale", "up", "units", "material", "repeat", "step"});
+  reader.allow_attributes({"id", "file", "format", "position", "rotation", "scale", "up", "units",
+                           "material", "repeat", "step"});
   reader.allow_children({"map"});
   const Placement placement{rotation_about_z(read_angle_rad(reader, "rotation")),
                             read_point_m_or_zero(context, reader, "position")};
-  double scale = reader.number_or("scale", kPositive, 1.0);
-  const bool y_is_up = reader.choice_or("up", {"z", "y"}, 0) == 1;
-  scale *= reader.has("units") ? metres_per_unit(reader.choice("units", unit_names()))
-                               : context.metres_per_unit;
-  const std::string file = reader.text("file");
-  const ObjMesh* mesh = file.empty() ? nullptr : context.files.mesh(file, reader.where("file"));
-  const MeshMaterials materials = read_mesh_materials(context, reader, mesh);
+  const double scale = reader.number_or("scale", kPositive, 1.0);
+  const TriangleMesh* mesh = read_mesh_file(context, reader);
+  const MeshAxes axes = read_mesh_axes(reader, mesh);
+  const MaterialMap materials = read_material_map(context, reader, "material of the mesh",
+                                                  mesh != nullptr ? &mesh->material_name : nullptr);
   if (mesh == nullptr) return {};
   Body body;
   body.where = reader.where();
@@ -172,8 +174,8 @@ ObjectSet read_mesh(ProjectContext& context, ElementReader& reader) {
   if (!reader.ok()) return {};
   body.triangle = mesh->triangle;
   for (const glm::dvec3& vertex : mesh->vertex) {
-    const glm::dvec3 upright = y_is_up ? glm::dvec3(vertex.x, -vertex.z, vertex.y) : vertex;
-    body.vertex_m.push_back(placement.apply(upright * scale));
+    const glm::dvec3 upright = axes.y_is_up ? glm::dvec3(vertex.x, -vertex.z, vertex.y) : vertex;
+    body.vertex_m.push_back(placement.apply(upright * (scale * axes.metres_per_unit)));
   }
   body.is_closed = is_watertight(body);
   return set_of(std::move(body));

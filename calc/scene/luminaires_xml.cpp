@@ -1,7 +1,9 @@
 #include "calc/scene/luminaires_xml.h"
 
 #include "calc/scene/frame.h"
+#include "calc/text.h"
 #include "calc/units.h"
+#include "calc/utf8.h"
 
 #include <fmt/format.h>
 
@@ -147,6 +149,39 @@ std::vector<Luminaire> read_luminaire_ring(ProjectContext& context, ElementReade
     luminaire.id = fmt::format("{}[{}]", common.id, i);
     luminaire.position_m = centre + turn * glm::dvec3(radius, 0, 0);
     if (turns) luminaire.world_from_luminaire = turn * common.world_from_luminaire;
+    luminaires.push_back(std::move(luminaire));
+  }
+  return luminaires;
+}
+
+std::vector<Luminaire> read_luminaire_list(ProjectContext& context, ElementReader& reader) {
+  reader.allow_attributes({"id", "file"});
+  reader.allow_children({});
+  const std::string file = reader.text("file");
+  const LuminaireList* list =
+      file.empty() ? nullptr : context.files.luminaire_list(file, reader.where("file"));
+  if (list == nullptr || !reader.ok()) return {};
+  if (!check_room_for(context, reader, static_cast<double>(list->entry.size()), 0)) return {};
+  std::vector<Luminaire> luminaires;
+  for (const LuminaireEntry& entry : list->entry) {
+    Luminaire luminaire;
+    luminaire.where = {list->file, entry.line, 0};
+    luminaire.id = reader.text("id") + "." + entry.name;
+    const std::optional<std::size_t> type = context.luminaire_types.look_up(entry.type);
+    if (!type) {
+      reader.report(
+          DiagnosticId::luminaire_list_line, luminaire.where,
+          fmt::format("there is no luminaire type '{}'{}", shorten_utf8(entry.type, 60),
+                      suggestion(shorten_utf8(entry.type, 60), context.luminaire_types.ids())));
+      return {};
+    }
+    luminaire.type = *type;
+    luminaire.position_m = entry.position_m;
+    const glm::dvec3 axis =
+        entry.aim_m ? *entry.aim_m - entry.position_m : entry.axis.value_or(glm::dvec3(0, 0, -1));
+    luminaire.world_from_luminaire = luminaire_frame(glm::normalize(axis), entry.rotation_rad);
+    luminaire.group = entry.group;
+    if (!entry.group.empty()) context.groups.insert(entry.group);
     luminaires.push_back(std::move(luminaire));
   }
   return luminaires;

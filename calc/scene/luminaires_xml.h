@@ -13,5 +13,7 @@ std::vector<Luminaire> read_luminaire(ProjectContext& context, ElementReader& re
 std::vector<Luminaire> read_luminaire_grid(ProjectContext& context, ElementReader& reader);
 std::vector<Luminaire> read_luminaire_line(ProjectContext& context, ElementReader& reader);
 std::vector<Luminaire> read_luminaire_ring(ProjectContext& context, ElementReader& reader);
+// <luminaires id="L" file="x.csv"/>: "L.name" for each line.
+std::vector<Luminaire> read_luminaire_list(ProjectContext& context, ElementReader& reader);
 
 }  // namespace calc

@@ -1,6 +1,6 @@
 #include "calc/scene/mesh_obj.h"
 
-#include "calc/scene/polygon.h"
+#include "calc/scene/mesh_builder.h"
 #include "calc/text.h"
 
 #include <tiny_obj_loader.h>
@@ -18,9 +18,6 @@ namespace calc {
 namespace {
 
 constexpr std::size_t kMaxErrors = 10;
-constexpr std::size_t kMaxCorners = 2000;  // of one face; triangulation takes their square
-constexpr double kMaxCoordinate = 1.0e12;  // areas stay far from overflow
-constexpr double kMaxCornerPairs = 2.0e9;  // of all faces together: about two minutes
 constexpr std::string_view kBlanks = " \t";
 
 // Reads from memory and knows which line was read last.
@@ -60,8 +57,8 @@ class LineBuffer : public std::streambuf {
 };
 
 struct Face {
-  std::size_t first = 0, corners = 0;  // in ObjFile::corner
-  std::size_t material = 0;
+  std::size_t first = 0, corners = 0;      // in ObjFile::corner
+  std::uint32_t material = 0, object = 0;  // in ObjFile::names
   int line = 0;
 };
 
@@ -70,7 +67,7 @@ struct ObjFile {
   std::vector<glm::dvec3> vertex;
   std::vector<std::int64_t> corner;  // from 0
   std::vector<Face> face;
-  std::vector<std::string> material{""};
+  NameList names;
 };
 
 // Takes tinyobjloader's callbacks. What it cannot read it takes for 0, and long numbers wrap
@@ -87,11 +84,11 @@ class ObjCollector {
       const std::size_t word = static_cast<std::size_t>(axis) + 1;
       const std::optional<double> value =
           word < words.size() ? parse_number(words[word]) : std::nullopt;
-      if (value && std::abs(*value) <= kMaxCoordinate) {
+      if (value && std::abs(*value) <= kMaxMeshCoordinate) {
         position[axis] = *value;
       } else {
         report(DiagnosticId::mesh_bad_vertex, lines_.line_number(), file_.vertex.size() + 1,
-               shortened(arguments()), kMaxCoordinate);
+               shortened(arguments()), kMaxMeshCoordinate);
         break;
       }
     }
@@ -101,8 +98,7 @@ class ObjCollector {
   void add_face(const tinyobj::index_t* index, std::size_t count) {
     const int line = lines_.line_number();
     const bool readable = is_index_list(arguments());
-    file_.face.push_back(
-        {file_.corner.size(), readable ? count : 0, file_.material.size() - 1, line});
+    file_.face.push_back({file_.corner.size(), readable ? count : 0, material_, object_, line});
     const std::size_t number = file_.face.size();
     if (!readable) {
       report(DiagnosticId::mesh_bad_face, line, number, shortened(arguments()));
@@ -119,7 +115,9 @@ class ObjCollector {
     }
   }
 
-  void set_material(std::string_view name) { file_.material.emplace_back(trim(name)); }
+  void set_material(std::string_view name) { material_ = file_.names.index_of(trim(name)); }
+  // Of an o or g statement; the last one counts. tinyobjloader may cut the name at a blank.
+  void set_object() { object_ = file_.names.index_of(arguments()); }
 
   // A face may name vertices that come after it, so the upper limit is known at the end.
   void check_upper_limits() {
@@ -136,7 +134,7 @@ class ObjCollector {
   }
 
   bool failed() const { return errors_ > 0; }
-  const ObjFile& file() const { return file_; }
+  ObjFile take_file() { return std::move(file_); }
 
  private:
   // The text after the keyword.
@@ -175,6 +173,8 @@ class ObjCollector {
   std::string name_;
   Diagnostics& diagnostics_;
   ObjFile file_;
+  std::uint32_t material_ = file_.names.index_of("");
+  std::uint32_t object_ = material_;
   std::size_t errors_ = 0;
 };
 
@@ -188,6 +188,12 @@ bool read_statements(LineBuffer& lines, ObjCollector& collector, std::string& pr
   callback.usemtl_cb = [](void* self, const char* name, int) {
     static_cast<ObjCollector*>(self)->set_material(name);
   };
+  callback.group_cb = [](void* self, const char**, int) {
+    static_cast<ObjCollector*>(self)->set_object();
+  };
+  callback.object_cb = [](void* self, const char*) {
+    static_cast<ObjCollector*>(self)->set_object();
+  };
   try {
     std::istream stream(&lines);
     return tinyobj::LoadObjWithCallback(stream, callback, &collector, nullptr, nullptr, &problem);
@@ -197,131 +203,27 @@ bool read_statements(LineBuffer& lines, ObjCollector& collector, std::string& pr
   }
 }
 
-// Splits the faces and counts what was not as it should be.
-class FaceSplitter {
- public:
-  FaceSplitter(const ObjFile& file, const std::string& name, Diagnostics& diagnostics)
-      : file_(file), name_(name), diagnostics_(diagnostics) {}
-
-  std::optional<ObjMesh> run() {
-    for (std::size_t f = 0; f < file_.face.size(); ++f) {
-      if (!is_small_enough(f)) return std::nullopt;
-      split(f);
-    }
-    if (mesh_.triangle.empty()) {
-      diagnostics_.report(DiagnosticId::mesh_without_faces, {name_, 0, 0}, file_.vertex.size(),
-                          file_.face.size());
-      return std::nullopt;
-    }
-    warn();
-    mesh_.vertex = file_.vertex;
-    return std::move(mesh_);
-  }
-
- private:
-  bool is_small_enough(std::size_t f) {
-    const Face& face = file_.face[f];
-    const SourceLocation where{name_, face.line, 0};
-    if (face.corners > kMaxCorners) {
-      diagnostics_.report(DiagnosticId::mesh_face_too_large, where, f + 1, face.corners,
-                          kMaxCorners);
-      return false;
-    }
-    corner_pairs_ += static_cast<double>(face.corners) * static_cast<double>(face.corners);
-    if (corner_pairs_ <= kMaxCornerPairs) return true;
-    diagnostics_.report(DiagnosticId::mesh_too_complex, where, f + 1);
-    return false;
-  }
-
-  void split(std::size_t f) {
-    const std::vector<std::uint32_t> corners = distinct_corners(file_.face[f]);
-    if (corners.size() == 3) {
-      split_triangle(f, corners);
-    } else if (corners.size() < 3 || !split_polygon(f, corners)) {
-      leave_out(f);
-    }
-  }
-
-  // Without corners that repeat the one before them.
-  std::vector<std::uint32_t> distinct_corners(const Face& face) const {
-    std::vector<std::uint32_t> corners;
+std::optional<TriangleMesh> split_faces(ObjFile file, const std::string& name,
+                                        Diagnostics& diagnostics) {
+  MeshBuilder builder(MeshFormat::obj, name, diagnostics);
+  builder.set_vertices(std::move(file.vertex));
+  std::vector<std::uint32_t> corners;
+  for (const Face& face : file.face) {
+    corners.clear();
     for (std::size_t i = 0; i < face.corners; ++i) {
-      const auto corner = static_cast<std::uint32_t>(file_.corner[face.first + i]);
-      if (corners.empty() || file_.vertex[corners.back()] != file_.vertex[corner]) {
-        corners.push_back(corner);
-      }
+      corners.push_back(static_cast<std::uint32_t>(file.corner[face.first + i]));
     }
-    while (corners.size() > 1 && file_.vertex[corners.back()] == file_.vertex[corners.front()]) {
-      corners.pop_back();
-    }
-    return corners;
+    builder.set_material(file.names.names()[face.material]);
+    builder.set_object(file.names.names()[face.object]);
+    if (!builder.add_face(corners, face.line)) return std::nullopt;
   }
-
-  // Needles are kept: only an area of exactly zero is no surface.
-  void split_triangle(std::size_t f, const std::vector<std::uint32_t>& corner) {
-    const glm::dvec3& a = file_.vertex[corner[0]];
-    if (glm::cross(file_.vertex[corner[1]] - a, file_.vertex[corner[2]] - a) == glm::dvec3(0.0)) {
-      leave_out(f);
-    } else {
-      add(f, {corner[0], corner[1], corner[2]});
-    }
-  }
-
-  bool split_polygon(std::size_t f, const std::vector<std::uint32_t>& corners) {
-    std::vector<glm::dvec3> positions;
-    positions.reserve(corners.size());
-    for (const std::uint32_t corner : corners) positions.push_back(file_.vertex[corner]);
-    const std::optional<FlatPolygon> flat = flatten_polygon(positions);
-    if (!flat) return false;
-    const auto triangles = triangulate_polygon(flat->corner);
-    if (!triangles) return false;
-    if (flat->deviation > kPlanarTolerance) count_bent(f, flat->deviation);
-    for (const glm::uvec3& t : *triangles) add(f, {corners[t.x], corners[t.y], corners[t.z]});
-    return true;
-  }
-
-  void add(std::size_t f, const glm::uvec3& triangle) {
-    mesh_.triangle.push_back(triangle);
-    mesh_.material.push_back(file_.material[file_.face[f].material]);
-  }
-
-  void count_bent(std::size_t f, double deviation) {
-    ++bent_;
-    if (deviation <= worst_deviation_) return;
-    worst_deviation_ = deviation;
-    worst_ = f;
-  }
-
-  void leave_out(std::size_t f) {
-    if (left_out_ == 0) first_left_out_ = f;
-    ++left_out_;
-  }
-
-  void warn() const {
-    const std::size_t all = file_.face.size();
-    if (bent_ > 0) {
-      diagnostics_.report(DiagnosticId::mesh_bent_faces, {name_, file_.face[worst_].line, 0}, bent_,
-                          all, worst_ + 1, worst_deviation_);
-    }
-    if (left_out_ > 0) {
-      diagnostics_.report(DiagnosticId::mesh_faces_left_out,
-                          {name_, file_.face[first_left_out_].line, 0}, left_out_, all,
-                          first_left_out_ + 1);
-    }
-  }
-
-  const ObjFile& file_;
-  const std::string& name_;
-  Diagnostics& diagnostics_;
-  ObjMesh mesh_;
-  double corner_pairs_ = 0.0, worst_deviation_ = 0.0;
-  std::size_t bent_ = 0, worst_ = 0, left_out_ = 0, first_left_out_ = 0;
-};
+  return builder.finish();
+}
 
 }  // namespace
 
-std::optional<ObjMesh> parse_obj(std::string_view bytes, const std::string& name,
-                                 Diagnostics& diagnostics) {
+std::optional<TriangleMesh> parse_obj(std::string_view bytes, const std::string& name,
+                                      Diagnostics& diagnostics) {
   if (bytes.find('\0') != std::string_view::npos) {
     diagnostics.report(DiagnosticId::mesh_not_text, {name, 0, 0}, "it has bytes that are not text");
     return std::nullopt;
@@ -335,7 +237,7 @@ std::optional<ObjMesh> parse_obj(std::string_view bytes, const std::string& name
   }
   collector.check_upper_limits();
   if (collector.failed()) return std::nullopt;
-  return FaceSplitter(collector.file(), name, diagnostics).run();
+  return split_faces(collector.take_file(), name, diagnostics);
 }
 
 }  // namespace calc

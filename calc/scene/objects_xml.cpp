@@ -58,6 +58,7 @@ std::vector<Luminaire> read_luminaires(ProjectContext& context, ElementReader& r
   if (name == "luminaire") return read_luminaire(context, reader);
   if (name == "luminaire-grid") return read_luminaire_grid(context, reader);
   if (name == "luminaire-line") return read_luminaire_line(context, reader);
+  if (name == "luminaires") return read_luminaire_list(context, reader);
   return read_luminaire_ring(context, reader);
 }
 
@@ -109,9 +110,9 @@ ObjectSet read_children(ProjectContext& context, const XmlElement& parent, int d
 }  // namespace
 
 const Names& object_names() {
-  static const Names kNames{"box",           "quad",      "polygon",        "mesh",
-                            "assembly",      "luminaire", "luminaire-grid", "luminaire-line",
-                            "luminaire-ring"};
+  static const Names kNames{
+      "box",       "quad",           "polygon",        "mesh",           "assembly",
+      "luminaire", "luminaire-grid", "luminaire-line", "luminaire-ring", "luminaires"};
   return kNames;
 }
 

@@ -32,6 +32,7 @@ class PlaneReader {
   std::optional<std::variant<PlanarArea, PointList>> read() {
     const std::string_view form = find_form();
     if (form.empty()) return std::nullopt;
+    if (around_.is_gbxml && !fits_gbxml_room(form)) return std::nullopt;
     if ((form == "height" || form == "on") && around_.room == nullptr) {
       reader_.report(DiagnosticId::room_only, reader_.where(form), form);
       return std::nullopt;
@@ -49,6 +50,20 @@ class PlaneReader {
   }
 
  private:
+  bool fits_gbxml_room(std::string_view form) {
+    if (form == "on") {
+      reader_.report(DiagnosticId::gbxml_plane, reader_.where(form), form,
+                     "the walls of a gbXML room have no numbers; use 'points'");
+      return false;
+    }
+    if (form == "height" && around_.room == nullptr && around_.room_is_good) {
+      reader_.report(
+          DiagnosticId::gbxml_plane, reader_.where(form), form,
+          "this gbXML room says no outline, and its floor is not one flat polygon; use 'points'");
+    }
+    return form != "height" || around_.room != nullptr;
+  }
+
   // Reports none or several.
   std::string_view find_form() {
     std::string_view found;

@@ -16,6 +16,8 @@ namespace calc {
 // nothing that follows from them is reported again.
 struct PlaneSurroundings {
   const RoomPlan* room = nullptr;  // null in the open space
+  // A room of a gbXML file: `room` is its floor, if that is one flat polygon, and no prism.
+  bool is_gbxml = false;
   bool room_is_good = true;
   bool objects_are_good = true;
   glm::dvec3 origin_m{0.0};                             // of the coordinates in the file

@@ -130,7 +130,8 @@ struct CalcPlane {
 struct Space {
   std::string id;
   std::string name;
-  std::optional<RoomShell> shell;  // empty for the open space
+  std::optional<RoomShell> shell;  // empty for the open space and rooms of a building file
+  std::string surfaces_file;       // of such a room, as the project names it; else ""
   std::vector<Body>
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;

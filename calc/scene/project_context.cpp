@@ -38,10 +38,20 @@ std::size_t IdTable::find(ElementReader& reader, std::string_view attribute,
                           const std::string& id) const {
   if (id.empty()) return 0;
   if (const auto found = entries_.find(id); found != entries_.end()) return found->second.index;
+  report_unknown_reference(reader, attribute, kind_, id, ids());
+  return 0;
+}
+
+std::optional<std::size_t> IdTable::look_up(std::string_view id) const {
+  const auto found = entries_.find(id);
+  if (found == entries_.end()) return std::nullopt;
+  return found->second.index;
+}
+
+Names IdTable::ids() const {
   Names known;
   for (const auto& [name, entry] : entries_) known.push_back(name);
-  report_unknown_reference(reader, attribute, kind_, id, known);
-  return 0;
+  return known;
 }
 
 void report_unknown_reference(ElementReader& reader, std::string_view attribute,

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ class IdTable {
   // The index of the id that the attribute names; reports an unknown one, and then returns 0.
   std::size_t find(ElementReader& reader, std::string_view attribute) const;
   std::size_t find(ElementReader& reader, std::string_view attribute, const std::string& id) const;
+  // For names in other files: empty if the id is unknown; nothing is reported.
+  std::optional<std::size_t> look_up(std::string_view id) const;
+  Names ids() const;
 
  private:
   struct Entry {

@@ -126,13 +126,50 @@ std::optional<std::size_t> ProjectFiles::web(const std::string& path, const WebU
   return entry->second;
 }
 
-const ObjMesh* ProjectFiles::mesh(const std::string& path, const SourceLocation& named_at) {
+const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<MeshFormat> format,
+                                       const SourceLocation& named_at) {
   const std::optional<std::string> key = resolve(path, named_at);
   if (!key) return nullptr;
   const auto [entry, is_new] = meshes_.try_emplace(*key);
   if (is_new) {
+    const std::string folder = key->substr(0, key->rfind('/') + 1);  // "" = the project's
+    const SideFiles side_files = [&](const std::string& name) {
+      return read(folder + name, folder + name, {full_path(*key), 0, 0});
+    };
     if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
-      entry->second = parse_obj(*bytes, full_path(*key), diagnostics_);
+      entry->second = parse_mesh_file(*bytes, full_path(*key), side_files, diagnostics_, format);
+    }
+  }
+  if (!entry->second) return nullptr;
+  if (format && *format != entry->second->format) {  // the file is used twice
+    diagnostics_.report(DiagnosticId::mesh_other_format, named_at, mesh_format_name(*format),
+                        mesh_format_name(entry->second->format));
+    return nullptr;
+  }
+  return &*entry->second;
+}
+
+const GbxmlBuilding* ProjectFiles::building(const std::string& path,
+                                            const SourceLocation& named_at) {
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return nullptr;
+  const auto [entry, is_new] = buildings_.try_emplace(*key);
+  if (is_new) {
+    if (std::optional<std::string> bytes = read(*key, path, named_at)) {
+      entry->second = parse_gbxml(std::move(*bytes), full_path(*key), diagnostics_);
+    }
+  }
+  return entry->second ? &*entry->second : nullptr;
+}
+
+const LuminaireList* ProjectFiles::luminaire_list(const std::string& path,
+                                                  const SourceLocation& named_at) {
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return nullptr;
+  const auto [entry, is_new] = luminaire_lists_.try_emplace(*key);
+  if (is_new) {
+    if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
+      entry->second = parse_luminaire_list(*bytes, full_path(*key), diagnostics_);
     }
   }
   return entry->second ? &*entry->second : nullptr;

@@ -6,7 +6,9 @@
 #include "calc/file_reader.h"
 #include "calc/photometry/photometry_options.h"
 #include "calc/photometry/web.h"
-#include "calc/scene/mesh_obj.h"
+#include "calc/scene/gbxml.h"
+#include "calc/scene/luminaire_list_csv.h"
+#include "calc/scene/mesh_file.h"
 #include "calc/scene/project.h"
 
 #include <cstddef>
@@ -44,8 +46,13 @@ class ProjectFiles {
   std::optional<std::size_t> web(const std::string& path, const WebUse& use,
                                  const SourceLocation& named_at,
                                  const PhotometryOptions& options = {});
-  // Null on errors; stays valid as long as this object.
-  const ObjMesh* mesh(const std::string& path, const SourceLocation& named_at);
+  // Null on errors; stays valid as long as this object. format: if given, other files are errors.
+  const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
+                           const SourceLocation& named_at);
+  // A gbXML file; null on errors, stays valid as long as this object.
+  const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
+  // A CSV file of luminaires; null on errors, stays valid as long as this object.
+  const LuminaireList* luminaire_list(const std::string& path, const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
   const std::optional<PointList>& point_list(const std::string& path,
                                              const SourceLocation& named_at);
@@ -68,7 +75,9 @@ class ProjectFiles {
   Diagnostics& diagnostics_;
   std::map<FileLight, std::optional<PhotometricWeb>> photometry_;
   std::map<std::tuple<FileLight, bool, bool>, std::optional<std::size_t>> webs_;
-  std::map<std::string, std::optional<ObjMesh>> meshes_;
+  std::map<std::string, std::optional<TriangleMesh>> meshes_;
+  std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
+  std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
   std::map<std::string, std::optional<PointList>> point_lists_;
   std::set<std::string> recorded_;
 };

@@ -170,12 +170,14 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
     has_plane = has_plane || !space.planes.empty();
     if (!space.planes.empty() && space.luminaires.empty()) {
       diagnostics.report(DiagnosticId::space_without_luminaires, space.where,
-                         space.shell ? "room '" + space.id + "'" : std::string("the open space"));
+                         space.shell || !space.surfaces_file.empty()
+                             ? "room '" + space.id + "'"
+                             : std::string("the open space"));
     }
     if (space.shell) {
       warn_luminaires_outside(space, diagnostics);
       warn_objects_outside(space, diagnostics);
-    } else {
+    } else if (space.surfaces_file.empty()) {
       for (const Space& room : project.spaces) {
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
       }

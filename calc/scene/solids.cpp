@@ -16,23 +16,6 @@ namespace {
 
 constexpr double kSurfaceTolerance = 1.0e-9;  // of the bounding box's diagonal
 
-// Number of each vertex's position: the lowest index that has the same one.
-std::vector<std::uint32_t> weld(const std::vector<glm::dvec3>& vertex) {
-  std::vector<std::uint32_t> order(vertex.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-  const auto key = [&](std::uint32_t i) {
-    return std::make_tuple(vertex[i].x, vertex[i].y, vertex[i].z, i);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  std::vector<std::uint32_t> welded(vertex.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && vertex[order[i]] == vertex[order[i - 1]];
-    welded[order[i]] = same ? welded[order[i - 1]] : order[i];
-  }
-  return welded;
-}
-
 glm::dvec3 nearest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 along = b - a;
   const double length2 = glm::dot(along, along);
@@ -143,8 +126,24 @@ BoundingBox bounding_box(const std::vector<glm::dvec3>& points) {
   return box;
 }
 
+std::vector<std::uint32_t> weld_vertices(const std::vector<glm::dvec3>& vertex) {
+  std::vector<std::uint32_t> order(vertex.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+  const auto key = [&](std::uint32_t i) {
+    return std::make_tuple(vertex[i].x, vertex[i].y, vertex[i].z, i);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<std::uint32_t> welded(vertex.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && vertex[order[i]] == vertex[order[i - 1]];
+    welded[order[i]] = same ? welded[order[i - 1]] : order[i];
+  }
+  return welded;
+}
+
 bool is_watertight(const Body& body) {
-  const std::vector<std::uint32_t> welded = weld(body.vertex_m);
+  const std::vector<std::uint32_t> welded = weld_vertices(body.vertex_m);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(3 * body.triangle.size());
   for (const glm::uvec3& triangle : body.triangle) {

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct BoundingBox {
 };
 
 BoundingBox bounding_box(const std::vector<glm::dvec3>& points);
+
+// Number of each vertex's position: the lowest index that has exactly the same one.
+std::vector<std::uint32_t> weld_vertices(const std::vector<glm::dvec3>& vertex);
 
 // True when the even-odd rule gives every point off the surface one answer, whatever the ray: each
 // edge belongs to an even number of triangles, corners at exactly the same position counting as one

@@ -1,5 +1,6 @@
 #include "calc/scene/spaces_xml.h"
 
+#include "calc/scene/gbxml_space.h"
 #include "calc/scene/objects_xml.h"
 #include "calc/scene/planes_xml.h"
 #include "calc/scene/polygon.h"
@@ -111,13 +112,30 @@ void read_planes(ProjectContext& context, const XmlElement& parent,
   }
 }
 
-void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
-  reader.allow_attributes({"id", "name", "origin", "size", "footprint", "height", "ceiling",
-                           "walls", "floor", "wall-materials"});
+void allow_room_contents(ElementReader& reader, bool is_gbxml) {
   Names children = object_names();
   children.push_back("plane");
+  if (is_gbxml) {
+    children.push_back("map");
+    reader.allow_attributes({"id", "name", "file", "space", "material"});
+  } else {
+    reader.allow_attributes({"id", "name", "origin", "size", "footprint", "height", "ceiling",
+                             "walls", "floor", "wall-materials"});
+  }
   reader.allow_children(children);
+}
 
+void read_prism(ProjectContext& context, ElementReader& reader, Space& space, RoomPlan& plan) {
+  plan = read_plan(context, reader);
+  const ShellMaterials materials = read_shell_materials(context, reader, plan.corners_m.size());
+  if (!reader.ok()) return;
+  space.shell = plan.shell();
+  space.bodies = make_shell_bodies(plan, materials, space.id, space.where);
+}
+
+void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
+  const bool is_gbxml = reader.has("file");
+  allow_room_contents(reader, is_gbxml);
   Space space;
   space.id = reader.id();
   space.name = reader.text_or("name", "");
@@ -126,18 +144,21 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
   if (space.id == kOpenSpaceId) {
     reader.report(DiagnosticId::reserved_id, reader.where("id"), space.id);
   }
-  const RoomPlan plan = read_plan(context, reader);
-  const ShellMaterials materials = read_shell_materials(context, reader, plan.corners_m.size());
-  PlaneSurroundings surroundings;
-  surroundings.room = &plan;
-  surroundings.room_is_good = reader.ok();
-  if (reader.ok()) {
-    space.shell = plan.shell();
-    space.bodies = make_shell_bodies(plan, materials, space.id, space.where);
+  RoomPlan plan;
+  if (is_gbxml) {
+    read_gbxml_surfaces(context, reader, space, plan);
+  } else {
+    read_prism(context, reader, space, plan);
   }
+  PlaneSurroundings surroundings;
+  surroundings.is_gbxml = is_gbxml;
+  if (!is_gbxml || !plan.corners_m.empty()) surroundings.room = &plan;
+  surroundings.room_is_good = reader.ok();
   ObjectSet objects = read_objects(context, reader.element());
   surroundings.objects_are_good = reader.ok();
-  add_objects(context, std::move(objects), plan.origin_m, space, surroundings);
+  // Objects in a gbXML room are in the building's coordinates.
+  add_objects(context, std::move(objects), is_gbxml ? glm::dvec3(0.0) : plan.origin_m, space,
+              surroundings);
   if (reader.ok()) check_body_ids(space, context.diagnostics);
   read_planes(context, reader.element(), surroundings, space);
   context.project.spaces.push_back(std::move(space));

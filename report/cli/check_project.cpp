@@ -127,7 +127,13 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
 void warn_about_lost_light(const calc::Space& space, const calc::FluxBalance& balance,
                            calc::Diagnostics& diagnostics) {
   constexpr double kNegligibleShare = 1e-3;
-  if (!space.shell || !(balance.escaped_lm.value > kNegligibleShare * balance.emitted_lm)) return;
+  if (!(balance.escaped_lm.value > kNegligibleShare * balance.emitted_lm)) return;
+  if (!space.surfaces_file.empty()) {
+    diagnostics.report(calc::DiagnosticId::gbxml_room_leaks, space.where,
+                       100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id,
+                       space.surfaces_file);
+  }
+  if (!space.shell) return;
   diagnostics.report(calc::DiagnosticId::light_leaves_room, space.where,
                      100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id);
 }

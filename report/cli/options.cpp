@@ -168,6 +168,22 @@ void add_photometry(CLI::App& app, Options& options) {
       "another error. A bad file does not keep the others from being shown.");
 }
 
+void add_geometry(CLI::App& app, Options& options) {
+  app.add_option("files", options.geometry_files,
+                 "Mesh files (OBJ, glTF, GLB, STL, PLY), gbXML files or projects")
+      ->required()
+      ->type_name("FILE");
+  add_value(
+      app, "--units", "UNIT", "Unit of OBJ, STL and PLY files: m, cm, mm, in or ft",
+      choice<std::string>(options.mesh_units,
+                          {{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}}));
+  add_value(app, "--up", "AXIS", "Vertical axis of OBJ, STL and PLY files: z or y",
+            choice<std::string>(options.mesh_up, {{"z", "z"}, {"y", "y"}}));
+  app.add_flag("--json", options.geometry_as_json, "As JSON");
+  app.add_flag("--strict", options.strict, "Exit with 1 if there is a warning");
+  app.footer("Exit codes: 0 readable, 1 warnings with --strict, 2 at least one error.");
+}
+
 // What can only be seen with all options together; "" = nothing is wrong.
 std::string contradiction(const Options& options) {
   if (options.command == Command::photometry) return photometry_contradiction(options.photometry);
@@ -273,6 +289,9 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
     command->add_flag("-q,--quiet", options.quiet,
                       "Print errors and what an option asks for, nothing else");
   }
+  CLI::App& geometry = *app.add_subcommand(
+      "geometry", "Say what is in mesh files and projects, and whether rooms are closed");
+  add_geometry(geometry, options);
   CLI::App& schema = *app.add_subcommand("schema", "Print the XML schema of project files");
   CLI::App& init = *app.add_subcommand("init", "Write a small project that runs and passes");
   init.add_option("folder", options.init_folder, "Where; made if needed. Existing files are kept")
@@ -291,6 +310,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (plan.parsed()) options.command = Command::plan;
   if (validate.parsed()) options.command = Command::validate;
   if (photometry.parsed()) options.command = Command::photometry;
+  if (geometry.parsed()) options.command = Command::geometry;
   if (schema.parsed()) options.command = Command::schema;
   if (init.parsed()) options.command = Command::init;
   if (version.parsed()) options.command = Command::version;

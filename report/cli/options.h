@@ -10,7 +10,7 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, photometry, schema, init, version };
+enum class Command { check, plan, validate, photometry, geometry, schema, init, version };
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
 enum class Backend { cpu, gpu };
@@ -53,6 +53,10 @@ struct Options {
 
   bool plan_as_json = false;
   PhotometryOptions photometry;
+  std::vector<std::string> geometry_files;
+  std::string mesh_units, mesh_up;  // of mesh files that do not say; "" = not given
+  bool geometry_as_json = false;
+  bool strict = false;  // warnings of 'geometry' count
   std::string init_folder = ".";
   bool version_as_json = false;
 };

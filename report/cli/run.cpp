@@ -3,6 +3,7 @@
 #include "calc/scene/project_xml.h"
 #include "gpu/gl_gatherer.h"
 #include "report/cli/check_project.h"
+#include "report/cli/geometry.h"
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/outputs.h"
@@ -222,6 +223,22 @@ ExitCode run_validate(const Options& options) {
   return code;
 }
 
+ExitCode run_geometry(const Options& options) {
+  const calc::DiskFileReader files;
+  std::vector<GeometryReport> reports;
+  ExitCode code = kAllMet;
+  for (const std::string& path : options.geometry_files) {
+    reports.push_back(examine_geometry(path, files, options));
+    const GeometryReport& report = reports.back();
+    print_diagnostics(report.diagnostics, false);
+    if (!report.is_readable()) code = kNotJudged;
+    if (code == kAllMet && options.strict && !report.diagnostics.empty()) code = kNotMet;
+  }
+  const std::string text =
+      options.geometry_as_json ? render_geometry_json(reports) : render_geometry_text(reports);
+  return print_result(text) ? code : kNotJudged;
+}
+
 ExitCode run_init(const Options& options) {
   const InitResult result = write_starter_project(options.init_folder);
   if (!result.error.empty()) {
@@ -255,6 +272,8 @@ ExitCode run(const Options& options, const Environment& environment) {
       return run_validate(options);
     case Command::photometry:
       return run_photometry(options, environment);
+    case Command::geometry:
+      return run_geometry(options);
     case Command::schema:
       return print_or_fail(std::string(calc::project_schema()));
     case Command::init:

@@ -15,6 +15,7 @@ set(owned_libraries
   "embree3/|calc/radiosity/rays\\."
   "CLI/|report/cli/options\\.cpp"
   "tiny_obj_loader|calc/scene/mesh_obj"
+  "tiny_gltf|calc/scene/mesh_gltf"
   "png\\.h|report/"
   "OpenEXR/|report/")
 

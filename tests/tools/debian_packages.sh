@@ -4,7 +4,8 @@
 luxgate_build_packages=(
   cmake ninja-build g++
   libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev
-  nlohmann-json3-dev libpng-dev libtinyobjloader-dev libssl-dev libzip-dev libegl-dev libepoxy-dev
+  nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
+  libepoxy-dev
 )
 luxgate_test_packages=(libgtest-dev libgmock-dev libxml2-utils)
 

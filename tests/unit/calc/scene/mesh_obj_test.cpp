@@ -15,7 +15,7 @@ namespace calc {
 namespace {
 
 struct Parsed {
-  std::optional<ObjMesh> mesh;
+  std::optional<TriangleMesh> mesh;
   std::vector<std::string> messages;
 };
 
@@ -28,7 +28,14 @@ Parsed parse(std::string_view text) {
   return parsed;
 }
 
-double area(const ObjMesh& mesh) {
+// Per triangle.
+std::vector<std::string> materials(const TriangleMesh& mesh) {
+  std::vector<std::string> names;
+  for (const std::uint32_t name : mesh.material_of) names.push_back(mesh.material_name[name]);
+  return names;
+}
+
+double area(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const glm::uvec3& t : mesh.triangle) {
     sum += 0.5 * glm::length(glm::cross(mesh.vertex[t.y] - mesh.vertex[t.x],
@@ -71,15 +78,23 @@ TEST(ObjMesh, MaterialNamesNeedNoMaterialFile) {
   const Parsed parsed = parse(kThree + "f 1 2 3\nusemtl oak\nf 1 2 3\no top\nf 3 2 1\n" +
                               "mtllib missing.mtl\nusemtl white paint \nf 1 2 3\n");
   ASSERT_TRUE(parsed.mesh);
-  EXPECT_EQ(parsed.mesh->material, (std::vector<std::string>{"", "oak", "oak", "white paint"}));
+  EXPECT_EQ(materials(*parsed.mesh), (std::vector<std::string>{"", "oak", "oak", "white paint"}));
   EXPECT_TRUE(parsed.messages.empty());
+}
+
+TEST(ObjMesh, ObjectsAreNamedByTheLastObjectOrGroupStatement) {
+  const Parsed parsed =
+      parse(kThree + "f 1 2 3\no desk \nf 1 2 3\ng left leg\nf 3 2 1\no desk\n" + "f 1 2 3\n");
+  ASSERT_TRUE(parsed.mesh);
+  EXPECT_EQ(parsed.mesh->object_name, (std::vector<std::string>{"", "desk", "left leg"}));
+  EXPECT_EQ(parsed.mesh->object_of, (std::vector<std::uint32_t>{0, 1, 2, 1}));
 }
 
 TEST(ObjMesh, EachTriangleOfAFaceHasItsMaterial) {
   const Parsed parsed =
       parse("usemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nusemtl b\nf 1 2 3\n");
   ASSERT_TRUE(parsed.mesh);
-  EXPECT_EQ(parsed.mesh->material, (std::vector<std::string>{"a", "a", "b"}));
+  EXPECT_EQ(materials(*parsed.mesh), (std::vector<std::string>{"a", "a", "b"}));
 }
 
 TEST(ObjMesh, ConcaveFacesKeepTheirArea) {

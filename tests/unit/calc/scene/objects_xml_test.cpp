@@ -81,27 +81,51 @@ TEST(ObjectsXml, MeshIsScaledTurnedUprightAndPlaced) {
   expect_near(space.bodies.at(0).vertex_m.at(2), {5, 6 + 0.6096, 7 + 0.6096});
 }
 
-TEST(ObjectsXml, MeshUsesTheUnitOfTheProjectIfItHasNone) {
+TEST(ObjectsXml, MeshHasItsOwnUnitInAnyProject) {
   const Loaded loaded = load(
       "<luxgate version='1' units='cm'><material id='w' reflectance='0.5'/>"
-      "<mesh id='m' file='table.obj' material='w' position='100 0 0'/></luxgate>");
+      "<mesh id='m' file='table.obj' units='m' up='z' material='w' position='100 0 0'/></luxgate>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
-  expect_near(loaded.project->spaces.at(0).bodies.at(0).vertex_m.at(1), {1.01, 0, 0});
+  expect_near(loaded.project->spaces.at(0).bodies.at(0).vertex_m.at(1), {2, 0, 0});
+}
+
+TEST(ObjectsXml, GltfIsInMetresWithYUpAndRecordsItsBuffers) {
+  MemoryFileReader files = project_files(
+      in_project("<material id='g' reflectance='0.3'/>"
+                 "<mesh id='m' file='sub/tile.gltf'><map name='grey' material='g'/></mesh>"));
+  files.add("dir/sub/tile.gltf", kSquareGltf);
+  files.add("dir/sub/tile.bin", square_bytes());
+  const Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const Body& body = loaded.project->spaces.at(0).bodies.at(0);
+  expect_near(body.vertex_m.at(2), {2, 0, 2});
+  EXPECT_EQ(body.material_of, (std::vector<std::uint32_t>{1, 1}));
+  EXPECT_EQ(loaded.project->inputs.back().path, "sub/tile.bin");
+}
+
+TEST(ObjectsXml, StlMaterialIsCalledDefault) {
+  MemoryFileReader files =
+      project_files(in_project("<mesh id='m' file='t.stl' format='stl' units='mm' up='z'>"
+                               "<map name='default' material='white'/></mesh>"));
+  files.add("dir/t.stl", square_stl_binary());
+  const Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  expect_near(loaded.project->spaces.at(0).bodies.at(0).vertex_m.at(2), {0.002, 0.002, 0});
 }
 
 TEST(ObjectsXml, MeshMaterialsComeFromMapsAndTheDefault) {
   const Space space = space_with(
       "<material id='oak' reflectance='0.3'/>"
-      "<mesh id='m' file='table.obj' material='white'>"
+      "<mesh id='m' file='table.obj' units='m' up='z' material='white'>"
       "<map name='wood' material='oak'/></mesh>");
   EXPECT_EQ(space.bodies.at(0).material_of, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_FALSE(space.bodies[0].is_closed);
 }
 
 TEST(ObjectsXml, ReadsEachMeshFileOnce) {
-  const MemoryFileReader files =
-      project_files(in_project("<mesh id='m' file='table.obj' material='white'/>"
-                               "<mesh id='n' file='x/../table.obj' material='white'/>"));
+  const MemoryFileReader files = project_files(
+      in_project("<mesh id='m' file='table.obj' units='m' up='z' material='white'/>"
+                 "<mesh id='n' file='x/../table.obj' units='m' up='z' material='white'/>"));
   const Loaded loaded = load(files);
   EXPECT_TRUE(loaded.project) << loaded.messages;
   EXPECT_EQ(files.reads("dir/table.obj"), 1);

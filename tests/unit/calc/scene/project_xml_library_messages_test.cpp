@@ -14,7 +14,8 @@ const std::vector<MessageCase> kCases{
     {"UnknownElement", in_project(R"(<rooom id="r"/>)"),
      "dir/p.xml:4:1: error[unknown-element]: unknown element <rooom> in <luxgate>; allowed: "
      "material, luminaire-type, scene, room, plane, box, quad, polygon, mesh, assembly, luminaire, "
-     "luminaire-grid, luminaire-line or luminaire-ring; did you mean 'room'?"},
+     "luminaire-grid, luminaire-line, luminaire-ring or "
+     "luminaires; did you mean 'room'?"},
     {"UnknownAttribute", in_project(R"(<material id="dark" reflectance="0.1"
   reflectence="0.2"/>)"),
      "dir/p.xml:5:3: error[unknown-attribute]: unknown attribute 'reflectence' of <material>; "

@@ -95,24 +95,40 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:17: error[not-simple-polygon]: attribute 'points' of <polygon>: the corners must "
      "lie in one plane and span an area, sides must not cross or touch, and the first corner is "
      "not repeated at the end"},
-    {"UnmappedMeshMaterials", in_room(R"(<mesh id="m" file="table.obj"/>)"),
-     "dir/p.xml:5:1: error[unmapped-mesh-materials]: mesh 'm': no material for faces without "
-     "usemtl, usemtl 'wood'; add <map name=\"...\" material=\"...\"/> for each, or the attribute "
+    {"UnmappedMeshMaterials", in_room(R"(<mesh id="m" file="table.obj" units="m" up="z"/>)"),
+     "dir/p.xml:5:1: error[unmapped-mesh-materials]: mesh 'm': no material for faces without a "
+     "material, 'wood'; add <map name=\"...\" material=\"...\"/> for each, or the attribute "
      "'material' for all that are not mapped"},
     {"UnknownMapName",
      in_room(
-         R"(<mesh id="m" file="table.obj" material="white"><map name="wod" material="white"/></mesh>)"),
-     "dir/p.xml:5:53: error[unknown-reference]: attribute 'name' of <map>: there is no usemtl "
-     "'wod'; defined: wood; did you mean 'wood'?"},
-    {"UnknownUpAxis", in_room(R"(<mesh id="m" file="table.obj" material="white" up="x"/>)"),
+         R"(<mesh id="m" file="table.obj" units="m" up="z" material="white"><map name="wod" material="white"/></mesh>)"),
+     "dir/p.xml:5:70: error[unknown-reference]: attribute 'name' of <map>: there is no material of "
+     "the mesh 'wod'; defined: wood; did you mean 'wood'?"},
+    {"UnknownUpAxis",
+     in_room(R"(<mesh id="m" file="table.obj" material="white" up="x" units="m"/>)"),
      "dir/p.xml:5:48: error[unknown-value]: attribute 'up' of <mesh>: unknown value 'x'; allowed: "
      "z or y"},
+    {"MeshWithoutUnits", in_room(R"(<mesh id="m" file="table.obj" material="white" up="z"/>)"),
+     "dir/p.xml:5:1: error[missing-attribute]: <mesh> needs the attribute 'units'"},
+    {"MeshWithoutUp", in_room(R"(<mesh id="m" file="table.obj" material="white" units="m"/>)"),
+     "dir/p.xml:5:1: error[missing-attribute]: <mesh> needs the attribute 'up'"},
+    {"GltfInMillimetres",
+     in_room(R"(<mesh id="m" file="tile.gltf" material="white" units="mm" up="y"/>)"),
+     "dir/p.xml:5:48: error[mesh-units-fixed]: attribute 'units' of <mesh>: a gltf file is always "
+     "in metres with y up; leave the attribute out or write 'm'"},
+    {"GltfWithZUp", in_room(R"(<mesh id="m" file="tile.gltf" material="white" up="z"/>)"),
+     "dir/p.xml:5:48: error[mesh-units-fixed]: attribute 'up' of <mesh>: a gltf file is always in "
+     "metres with y up; leave the attribute out or write 'y'"},
+    {"MeshOfAnotherFormat",
+     in_room(R"(<mesh id="m" file="table.obj" format="stl" units="m" up="z" material="white"/>)"),
+     "dir/table.obj: error[mesh-other-format]: the format is given as stl, but the file is obj"},
     {"AbsentMesh", in_room(R"(<mesh id="m" file="chair.obj" material="white"/>)"),
      "dir/p.xml:5:14: error[file-not-readable]: cannot read 'dir/chair.obj': No such file or "
      "directory"},
     {"PlaneInAssembly", in_room(R"(<assembly id="a"><plane id="p" height="1"/></assembly>)"),
      "dir/p.xml:5:18: error[unknown-element]: unknown element <plane> in <assembly>; allowed: box, "
-     "quad, polygon, mesh, assembly, luminaire, luminaire-grid, luminaire-line or luminaire-ring"},
+     "quad, polygon, mesh, assembly, luminaire, luminaire-grid, luminaire-line, luminaire-ring or "
+     "luminaires"},
     {"AxisAndAim",
      in_room(R"(<luminaire id="k" type="spot" position="1 1 1" axis="0 0 -1" aim="0 0 0"/>)"),
      "dir/p.xml:5:62: error[exclusive-attributes]: <luminaire> has both 'axis' and 'aim'; give "

@@ -3,8 +3,10 @@
 
 #include "calc/diagnostics.h"
 #include "calc/scene/project_xml.h"
+#include "tests/support/gbxml_samples.h"
 #include "tests/support/gldf_samples.h"
 #include "tests/support/memory_file_reader.h"
+#include "tests/support/mesh_samples.h"
 #include "tests/support/tm33_samples.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +65,8 @@ inline MemoryFileReader project_files(const std::string& xml) {
                            {"dir/two.xml", two_emitters_tm33()},
                            {"dir/two.gldf", two_variants_gldf()},
                            {"dir/table.obj", kTableObj},
+                           {"dir/house.xml", two_rooms()},
+                           {"dir/plan.csv", "name,type,x_m,y_m,z_m\nA1,spot,1,1,2.5\n"},
                            {"dir/points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"}});
 }
 
@@ -101,6 +105,8 @@ inline std::string in_room(const std::string& lines) {
 inline MemoryFileReader files_for_messages(const std::string& xml) {
   MemoryFileReader files = project_files(xml);
   files.add("dir/broken.ies", "hello");
+  files.add("dir/tile.gltf", kSquareGltf);
+  files.add("dir/tile.bin", square_bytes());
   files.add("dir/bad.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,1\n1,2,3,0,0\n1,2,x,0,0,1\n");
   files.add("dir/zero.csv", "x,y,z,nx,ny,nz\n1,2,3,0,0,0\n");
   files.add("dir/head.csv", "x;y;z\n");

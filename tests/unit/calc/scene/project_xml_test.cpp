@@ -123,8 +123,8 @@ TEST(ProjectXml, OpeningPointDropsTheOpeningButNotTheLight) {
 
 TEST(ProjectXml, RecordsEveryFileOnceWithItsHash) {
   const std::string xml = in_room(
-      "<mesh id='m' file='table.obj' material='white'/>"
-      "<mesh id='n' file='table.obj' position='1 1 0' material='white'/>"
+      "<mesh id='m' file='table.obj' units='m' up='z' material='white'/>"
+      "<mesh id='n' file='table.obj' units='m' up='z' position='1 1 0' material='white'/>"
       "<plane id='p' file='points.csv'/>");
   const Loaded loaded = load(xml);
   ASSERT_TRUE(loaded.project) << loaded.messages;

@@ -95,6 +95,18 @@ TEST(Options, RefusesNumbersThatCannotBeMeant) {
   expect_usage_error({"check", "a.xml", "--jobs", "0"}, "from 1 to");
 }
 
+TEST(Options, GeometryTakesFilesUnitsAndAxis) {
+  const cli::Options options =
+      parsed({"geometry", "a.obj", "b.glb", "--units", "mm", "--up", "y", "--strict", "--json"});
+  EXPECT_EQ(options.command, cli::Command::geometry);
+  EXPECT_EQ(options.geometry_files, (std::vector<std::string>{"a.obj", "b.glb"}));
+  EXPECT_EQ(options.mesh_units, "mm");
+  EXPECT_EQ(options.mesh_up, "y");
+  EXPECT_TRUE(options.strict && options.geometry_as_json);
+  expect_usage_error({"geometry"}, "files");
+  expect_usage_error({"geometry", "a.obj", "--units", "yd"}, "yd");
+}
+
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
   expect_usage_error({}, "no command: check, plan, validate,");
   expect_usage_error({"check"}, "projects");

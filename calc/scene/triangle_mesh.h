@@ -1,0 +1,44 @@
+#pragma once
+// What every reader of mesh files gives.
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+enum class MeshFormat { obj, gltf, stl, ply };
+
+// As in projects and messages: "obj", "gltf", "stl", "ply"; indexed by MeshFormat.
+const std::vector<std::string_view>& mesh_format_names();
+std::string_view mesh_format_name(MeshFormat format);
+
+// glTF is in metres with y up by its standard; the other formats do not say.
+constexpr bool has_fixed_units(MeshFormat format) { return format == MeshFormat::gltf; }
+
+// In the file's own units and axes; glTF with the transforms of its nodes applied. All coordinates
+// are finite and at most kMaxMeshCoordinate; no triangle has an area of exactly zero.
+struct TriangleMesh {
+  MeshFormat format = MeshFormat::obj;
+  std::vector<glm::dvec3> vertex;
+  std::vector<glm::uvec3> triangle;
+  // Per triangle, indices into the names, each of which has a triangle.
+  std::vector<std::uint32_t> material_of, object_of;
+  std::vector<std::string> material_name;  // "" = the file names none
+  std::vector<std::string> object_name;    // "" = the file names none
+  std::size_t faces = 0;                   // of the file, before they were split
+  std::size_t faces_left_out = 0;          // of them, without area or with crossing sides
+};
+
+inline constexpr double kMaxMeshCoordinate = 1.0e12;  // areas stay far from overflow
+inline constexpr std::size_t kMaxMeshTriangles = 10'000'000;
+inline constexpr std::size_t kMaxMeshVertices = 30'000'000;
+
+// STL and PLY name no material: their faces have this one.
+inline constexpr std::string_view kDefaultMeshMaterial = "default";
+
+}  // namespace calc
