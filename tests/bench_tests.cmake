@@ -10,6 +10,7 @@ add_executable(bench_core
   bench/coverage.cpp
   bench/measure.cpp
   bench/near.cpp
+  bench/openings.cpp
   bench/path_tracing.cpp
   bench/photometry.cpp
   bench/project_file.cpp

@@ -23,9 +23,15 @@ struct ProfilePoint {
 std::vector<ProfilePoint> half_profile(const PhotometricWeb& web, double c_rad,
                                        const std::vector<double>& gamma_rad) {
   std::vector<ProfilePoint> points;
-  if (gamma_rad.front() > 0.0) points.insert(points.end(), {{0.0, 0.0}, {gamma_rad.front(), 0.0}});
+  if (gamma_rad.front() > 0.0) {
+    points.push_back({0.0, 0.0});
+    points.push_back({gamma_rad.front(), 0.0});
+  }
   for (const double gamma : gamma_rad) points.push_back({gamma, web.intensity_cd(c_rad, gamma)});
-  if (gamma_rad.back() < kPi) points.insert(points.end(), {{gamma_rad.back(), 0.0}, {kPi, 0.0}});
+  if (gamma_rad.back() < kPi) {
+    points.push_back({gamma_rad.back(), 0.0});
+    points.push_back({kPi, 0.0});
+  }
   return points;
 }
 
@@ -35,8 +41,7 @@ std::vector<ProfilePoint> full_profile(const PhotometricWeb& web, double c_rad) 
   std::vector<ProfilePoint> points = half_profile(web, c_rad + kPi, gamma_rad);
   std::reverse(points.begin(), points.end());
   for (ProfilePoint& point : points) point.angle_rad = -point.angle_rad;
-  const std::vector<ProfilePoint> right = half_profile(web, c_rad, gamma_rad);
-  points.insert(points.end(), right.begin(), right.end());
+  for (const ProfilePoint& point : half_profile(web, c_rad, gamma_rad)) points.push_back(point);
   return points;
 }
 

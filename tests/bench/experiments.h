@@ -8,6 +8,7 @@ namespace bench {
 void run_converge(const Options& options);
 void run_accuracy(const Options& options);
 void run_near(const Options& options);
+void run_openings(const Options& options);
 void run_stiff(const Options& options);
 void run_coverage(const Options& options);
 void run_scaling(const Options& options);
