@@ -173,6 +173,8 @@ class EulumdatReader {
       diagnostics_.report(DiagnosticId::photometry_no_power, lines_.here());
     set_flux_lm_ = flux_lm;
     source_.rated_lamp_flux_lm = lamps < 0.0 ? 0.0 : flux_lm;
+    source_.stated_flux_lm =
+        lamps < 0.0 ? flux_lm : std::max(0.0, 0.01 * output_ratio_percent_ * flux_lm);
     source_.applied_factors = fmt::format("LDT conversion {} x {} lm / 1000", conversion_, flux_lm);
     return true;
   }

@@ -88,6 +88,7 @@ TEST(Eulumdat, IntensityIsTableTimesConversionTimesSetFlux) {
   };
   sample.output_ratio = "94.2";
   const PhotometricWeb web = read(sample);
+  EXPECT_NEAR(web.source().stated_flux_lm, 0.942 * 3000.0, 1e-9);
   EXPECT_NEAR(at(web, 0, 0), 900.0, 1e-10);  // not times the number of lamps
   EXPECT_EQ(web.source().applied_factors, "LDT conversion 1.5 x 3000 lm / 1000");
 }
@@ -98,6 +99,7 @@ TEST(Eulumdat, NegativeLampCountMarksAbsolutePhotometry) {
   sample.lamp_set_lines[2] = "4321";
   const PhotometricWeb web = read(sample);
   EXPECT_EQ(web.source().rated_lamp_flux_lm, 0.0);
+  EXPECT_EQ(web.source().stated_flux_lm, 4321.0);
   EXPECT_NEAR(at(web, 0, 0), 4321.0 / kPi, 1e-9);
 }
 
