@@ -206,7 +206,13 @@ class EulumdatReader {
   }
 
   bool read_angles() {
-    // Read one by one: memory grows with the lines present, never with a count.
+    const auto angles =
+        static_cast<std::size_t>(plane_count_) + static_cast<std::size_t>(gamma_count_);
+    if (const std::size_t present = lines_.count_remaining(); angles > present) {
+      diagnostics_.report(DiagnosticId::photometry_count, lines_.here(), "the C and gamma angles",
+                          angles, present);
+      return false;
+    }
     return read_angle_list(plane_count_, 360.0, "C", all_c_deg_) &&
            read_angle_list(gamma_count_, 180.0, "gamma", table_.gamma_deg);
   }

@@ -34,9 +34,9 @@ std::optional<PhotometricWeb> tabulated_over_c_gamma(const PhotometricWeb& web,
                                                      const std::string& name,
                                                      Diagnostics& diagnostics);
 
-// web: tabulated over C and gamma. lowest_gamma: where the format wants tables to begin; they end at 90 or 180. A table that is dark
-// at an end is led on to such an angle with zeros; one that is cut off in the light is kept as it
-// is, with a warning. format, name: the target, for messages.
+// web: tabulated over C and gamma. lowest_gamma: where the format wants tables to begin; they end
+// at 90 or 180. A table that is dark at an end is led on to such an angle with zeros; one that is
+// cut off in the light is kept as it is, with a warning. format, name: the target, for messages.
 enum class LowestGamma { zero, zero_or_90 };
 StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
                               std::string_view format, const std::string& name,

@@ -12,6 +12,7 @@ namespace calc {
 namespace {
 
 constexpr double kSameEnough = 0.005;  // of the maximum
+constexpr double kDark = 1.0e-12;      // of the maximum: rounding of cosines
 
 struct Steps {
   int per_quarter_of_c, per_quarter_of_gamma;
@@ -39,7 +40,7 @@ std::optional<PhotometricWeb> sampled(const PhotometricWeb& web, const Steps& st
   for (std::size_t p = 0; p + 1 < c_rad.size(); ++p) {
     for (std::size_t g = 0; g < columns; ++g) {
       table.push_back(web.intensity_cd(c_rad[p], gamma_rad[g]));
-      if (table.back() > 0.0) lit = std::max(lit, g + 1);
+      if (table.back() > kDark * web.max_intensity_cd()) lit = std::max(lit, g + 1);
     }
   }
   table.insert(table.end(), table.begin(), table.begin() + static_cast<std::ptrdiff_t>(columns));

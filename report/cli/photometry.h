@@ -4,8 +4,8 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
-#include "calc/photometry/web.h"
 #include "calc/photometry/photometry_options.h"
+#include "calc/photometry/web.h"
 #include "calc/photometry/web_compare.h"
 #include "calc/photometry/web_hermite.h"
 #include "calc/photometry/web_measures.h"
@@ -44,8 +44,8 @@ struct PhotometryFile {
 
   std::size_t count(calc::Severity severity) const;
 };
-// Reads, measures, and warns of an LM-63 opening that lies across H 0. choice: which light of a file
-// with several; its read_companion is set here: files of the same folder.
+// Reads, measures, and warns of an LM-63 opening that lies across H 0. choice: which light of a
+// file with several; its read_companion is set here: files of the same folder.
 PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
                                     calc::PhotometryOptions choice = {});
 

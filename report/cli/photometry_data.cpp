@@ -135,7 +135,8 @@ Json comparison_json(const calc::WebComparison& comparison) {
 }
 
 constexpr const char* kCsvHeader =
-    "file,readable,format,luminaire,manufacturer,flux_lm,stated_flux_lm,rated_lamp_flux_lm,light_output_ratio,"
+    "file,readable,format,luminaire,manufacturer,flux_lm,stated_flux_lm,rated_lamp_flux_lm,light_"
+    "output_ratio,"
     "input_power_w,efficacy_lm_per_w,downward_share,max_cd,max_c_deg,max_gamma_deg,"
     "beam_c0_c180_deg,beam_c90_c270_deg,field_c0_c180_deg,field_c90_c270_deg,symmetry,"
     "table_axis,c_planes,gamma_angles,gamma_first_deg,gamma_last_deg,cubic_largest_difference,"

@@ -95,8 +95,8 @@ LateralAngles lateral_angles(const calc::PhotometricWeb& web) {
   for (std::size_t p = 0; p + 1 < c.size(); ++p) {
     // The reader ends a table in the light by a dark plane right behind its last one.
     constexpr double kEdge_rad = 1.0e-6;
-    const bool is_edge = is_dark(p) && ((p > 0 && c[p] - c[p - 1] < kEdge_rad) ||
-                                        c[p + 1] - c[p] < kEdge_rad);
+    const bool is_edge =
+        is_dark(p) && ((p > 0 && c[p] - c[p - 1] < kEdge_rad) || c[p + 1] - c[p] < kEdge_rad);
     if (is_edge) continue;
     const double v = degrees(c[p] > calc::kPi ? c[p] - 2.0 * calc::kPi : c[p]);
     angles.v_first_deg = std::min(angles.v_first_deg, v);

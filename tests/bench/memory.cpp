@@ -1,12 +1,13 @@
 #include "tests/bench/memory.h"
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include <fstream>
 #include <limits>
 #include <string>
+
+// __GLIBC__ is known after any standard header.
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace bench {
 namespace {

@@ -338,7 +338,8 @@ TEST(Eulumdat, HugeCountsFailWithoutAllocating) {
   std::string text = ldt_text({});
   const std::size_t count = text.find("\n24\n") + 1;
   EXPECT_THAT(parse(std::string(text).replace(count, 2, "999999999")).messages,
-              HasSubstr("error[photometry-angle-order]"));
+              HasSubstr("a.ldt:42: error[photometry-count]: the C and gamma angles need 1000000036 "
+                        "numbers, but only "));
   EXPECT_THAT(parse(std::string(text).replace(count, 2, "1e99")).messages,
               HasSubstr("the number of C-planes (Mc) is 1e+99"));
 }

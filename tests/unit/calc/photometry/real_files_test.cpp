@@ -75,7 +75,7 @@ TEST(RealPhotometryFiles, AreReadWithTheFluxOfAnotherProgram) {
     const std::string& expected = row.at("flux_lm_linear_angle");
     if (expected.empty()) continue;
     const double off = std::abs(web->flux_lm() / std::stod(expected) - 1.0);
-    EXPECT_LT(off, 1e-3) << file;
+    EXPECT_LT(off, 1e-5) << file;
     deviations[row.at("category")].push_back({off, file});
     deviations["all"].push_back({off, file});
   }

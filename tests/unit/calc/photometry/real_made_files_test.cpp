@@ -75,7 +75,7 @@ TEST_F(RealMadeFiles, BadOnesAreRefusedWithTheReason) {
                            {"empty.ies", "photometry-format"},
                            {"odd_utf16le_bom.ies", "photometry-encoding"},
                            {"tilt_file_missing.ies", "photometry-tilt-file"},
-                           {"ldt_bad_counts.ldt", "photometry-end"},
+                           {"ldt_bad_counts.ldt", "photometry-count"},
                            {"ldt_bad_isym4_full_data.ldt", "photometry-lines"},
                            {"ldt_bad_isym5.ldt", "photometry-value"},
                            {"ldt_bad_truncated.ldt", "photometry-lines"},
@@ -158,7 +158,7 @@ TEST_F(RealMadeFiles, LightGoesWhereTheNotesSay) {
 
   for (const char* name : {"lobe20_g25_c40_typeC.ies", "lobe20_g25_c40_typeB.ies"}) {
     const Made lobe = read(name);
-    EXPECT_NEAR(lobe.cd(40, 25), 1000.0, 2.0) << name;
+    EXPECT_NEAR(lobe.cd(40, 25), 1000.0, 4.0) << name;
     EXPECT_NEAR(lobe.cd(40, 45), 1000.0 * std::pow(test_support::cos_deg(20), 20), 3.0) << name;
     EXPECT_LT(lobe.cd(320, 45), 60.0) << name << " is mirrored";
   }
@@ -174,9 +174,8 @@ TEST_F(RealMadeFiles, SourcesOpeningsAndTiltAreKept) {
   EXPECT_NEAR(absolute.web->max_intensity_cd(), 1375.4, 0.1);
   EXPECT_EQ(read("ldt_round_zero_width.ldt").web->opening().shape, OpeningShape::disk);
   EXPECT_EQ(read("iso_100cd_0-180.ies").web->opening().shape, OpeningShape::point);
-  for (const char* name :
-       {"tilt_include_geom1.ies", "tilt_include_geom2.ies", "tilt_include_geom3.ies",
-        "tilt_file.ies"}) {
+  for (const char* name : {"tilt_include_geom1.ies", "tilt_include_geom2.ies",
+                           "tilt_include_geom3.ies", "tilt_file.ies"}) {
     const Made made = read(name);
     const std::optional<LampTilt>& tilt = made.web.value().source().lamp_tilt;
     ASSERT_TRUE(tilt) << name;

@@ -154,12 +154,12 @@ TEST(MeasureAngles, AreTheTablesOwnWithoutTheSecondC0) {
 
 // Type B: one direction, H -10 V 20, stands out; it is between whole degrees of C and gamma.
 TEST(PeakOf, IsThatOfTheTableAboutAnotherAxis) {
-  const PhotometricWeb web = lateral_web([](double v, double h) {
-    return v == 20 && h == -10 ? 900.0 : 100.0;
-  });
+  const PhotometricWeb web =
+      lateral_web([](double v, double h) { return v == 20 && h == -10 ? 900.0 : 100.0; });
   const Peak peak = peak_of(web);
   EXPECT_NEAR(peak.intensity_cd, 900.0, 1e-9);
-  EXPECT_NEAR(std::cos(peak.gamma_rad), test_support::cos_deg(10) * test_support::cos_deg(20), 1e-9);
+  EXPECT_NEAR(std::cos(peak.gamma_rad), test_support::cos_deg(10) * test_support::cos_deg(20),
+              1e-9);
   EXPECT_NEAR(std::tan(peak.c_rad),
               test_support::sin_deg(10) / (test_support::cos_deg(10) * test_support::sin_deg(20)),
               1e-9);

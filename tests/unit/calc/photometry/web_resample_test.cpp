@@ -36,8 +36,8 @@ TEST(WebResample, SmoothLightStaysTheSame) {
   double largest = 0.0;  // by directions that neither table holds
   for (double c = 0.01; c < 6.28; c += 0.0617) {
     for (double gamma = 0.003; gamma < 1.5; gamma += 0.0371) {
-      largest = std::max(largest, std::abs(made->web.intensity_cd(c, gamma) -
-                                           web.intensity_cd(c, gamma)));
+      largest = std::max(largest,
+                         std::abs(made->web.intensity_cd(c, gamma) - web.intensity_cd(c, gamma)));
     }
   }
   EXPECT_GT(largest, 0.0);
@@ -47,12 +47,13 @@ TEST(WebResample, SmoothLightStaysTheSame) {
 TEST(WebResample, StepsBecomeFinerWhereTheLightNeedsIt) {
   const auto spot = [](double v, double h) { return v == 10 && h == 35 ? 1000.0 : 0.0; };
   const ResampledWeb fine = resampled_over_c_gamma(lateral_web(spot)).value();
-  const ResampledWeb coarse =
-      resampled_over_c_gamma(lateral_web([](double, double) { return 1000.0; })).value();
+  const ResampledWeb coarse = resampled_over_c_gamma(lateral_web(floodlight)).value();
   EXPECT_EQ(fine.c_step_deg, 1.0);
   EXPECT_EQ(fine.gamma_step_deg, 0.5);
   EXPECT_GE(fine.largest_share, 0.005);
-  EXPECT_GT(fine.web.c_rad().size(), coarse.web.c_rad().size());
+  EXPECT_EQ(fine.web.c_rad().size(), 361u);
+  EXPECT_GE(coarse.c_step_deg, 2.5);
+  EXPECT_LT(coarse.web.c_rad().size(), 150u);
 }
 
 TEST(WebResample, BeamsThatFallBetweenAllAnglesAreRefused) {

@@ -11,8 +11,8 @@
 namespace calc {
 namespace {
 
-using testing::load;
 using ::testing::HasSubstr;
+using testing::load;
 using ::testing::Not;
 
 // 1.2 m along C0, 0.3 m along C90, 0.2 m high.
@@ -35,8 +35,8 @@ OpeningShape shape_in_scene(const testing::Loaded& loaded) {
 }
 
 TEST(OpeningFit, ABodyCutByTheCeilingIsUsedAsFlatWithAWarning) {
-  const testing::Loaded loaded = room_with(
-      "<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.5\"/>");
+  const testing::Loaded loaded =
+      room_with("<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.5\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages,
               HasSubstr("warning[luminous-body-cut]: luminaire 'l': its photometry has luminous "
@@ -48,8 +48,8 @@ TEST(OpeningFit, ABodyCutByTheCeilingIsUsedAsFlatWithAWarning) {
 }
 
 TEST(OpeningFit, ABodyThatTouchesTheCeilingIsKept) {
-  const testing::Loaded loaded = room_with(
-      "<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.4\"/>");
+  const testing::Loaded loaded =
+      room_with("<luminaire id=\"l\" type=\"body\" position=\"2 1.5 2.4\"/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_THAT(loaded.messages, Not(HasSubstr("luminous-body-cut")));
   EXPECT_EQ(shape_in_scene(loaded), OpeningShape::box);
@@ -57,8 +57,7 @@ TEST(OpeningFit, ABodyThatTouchesTheCeilingIsKept) {
 
 TEST(OpeningFit, TheLuminairesTurnCounts) {
   // 0.5 m from the wall: 0.6 m along C0 reach through it, 0.15 m along C90 do not.
-  EXPECT_EQ(shape_in_scene(room_with(
-                "<luminaire id=\"l\" type=\"body\" position=\"0.5 1.5 2\"/>")),
+  EXPECT_EQ(shape_in_scene(room_with("<luminaire id=\"l\" type=\"body\" position=\"0.5 1.5 2\"/>")),
             OpeningShape::rectangle);
   EXPECT_EQ(shape_in_scene(room_with(
                 "<luminaire id=\"l\" type=\"body\" position=\"0.5 1.5 2\" rotation=\"90\"/>")),

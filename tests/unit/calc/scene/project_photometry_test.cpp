@@ -13,9 +13,9 @@
 namespace calc {
 namespace {
 
-using testing::load;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using testing::load;
 using ::testing::Not;
 
 std::string ies_with(const std::string& tilt) {
@@ -106,7 +106,7 @@ TEST(ProjectPhotometry, CubicInterpolationIsAChoiceOfTheType) {
   EXPECT_EQ(files.reads("dir/spot.ies"), 1);
   const auto half_way_cd = [&](std::size_t type) {
     return loaded.project->webs[loaded.project->luminaire_types[type].web].intensity_cd(0.0,
-                                                                                       0.25 * kPi);
+                                                                                        0.25 * kPi);
   };
   EXPECT_DOUBLE_EQ(half_way_cd(0), 50.0);
   // From 100 cd with slope 0 at nadir to 0 with the secant's slope at 90 degrees.

@@ -298,7 +298,8 @@ std::string type_b_ies() {
   sample.gamma_deg = test_support::angle_steps(-40, 40, 5);
   sample.c_deg = test_support::angle_steps(-30, 30, 5);
   sample.cd = [](double h, double v) {
-    return std::max(0.0, 1000.0 * (1.0 - v * v / 1600.0) * (1.0 - h * h / 900.0) * (1.0 + 0.01 * h));
+    return std::max(0.0,
+                    1000.0 * (1.0 - v * v / 1600.0) * (1.0 - h * h / 900.0) * (1.0 + 0.01 * h));
   };
   return test_support::ies_text(sample);
 }
@@ -342,7 +343,8 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
                                if (g == 30) return c == 90 ? 995.0 : c == 270 ? 1000.0 : 50.0;
                                return g == 0 ? 100.0 : 0.0;
                              }),
-      {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05}, {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x", "some rule", {}, 500.0});
+      {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05},
+      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x", "some rule", {}, 500.0});
   cli::PhotometryFile file;
   file.path = "f.ldt";
   file.web = web;
@@ -369,8 +371,9 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
               HasSubstr("opening     disk 0.20 m along C0, 0.20 m along C90, 0.10 m high (used as "
                         "flat)\n"));
   file.web = test_support::with_opening(web, {calc::OpeningShape::cylinder, 0.2, 0.2, 0.1});
-  EXPECT_THAT(cli::render_photometry_text(file, false), HasSubstr("cylinder 0.20 m along C0, 0.20 m "
-                                                                  "along C90, 0.10 m high\n"));
+  EXPECT_THAT(cli::render_photometry_text(file, false),
+              HasSubstr("cylinder 0.20 m along C0, 0.20 m "
+                        "along C90, 0.10 m high\n"));
   EXPECT_NE(cli::render_photometry_text(file, true).find("\033[1mf.ldt"), std::string::npos);
 }
 
