@@ -125,7 +125,7 @@ std::string table_row(const calc::PhotometricWeb& web) {
   if (web.axis() == calc::TableAxis::lateral) {
     const LateralAngles angles = lateral_angles(web);
     return row("table", fmt::format("LM-63 type B, planes about the line C90-C270: V {:g} to {:g}, "
-                                    "H {:g} to {:g}, {}",
+                                    "H {:g} to {:g} ({})",
                                     angles.v_first_deg, angles.v_last_deg, angles.h_first_deg,
                                     angles.h_last_deg, steps_words(gamma)));
   }

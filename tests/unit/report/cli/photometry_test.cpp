@@ -275,7 +275,7 @@ TEST_F(PhotometryCommand, ReadsTheTiltFileBesideAndNeverOverwritesIt) {
   sample.tilt = "TILT=MH.ies\n";
   write("lamp.ies", test_support::ies_text(sample));
   cli::PhotometryOptions options = for_files({path("lamp.ies")});
-  EXPECT_THAT(run(options).err, HasSubstr("MH.ies: No such file"));
+  EXPECT_THAT(run(options).err, HasSubstr("MH.ies': No such file"));
   EXPECT_THAT(run(options).err, HasSubstr("error[photometry-tilt-file]"));
   write("MH.ies", "2\n3\n0 45 90\n1 0.9 0.75\n");
   EXPECT_THAT(run(options).out,
@@ -310,7 +310,7 @@ TEST_F(PhotometryCommand, ShowsTheAnglesOfTypeB) {
   const cli::PhotometryRun shown = run(options);
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   EXPECT_THAT(shown.out, HasSubstr("  table       LM-63 type B, planes about the line C90-C270: V "
-                                   "-40 to 40, H -30 to 30, step 5\n"));
+                                   "-40 to 40, H -30 to 30 (step 5)\n"));
   EXPECT_THAT(shown.out, HasSubstr("  axes        type B, planes about the C 90 line"));
   EXPECT_THAT(shown.out, HasSubstr("symmetry    about C90-C270\n"));
   options.format = cli::PhotometryFormat::json;
