@@ -1,6 +1,7 @@
 #include "calc/photometry/stored_table.h"
 
 #include "calc/photometry/web_measures.h"
+#include "calc/photometry/web_resample.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -109,14 +110,26 @@ bool lead_to_usual_ends(StoredTable& table, LowestGamma lowest_gamma) {
 
 }  // namespace
 
-std::optional<StoredTable> make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
-                                             std::string_view format, const std::string& name,
-                                             Diagnostics& diagnostics) {
+std::optional<PhotometricWeb> tabulated_over_c_gamma(const PhotometricWeb& web,
+                                                     std::string_view format,
+                                                     const std::string& name,
+                                                     Diagnostics& diagnostics) {
   const SourceLocation file{name, 0, 0};
-  if (!has_c_gamma_table(web)) {
+  if (has_c_gamma_table(web)) return web;
+  std::optional<ResampledWeb> made = resampled_over_c_gamma(web);
+  if (!made) {
     diagnostics.report(DiagnosticId::photometry_write_table, file, format);
     return std::nullopt;
   }
+  diagnostics.report(DiagnosticId::photometry_write_resampled, file, format, made->c_step_deg,
+                     made->gamma_step_deg, 100.0 * made->largest_share, made->flux_ratio);
+  return std::move(made->web);
+}
+
+StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
+                              std::string_view format, const std::string& name,
+                              Diagnostics& diagnostics) {
+  const SourceLocation file{name, 0, 0};
   StoredTable table;
   table.symmetry = table_symmetry(web);
   table.circle_c_deg = circle_of(web, table.symmetry);

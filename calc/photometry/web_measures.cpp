@@ -3,8 +3,10 @@
 #include "calc/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace calc {
 namespace {
@@ -13,6 +15,14 @@ constexpr double kSameIntensity = 1.0e-9;  // relative
 constexpr int kUniformPlanes = 360, kUniformGammaSteps = 360;
 
 bool is_pole(double gamma_rad) { return gamma_rad <= 0.0 || gamma_rad >= kPi; }
+
+// So that equal angles from other frames are equal, and 2 pi is 0.
+WebAngles without_rounding(const WebAngles& angles) {
+  constexpr double kRounding_rad = 1.0e-12;
+  const auto rounded = [](double rad) { return std::round(rad / kRounding_rad) * kRounding_rad; };
+  const double c = rounded(angles.c_rad), gamma = rounded(angles.gamma_rad);
+  return {c >= 2.0 * kPi - kRounding_rad ? 0.0 : c, gamma >= kPi - kRounding_rad ? kPi : gamma};
+}
 
 struct ProfilePoint {
   double angle_rad;  // signed gamma
@@ -120,15 +130,27 @@ MeasureAngles measure_angles(const PhotometricWeb& web) {
 }
 
 Peak peak_of(const PhotometricWeb& web) {
-  const MeasureAngles angles = measure_angles(web);
   Peak peak;
-  for (const double gamma : angles.gamma_rad) {
-    for (const double c : angles.c_rad) {
-      const double cd = web.intensity_cd(c, gamma);
-      if (cd > peak.intensity_cd * (1.0 + kSameIntensity)) {
-        peak = {cd, is_pole(gamma) ? 0.0 : c, gamma};
+  const auto consider = [&](double cd, double c_rad, double gamma_rad) {
+    const double tolerance_cd = peak.intensity_cd * kSameIntensity;
+    if (cd < peak.intensity_cd - tolerance_cd) return;
+    const double c = is_pole(gamma_rad) ? 0.0 : c_rad;
+    const bool is_first = std::pair(gamma_rad, c) < std::pair(peak.gamma_rad, peak.c_rad);
+    if (cd > peak.intensity_cd + tolerance_cd || is_first) peak = {cd, c, gamma_rad};
+  };
+  if (!has_c_gamma_table(web)) {  // between the angles of its own table a web has no peak
+    for (const double c : web.c_rad()) {
+      for (const double gamma : web.gamma_rad()) {
+        const std::array<double, 3> direction = web.from_table(direction_of({c, gamma}));
+        const WebAngles angles = without_rounding(angles_of(direction));
+        consider(web.intensity_cd(direction), angles.c_rad, angles.gamma_rad);
       }
     }
+    return peak;
+  }
+  const MeasureAngles angles = measure_angles(web);
+  for (const double gamma : angles.gamma_rad) {
+    for (const double c : angles.c_rad) consider(web.intensity_cd(c, gamma), c, gamma);
   }
   return peak;
 }

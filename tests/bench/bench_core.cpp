@@ -29,6 +29,7 @@ constexpr Experiment kExperiments[] = {
     {"coverage", run_coverage, "[SEEDS]"},
     {"verdicts", run_verdicts, "[SCENE [SEEDS]]"},
     {"scaling", run_scaling, "[points|luminaires|triangles|reflectance]"},
+    {"files", run_files, ""},
     {"projects", run_projects, "FOLDER"},
     {"smoke", run_smoke, ""},
 };
