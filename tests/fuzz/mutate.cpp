@@ -35,37 +35,39 @@ std::size_t Mutator::below(std::size_t count) {
 
 std::string Mutator::next() {
   std::string text = any_seed();
-  const std::size_t changes = 1 + below(4);
+  const std::size_t changes = below(2) == 0 ? 1 : 1 + below(4);
   for (std::size_t i = 0; i < changes; ++i) change(text);
   if (text.size() > kLongest) text.resize(kLongest);
   return text;
 }
 
 void Mutator::change(std::string& text) {
-  switch (below(10)) {
+  switch (below(16)) {
     case 0:
+      return cut(text);
     case 1:
-      return flip_bytes(text);
+      return splice(text);
     case 2:
     case 3:
-    case 4:
-      return replace_number(text);
-    case 5:
-      return replace_integer(text);
-    case 6:
-      return cut(text);
-    case 7:
       return remove_part(text);
-    case 8:
+    case 4:
+    case 5:
       return double_part(text);
+    case 6:
+    case 7:
+      return replace_integer(text);
+    case 8:
+    case 9:
+    case 10:
+      return flip_bytes(text);
     default:
-      return splice(text);
+      return replace_number(text);
   }
 }
 
 void Mutator::flip_bytes(std::string& text) {
   if (text.empty()) return;
-  const std::size_t bytes = 1 + below(4);
+  const std::size_t bytes = 1 + below(2);
   for (std::size_t i = 0; i < bytes; ++i) text[below(text.size())] = static_cast<char>(random_());
 }
 
