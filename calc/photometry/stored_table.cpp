@@ -12,7 +12,9 @@
 namespace calc {
 namespace {
 
-constexpr double kOneAngle_deg = 1.0e-5;  // images of planes this near are the same plane
+// Images of planes this near are the same plane. More than readers want between two planes, less
+// than type A and B tables have between the last angle and darkness (1e-5).
+constexpr double kOneAngle_deg = 2.0e-6;
 
 double rounded_degrees(double rad) { return std::round(degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
 

@@ -1,4 +1,4 @@
-# Sourced by examples/run and tests/run: installs the Debian packages named, if any is missing.
+# Sourced by examples/run, tests/run and tests/fuzz/run: installs the Debian packages named, if any is missing.
 # Quick when nothing is missing (one dpkg query). Needs root or sudo only to install.
 
 luxgate_build_packages=(
@@ -8,6 +8,7 @@ luxgate_build_packages=(
   libepoxy-dev
 )
 luxgate_test_packages=(libgtest-dev libgmock-dev libxml2-utils)
+luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
 
 # install_debian_packages NAME...
 install_debian_packages() {

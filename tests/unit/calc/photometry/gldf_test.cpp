@@ -246,7 +246,7 @@ TEST(Gldf, DamagedContainersAreNamed) {
       "<ChangeableLightSource id='s'><RatedLuminousFlux>-1</RatedLuminousFlux>"
       "</ChangeableLightSource>";
   EXPECT_THAT(parse(gldf_bytes(sample)).messages,
-              HasSubstr("<RatedLuminousFlux> is -1; allowed: >= 0"));
+              HasSubstr("<RatedLuminousFlux> is -1; allowed: 0 to 1e+12"));
 }
 
 TEST(Gldf, CutContainersAreErrors) {

@@ -273,6 +273,22 @@ TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
 }
 
 // Symmetric but for the values at nadir, which a web averages: they must not be lost.
+// Tables of type A end in a step to darkness within 1e-5 degrees.
+TEST(WritePhotometry, KeepsTheStepToDarknessAtItsSideOfAPlane) {
+  const std::string type_a =
+      "IESNA:LM-63-2002\n[TEST] a\n[TESTLAB] b\n[ISSUEDATE] c\n[MANUFAC] d\nTILT=NONE\n"
+      "1 -1 1 3 3 3 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n15 60 15\n45 90 45\n15 60 15\n";
+  Diagnostics diagnostics;
+  const std::optional<PhotometricWeb> web = parse_photometry(type_a, "a", diagnostics);
+  ASSERT_TRUE(web) << diagnostics_text(diagnostics);
+  for (const Writer writer : {write_lm63, write_eulumdat}) {
+    const std::string text = written(writer, *web, diagnostics);
+    const std::optional<PhotometricWeb> read = parse_photometry(text, "new", diagnostics);
+    ASSERT_TRUE(read) << diagnostics_text(diagnostics);
+    EXPECT_NEAR(read->flux_lm(), web->flux_lm(), 1e-5 * web->flux_lm());
+  }
+}
+
 TEST(WritePhotometry, TakesTheValuesAtThePolesIntoAccount) {
   const auto web =
       make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),
