@@ -311,6 +311,10 @@ TEST(Eulumdat, BadValuesAreRefusedWithTheirLine) {
   EXPECT_THAT(messages([](LdtSample& s) { s.conversion = "x"; }),
               HasSubstr("a.ldt:24: error[photometry-number]: the conversion factor for "
                         "intensities: 'x' is not a number"));
+  EXPECT_THAT(
+      messages([](LdtSample& s) { s.luminous_length_mm = "1e9"; }),
+      HasSubstr("the luminous opening's largest side (m) is 1000000; allowed: 0 or 1e-06 to "
+                "10000"));
   EXPECT_THAT(messages([](LdtSample& s) { s.luminous_length_mm = "-3"; }),
               HasSubstr("the luminous length (mm) is -3"));
   EXPECT_THAT(messages([](LdtSample& s) {
