@@ -291,6 +291,14 @@ TEST(Eulumdat, StatedRatiosAreCompared) {
       HasSubstr("warning[photometry-measured-tilt]: measured with the luminaire tilted by 15"));
 }
 
+TEST(Eulumdat, LuminousHeightsBeyondReasonAreRefused) {
+  std::string text = ldt_text({});
+  text.replace(text.find("\n0\n0\n0\n0\n"), 3, "\n1e9\n");
+  EXPECT_THAT(parse(text).messages,
+              HasSubstr("the luminous opening's largest side (m) is 1000000; allowed: 0 or 1e-06 "
+                        "to 10000"));
+}
+
 TEST(Eulumdat, BadValuesAreRefusedWithTheirLine) {
   const auto messages = [](auto change) {
     LdtSample sample;
@@ -311,10 +319,6 @@ TEST(Eulumdat, BadValuesAreRefusedWithTheirLine) {
   EXPECT_THAT(messages([](LdtSample& s) { s.conversion = "x"; }),
               HasSubstr("a.ldt:24: error[photometry-number]: the conversion factor for "
                         "intensities: 'x' is not a number"));
-  EXPECT_THAT(
-      messages([](LdtSample& s) { s.luminous_length_mm = "1e9"; }),
-      HasSubstr("the luminous opening's largest side (m) is 1000000; allowed: 0 or 1e-06 to "
-                "10000"));
   EXPECT_THAT(messages([](LdtSample& s) { s.luminous_length_mm = "-3"; }),
               HasSubstr("the luminous length (mm) is -3"));
   EXPECT_THAT(messages([](LdtSample& s) {
