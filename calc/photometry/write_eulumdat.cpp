@@ -214,6 +214,24 @@ class EulumdatWriter {
   std::string text_;
 };
 
+// EULUMDAT does not list C 360, so that a last step wider than all others looks like missing planes
+// (full_circle()). One more plane, between the last and the first, leaves the light unchanged.
+void narrow_last_step(StoredTable& table) {
+  constexpr double kMost_deg = 90.0;
+  std::vector<double>& c_deg = table.circle_c_deg;
+  if (table.symmetry != PlaneSymmetry::none) return;
+  double widest = 0.0;
+  for (std::size_t i = 1; i < c_deg.size(); ++i) widest = std::max(widest, c_deg[i] - c_deg[i - 1]);
+  const double last = c_deg.back();
+  const double step = std::min(widest, kMost_deg);
+  if (360.0 - last <= step) return;
+  const double share = (360.0 - step - last) / (360.0 - last);
+  for (std::size_t g = 0; g < table.gamma_deg.size(); ++g) {
+    table.intensity_cd.push_back(std::lerp(table.cd(c_deg.size() - 1, g), table.cd(0, g), share));
+  }
+  c_deg.push_back(360.0 - step);
+}
+
 }  // namespace
 
 std::optional<std::string> write_eulumdat(const PhotometricWeb& web, const std::string& name,
@@ -221,8 +239,9 @@ std::optional<std::string> write_eulumdat(const PhotometricWeb& web, const std::
   const std::optional<PhotometricWeb> tabulated =
       tabulated_over_c_gamma(web, "EULUMDAT", name, diagnostics);
   if (!tabulated) return std::nullopt;
-  const StoredTable table =
+  StoredTable table =
       make_stored_table(*tabulated, LowestGamma::zero, "EULUMDAT", name, diagnostics);
+  narrow_last_step(table);
   return EulumdatWriter(*tabulated, table, name, diagnostics).write();
 }
 

@@ -116,6 +116,14 @@ void check_messages(bool has_result, const calc::Diagnostics& diagnostics) {
   }
 }
 
+void require_no_error(const calc::Diagnostics& diagnostics, std::string_view what) {
+  if (!diagnostics.has_errors()) return;
+  for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
+    std::fprintf(stderr, "%s\n", calc::format_diagnostic(diagnostic).c_str());
+  }
+  require(false, what);
+}
+
 TwoFiles split_files(std::string_view input) {
   const std::size_t at = input.find(kSecondFile);
   if (at == std::string_view::npos) return {input, ""};

@@ -26,6 +26,8 @@ void check_mesh(const calc::TriangleMesh& mesh);
 
 // A result is empty if and only if an error was reported; each message is one line.
 void check_messages(bool has_result, const calc::Diagnostics& diagnostics);
+// For files that must be readable: prints the messages if there is an error, and aborts.
+void require_no_error(const calc::Diagnostics& diagnostics, std::string_view what);
 // How often there was a result: seeds of which none is read test little.
 std::size_t results();
 

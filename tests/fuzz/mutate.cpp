@@ -9,7 +9,7 @@
 namespace fuzz {
 namespace {
 
-constexpr std::size_t kLongest = 64 * 1024;  // bytes of an input
+constexpr std::size_t kLongest = std::size_t{64} * 1024;  // bytes of an input
 
 constexpr std::array<std::string_view, 18> kNumbers{
     "nan", "inf", "-inf", "1e308",       "-1e308",     "1e-308",

@@ -7,6 +7,8 @@
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
 
+#include <cmath>
+
 namespace {
 
 using Writer = std::optional<std::string> (*)(const calc::PhotometricWeb&, const std::string&,
@@ -19,8 +21,10 @@ void check_written(const calc::PhotometricWeb& web, Writer write) {
   fuzz::check_messages(text.has_value(), diagnostics);
   if (!text) return;
   const auto again = calc::parse_photometry(*text, "b", diagnostics);
-  fuzz::require(again.has_value(), "a written file can be read");
+  fuzz::require_no_error(diagnostics, "a written file can be read");
   fuzz::check_web(*again);
+  fuzz::require(std::abs(again->flux_lm() - web.flux_lm()) <= 1e-4 * web.flux_lm(),
+                "a written file has the same flux");
 }
 
 }  // namespace

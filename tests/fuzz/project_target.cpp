@@ -1,16 +1,18 @@
 // Project files, with small intact files of every kind beside them, and the requirements in them.
 #include "calc/scene/project_xml.h"
+
+#include "calc/file_reader.h"
 #include "rules/bind.h"
 #include "rules/rule_pack.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/gbxml_samples.h"
 #include "tests/support/gldf_samples.h"
-#include "tests/support/memory_file_reader.h"
 #include "tests/support/mesh_samples.h"
 #include "tests/support/photometry_samples.h"
 #include "tests/support/tm33_samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -50,20 +52,32 @@ std::string two_variants_gldf() {
   return test_support::gldf_bytes(sample);
 }
 
-// Names as in tests/schema/corpus, whose projects are seeds.
-calc::MemoryFileReader other_files() {
-  return calc::MemoryFileReader(
-      {{"d/spot.ies", small_ies()},
-       {"d/two.ldt", small_ldt()},
-       {"d/two.xml", small_tm33()},
-       {"d/two.gldf", two_variants_gldf()},
-       {"d/table.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl wood\nf 1 3 4\n"},
-       {"d/tile.gltf", calc::testing::kSquareGltf},
-       {"d/tile.bin", calc::testing::square_bytes()},
-       {"d/house.xml", calc::testing::two_rooms()},
-       {"d/plan.csv", "name,type,x_m,y_m,z_m\nA1,spot,1,1,2.5\n"},
-       {"d/points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"}});
-}
+// Every file that a project may name, by the end of its name; the project itself is "d/p.xml".
+class SmallFiles : public calc::FileReader {
+ public:
+  std::string project;
+
+  calc::FileContent read(const std::string& path) const override {
+    if (path == "d/p.xml") return {project, {}};
+    const auto found = std::find_if(kinds_.begin(), kinds_.end(),
+                                    [&](const auto& kind) { return path.ends_with(kind.first); });
+    if (found == kinds_.end()) return {{}, "No such file or directory"};
+    return {found->second, {}};
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> kinds_ = {
+      {".ies", small_ies()},
+      {".ldt", small_ldt()},
+      {"two.xml", small_tm33()},
+      {".xml", calc::testing::two_rooms()},
+      {".gldf", two_variants_gldf()},
+      {".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl wood\nf 1 3 4\n"},
+      {".gltf", calc::testing::kSquareGltf},
+      {".bin", calc::testing::square_bytes()},
+      {"points.csv", "x,y,z,nx,ny,nz\n1,1,0.8,0,0,2\n"},
+      {".csv", "name,type,x_m,y_m,z_m\nA1,spot,1,1,2.5\n"}};
+};
 
 void check_space(const calc::Project& project, const calc::Space& space) {
   for (const calc::Body& body : space.bodies) {
@@ -97,9 +111,9 @@ void check_project(const calc::Project& project) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static calc::MemoryFileReader files = other_files();
+  static SmallFiles files;
   static const std::vector<rules::RulePack> kPacks = rules::builtin_rule_packs();
-  files.add("d/p.xml", std::string(fuzz::as_text(data, size)));
+  files.project = fuzz::as_text(data, size);
   calc::Diagnostics diagnostics;
   const auto project = calc::load_project(files, "d/p.xml", diagnostics);
   fuzz::check_messages(project.has_value(), diagnostics);

@@ -2,6 +2,7 @@
 // All files that LIST names (one path a line), then so many mutations of them, always the same.
 // An input that crashes, takes too long or asks for too much memory is written to
 // crash-NAME in the current folder, and the program ends as the crash does.
+#include "calc/text.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/fuzz/target.h"
@@ -108,7 +109,7 @@ int main(int argc, char** argv) {
   }
   crash_file = std::string("crash-") + argv[1];
   const std::vector<std::string> seeds = read_seeds(argv[2]);
-  const int mutations = std::atoi(argv[3]);
+  const int mutations = calc::parse_integer(argv[3]).value_or(0);
   if (seeds.empty()) {
     std::fprintf(stderr, "no seeds in %s\n", argv[2]);
     return 2;

@@ -293,6 +293,14 @@ TEST(Eulumdat, StatedRatiosAreCompared) {
       HasSubstr("warning[photometry-measured-tilt]: measured with the luminaire tilted by 15"));
 }
 
+TEST(Eulumdat, LuminousHeightsBeyondReasonAreRefused) {
+  std::string text = ldt_text({});
+  text.replace(text.find("\n0\n0\n0\n0\n"), 3, "\n1e9\n");
+  EXPECT_THAT(parse(text).messages,
+              HasSubstr("the luminous opening's largest side (m) is 1000000; allowed: 0 or 1e-06 "
+                        "to 10000"));
+}
+
 TEST(Eulumdat, BadValuesAreRefusedWithTheirLine) {
   const auto messages = [](auto change) {
     LdtSample sample;

@@ -289,6 +289,13 @@ TEST(WritePhotometry, KeepsTheStepToDarknessAtItsSideOfAPlane) {
   }
 }
 
+TEST(WriteEulumdat, PutsAPlaneInBeforeC360WhereTheLastStepIsTheWidest) {
+  const PhotometricWeb web = make_web({0, 50, 180, 210, 360}, angle_steps(0, 90, 5), crooked_light);
+  EXPECT_THAT(expect_round_trip(write_eulumdat, web), HasSubstr("\r\n210\r\n270\r\n0\r\n5\r\n"));
+  const PhotometricWeb thin = make_web({0, 1, 359, 360}, angle_steps(0, 90, 5), crooked_light);
+  EXPECT_THAT(expect_round_trip(write_eulumdat, thin), HasSubstr("\r\n1\r\n359\r\n0\r\n5\r\n"));
+}
+
 TEST(WritePhotometry, TakesTheValuesAtThePolesIntoAccount) {
   const auto web =
       make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),
