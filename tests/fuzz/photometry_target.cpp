@@ -23,6 +23,8 @@ void check_written(const calc::PhotometricWeb& web, Writer write) {
   const auto again = calc::parse_photometry(*text, "b", diagnostics);
   fuzz::require_no_error(diagnostics, "a written file can be read");
   fuzz::check_web(*again);
+  // Tables about another axis are resampled, and a warning states what that changes.
+  if (web.axis() != calc::TableAxis::vertical) return;
   fuzz::require(std::abs(again->flux_lm() - web.flux_lm()) <= 1e-4 * web.flux_lm(),
                 "a written file has the same flux");
 }

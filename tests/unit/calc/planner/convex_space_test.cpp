@@ -209,7 +209,8 @@ TEST(ConvexSpace, ShadowRaysNeverContradictAProof) {
     calc::PreparedScene scene;
     if (trial % 2 == 0) {
       scene = empty_room();
-      add_luminaire(scene, web, {0.2, -0.4, 1.5});
+      // The disk in the ceiling, the box below it.
+      add_luminaire(scene, web, {0.2, -0.4, web.opening().is_body() ? 1.3 : 1.5});
     } else {
       test_support::add_sphere(scene, 2.0, 2, 0.5);
       add_luminaire(scene, web, {0.2, -0.4, 1.0});
