@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,11 @@ struct Outcome {
   const char* message;
   const char* variant = "";
   const char* emitter = "";
+
+  // Names of tests, which bytes of addresses would change from run to run.
+  friend void PrintTo(const Outcome& outcome, std::ostream* out) {
+    *out << outcome.file << ' ' << outcome.variant << outcome.emitter;
+  }
 };
 
 class RealXmlAndContainers : public testing::TestWithParam<Outcome> {};

@@ -153,6 +153,8 @@ struct SymmetryCase {
   const char* symmetry;
   std::vector<double> c_deg;
   std::function<double(double)> stored;  // the plane that stands for C
+
+  friend void PrintTo(const SymmetryCase& symmetry, std::ostream* out) { *out << symmetry.name; }
 };
 
 class Tm33Symmetry : public testing::TestWithParam<SymmetryCase> {};
