@@ -100,14 +100,15 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   }
   if (!settings.skips.allows(Skip::behind_plane)) sees_reflection_.assign(points(), 1);
   for (std::size_t i = 0; i < points(); ++i) {
-    if (find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m()) < 0) {
-      continue;
-    }
+    const int touching =
+        find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m());
+    if (touching < 0) continue;
     const glm::dvec3& p = grid.position_m[i];
-    refuse(fmt::format(
-        "the point ({:.6g} {:.6g} {:.6g}) lies at a luminaire without size: illuminance is "
-        "unbounded there",
-        p.x, p.y, p.z));
+    const bool is_inside =
+        tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
+    refuse(fmt::format("the point ({:.6g} {:.6g} {:.6g}) lies {}", p.x, p.y, p.z,
+                       is_inside ? "inside a luminous body, where illuminance has no meaning"
+                                 : "at a luminaire without size: illuminance is unbounded there"));
     return;
   }
 }

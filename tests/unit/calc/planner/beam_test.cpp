@@ -69,6 +69,32 @@ TEST(Beam, OfAOneSidedTableFollowsItsSide) {
   EXPECT_LT(beam.half_angle_rad, 30.0 * kDegree);
 }
 
+// The same patch in a table about the line of C90.
+TEST(Beam, OfATableAboutAnotherAxisTurnsWithIt) {
+  const calc::PhotometricWeb upright = patch_web(0, 30);
+  std::vector<double> cd;
+  for (std::size_t p = 0; p < upright.c_rad().size(); ++p) {
+    for (std::size_t g = 0; g < upright.gamma_rad().size(); ++g) {
+      cd.push_back(upright.table_cd(p, g));
+    }
+  }
+  const auto lateral = calc::PhotometricWeb::make(upright.c_rad(), upright.gamma_rad(), cd, {}, {},
+                                                  calc::TableAxis::lateral);
+  const calc::Beam beam = calc::beam_of(lateral);
+  EXPECT_NEAR(beam.half_angle_rad, calc::beam_of(upright).half_angle_rad, 1e-12);
+  EXPECT_LT(beam.half_angle_rad, 0.5 * kPi);
+  int lit = 0;
+  for (int c = 0; c < 360; c += 3) {
+    for (int g = 0; g <= 180; g += 3) {
+      const auto d = calc::direction_of({c * kDegree, g * kDegree});
+      if (lateral.intensity_cd(d) <= 0.0) continue;
+      ++lit;
+      EXPECT_LE(angle_rad(beam.axis, {d[0], d[1], d[2]}), beam.half_angle_rad) << c << " " << g;
+    }
+  }
+  EXPECT_GT(lit, 20);
+}
+
 TEST(Beam, HoldsEveryDirectionWithLight) {
   std::mt19937 random(7);
   for (const auto& web : {patch_web(0, 40), patch_web(80, 100), patch_web(200, 350),
