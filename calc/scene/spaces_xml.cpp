@@ -23,11 +23,6 @@ std::vector<glm::dvec2> read_footprint_m(const ProjectContext& context, ElementR
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
     corners.push_back(glm::dvec2(numbers[i], numbers[i + 1]) * context.metres_per_unit);
   }
-  if (!corners.empty() && !is_simple_polygon(corners)) {
-    reader.report(DiagnosticId::not_simple_polygon, reader.where("footprint"), "footprint", "room",
-                  "");
-    return {};
-  }
   return corners;
 }
 
@@ -49,6 +44,13 @@ RoomPlan read_plan(const ProjectContext& context, ElementReader& reader) {
                   "'size', or 'footprint' and 'height'");
   }
   plan.is_clockwise = signed_area(plan.corners_m) < 0.0;
+  // A size can be too thin for its length, too.
+  const char* attribute = reader.has("size") ? "size" : "footprint";
+  const bool is_read = !plan.corners_m.empty() && (reader.has("footprint") || reader.ok());
+  if (is_read && !triangulate_polygon(plan.outline())) {
+    reader.report(DiagnosticId::not_simple_polygon, reader.where(attribute), attribute, "room", "");
+    plan.corners_m.clear();
+  }
   return plan;
 }
 

@@ -35,6 +35,11 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:4:14: error[not-simple-polygon]: attribute 'footprint' of <room>: the corners must "
      "span an area, sides must not cross or touch, and the first corner is not repeated at the "
      "end"},
+    {"RoomTooThin",
+     in_project(R"(<room id="r" size="1e-300 3 2" ceiling="white" walls="white" floor="white"/>)"),
+     "dir/p.xml:4:14: error[not-simple-polygon]: attribute 'size' of <room>: the corners must "
+     "span an area, sides must not cross or touch, and the first corner is not repeated at the "
+     "end"},
     {"RoomOfZeroHeight",
      in_project(R"(<room id="r" size="4 3 0" ceiling="white" walls="white" floor="white"/>)"),
      "dir/p.xml:4:14: error[number-out-of-range]: attribute 'size' of <room>: 0 is not allowed; "
