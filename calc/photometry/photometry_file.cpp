@@ -69,16 +69,17 @@ std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, cons
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
-  if (read_lm63_header(text) || trim(text.substr(0, 200)).starts_with("IES")) {
+  const bool is_eulumdat = looks_like_eulumdat(text);  // whose first line may be any name
+  if (read_lm63_header(text) || (trim(text.substr(0, 200)).starts_with("IES") && !is_eulumdat)) {
     if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
     return parse_lm63(text, name, diagnostics, options.read_companion);
   }
-  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
-  if (looks_like_eulumdat(text)) {
+  if (is_eulumdat) {
     if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
       return std::nullopt;
     return parse_eulumdat(text, name, options, diagnostics);
   }
+  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
   diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text));
   return std::nullopt;
 }
