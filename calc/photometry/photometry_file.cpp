@@ -85,17 +85,18 @@ std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, cons
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
-  const bool is_eulumdat = is_surely_eulumdat(text);
-  if (!is_eulumdat && (read_lm63_header(text) || trim(text.substr(0, 200)).starts_with("IES"))) {
+  const bool may_be_eulumdat = looks_like_eulumdat(text);  // whose first line may be any name
+  const bool has_lm63_tag = trim(text.substr(0, 200)).starts_with("IES");
+  if ((read_lm63_header(text) && !is_surely_eulumdat(text)) || (has_lm63_tag && !may_be_eulumdat)) {
     if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
     return parse_lm63(text, name, diagnostics, options.read_companion);
   }
-  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
-  if (is_eulumdat || looks_like_eulumdat(text)) {
+  if (may_be_eulumdat) {
     if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
       return std::nullopt;
     return parse_eulumdat(text, name, options, diagnostics);
   }
+  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
   diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text));
   return std::nullopt;
 }

@@ -26,7 +26,11 @@ TEST(PhotometryFile, FormatIsToldByContent) {
             "IESNA:LM-63-2002");
   EXPECT_EQ(parse_photometry(test_support::ldt_text({}), "a.ies", diagnostics)->source().format,
             "EULUMDAT");
-  EXPECT_TRUE(diagnostics.all().empty());
+  std::string by_ies = test_support::ldt_text({});
+  by_ies.replace(0, std::string("luxgate").size(), "IES");
+  const auto web = parse_photometry(by_ies, "a.ldt", diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << test_support::diagnostics_text(diagnostics);
+  EXPECT_EQ(web.value().source().format, "EULUMDAT");
 }
 
 std::string with_line(std::string text, int line, const std::string& words) {
