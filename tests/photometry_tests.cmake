@@ -8,7 +8,7 @@ luxgate_test(photometry_tests
     unit/calc/photometry/ies_opening_test.cpp
     unit/calc/photometry/ies_tilt_test.cpp
     unit/calc/photometry/ies_types_ab_test.cpp
-    unit/calc/photometry/line_cursor_test.cpp
+    unit/calc/line_cursor_test.cpp
     unit/calc/photometry/number_stream_test.cpp
     unit/calc/photometry/photometry_file_test.cpp
     unit/calc/photometry/pitfalls_test.cpp

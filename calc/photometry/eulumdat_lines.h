@@ -3,7 +3,7 @@
 // line.
 
 #include "calc/diagnostics.h"
-#include "calc/photometry/line_cursor.h"
+#include "calc/line_cursor.h"
 
 #include <cstddef>
 #include <optional>

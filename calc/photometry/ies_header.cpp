@@ -1,6 +1,6 @@
 #include "calc/photometry/ies_header.h"
 
-#include "calc/photometry/line_cursor.h"
+#include "calc/line_cursor.h"
 #include "calc/photometry/text_encoding.h"
 #include "calc/text.h"
 

@@ -1,10 +1,10 @@
 #include "calc/photometry/photometry_file.h"
 
+#include "calc/line_cursor.h"
 #include "calc/photometry/eulumdat.h"
 #include "calc/photometry/gldf.h"
 #include "calc/photometry/ies_header.h"
 #include "calc/photometry/ies_lm63.h"
-#include "calc/photometry/line_cursor.h"
 #include "calc/photometry/number_stream.h"
 #include "calc/photometry/text_encoding.h"
 #include "calc/photometry/tm33_xml.h"

@@ -189,9 +189,9 @@ std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
     cells.back().samples = cell_samples(size_m, distance_m);
     return cells;
   }
-  for (std::size_t i = 0; i + 1 < view.pieces().size(); ++i) {  // the faces of a body
-    const double width = view.pieces()[i + 1] - view.pieces()[i];
-    split_cell(view, position_m, {view.pieces()[i], 0.0, width, 1.0, 1}, 0, cells);
+  const std::span<const double> ends = view.piece_ends();  // the faces of a body
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    split_cell(view, position_m, {ends[i], 0.0, ends[i + 1] - ends[i], 1.0, 1}, 0, cells);
   }
   return cells;
 }

@@ -10,8 +10,6 @@
 namespace calc {
 namespace {
 
-constexpr int kSide = 3;  // of a cylinder; 0 to 2: a face across that axis
-
 int cylinder_axis(OpeningShape shape) {
   if (shape == OpeningShape::cylinder_c0) return 0;
   return shape == OpeningShape::cylinder_c90 ? 1 : 2;
@@ -35,7 +33,7 @@ std::array<double, 4> shown_m2(const LuminousOpening& opening, const glm::dvec3&
       glm::dvec3 aside = across_m2 * direction;
       aside[axis] = 0.0;
       // The outline of the side is a rectangle: the length by the section's width.
-      shown[kSide] = 4.0 * glm::length(aside);
+      shown[3] = 4.0 * glm::length(aside);
       return shown;
     }
   }
@@ -90,27 +88,26 @@ OpeningView::OpeningView(const PlacedLuminaire& luminaire, const glm::dvec3& tow
       is_flat_(!luminaire.opening.is_body()),
       towards_(towards),
       local_towards_(glm::transpose(luminaire.world_from_luminaire) * towards),
-      half_m_(0.5 * luminaire.opening.size_m()),
-      pieces_{0.0} {
-  if (!is_flat_) {
-    // A body without thickness, seen edge-on, shows nothing and counts as a point.
-    const std::array<double, 4> shown = shown_m2(luminaire.opening, half_m_, local_towards_);
-    outline_m2_ = outline_m2(luminaire.opening, half_m_, local_towards_);
-    double sum = 0.0;
-    for (int face = 0; face < 4; ++face) {
-      const double area = shown[static_cast<std::size_t>(face)];
-      if (!(area > 0.0)) continue;
-      sum += area;
-      faces_.push_back(face);
-      pieces_.push_back(std::min(1.0, sum / outline_m2_));
-    }
+      half_m_(0.5 * luminaire.opening.size_m()) {
+  if (is_flat_) return;
+  // A body without thickness, seen edge-on, shows nothing and counts as a point.
+  const std::array<double, 4> shown = shown_m2(luminaire.opening, half_m_, local_towards_);
+  outline_m2_ = outline_m2(luminaire.opening, half_m_, local_towards_);
+  if (!(outline_m2_ > 0.0)) return;
+  pieces_ = 0;
+  double sum_m2 = 0.0;
+  for (int face = 0; face < 4; ++face) {
+    const double area_m2 = shown[static_cast<std::size_t>(face)];
+    if (!(area_m2 > 0.0)) continue;
+    sum_m2 += area_m2;
+    face_[pieces_] = face;
+    end_[++pieces_] = std::min(1.0, sum_m2 / outline_m2_);
   }
-  if (pieces_.size() == 1) pieces_.push_back(1.0);
-  pieces_.back() = 1.0;
+  end_[pieces_] = 1.0;
 }
 
 OpeningView::LocalPoint OpeningView::box_point(std::size_t piece, double s, double t) const {
-  const int axis = faces_[piece];
+  const int axis = face_[piece];
   glm::dvec3 unit(0.0), normal(0.0);
   normal[axis] = local_towards_[axis] >= 0.0 ? 1.0 : -1.0;
   unit[axis] = normal[axis];
@@ -123,7 +120,7 @@ OpeningView::LocalPoint OpeningView::cylinder_point(std::size_t piece, double s,
   const int axis = cylinder_axis(luminaire_.opening.shape);
   const int a = (axis + 1) % 3, b = (axis + 2) % 3;
   glm::dvec3 unit(0.0), normal(0.0);
-  if (faces_[piece] != kSide) {
+  if (face_[piece] != kSide) {
     const glm::dvec2 disk = unit_disk(s, t);
     normal[axis] = local_towards_[axis] >= 0.0 ? 1.0 : -1.0;
     unit[axis] = normal[axis];
@@ -159,10 +156,10 @@ OpeningView::Point OpeningView::point(double s, double t) const {
     const double side = local_towards_.z > 0.0 ? 1.0 : -1.0;
     return {opening_point_m(luminaire_, s, t), side * axes[2]};
   }
-  if (faces_.empty()) return {luminaire_.position_m, towards_};
-  const auto after = std::upper_bound(pieces_.begin() + 1, pieces_.end() - 1, s);
-  const auto piece = static_cast<std::size_t>(after - pieces_.begin()) - 1;
-  const double within = (s - pieces_[piece]) / (pieces_[piece + 1] - pieces_[piece]);
+  if (face_[0] == kNothing) return {luminaire_.position_m, towards_};
+  std::size_t piece = 0;
+  while (piece + 1 < pieces_ && s >= end_[piece + 1]) ++piece;
+  const double within = (s - end_[piece]) / (end_[piece + 1] - end_[piece]);
   LocalPoint local;
   switch (luminaire_.opening.shape) {
     case OpeningShape::box:
@@ -178,7 +175,7 @@ OpeningView::Point OpeningView::point(double s, double t) const {
 }
 
 double OpeningView::weight(const Point& at, const glm::dvec3& direction) const {
-  if (is_flat_ || faces_.empty()) return 1.0;
+  if (is_flat_ || face_[0] == kNothing) return 1.0;
   const double leaving = glm::dot(at.normal, direction);
   const double facing = glm::dot(at.normal, towards_);
   if (!(leaving > 0.0) || !(facing > 0.0)) return 0.0;

@@ -6,7 +6,9 @@
 
 #include <glm/glm.hpp>
 
-#include <vector>
+#include <array>
+#include <cstddef>
+#include <span>
 
 namespace calc {
 
@@ -43,7 +45,7 @@ class OpeningView {
 
   // Where the square's first coordinate passes from one face of a body to the next: from 0 to 1,
   // ascending. point() is continuous between.
-  const std::vector<double>& pieces() const { return pieces_; }
+  std::span<const double> piece_ends() const { return {end_.data(), pieces_ + 1}; }
 
  private:
   struct LocalPoint {
@@ -58,8 +60,14 @@ class OpeningView {
   glm::dvec3 towards_, local_towards_;  // world and luminaire axes
   glm::dvec3 half_m_;                   // half sizes along the luminaire's axes
   double outline_m2_ = 1.0;             // of a body, along towards_
-  std::vector<double> pieces_;
-  std::vector<int> faces_;  // of each piece: the axis it is across, or kSide
+  static constexpr std::size_t kMostPieces = 4;
+  std::size_t pieces_ = 1;
+  std::array<double, kMostPieces + 1> end_{0.0, 1.0};
+  // [piece]: the axis that its face is across, or kSide; kNothing: the body shows no area.
+  std::array<int, kMostPieces> face_{kNothing};
+
+  static constexpr int kSide = 3;  // of a cylinder, or all of an ellipsoid
+  static constexpr int kNothing = -1;
 };
 
 }  // namespace calc

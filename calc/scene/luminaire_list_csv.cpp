@@ -1,6 +1,6 @@
 #include "calc/scene/luminaire_list_csv.h"
 
-#include "calc/scene/text_lines.h"
+#include "calc/line_cursor.h"
 #include "calc/text.h"
 #include "calc/units.h"
 #include "calc/utf8.h"
@@ -37,16 +37,6 @@ constexpr std::array<std::string_view, kColumns> kNames{
 constexpr std::size_t kRequired = kAxisX;
 constexpr std::size_t kBadLineLimit = 10;
 constexpr double kShortestDirection = 1.0e-9;
-
-std::vector<std::string_view> split_at_commas(std::string_view line) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    parts.push_back(trim(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 // What is wrong with the line; thrown within this file only.
 struct BadLine {
@@ -152,21 +142,19 @@ std::optional<LuminaireList> parse_luminaire_list(std::string_view bytes, const 
   LuminaireList list;
   list.file = name;
   ListReader reader;
-  TextLines lines(bytes);
-  std::string_view line;
-  lines.next(line);
+  LineCursor lines(bytes);
   try {
-    reader.read_header(line);
+    reader.read_header(lines.next().value_or(""));
   } catch (const BadLine& bad) {
     diagnostics.report(DiagnosticId::luminaire_list_header, SourceLocation{name, 1, 0}, bad.what);
     return std::nullopt;
   }
   std::size_t bad_lines = 0;
-  while (lines.next(line)) {
-    if (trim(line).empty()) continue;
-    const SourceLocation where{name, lines.number(), 0};
+  while (const std::optional<std::string_view> line = lines.next()) {
+    if (trim(*line).empty()) continue;
+    const SourceLocation where{name, lines.line(), 0};
     try {
-      list.entry.push_back(reader.read_line(line, lines.number()));
+      list.entry.push_back(reader.read_line(*line, lines.line()));
     } catch (const BadLine& bad) {
       if (++bad_lines > kBadLineLimit) {
         diagnostics.report(DiagnosticId::luminaire_list_gives_up, where, kBadLineLimit);

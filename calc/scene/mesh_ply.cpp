@@ -1,7 +1,7 @@
 #include "calc/scene/mesh_ply.h"
 
+#include "calc/line_cursor.h"
 #include "calc/scene/mesh_builder.h"
-#include "calc/scene/text_lines.h"
 #include "calc/text.h"
 #include "calc/utf8.h"
 
@@ -120,19 +120,18 @@ class PlyReader {
 
  private:
   bool read_header() {
-    TextLines lines(bytes_);
-    std::string_view text;
-    lines.next(text);  // "ply"
-    while (lines.next(text)) {
-      line_ = lines.number();
-      const std::vector<std::string_view> words = split_words(text);
+    LineCursor lines(bytes_);
+    lines.next();  // "ply"
+    while (const std::optional<std::string_view> text = lines.next()) {
+      line_ = lines.line();
+      const std::vector<std::string_view> words = split_words(*text);
       if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
       if (words[0] == "end_header") {
         header_.bytes = bytes_.size() - lines.rest().size();
         header_.lines = line_;
         return check_header();
       }
-      if (!read_header_line(text, words)) return false;
+      if (!read_header_line(*text, words)) return false;
     }
     return broken("its header has no end");
   }

@@ -1,7 +1,7 @@
 #include "calc/scene/mesh_stl.h"
 
+#include "calc/line_cursor.h"
 #include "calc/scene/mesh_builder.h"
-#include "calc/scene/text_lines.h"
 #include "calc/text.h"
 #include "calc/utf8.h"
 
@@ -68,11 +68,11 @@ class StlText {
   }
 
   bool read(std::string_view bytes) {
-    TextLines lines(bytes);
-    for (std::string_view text; lines.next(text);) {
-      line_ = lines.number();
-      const std::vector<std::string_view> words = split_words(text);
-      if (!words.empty() && !statement(trim(text), words)) return false;
+    LineCursor lines(bytes);
+    while (const std::optional<std::string_view> text = lines.next()) {
+      line_ = lines.line();
+      const std::vector<std::string_view> words = split_words(*text);
+      if (!words.empty() && !statement(trim(*text), words)) return false;
     }
     if (state_ != State::outside) return broken("it ends within a solid");
     return true;

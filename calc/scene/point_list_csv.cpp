@@ -1,5 +1,6 @@
 #include "calc/scene/point_list_csv.h"
 
+#include "calc/line_cursor.h"
 #include "calc/text.h"
 #include "calc/utf8.h"
 
@@ -18,16 +19,6 @@ constexpr std::string_view kHeader = "x,y,z,nx,ny,nz";
 constexpr std::size_t kBadLineLimit = 10;
 constexpr double kLargestCoordinate = 1.0e9;
 constexpr double kSmallestNormal = 1.0e-9;
-
-std::vector<std::string_view> split_at_commas(std::string_view line) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    parts.push_back(trim(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 // False if something was reported.
 bool parse_line(std::string_view line, const SourceLocation& where, PointList& list,
@@ -67,11 +58,10 @@ std::optional<PointList> parse_point_list(std::string_view bytes, const std::str
   SourceLocation where{name, 0, 0};
   bool has_header = false;
   std::size_t bad_lines = 0;
-  for (std::size_t begin = 0; begin < bytes.size();) {
-    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
-    const std::string_view line = trim(bytes.substr(begin, end - begin));
-    begin = end + 1;
-    ++where.line;
+  LineCursor lines(bytes);
+  while (const std::optional<std::string_view> text = lines.next()) {
+    const std::string_view line = trim(*text);
+    where.line = lines.line();
     if (!has_header) {
       if (line != kHeader) {
         diagnostics.report(DiagnosticId::point_list_header, where, shorten_utf8(line, 60));

@@ -1,6 +1,6 @@
 #include "calc/photometry/photometry_file.h"
 
-#include "tests/support/photometry_samples.h"
+#include "tests/support/parsed_photometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,32 +14,21 @@ namespace {
 
 using test_support::angle_steps;
 using test_support::cos_deg;
-using test_support::diagnostics_text;
 using test_support::ldt_text;
 using test_support::LdtSample;
 using test_support::sin_deg;
 using testing::HasSubstr;
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
 Parsed parse(const std::string& text, int lamp_set = 0) {
-  Diagnostics diagnostics;
   PhotometryOptions options;
   options.lamp_set = lamp_set;
-  Parsed parsed{parse_photometry(text, "a.ldt", diagnostics, options), ""};
-  parsed.messages = diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
+  return test_support::parse_with_messages(text, "a.ldt", options);
 }
 
 PhotometricWeb read(const LdtSample& sample) {
-  Parsed parsed = parse(ldt_text(sample));
-  EXPECT_EQ(parsed.messages, "");
-  if (!parsed.web) throw std::runtime_error(parsed.messages);
-  return *parsed.web;
+  return test_support::read_silently(ldt_text(sample), "a.ldt");
 }
 
 double at(const PhotometricWeb& web, double c_deg, double gamma_deg) {

@@ -2,6 +2,7 @@
 
 #include "calc/photometry/photometry_file.h"
 #include "tests/support/gldf_samples.h"
+#include "tests/support/parsed_photometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,17 +20,10 @@ using test_support::product_xml;
 using test_support::zip_bytes;
 using testing::HasSubstr;
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
 Parsed parse(const std::string& bytes, const PhotometryOptions& options = {}) {
-  Diagnostics diagnostics;
-  Parsed parsed{parse_photometry(bytes, "a.gldf", diagnostics, options), ""};
-  parsed.messages = test_support::diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
+  return test_support::parse_with_messages(bytes, "a.gldf", options);
 }
 
 std::string fixed_emitter(const std::string& inside) {

@@ -1,6 +1,6 @@
 #include "calc/photometry/photometry_file.h"
 
-#include "tests/support/photometry_samples.h"
+#include "tests/support/parsed_photometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,30 +13,17 @@ namespace {
 
 using test_support::angle_steps;
 using test_support::cos_deg;
-using test_support::diagnostics_text;
 using test_support::ies_text;
 using test_support::IesSample;
 using test_support::sin_deg;
 using testing::HasSubstr;
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
-Parsed parse(const std::string& text) {
-  Diagnostics diagnostics;
-  Parsed parsed{parse_photometry(text, "a.ies", diagnostics), ""};
-  parsed.messages = diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
-}
+Parsed parse(const std::string& text) { return test_support::parse_with_messages(text, "a.ies"); }
 
 PhotometricWeb read(const IesSample& sample) {
-  Parsed parsed = parse(ies_text(sample));
-  EXPECT_EQ(parsed.messages, "");
-  if (!parsed.web) throw std::runtime_error(parsed.messages);
-  return *parsed.web;
+  return test_support::read_silently(ies_text(sample), "a.ies");
 }
 
 double at(const PhotometricWeb& web, double c_deg, double gamma_deg) {

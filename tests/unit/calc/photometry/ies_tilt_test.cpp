@@ -1,7 +1,7 @@
 #include "calc/photometry/ies_tilt.h"
 
 #include "calc/photometry/ies_lm63.h"
-#include "tests/support/photometry_samples.h"
+#include "tests/support/parsed_photometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,26 +12,20 @@
 namespace calc {
 namespace {
 
-using test_support::diagnostics_text;
 using test_support::ies_text;
 using test_support::IesSample;
 using testing::HasSubstr;
 
 constexpr double kDegree = kPi / 180.0;
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
 Parsed parse(const std::string& tilt, const CompanionReader& read_companion = {}) {
   IesSample sample;
   sample.tilt = tilt;
-  Diagnostics diagnostics;
-  Parsed parsed{parse_lm63(ies_text(sample), "lamps/a.ies", diagnostics, read_companion), ""};
-  parsed.messages = diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
+  PhotometryOptions options;
+  options.read_companion = read_companion;
+  return test_support::parse_with_messages(ies_text(sample), "lamps/a.ies", options);
 }
 
 // Turned about world x by the angle: the C90 line and the vertical tilt.

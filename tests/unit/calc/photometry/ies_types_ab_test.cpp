@@ -1,7 +1,7 @@
 #include "calc/photometry/ies_types_ab.h"
 
 #include "calc/photometry/web_sampling.h"
-#include "tests/support/photometry_samples.h"
+#include "tests/support/parsed_photometry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,6 @@ namespace {
 
 using test_support::angle_steps;
 using test_support::cos_deg;
-using test_support::diagnostics_text;
 using test_support::ies_text;
 using test_support::IesSample;
 using test_support::make_web;
@@ -48,17 +47,10 @@ double lobe(const Direction& d) {
   return power_lobe(d, 60.0) * std::max(0.0, 2.0 * d[0]) * std::max(0.0, -2.0 * d[2]);
 }
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
 Parsed parse(const IesSample& sample) {
-  Diagnostics diagnostics;
-  Parsed parsed{parse_photometry(ies_text(sample), "a.ies", diagnostics), ""};
-  parsed.messages = diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
+  return test_support::parse_with_messages(ies_text(sample), "a.ies");
 }
 
 IesSample sample_of(char type, double first_deg, double step_deg,

@@ -1,6 +1,7 @@
 #include "calc/photometry/tm33_xml.h"
 
 #include "calc/photometry/photometry_file.h"
+#include "tests/support/parsed_photometry.h"
 #include "tests/support/tm33_samples.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +14,6 @@ namespace {
 
 using test_support::angle_steps;
 using test_support::cos_deg;
-using test_support::diagnostics_text;
 using test_support::sin_deg;
 using test_support::tm33_emitter;
 using test_support::tm33_points;
@@ -21,19 +21,12 @@ using test_support::tm33_text;
 using test_support::Tm33Emitter;
 using testing::HasSubstr;
 
-struct Parsed {
-  std::optional<PhotometricWeb> web;
-  std::string messages;
-};
+using Parsed = test_support::ParsedPhotometry;
 
 Parsed parse(const std::string& text, const std::string& emitter = "") {
-  Diagnostics diagnostics;
   PhotometryOptions options;
   options.emitter = emitter;
-  Parsed parsed{parse_photometry(text, "a.xml", diagnostics, options), ""};
-  parsed.messages = diagnostics_text(diagnostics);
-  EXPECT_EQ(!parsed.web, diagnostics.has_errors()) << parsed.messages;
-  return parsed;
+  return test_support::parse_with_messages(text, "a.xml", options);
 }
 
 PhotometricWeb read(const std::string& text) {

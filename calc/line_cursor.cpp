@@ -1,4 +1,4 @@
-#include "calc/photometry/line_cursor.h"
+#include "calc/line_cursor.h"
 
 #include "calc/text.h"
 
