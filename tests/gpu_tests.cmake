@@ -9,3 +9,9 @@ luxgate_test(gpu_tests
 # Differences and speed of both backends, project by project.
 add_executable(bench_gpu bench/bench_gpu.cpp)
 target_link_libraries(bench_gpu PRIVATE gpu calc_radiosity)
+
+add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DCOMPARE_CSV=$<TARGET_FILE:compare_csv>
+  -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/gpu_backend
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_gpu_backend.cmake)
+set_tests_properties(cli.gpu_backend PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "skipped:")

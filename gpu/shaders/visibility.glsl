@@ -29,7 +29,7 @@ bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
 }
 
 // Rays along an axis would divide by 0.
-float inverse(float component) {
+float reciprocal(float component) {
   return 1.0 / (abs(component) > 1.0e-30 ? component : 1.0e-30);
 }
 
@@ -40,7 +40,7 @@ bool is_blocked(vec3 from, vec3 to) {
   const float t_far = 1.0 - margin;
   // Two points nearer than both margins have nothing between them.
   if (!(t_near < t_far)) return false;
-  const vec3 per_along = vec3(inverse(along.x), inverse(along.y), inverse(along.z));
+  const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
   const float rounding = 1.0e-6;  // of the distances to box planes
   uint at = 0u;
   while (at < node_count) {
