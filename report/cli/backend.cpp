@@ -23,9 +23,8 @@ std::string why_no_hardware(const gpu::DeviceList& hardware) {
   return text;
 }
 
-std::optional<int> hardware_device(const Options& options, const gpu::DeviceList& hardware) {
+std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
   for (const gpu::Device& device : hardware.devices) {
-    if (options.gl_device >= 0 && device.index != options.gl_device) continue;
     if (device.is_usable() && !device.is_software) return device.index;
   }
   return std::nullopt;
@@ -41,9 +40,9 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
   return std::nullopt;
 }
 
-BackendChoice choose_backend(const Options& options, const gpu::DeviceList& hardware,
-                             const std::function<double()>& connections) {
-  const std::optional<int> device = hardware_device(options, hardware);
+BackendChoice choose_automatically(const gpu::DeviceList& hardware,
+                                   const std::function<double()>& connections) {
+  const std::optional<int> device = hardware_device(hardware);
   if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
   const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
   const double count = connections();
@@ -61,7 +60,7 @@ BackendChoice choose_backend(const Options& options, gpu::Fault fault,
   if (options.backend != Backend::automatic) {
     return {options.backend, options.gl_device, "asked for with --backend"};
   }
-  return choose_backend(options, gpu::list_hardware(fault), connections);
+  return choose_automatically(gpu::list_hardware(fault), connections);
 }
 
 std::string backend_line(const BackendChoice& choice) {

@@ -32,9 +32,9 @@ inline constexpr double kConnectionsWorthAGpu = 1.0e8;
 // The answer to --backend auto: a GPU if there is one that is not software, and enough work for it.
 // connections: in the first look at all projects; only asked for if there is such a device. Does
 // not depend on --jobs.
-BackendChoice choose_backend(const Options& options, const gpu::DeviceList& hardware,
-                             const std::function<double()>& connections);
-// The same with this machine's devices, which are only looked for if that matters.
+BackendChoice choose_automatically(const gpu::DeviceList& hardware,
+                                   const std::function<double()>& connections);
+// What --backend means on this machine, whose devices are only looked for if that matters.
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<double()>& connections);
 

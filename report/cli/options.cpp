@@ -144,7 +144,8 @@ void add_backend(CLI::App& app, Options& options) {
             choice<Backend>(
                 options.backend,
                 {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
-  add_value(app, "--gl-device", "N", "The OpenGL device to use; 'luxgate devices' lists them",
+  add_value(app, "--gl-device", "N",
+            "With --backend gpu: the OpenGL device to use; 'luxgate devices' lists them",
             whole_number(options.gl_device, 0, 1023));
 }
 
@@ -203,8 +204,8 @@ std::string contradiction(const Options& options) {
   if (stdout_formats > 1) {
     return "--format: only one kind can go to standard output; give the others as KIND=FILE";
   }
-  if (options.gl_device >= 0 && options.backend == Backend::cpu) {
-    return "--gl-device says nothing with --backend cpu";
+  if (options.gl_device >= 0 && options.backend != Backend::gpu) {
+    return "--gl-device needs --backend gpu";
   }
   if (options.images && options.output_folder.empty()) return "--images needs --output FOLDER";
   for (std::size_t i = 0; i < options.projects.size(); ++i) {

@@ -22,10 +22,8 @@ gpu::Device device(int index, const std::string& renderer, bool is_software,
   return result;
 }
 
-cli::BackendChoice choose(const gpu::DeviceList& list, double connections, int wanted = -1) {
-  cli::Options options;
-  options.gl_device = wanted;
-  return cli::choose_backend(options, list, [&] { return connections; });
+cli::BackendChoice choose(const gpu::DeviceList& list, double connections) {
+  return cli::choose_automatically(list, [&] { return connections; });
 }
 
 TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
@@ -34,7 +32,6 @@ TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
   EXPECT_EQ(much.backend, cli::Backend::gpu);
   EXPECT_EQ(much.device, 0);
   EXPECT_THAT(cli::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 200"));
-  EXPECT_EQ(choose(list, 2e8, 1).device, 1);
   const cli::BackendChoice little = choose(list, 9.9e7);
   EXPECT_EQ(little.backend, cli::Backend::cpu);
   EXPECT_THAT(little.why, HasSubstr("too little work for Card A"));
@@ -49,14 +46,12 @@ TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
   EXPECT_EQ(cli::backend_line(choice),
             "backend: cpu: OpenGL device 0 cannot be used: OpenGL 3.3 has no compute shaders; "
             "OpenGL device 1 is software, slower than the CPU backend\n");
-  EXPECT_EQ(choose(list, 1e12, 1).backend, cli::Backend::cpu);
   EXPECT_EQ(choose({{}, "this machine has no graphics device"}, 1e12).why,
             "this machine has no graphics device");
 }
 
 TEST(Backend, AutoDoesNotCountWorkWithoutADevice) {
-  const cli::Options options;
-  const cli::BackendChoice choice = cli::choose_backend(options, gpu::DeviceList{{}, "none"}, [] {
+  const cli::BackendChoice choice = cli::choose_automatically({{}, "none"}, [] {
     ADD_FAILURE() << "planned for nothing";
     return 0.0;
   });

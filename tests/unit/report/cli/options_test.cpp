@@ -50,27 +50,10 @@ TEST(Options, HasTheDocumentedDefaults) {
 }
 
 TEST(Options, ReadsEveryCalculationSetting) {
-  const cli::Options options = parsed({"check",
-                                       "a.xml",
-                                       "--goal",
-                                       "accuracy",
-                                       "--tolerance",
-                                       "5%",
-                                       "--confidence=0.99",
-                                       "--seed",
-                                       "18446744073709551615",
-                                       "--replicates",
-                                       "32",
-                                       "--max-paths",
-                                       "1024",
-                                       "--time-limit",
-                                       "2.5",
-                                       "--jobs",
-                                       "3",
-                                       "--backend",
-                                       "gpu",
-                                       "--gl-device",
-                                       "2"});
+  const cli::Options options =
+      parsed({"check", "a.xml", "--goal", "accuracy", "--tolerance", "5%", "--confidence=0.99",
+              "--seed", "18446744073709551615", "--replicates", "32", "--max-paths", "1024",
+              "--time-limit", "2.5", "--jobs", "3", "--backend", "gpu"});
   EXPECT_EQ(options.goal, rules::Goal::accuracy);
   EXPECT_DOUBLE_EQ(options.tolerance, 0.05);
   EXPECT_DOUBLE_EQ(options.confidence, 0.99);
@@ -80,7 +63,19 @@ TEST(Options, ReadsEveryCalculationSetting) {
   EXPECT_DOUBLE_EQ(options.radiosity.time_limit_s, 2.5);
   EXPECT_EQ(options.radiosity.jobs, 3);
   EXPECT_EQ(options.backend, cli::Backend::gpu);
-  EXPECT_EQ(options.gl_device, 2);
+}
+
+TEST(Options, BackendsBelongToResults) {
+  for (const char* command : {"check", "plan"}) {
+    const cli::Options gpu = parsed({command, "a.xml", "--backend", "gpu", "--gl-device", "2"});
+    EXPECT_EQ(gpu.gl_device, 2);
+    EXPECT_EQ(cli::reproducible_command(gpu), "luxgate check a.xml --backend gpu");
+    EXPECT_EQ(cli::reproducible_command(parsed({command, "a.xml", "--backend", "cpu"})),
+              "luxgate check a.xml --backend cpu");
+  }
+  expect_usage_error({"check", "a.xml", "--backend", "auto", "--gl-device", "0"},
+                     "--gl-device needs --backend gpu");
+  expect_usage_error({"check", "a.xml", "--gl-device", "-1"}, "a whole number from 0 to 1023");
 }
 
 TEST(Options, LowersTheFirstLookToTheMostPaths) {
@@ -137,9 +132,6 @@ TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
 TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
   expect_usage_error({"check", "a.xml", "--format", "jsn"}, "did you mean 'json'?");
   expect_usage_error({"check", "a.xml", "--backend", "cuda"}, "auto, cpu or gpu");
-  expect_usage_error({"check", "a.xml", "--backend", "cpu", "--gl-device", "0"},
-                     "--gl-device says nothing with --backend cpu");
-  expect_usage_error({"check", "a.xml", "--gl-device", "-1"}, "a whole number from 0 to 1023");
   expect_usage_error({"check", "a.xml", "--goal", "accurcy"}, "did you mean 'accuracy'?");
   expect_usage_error({"check", "a.xml", "--color", "blue"}, "auto, always or never");
 }
