@@ -1,5 +1,7 @@
 #include "calc/diagnostics.h"
 
+#include "calc/utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -44,6 +46,8 @@ std::string format_diagnostic(const Diagnostic& diagnostic) {
 
 void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
   if (diagnostic_severity(id) == Severity::error) ++error_count_;
+  // Messages quote files, which may hold anything.
+  message = without_control_characters(message);
   all_.push_back(Diagnostic{id, where, std::move(message)});
 }
 

@@ -40,6 +40,20 @@ std::string utf8_from_code_point(std::uint32_t code) {
   return {byte_of(0xF0u | (code >> 18u)), tail(12), tail(6), tail(0)};
 }
 
+std::string without_control_characters(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool is_two_bytes = byte == 0xC2 && i + 1 < text.size() &&
+                              static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
+                              static_cast<unsigned char>(text[i + 1]) <= 0x9F;
+    result += byte < 0x20 || byte == 0x7F || is_two_bytes ? ' ' : text[i];
+    if (is_two_bytes) ++i;
+  }
+  return result;
+}
+
 std::string shorten_utf8(std::string_view text, std::size_t characters) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -23,6 +23,10 @@ std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 // code: up to 0x10FFFF.
 std::string utf8_from_code_point(std::uint32_t code);
 
+// The text with a blank for each control character (line ends, tabs, terminal escapes, U+0080 to
+// U+009F). Bytes that are not UTF-8 stay.
+std::string without_control_characters(std::string_view text);
+
 // At most `characters` characters, "..." for the rest.
 std::string shorten_utf8(std::string_view text, std::size_t characters);
 

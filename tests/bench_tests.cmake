@@ -8,8 +8,11 @@ add_executable(bench_core
   bench/bench_core.cpp
   bench/converge.cpp
   bench/coverage.cpp
+  bench/files.cpp
   bench/measure.cpp
+  bench/memory.cpp
   bench/near.cpp
+  bench/openings.cpp
   bench/path_tracing.cpp
   bench/photometry.cpp
   bench/project_file.cpp

@@ -11,7 +11,9 @@ luxgate_test(photometry_tests
     unit/calc/photometry/line_cursor_test.cpp
     unit/calc/photometry/number_stream_test.cpp
     unit/calc/photometry/photometry_file_test.cpp
+    unit/calc/photometry/pitfalls_test.cpp
     unit/calc/photometry/real_files_test.cpp
+    unit/calc/photometry/real_made_files_test.cpp
     unit/calc/photometry/real_pairs_test.cpp
     unit/calc/photometry/sine_segment_test.cpp
     unit/calc/photometry/text_encoding_test.cpp
@@ -20,6 +22,7 @@ luxgate_test(photometry_tests
     unit/calc/photometry/web_compare_test.cpp
     unit/calc/photometry/web_hermite_test.cpp
     unit/calc/photometry/web_measures_test.cpp
+    unit/calc/photometry/web_resample_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
     unit/calc/photometry/web_test.cpp
     unit/calc/photometry/write_photometry_test.cpp

@@ -7,6 +7,7 @@ luxgate_test(radiosity_tests
     analytic/integrating_sphere_test.cpp
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp
+    analytic/luminous_body_test.cpp
     analytic/receiver_kernels_test.cpp
     differential/gatherer_test.cpp
     differential/same_bits_test.cpp

@@ -19,8 +19,10 @@ luxgate_test(scene_tests
     unit/calc/scene/luminaires_xml_test.cpp
     unit/calc/scene/objects_xml_test.cpp
     unit/calc/scene/planes_xml_test.cpp
+    unit/calc/scene/opening_fit_test.cpp
     unit/calc/scene/point_list_csv_test.cpp
     unit/calc/scene/project_files_test.cpp
+    unit/calc/scene/project_photometry_test.cpp
     unit/calc/scene/project_schema_test.cpp
     unit/calc/scene/project_xml_file_messages_test.cpp
     unit/calc/scene/project_xml_library_messages_test.cpp

@@ -173,6 +173,8 @@ class EulumdatReader {
       diagnostics_.report(DiagnosticId::photometry_no_power, lines_.here());
     set_flux_lm_ = flux_lm;
     source_.rated_lamp_flux_lm = lamps < 0.0 ? 0.0 : flux_lm;
+    source_.stated_flux_lm =
+        lamps < 0.0 ? flux_lm : std::max(0.0, 0.01 * output_ratio_percent_ * flux_lm);
     source_.applied_factors = fmt::format("LDT conversion {} x {} lm / 1000", conversion_, flux_lm);
     return true;
   }
@@ -204,7 +206,13 @@ class EulumdatReader {
   }
 
   bool read_angles() {
-    // Read one by one: memory grows with the lines present, never with a count.
+    const auto angles =
+        static_cast<std::size_t>(plane_count_) + static_cast<std::size_t>(gamma_count_);
+    if (const std::size_t present = lines_.count_remaining(); angles > present) {
+      diagnostics_.report(DiagnosticId::photometry_count, lines_.here(), "the C and gamma angles",
+                          angles, present);
+      return false;
+    }
     return read_angle_list(plane_count_, 360.0, "C", all_c_deg_) &&
            read_angle_list(gamma_count_, 180.0, "gamma", table_.gamma_deg);
   }

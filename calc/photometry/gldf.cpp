@@ -29,7 +29,7 @@ PhotometricWeb scaled(const PhotometricWeb& web, double factor, PhotometrySource
       intensity_cd.push_back(factor * web.table_cd(c, g));
   }
   return PhotometricWeb::make(web.c_rad(), web.gamma_rad(), std::move(intensity_cd), web.opening(),
-                              std::move(source));
+                              std::move(source), web.axis());
 }
 
 class GldfReader {
@@ -133,6 +133,7 @@ class GldfReader {
     }
     choose_power(*light.fitting, source);
     const double factor = flux_factor(web, *light.fitting, source);
+    source.stated_flux_lm *= factor;
     return scaled(web, factor, std::move(source));
   }
 

@@ -60,9 +60,15 @@ class ProductReader {
   double number_of(const XmlElement& parent, std::string_view name) {
     const XmlElement* element = child_of(parent, name);
     const double value = number_in(element, diagnostics_).value_or(0.0);
-    if (value >= 0.0) return value;
-    diagnostics_.report(DiagnosticId::photometry_value, element->where, fmt::format("<{}>", name),
-                        fmt::format("{}", value), ">= 0");
+    return check(fmt::format("<{}>", name), value, element);
+  }
+
+  // A flux, power or number of lamps; 0 after an error.
+  double check(const std::string& what, double value, const XmlElement* element) {
+    constexpr double kMost = 1.0e12;
+    if (value >= 0.0 && value <= kMost) return value;
+    diagnostics_.report(DiagnosticId::photometry_value, element->where, what,
+                        fmt::format("{}", value), fmt::format("0 to {:g}", kMost));
     return 0.0;
   }
 
@@ -110,8 +116,12 @@ class ProductReader {
     if (found == light_sources_.end()) return {};
     const std::string count = attribute_of(*reference, "lightSourceCount");
     XmlElement as_element{"lightSourceCount", {}, {}, reference->where, count};
-    const double lamps = count.empty() ? 1.0 : number_in(&as_element, diagnostics_).value_or(1.0);
-    return {lamps * found->second.flux_lm, lamps * found->second.power_w};
+    const double lamps = count.empty()
+                             ? 1.0
+                             : check("lightSourceCount",
+                                     number_in(&as_element, diagnostics_).value_or(1.0), reference);
+    return {check("the flux of all lamps (lm)", lamps * found->second.flux_lm, reference),
+            check("the power of all lamps (W)", lamps * found->second.power_w, reference)};
   }
 
   void read_equipment() {

@@ -33,6 +33,22 @@ bool looks_like_eulumdat(std::string_view text) {
   return true;
 }
 
+// The same with values that are allowed. Texts of EULUMDAT may start with TILT=; an LM-63 file that
+// states one number per line begins with IES or with its TILT= line.
+bool is_surely_eulumdat(std::string_view text) {
+  LineCursor lines(text);
+  const std::optional<std::string_view> first = lines.next();
+  if (!first || trim(*first).starts_with("IES")) return false;
+  constexpr double kMost[] = {3.0, 4.0, 1.0e9};  // Ityp, Isym, Mc
+  for (const double most : kMost) {
+    const std::optional<std::string_view> line = lines.next();
+    const std::optional<double> value = line ? parse_photometry_number(trim(*line)) : std::nullopt;
+    if (!value || *value != std::floor(*value) || *value < 0.0 || *value > most) return false;
+  }
+  const std::optional<Lm63Header> header = read_lm63_header(text);
+  return !header || header->tilt_line != 1 || (header->tilt != "NONE" && header->tilt != "INCLUDE");
+}
+
 std::string what_it_is(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
   if (looks_like_zip(text)) return "it is a ZIP archive inside another one";
@@ -69,12 +85,13 @@ std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, cons
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
-  if (read_lm63_header(text) || trim(text.substr(0, 200)).starts_with("IES")) {
+  const bool is_eulumdat = is_surely_eulumdat(text);
+  if (!is_eulumdat && (read_lm63_header(text) || trim(text.substr(0, 200)).starts_with("IES"))) {
     if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
     return parse_lm63(text, name, diagnostics, options.read_companion);
   }
   if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
-  if (looks_like_eulumdat(text)) {
+  if (is_eulumdat || looks_like_eulumdat(text)) {
     if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
       return std::nullopt;
     return parse_eulumdat(text, name, options, diagnostics);

@@ -1,6 +1,7 @@
 #include "calc/photometry/stored_table.h"
 
 #include "calc/photometry/web_measures.h"
+#include "calc/photometry/web_resample.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -11,7 +12,9 @@
 namespace calc {
 namespace {
 
-constexpr double kOneAngle_deg = 1.0e-5;  // images of planes this near are the same plane
+// Images of planes this near are the same plane. More than readers want between two planes, less
+// than type A and B tables have between the last angle and darkness (1e-5).
+constexpr double kOneAngle_deg = 2.0e-6;
 
 double rounded_degrees(double rad) { return std::round(degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
 
@@ -109,14 +112,26 @@ bool lead_to_usual_ends(StoredTable& table, LowestGamma lowest_gamma) {
 
 }  // namespace
 
-std::optional<StoredTable> make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
-                                             std::string_view format, const std::string& name,
-                                             Diagnostics& diagnostics) {
+std::optional<PhotometricWeb> tabulated_over_c_gamma(const PhotometricWeb& web,
+                                                     std::string_view format,
+                                                     const std::string& name,
+                                                     Diagnostics& diagnostics) {
   const SourceLocation file{name, 0, 0};
-  if (!has_c_gamma_table(web)) {
+  if (has_c_gamma_table(web)) return web;
+  std::optional<ResampledWeb> made = resampled_over_c_gamma(web);
+  if (!made) {
     diagnostics.report(DiagnosticId::photometry_write_table, file, format);
     return std::nullopt;
   }
+  diagnostics.report(DiagnosticId::photometry_write_resampled, file, format, made->c_step_deg,
+                     made->gamma_step_deg, 100.0 * made->largest_share, made->flux_ratio);
+  return std::move(made->web);
+}
+
+StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
+                              std::string_view format, const std::string& name,
+                              Diagnostics& diagnostics) {
+  const SourceLocation file{name, 0, 0};
   StoredTable table;
   table.symmetry = table_symmetry(web);
   table.circle_c_deg = circle_of(web, table.symmetry);

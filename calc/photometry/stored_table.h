@@ -27,14 +27,20 @@ struct StoredTable {
   }
 };
 
-// lowest_gamma: where the format wants tables to begin; they end at 90 or 180. A table that is dark
-// at an end is led on to such an angle with zeros; one that is cut off in the light is kept as it
-// is, with a warning. format, name: the target, for messages. Empty if and only if an error was
-// reported: a web that is not tabulated over C and gamma.
+// The web itself if it is tabulated over C and gamma, else the same light resampled, with a warning
+// of the steps and of what that changes. Empty, with an error, for a beam too narrow for that.
+std::optional<PhotometricWeb> tabulated_over_c_gamma(const PhotometricWeb& web,
+                                                     std::string_view format,
+                                                     const std::string& name,
+                                                     Diagnostics& diagnostics);
+
+// web: tabulated over C and gamma. lowest_gamma: where the format wants tables to begin; they end
+// at 90 or 180. A table that is dark at an end is led on to such an angle with zeros; one that is
+// cut off in the light is kept as it is, with a warning. format, name: the target, for messages.
 enum class LowestGamma { zero, zero_or_90 };
-std::optional<StoredTable> make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
-                                             std::string_view format, const std::string& name,
-                                             Diagnostics& diagnostics);
+StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamma,
+                              std::string_view format, const std::string& name,
+                              Diagnostics& diagnostics);
 
 // A decimal number without exponent and without zeros at its end: `digits` significant ones, but
 // none finer than `decimals` places (0 to 15). value: finite, below 1e15.

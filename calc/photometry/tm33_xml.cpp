@@ -49,6 +49,7 @@ class Tm33Reader {
     if (source_.input_power_w == 0.0)
       diagnostics_.report(DiagnosticId::photometry_no_power, used_.front().element->where);
     if (!all_rated_) source_.rated_lamp_flux_lm = 0.0;
+    if (all_stated_) source_.stated_flux_lm = stated_lm_;
     std::optional<PhotometricWeb> web =
         make_checked_web(std::move(sum_), *opening, std::move(source_), diagnostics_);
     if (web) warn_of_flux(*web);

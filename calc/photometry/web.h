@@ -60,8 +60,9 @@ struct PhotometrySource {
   double input_power_w = 0;  // 0 = not stated
   std::string
       applied_factors;  // words: "multiplier 1 x ballast 0.9", "LDT conversion 1 x 3000 lm / 1000"
-  std::string axis_rule{};  // words: what C 0 and the opening's sides lie along
+  std::string axis_rule{};              // words: what C 0 and the opening's sides lie along
   std::optional<LampTilt> lamp_tilt{};  // the intensities hold its factor of tilt 0
+  double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
 };
 
 // Intensity table over full circles, symmetric files already expanded; bilinear between entries

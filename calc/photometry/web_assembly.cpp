@@ -16,7 +16,8 @@ constexpr double kBrightest_cd = 1.0e12;     // far above any searchlight
 constexpr double kPoleSpreadShare = 0.03;    // of the value at the pole
 constexpr double kCircleSpreadShare = 0.01;  // of the maximum
 constexpr double kCutShare = 0.05;           // of the maximum, at the last angle
-constexpr double kSmallestStep_deg = 1.0e-6;  // keeps radians apart
+constexpr double kSmallestStep_deg = 1.0e-6;                   // keeps radians apart
+constexpr double kLeastStated = 1.0e-6, kMostStated = 1.0e12;  // lumens of lamps, watts
 
 bool check_and_clean_values(FileTable& table, Diagnostics& diagnostics) {
   const auto [lowest, highest] =
@@ -45,6 +46,19 @@ bool check_and_clean_values(FileTable& table, Diagnostics& diagnostics) {
     diagnostics.report(DiagnosticId::photometry_noise, table.most_negative_where, cleaned, minimum);
   }
   return true;
+}
+
+// What the file says besides the table; readers have refused numbers below 0 and sizes.
+bool check_statements(const PhotometrySource& source, const SourceLocation& where,
+                      Diagnostics& diagnostics) {
+  const auto holds = [&](const char* what, double value) {
+    if (value == 0.0 || (value >= kLeastStated && value <= kMostStated)) return true;
+    diagnostics.report(DiagnosticId::photometry_value, where, what, fmt::format("{}", value),
+                       fmt::format("0, or {:g} to {:g}", kLeastStated, kMostStated));
+    return false;
+  };
+  return holds("the flux of all lamps (lm)", source.rated_lamp_flux_lm) &&
+         holds("the input power (W)", source.input_power_w);
 }
 
 void warn_of_gamma_range(const FileTable& table, double maximum_cd, Diagnostics& diagnostics) {
@@ -107,6 +121,7 @@ double radians(double deg) { return deg >= 360.0 ? 2.0 * kPi : deg * kPi / 180.0
 std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOpening& opening,
                                                PhotometrySource source, Diagnostics& diagnostics) {
   if (!check_and_clean_values(table, diagnostics)) return std::nullopt;
+  if (!check_statements(source, table.where, diagnostics)) return std::nullopt;
   const std::vector<CirclePlane> circle = full_circle(table.c_deg, table.symmetry);
   if (circle.empty()) {
     diagnostics.report(DiagnosticId::photometry_planes, table.where, table.c_deg.front(),

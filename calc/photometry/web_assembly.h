@@ -25,8 +25,9 @@ struct FileTable {
 };
 
 // Empty if and only if an error was reported: no light at all, more than measurement noise below
-// zero, absurdly high values, or planes missing. Warns of what a reader of the results should know:
-// noise set to 0, a gap in the angles, planes that disagree at a pole or at C 0 and 360.
+// zero, absurdly high values (of the light, the rated flux or the power), or planes missing. Warns
+// of what a reader of the results should know: noise set to 0, a gap in the angles, planes that
+// disagree at a pole or at C 0 and 360.
 std::optional<PhotometricWeb> make_checked_web(FileTable table, const LuminousOpening& opening,
                                                PhotometrySource source, Diagnostics& diagnostics);
 

@@ -76,8 +76,9 @@ OpeningRelation relate_openings(const LuminousOpening& a, const LuminousOpening&
   if (a.shape == OpeningShape::point || b.shape == OpeningShape::point) {
     return OpeningRelation::not_stated;
   }
+  const bool heights_agree = !a.is_body() || !b.is_body() || same_size(a.height_m, b.height_m);
   const auto equal = [&](bool exchange) {
-    return same_size(exchange ? a.along_c90_m : a.along_c0_m, b.along_c0_m) &&
+    return heights_agree && same_size(exchange ? a.along_c90_m : a.along_c0_m, b.along_c0_m) &&
            same_size(exchange ? a.along_c0_m : a.along_c90_m, b.along_c90_m);
   };
   const bool exchange = turn.quarters % 2 == 1;  // mirror images of odd turns exchange them, too

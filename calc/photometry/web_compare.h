@@ -29,7 +29,8 @@ struct TurnFit {
   double largest = 0.0;
 };
 
-// How the openings' sizes along C0 and C90 go with a turn; equal means within 5 mm or 3 %.
+// How the openings' sizes along C0 and C90 - of two bodies the heights, too - go with a turn; equal
+// means within 5 mm or 3 %.
 enum class OpeningRelation {
   not_stated,   // one of them is a point
   agree,        // equal after the turn, and not without

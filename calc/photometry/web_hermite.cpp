@@ -46,15 +46,16 @@ struct Beyond {
 };
 std::vector<double> refined_curve(const std::vector<double>& node, const std::vector<double>& value,
                                   const Beyond& before, const Beyond& after, std::size_t parts) {
-  const std::size_t last = node.size() - 1;
-  const auto secant = [&](std::size_t i) {
-    return (value[i + 1] - value[i]) / (node[i + 1] - node[i]);
-  };
+  std::vector<double> secant;
+  for (std::size_t i = 0; i + 1 < node.size(); ++i) {
+    secant.push_back((value[i + 1] - value[i]) / (node[i + 1] - node[i]));
+  }
+  const std::size_t last = secant.size();
   const auto slope = [&](std::size_t i) {
-    if (i == 0 && before.width == 0.0) return secant(0);
-    if (i == last && after.width == 0.0) return secant(last - 1);
-    const double left = i > 0 ? secant(i - 1) : before.secant;
-    const double right = i < last ? secant(i) : after.secant;
+    if (i == 0 && before.width == 0.0) return secant.front();
+    if (i == last && after.width == 0.0) return secant.back();
+    const double left = i > 0 ? secant[i - 1] : before.secant;
+    const double right = i < last ? secant[i] : after.secant;
     const double left_width = i > 0 ? node[i] - node[i - 1] : before.width;
     const double right_width = i < last ? node[i + 1] - node[i] : after.width;
     return limited_slope(left, right, left_width, right_width);

@@ -3,8 +3,10 @@
 #include "calc/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace calc {
 namespace {
@@ -13,6 +15,14 @@ constexpr double kSameIntensity = 1.0e-9;  // relative
 constexpr int kUniformPlanes = 360, kUniformGammaSteps = 360;
 
 bool is_pole(double gamma_rad) { return gamma_rad <= 0.0 || gamma_rad >= kPi; }
+
+// So that equal angles from other frames are equal, and 2 pi is 0.
+WebAngles without_rounding(const WebAngles& angles) {
+  constexpr double kRounding_rad = 1.0e-12;
+  const auto rounded = [](double rad) { return std::round(rad / kRounding_rad) * kRounding_rad; };
+  const double c = rounded(angles.c_rad), gamma = rounded(angles.gamma_rad);
+  return {c >= 2.0 * kPi - kRounding_rad ? 0.0 : c, gamma >= kPi - kRounding_rad ? kPi : gamma};
+}
 
 struct ProfilePoint {
   double angle_rad;  // signed gamma
@@ -23,9 +33,15 @@ struct ProfilePoint {
 std::vector<ProfilePoint> half_profile(const PhotometricWeb& web, double c_rad,
                                        const std::vector<double>& gamma_rad) {
   std::vector<ProfilePoint> points;
-  if (gamma_rad.front() > 0.0) points.insert(points.end(), {{0.0, 0.0}, {gamma_rad.front(), 0.0}});
+  if (gamma_rad.front() > 0.0) {
+    points.push_back({0.0, 0.0});
+    points.push_back({gamma_rad.front(), 0.0});
+  }
   for (const double gamma : gamma_rad) points.push_back({gamma, web.intensity_cd(c_rad, gamma)});
-  if (gamma_rad.back() < kPi) points.insert(points.end(), {{gamma_rad.back(), 0.0}, {kPi, 0.0}});
+  if (gamma_rad.back() < kPi) {
+    points.push_back({gamma_rad.back(), 0.0});
+    points.push_back({kPi, 0.0});
+  }
   return points;
 }
 
@@ -35,8 +51,7 @@ std::vector<ProfilePoint> full_profile(const PhotometricWeb& web, double c_rad) 
   std::vector<ProfilePoint> points = half_profile(web, c_rad + kPi, gamma_rad);
   std::reverse(points.begin(), points.end());
   for (ProfilePoint& point : points) point.angle_rad = -point.angle_rad;
-  const std::vector<ProfilePoint> right = half_profile(web, c_rad, gamma_rad);
-  points.insert(points.end(), right.begin(), right.end());
+  for (const ProfilePoint& point : half_profile(web, c_rad, gamma_rad)) points.push_back(point);
   return points;
 }
 
@@ -115,15 +130,27 @@ MeasureAngles measure_angles(const PhotometricWeb& web) {
 }
 
 Peak peak_of(const PhotometricWeb& web) {
-  const MeasureAngles angles = measure_angles(web);
   Peak peak;
-  for (const double gamma : angles.gamma_rad) {
-    for (const double c : angles.c_rad) {
-      const double cd = web.intensity_cd(c, gamma);
-      if (cd > peak.intensity_cd * (1.0 + kSameIntensity)) {
-        peak = {cd, is_pole(gamma) ? 0.0 : c, gamma};
+  const auto consider = [&](double cd, double c_rad, double gamma_rad) {
+    const double tolerance_cd = peak.intensity_cd * kSameIntensity;
+    if (cd < peak.intensity_cd - tolerance_cd) return;
+    const double c = is_pole(gamma_rad) ? 0.0 : c_rad;
+    const bool is_first = std::pair(gamma_rad, c) < std::pair(peak.gamma_rad, peak.c_rad);
+    if (cd > peak.intensity_cd + tolerance_cd || is_first) peak = {cd, c, gamma_rad};
+  };
+  if (!has_c_gamma_table(web)) {  // between the angles of its own table a web has no peak
+    for (const double c : web.c_rad()) {
+      for (const double gamma : web.gamma_rad()) {
+        const std::array<double, 3> direction = web.from_table(direction_of({c, gamma}));
+        const WebAngles angles = without_rounding(angles_of(direction));
+        consider(web.intensity_cd(direction), angles.c_rad, angles.gamma_rad);
       }
     }
+    return peak;
+  }
+  const MeasureAngles angles = measure_angles(web);
+  for (const double gamma : angles.gamma_rad) {
+    for (const double c : angles.c_rad) consider(web.intensity_cd(c, gamma), c, gamma);
   }
   return peak;
 }

@@ -1,5 +1,6 @@
 #include "calc/photometry/write_eulumdat.h"
 
+#include "calc/photometry/ies_opening.h"
 #include "calc/photometry/stored_table.h"
 #include "calc/photometry/web_measures.h"
 #include "calc/text.h"
@@ -118,26 +119,55 @@ class EulumdatWriter {
     const LuminousOpening& opening = web_.opening();
     double length_m = opening.along_c90_m;
     double width_m = opening.along_c0_m;
+    double height_m = opening.height_m;
     const auto warn = [&](const char* what) {
-      diagnostics_.report(DiagnosticId::photometry_write_opening, file(), what);
+      diagnostics_.report(DiagnosticId::photometry_write_opening, file(), "EULUMDAT", what);
     };
-    if (opening.shape == OpeningShape::disk) {
-      if (std::abs(length_m - width_m) <= kSameDiameter_m) {
-        width_m = 0.0;
-      } else {
-        warn("an ellipse: it is written as the rectangle around it");
-      }
-    } else if (opening.shape == OpeningShape::rectangle && width_m == 0.0 && length_m > 0.0) {
+    const bool is_circle = std::abs(length_m - width_m) <= kSameDiameter_m;
+    bool is_written_round = false;
+    switch (opening.shape) {
+      case OpeningShape::point:
+        length_m = width_m = height_m = 0.0;
+        break;
+      case OpeningShape::disk:
+        is_written_round = is_circle;
+        if (!is_circle) warn("an ellipse: it is written as the rectangle around it");
+        break;
+      case OpeningShape::cylinder:
+        is_written_round = is_circle;
+        if (!is_circle) warn("an elliptical cylinder: it is written as the box around it");
+        break;
+      case OpeningShape::ellipsoid:
+        is_written_round = is_circle;
+        warn(is_circle ? "a sphere or ellipsoid: it is written as the upright cylinder around it"
+                       : "an ellipsoid: it is written as the box around it");
+        break;
+      case OpeningShape::cylinder_c0:
+      case OpeningShape::cylinder_c90:
+        warn("a lying cylinder: it is written as the box around it");
+        break;
+      case OpeningShape::rectangle:
+      case OpeningShape::box:
+        break;
+    }
+    // With its height it would read as a box or a cylinder.
+    if (!opening.is_body() && !is_flat_enough(length_m, width_m, height_m)) {
+      warn("a flat one with a height of more than a tenth of its size: the height is left out");
+      height_m = 0.0;
+    }
+    if (is_written_round) {
+      width_m = 0.0;
+    } else if (width_m == 0.0 && length_m > 0.0) {
       warn("a width of 0, which would mean a circle: it is written as 0.001 mm");
       width_m = kThinnest_m;
     }
     const auto millimetres = [&](double metres) { number(metres / kMetresPerMillimetre); };
     millimetres(length_m);  // of the housing
     millimetres(width_m);
-    millimetres(opening.height_m);
+    millimetres(height_m);
     millimetres(length_m);  // of the luminous area
     millimetres(width_m);
-    for (int side = 0; side < 4; ++side) millimetres(opening.height_m);
+    for (int side = 0; side < 4; ++side) millimetres(height_m);
   }
 
   void add_lamps() {
@@ -188,10 +218,12 @@ class EulumdatWriter {
 
 std::optional<std::string> write_eulumdat(const PhotometricWeb& web, const std::string& name,
                                           Diagnostics& diagnostics) {
-  const std::optional<StoredTable> table =
-      make_stored_table(web, LowestGamma::zero, "EULUMDAT", name, diagnostics);
-  if (!table) return std::nullopt;
-  return EulumdatWriter(web, *table, name, diagnostics).write();
+  const std::optional<PhotometricWeb> tabulated =
+      tabulated_over_c_gamma(web, "EULUMDAT", name, diagnostics);
+  if (!tabulated) return std::nullopt;
+  const StoredTable table =
+      make_stored_table(*tabulated, LowestGamma::zero, "EULUMDAT", name, diagnostics);
+  return EulumdatWriter(*tabulated, table, name, diagnostics).write();
 }
 
 }  // namespace calc

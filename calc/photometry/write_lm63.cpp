@@ -1,5 +1,6 @@
 #include "calc/photometry/write_lm63.h"
 
+#include "calc/photometry/ies_opening.h"
 #include "calc/photometry/stored_table.h"
 
 #include <algorithm>
@@ -40,12 +41,42 @@ std::string keyword(const char* name, const std::string& utf8, const std::string
   return fmt::format("[{}] {}{}", name, text, kLineEnd);
 }
 
-// Signs as in the code table of LM-63-2002.
-std::string opening_text(const LuminousOpening& opening) {
-  const double sign = opening.shape == OpeningShape::disk ? -1.0 : 1.0;
+// The code table of LM-63-2002: signs tell the shapes apart. Width lies along C90, length along C0.
+std::string opening_text(const LuminousOpening& opening, const SourceLocation& file,
+                         Diagnostics& diagnostics) {
+  double width = opening.along_c90_m, length = opening.along_c0_m, height = opening.height_m;
+  const auto warn = [&](const char* what) {
+    diagnostics.report(DiagnosticId::photometry_write_opening, file, "LM-63", what);
+  };
+  switch (opening.shape) {
+    case OpeningShape::point:
+      return "0 0 0";
+    case OpeningShape::rectangle:
+    case OpeningShape::disk:
+      // With its height it would read as a box or a cylinder.
+      if (!is_flat_enough(length, width, height)) {
+        warn("a flat one with a height of more than a tenth of its size: the height is left out");
+        height = 0.0;
+      }
+      break;
+    case OpeningShape::cylinder_c90:
+      if (width == 0.0) warn("a vertical disk that faces C 90: it is written as the box around it");
+      break;
+    default:
+      break;
+  }
+  const bool is_round = opening.shape == OpeningShape::disk ||
+                        opening.shape == OpeningShape::cylinder ||
+                        opening.shape == OpeningShape::ellipsoid;
+  const bool is_lying_along_c0 = opening.shape == OpeningShape::cylinder_c0;
+  const bool is_lying_along_c90 = opening.shape == OpeningShape::cylinder_c90 && width > 0.0;
+  if (is_round || is_lying_along_c0) width = -width;
+  if (is_round || is_lying_along_c90) length = -length;
+  if (is_lying_along_c0 || is_lying_along_c90 || opening.shape == OpeningShape::ellipsoid) {
+    height = -height;
+  }
   const auto metres = [](double value) { return decimal_text(value, 15, 6); };
-  return fmt::format("{} {} {}", metres(sign * opening.along_c90_m),
-                     metres(sign * opening.along_c0_m), metres(opening.height_m));
+  return fmt::format("{} {} {}", metres(width), metres(length), metres(height));
 }
 
 // The planes that are written, as positions on the circle; its size stands for C 360.
@@ -82,12 +113,14 @@ std::string table_text(const StoredTable& table, double highest_cd) {
 
 }  // namespace
 
-std::optional<std::string> write_lm63(const PhotometricWeb& web, const std::string& name,
+std::optional<std::string> write_lm63(const PhotometricWeb& any_web, const std::string& name,
                                       Diagnostics& diagnostics) {
-  const std::optional<StoredTable> table =
-      make_stored_table(web, LowestGamma::zero_or_90, "LM-63", name, diagnostics);
-  if (!table) return std::nullopt;
-  const PhotometrySource& source = web.source();
+  const std::optional<PhotometricWeb> web =
+      tabulated_over_c_gamma(any_web, "LM-63", name, diagnostics);
+  if (!web) return std::nullopt;
+  const StoredTable table =
+      make_stored_table(*web, LowestGamma::zero_or_90, "LM-63", name, diagnostics);
+  const PhotometrySource& source = web->source();
   const auto add = [&](const char* key, const std::string& utf8) {
     return keyword(key, utf8, name, diagnostics);
   };
@@ -103,10 +136,11 @@ std::optional<std::string> write_lm63(const PhotometricWeb& web, const std::stri
   const std::string lumens = source.rated_lamp_flux_lm > 0.0
                                  ? decimal_text(source.rated_lamp_flux_lm, 15, 6)
                                  : std::string("-1");
-  text += fmt::format("1 {} 1 {} {} 1 2 {}{}", lumens, table->gamma_deg.size(),
-                      written_planes(*table).size(), opening_text(web.opening()), kLineEnd);
+  text += fmt::format("1 {} 1 {} {} 1 2 {}{}", lumens, table.gamma_deg.size(),
+                      written_planes(table).size(),
+                      opening_text(web->opening(), {name, 0, 0}, diagnostics), kLineEnd);
   text += fmt::format("1 1 {}{}", decimal_text(source.input_power_w, 15, 6), kLineEnd);
-  return text + table_text(*table, web.max_intensity_cd());
+  return text + table_text(table, web->max_intensity_cd());
 }
 
 }  // namespace calc

@@ -5,6 +5,7 @@
 #include "calc/radiosity/shadow_batch.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -52,28 +53,31 @@ OpeningView view_from(const PlacedLuminaire& luminaire, const glm::dvec3& positi
 struct CellExtent {
   glm::dvec3 centre_m;
   double diameter_m;
+  double length_s_m, length_t_m;  // of its longest line along s and along t
 };
 
-CellExtent cell_extent(const PlacedLuminaire& luminaire, const OpeningView& view,
-                       const OpeningCell& cell) {
-  if (cell.size_s == 1.0 && cell.size_t == 1.0) {  // the whole opening
-    return {luminaire.position_m, glm::length(luminaire.opening.size_m())};
+CellExtent cell_extent(const OpeningView& view, const OpeningCell& cell) {
+  // Just inside, where two faces meet.
+  constexpr std::array<double, 3> kPlaces{1.0e-9, 0.5, 1.0 - 1.0e-9};
+  std::array<std::array<glm::dvec3, 3>, 3> at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[i][k] = view.point(cell.s + kPlaces[i] * cell.size_s, cell.t + kPlaces[k] * cell.size_t)
+                     .position_m;
+    }
   }
-  const auto at = [&](double s, double t) {
-    // Just inside, where two faces meet.
-    constexpr double kInside = 1.0e-9;
-    return view
-        .point(cell.s + std::clamp(s, kInside, 1.0 - kInside) * cell.size_s,
-               cell.t + t * cell.size_t)
-        .position_m;
-  };
-  const glm::dvec3 centre = at(0.5, 0.5);
-  double radius = 0.0;
-  for (const double s : {0.0, 0.5, 1.0}) {
-    for (const double t : {0.0, 0.5, 1.0})
-      radius = std::max(radius, glm::length(at(s, t) - centre));
+  CellExtent extent{at[1][1], 0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      extent.diameter_m =
+          std::max(extent.diameter_m, 2.0 * glm::length(at[i][k] - extent.centre_m));
+    }
+    extent.length_s_m = std::max(
+        extent.length_s_m, glm::length(at[1][i] - at[0][i]) + glm::length(at[2][i] - at[1][i]));
+    extent.length_t_m = std::max(
+        extent.length_t_m, glm::length(at[i][1] - at[i][0]) + glm::length(at[i][2] - at[i][1]));
   }
-  return {centre, 2.0 * radius};
+  return extent;
 }
 
 std::uint32_t cell_samples(double diameter_m, double distance_m) {
@@ -87,34 +91,27 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
       std::ceil(std::pow(kOneSampleError * ratio / kWantedError, 2.0 / 3.0))));
 }
 
-// A receiver in touch with the opening would split for ever; 2^-12 of an opening is a fraction of a
-// millimetre.
-constexpr int kDeepestSplit = 12;
+// A receiver in touch with the opening would split for ever; 2^-12 of an opening's sides is a
+// fraction of a millimetre.
+constexpr int kDeepestSplit = 24;
 
-void split_cell(const PlacedLuminaire& luminaire, const OpeningView& view,
-                const glm::dvec3& position_m, const OpeningCell& cell, int depth,
-                std::vector<OpeningCell>& cells) {
-  const CellExtent extent = cell_extent(luminaire, view, cell);
+void split_cell(const OpeningView& view, const glm::dvec3& position_m, const OpeningCell& cell,
+                int depth, std::vector<OpeningCell>& cells) {
+  const CellExtent extent = cell_extent(view, cell);
   const double distance = glm::length(extent.centre_m - position_m);
   if (extent.diameter_m <= distance || depth == kDeepestSplit) {
     cells.push_back(cell);
     cells.back().samples = cell_samples(extent.diameter_m, distance);
     return;
   }
-  if (depth == 0 && view.pieces().size() > 2) {  // into the faces of a body first
-    for (std::size_t i = 0; i + 1 < view.pieces().size(); ++i) {
-      const double width = view.pieces()[i + 1] - view.pieces()[i];
-      split_cell(luminaire, view, position_m, {view.pieces()[i], 0.0, width, 1.0, 1}, 1, cells);
-    }
-    return;
-  }
-  const double half_s = 0.5 * cell.size_s, half_t = 0.5 * cell.size_t;
-  for (const double ds : {0.0, half_s}) {
-    for (const double dt : {0.0, half_t}) {
-      split_cell(luminaire, view, position_m, {cell.s + ds, cell.t + dt, half_s, half_t, 1},
-                 depth + 1, cells);
-    }
-  }
+  // The longer side is halved, so that parts stay about as long as wide.
+  OpeningCell first = cell;
+  const bool is_along_s = extent.length_s_m >= extent.length_t_m;
+  (is_along_s ? first.size_s : first.size_t) *= 0.5;
+  OpeningCell second = first;
+  (is_along_s ? second.s : second.t) += is_along_s ? first.size_s : first.size_t;
+  split_cell(view, position_m, first, depth + 1, cells);
+  split_cell(view, position_m, second, depth + 1, cells);
 }
 
 }  // namespace
@@ -183,8 +180,19 @@ std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, 
 
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
                                        const glm::dvec3& position_m) {
+  const OpeningView view = view_from(luminaire, position_m);
+  const double size_m = glm::length(luminaire.opening.size_m());
+  const double distance_m = glm::length(luminaire.position_m - position_m);
   std::vector<OpeningCell> cells;
-  split_cell(luminaire, view_from(luminaire, position_m), position_m, {}, 0, cells);
+  if (size_m <= distance_m) {
+    cells.push_back({});
+    cells.back().samples = cell_samples(size_m, distance_m);
+    return cells;
+  }
+  for (std::size_t i = 0; i + 1 < view.pieces().size(); ++i) {  // the faces of a body
+    const double width = view.pieces()[i + 1] - view.pieces()[i];
+    split_cell(view, position_m, {view.pieces()[i], 0.0, width, 1.0, 1}, 0, cells);
+  }
   return cells;
 }
 

@@ -84,6 +84,14 @@ ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t
   };
 }
 
+ValueParser some_text(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "a name is needed";
+    target = text;
+    return "";
+  };
+}
+
 ValueParser seconds(double& target) {
   return [&target](const std::string& text) -> std::string {
     const std::optional<double> value = calc::parse_number(text);

@@ -26,6 +26,8 @@ ValueParser share_between(double& target, double low, double high);
 ValueParser whole_number(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
 ValueParser whole_number(int& target, int low, int high);
 ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
+// Not empty.
+ValueParser some_text(std::string& target);
 // > 0
 ValueParser seconds(double& target);
 // "csv" or "csv=FILE", appended.

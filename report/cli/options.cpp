@@ -151,7 +151,7 @@ void add_backend(CLI::App& app, Options& options) {
 
 void add_photometry(CLI::App& app, Options& options) {
   PhotometryOptions& photometry = options.photometry;
-  app.add_option("files", photometry.files, "Photometry files (LM-63, EULUMDAT)")
+  app.add_option("files", photometry.files, "Photometry files (LM-63, EULUMDAT, TM-33, GLDF)")
       ->required()
       ->type_name("FILE");
   const auto format = [&](const std::string& name, PhotometryFormat value,
@@ -172,6 +172,13 @@ void add_photometry(CLI::App& app, Options& options) {
       ->type_name("OUT.ies|.ldt");
   app.add_flag("--compare", photometry.compare,
                "Compare two files: are they one light, and which quarter turn lies between them?");
+  add_value(app, "--lamp-set", "N", "EULUMDAT: take the N-th lamp set; default the first",
+            whole_number(photometry.lamp_set, 1, 1'000'000));
+  add_value(app, "--variant", "ID", "GLDF: take the light of this variant",
+            some_text(photometry.variant));
+  add_value(app, "--emitter", "ID",
+            "GLDF: this emitter, or ID#2 for its second light; TM-33: id, description or number",
+            some_text(photometry.emitter));
   app.add_flag("--strict", photometry.strict, "Exit code 1 if there are warnings");
   add_color(app, options);
   app.footer(

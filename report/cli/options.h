@@ -29,6 +29,8 @@ struct PhotometryOptions {
   std::string convert_file;              // "" = none; for one file only
   bool compare = false;                  // exactly two files
   bool strict = false;                   // warnings give exit code 1
+  int lamp_set = 0;                      // of EULUMDAT, from 1; 0 = not chosen
+  std::string variant, emitter;          // of GLDF and TM-33; "" = not chosen
 };
 
 struct Options {

@@ -4,6 +4,7 @@
 #include "calc/photometry/write_lm63.h"
 #include "report/cli/exit_code.h"
 #include "report/cli/outputs.h"
+#include "report/cli/recording_reader.h"
 #include "report/polar_diagram.h"
 #include "report/write.h"
 
@@ -29,7 +30,11 @@ std::string lower_extension(const std::string& path) {
 class Run {
  public:
   Run(const Options& options, const calc::FileReader& disk, bool colour)
-      : options_(options), wanted_(options.photometry), disk_(disk), colour_(colour) {}
+      : options_(options), wanted_(options.photometry), disk_(disk), colour_(colour) {
+    choice_.lamp_set = wanted_.lamp_set;
+    choice_.variant = wanted_.variant;
+    choice_.emitter = wanted_.emitter;
+  }
 
   PhotometryRun run() {
     for (const std::string& path : wanted_.files) files_.push_back(read_safely(path));
@@ -45,7 +50,7 @@ class Run {
   // Whatever goes wrong with one file must not stop the others.
   PhotometryFile read_safely(const std::string& path) {
     try {
-      return read_photometry_file(path, disk_);
+      return read_photometry_file(path, disk_, choice_);
     } catch (const std::exception& error) {
       calc::Diagnostics diagnostics;
       diagnostics.report(calc::DiagnosticId::internal_error, {path, 0, 0}, error.what());
@@ -100,7 +105,7 @@ class Run {
   void write(const std::string& path, const std::string& bytes) {
     const std::string identity = path_identity(path);
     const bool is_input =
-        std::any_of(wanted_.files.begin(), wanted_.files.end(),
+        std::any_of(disk_.paths().begin(), disk_.paths().end(),
                     [&](const std::string& file) { return path_identity(file) == identity; });
     std::string problem;
     if (is_input) {
@@ -149,8 +154,9 @@ class Run {
 
   const Options& options_;
   const PhotometryOptions& wanted_;
-  const calc::FileReader& disk_;
+  const RecordingReader disk_;
   const bool colour_;
+  calc::PhotometryOptions choice_;
   std::vector<PhotometryFile> files_;
   std::optional<calc::WebComparison> comparison_;
   calc::Diagnostics others_;  // of writing and comparing

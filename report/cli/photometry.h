@@ -4,8 +4,10 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
+#include "calc/photometry/photometry_options.h"
 #include "calc/photometry/web.h"
 #include "calc/photometry/web_compare.h"
+#include "calc/photometry/web_hermite.h"
 #include "calc/photometry/web_measures.h"
 #include "report/cli/options.h"
 
@@ -28,7 +30,10 @@ struct PhotometryFacts {
   std::array<calc::BeamWidth, kPlanePairs> field;  // 10 %
   calc::SymmetryFit symmetry;
   double downward_share = 0.0;
+  // Of cubic and bilinear; empty for tables of more than kMostCompared values.
+  std::optional<calc::InterpolationDifference> interpolation;
 };
+inline constexpr std::size_t kMostCompared = 500'000;
 PhotometryFacts photometry_facts(const calc::PhotometricWeb& web);
 
 struct PhotometryFile {
@@ -39,8 +44,16 @@ struct PhotometryFile {
 
   std::size_t count(calc::Severity severity) const;
 };
-// Reads, measures, and warns of an LM-63 opening that lies across H 0.
-PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files);
+// Reads, measures, and warns of an LM-63 opening that lies across H 0. choice: which light of a
+// file with several; its read_companion is set here: files of the same folder.
+PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
+                                    calc::PhotometryOptions choice = {});
+
+// The angles of a table about the line of C90, as LM-63 type B counts them.
+struct LateralAngles {
+  double v_first_deg, v_last_deg, h_first_deg, h_last_deg;
+};
+LateralAngles lateral_angles(const calc::PhotometricWeb& web);
 
 // How the larger side of an opening lies, where one is at least 1.5 times the other.
 enum class LongerSide { none, c0_c180, c90_c270 };

@@ -41,8 +41,11 @@ std::string found_words(const calc::TurnFit& fit) {
 
 std::string size_words(const calc::LuminousOpening& opening) {
   if (opening.shape == calc::OpeningShape::point) return "a point";
-  return fmt::format("{} m along C0 and {} m along C90", report::format_metres(opening.along_c0_m),
-                     report::format_metres(opening.along_c90_m));
+  const std::string body =
+      opening.is_body() ? fmt::format(", {} m high", report::format_metres(opening.height_m)) : "";
+  return fmt::format("{} m along C0 and {} m along C90{}",
+                     report::format_metres(opening.along_c0_m),
+                     report::format_metres(opening.along_c90_m), body);
 }
 
 std::string opening_words(const PhotometryFile& a, const PhotometryFile& b,

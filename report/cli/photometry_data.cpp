@@ -35,6 +35,30 @@ Json opening_json(const calc::LuminousOpening& opening) {
           {"longer_side", longer_side_name(longer_side(opening))}};
 }
 
+Json table_json(const calc::PhotometricWeb& web) {
+  const bool is_lateral = web.axis() == calc::TableAxis::lateral;
+  Json json = {{"axis", is_lateral ? "C90-C270" : "vertical"},
+               {"c_planes", web.is_axial() ? 1 : web.c_rad().size() - 1},
+               {"gamma_angles", web.gamma_rad().size()},
+               {"gamma_first_deg", degrees(web.gamma_rad().front())},
+               {"gamma_last_deg", degrees(web.gamma_rad().back())}};
+  if (is_lateral) {
+    const LateralAngles angles = lateral_angles(web);
+    json.update({{"v_first_deg", angles.v_first_deg},
+                 {"v_last_deg", angles.v_last_deg},
+                 {"h_first_deg", angles.h_first_deg},
+                 {"h_last_deg", angles.h_last_deg}});
+  }
+  return json;
+}
+
+Json lamp_tilt_json(const std::optional<calc::LampTilt>& tilt) {
+  if (!tilt) return nullptr;
+  Json angles = Json::array();
+  for (const double rad : tilt->angle_rad) angles.push_back(degrees(rad));
+  return {{"geometry", tilt->geometry}, {"angles_deg", angles}, {"factors", tilt->factor}};
+}
+
 Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
   const calc::PhotometrySource& source = web.source();
   const double flux = web.flux_lm();
@@ -42,6 +66,7 @@ Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
                {"luminaire", source.luminaire_name},
                {"manufacturer", source.manufacturer},
                {"flux_lm", flux},
+               {"stated_flux_lm", if_stated(source.stated_flux_lm)},
                {"rated_lamp_flux_lm", if_stated(source.rated_lamp_flux_lm)},
                {"light_output_ratio", nullptr},
                {"input_power_w", if_stated(source.input_power_w)},
@@ -66,12 +91,16 @@ Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
       {"axial_difference", facts.symmetry.axial},
       {"c0_c180_difference", facts.symmetry.c0_c180},
       {"c90_c270_difference", facts.symmetry.c90_c270}};
-  json["table"] = {{"c_planes", web.is_axial() ? 1 : web.c_rad().size() - 1},
-                   {"gamma_angles", web.gamma_rad().size()},
-                   {"gamma_first_deg", degrees(web.gamma_rad().front())},
-                   {"gamma_last_deg", degrees(web.gamma_rad().back())}};
+  json["table"] = table_json(web);
+  json["cubic"] = nullptr;
+  if (facts.interpolation) {
+    json["cubic"] = {{"largest_difference", facts.interpolation->largest_share},
+                     {"flux_difference", facts.interpolation->flux_share}};
+  }
   json["opening"] = opening_json(web.opening());
+  json["axis_rule"] = source.axis_rule;
   json["applied_factors"] = source.applied_factors;
+  json["lamp_tilt"] = lamp_tilt_json(source.lamp_tilt);
   return json;
 }
 
@@ -106,12 +135,14 @@ Json comparison_json(const calc::WebComparison& comparison) {
 }
 
 constexpr const char* kCsvHeader =
-    "file,readable,format,luminaire,manufacturer,flux_lm,rated_lamp_flux_lm,light_output_ratio,"
+    "file,readable,format,luminaire,manufacturer,flux_lm,stated_flux_lm,rated_lamp_flux_lm,light_"
+    "output_ratio,"
     "input_power_w,efficacy_lm_per_w,downward_share,max_cd,max_c_deg,max_gamma_deg,"
-    "beam_c0_c180_deg,beam_c90_c270_deg,field_c0_c180_deg,field_c90_c270_deg,symmetry,c_planes,"
-    "gamma_angles,gamma_first_deg,gamma_last_deg,opening,opening_along_c0_m,opening_along_c90_m,"
+    "beam_c0_c180_deg,beam_c90_c270_deg,field_c0_c180_deg,field_c90_c270_deg,symmetry,"
+    "table_axis,c_planes,gamma_angles,gamma_first_deg,gamma_last_deg,cubic_largest_difference,"
+    "cubic_flux_difference,opening,opening_along_c0_m,opening_along_c90_m,"
     "opening_height_m,applied_factors,warnings,errors\r\n";
-constexpr std::size_t kEmptyCells = 26;  // of an unreadable file, between `readable` and `warnings`
+constexpr std::size_t kEmptyCells = 30;  // of an unreadable file, between `readable` and `warnings`
 
 std::string light_cells(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
   const calc::PhotometrySource& source = web.source();
@@ -126,6 +157,7 @@ std::string light_cells(const calc::PhotometricWeb& web, const PhotometryFacts& 
   text(source.luminaire_name);
   text(source.manufacturer);
   number(flux);
+  ratio(source.stated_flux_lm, source.stated_flux_lm > 0.0 ? 1.0 : 0.0);
   ratio(source.rated_lamp_flux_lm, source.rated_lamp_flux_lm > 0.0 ? 1.0 : 0.0);
   ratio(flux, source.rated_lamp_flux_lm);
   ratio(source.input_power_w, source.input_power_w > 0.0 ? 1.0 : 0.0);
@@ -138,10 +170,16 @@ std::string light_cells(const calc::PhotometricWeb& web, const PhotometryFacts& 
     for (const calc::BeamWidth& width : *widths) number(degrees(width.span_rad));
   }
   text(symmetry_name(calc::symmetry_within(facts.symmetry, calc::kExactSymmetry)));
+  text(web.axis() == calc::TableAxis::lateral ? "C90-C270" : "vertical");
   number(web.is_axial() ? 1.0 : static_cast<double>(web.c_rad().size() - 1));
   number(static_cast<double>(web.gamma_rad().size()));
   number(degrees(web.gamma_rad().front()));
   number(degrees(web.gamma_rad().back()));
+  for (double calc::InterpolationDifference::*share :
+       {&calc::InterpolationDifference::largest_share,
+        &calc::InterpolationDifference::flux_share}) {
+    text(facts.interpolation ? report::format_shortest(*facts.interpolation.*share) : "");
+  }
   text(opening_shape_name(web.opening().shape));
   number(web.opening().along_c0_m);
   number(web.opening().along_c90_m);

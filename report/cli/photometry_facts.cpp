@@ -4,6 +4,7 @@
 #include "report/cli/photometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cli {
 namespace {
@@ -14,8 +15,10 @@ constexpr double kBeamShare = 0.5, kFieldShare = 0.1;
 void warn_of_opening(const PhotometryFile& file, const std::string& bytes,
                      calc::Diagnostics& diagnostics) {
   const calc::LuminousOpening& opening = file.web->opening();
-  const std::optional<calc::Lm63Header> header = calc::read_lm63_header(bytes);
-  if (!header || longer_side(opening) != LongerSide::c90_c270) return;
+  if (longer_side(opening) != LongerSide::c90_c270 || file.web->source().format == "EULUMDAT" ||
+      !calc::read_lm63_header(bytes)) {
+    return;
+  }
   diagnostics.report(calc::DiagnosticId::photometry_across_h0, {file.path, 0, 0},
                      opening.along_c0_m, opening.along_c90_m);
 }
@@ -34,6 +37,9 @@ PhotometryFacts photometry_facts(const calc::PhotometricWeb& web) {
   }
   facts.symmetry = calc::symmetry_fit(web);
   facts.downward_share = calc::downward_share(web);
+  if (web.c_rad().size() * web.gamma_rad().size() <= kMostCompared) {
+    facts.interpolation = calc::interpolation_difference(web);
+  }
   return facts;
 }
 
@@ -43,7 +49,8 @@ std::size_t PhotometryFile::count(calc::Severity severity) const {
                     [&](const calc::Diagnostic& entry) { return entry.severity() == severity; }));
 }
 
-PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files) {
+PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
+                                    calc::PhotometryOptions choice) {
   PhotometryFile file;
   file.path = path;
   calc::Diagnostics diagnostics;
@@ -51,7 +58,18 @@ PhotometryFile read_photometry_file(const std::string& path, const calc::FileRea
   if (!content.ok()) {
     diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
   } else {
-    file.web = calc::parse_photometry(content.bytes, path, diagnostics);
+    choice.read_companion = [&](const std::string& name) -> std::optional<std::string> {
+      const std::size_t slash = path.rfind('/');
+      const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+      calc::FileContent companion = files.read(folder + name);
+      if (!companion.ok()) {
+        diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, folder + name,
+                           companion.error);
+        return std::nullopt;
+      }
+      return std::move(companion.bytes);
+    };
+    file.web = calc::parse_photometry(content.bytes, path, diagnostics, choice);
     if (file.web) {
       file.facts = photometry_facts(*file.web);
       warn_of_opening(file, content.bytes, diagnostics);
@@ -59,6 +77,32 @@ PhotometryFile read_photometry_file(const std::string& path, const calc::FileRea
   }
   file.diagnostics = diagnostics.all();
   return file;
+}
+
+LateralAngles lateral_angles(const calc::PhotometricWeb& web) {
+  const std::vector<double>& c = web.c_rad();
+  const auto degrees = [](double rad) {
+    return std::round(calc::degrees_from_radians(rad) * 1.0e9) / 1.0e9;
+  };
+  LateralAngles angles{0.0, 0.0, degrees(web.gamma_rad().front()) - 90.0,
+                       degrees(web.gamma_rad().back()) - 90.0};
+  const auto is_dark = [&](std::size_t plane) {
+    for (std::size_t g = 0; g < web.gamma_rad().size(); ++g) {
+      if (web.table_cd(plane, g) > 0.0) return false;
+    }
+    return true;
+  };
+  for (std::size_t p = 0; p + 1 < c.size(); ++p) {
+    // The reader ends a table in the light by a dark plane right behind its last one.
+    constexpr double kEdge_rad = 1.0e-6;
+    const bool is_edge =
+        is_dark(p) && ((p > 0 && c[p] - c[p - 1] < kEdge_rad) || c[p + 1] - c[p] < kEdge_rad);
+    if (is_edge) continue;
+    const double v = degrees(c[p] > calc::kPi ? c[p] - 2.0 * calc::kPi : c[p]);
+    angles.v_first_deg = std::min(angles.v_first_deg, v);
+    angles.v_last_deg = std::max(angles.v_last_deg, v);
+  }
+  return angles;
 }
 
 LongerSide longer_side(const calc::LuminousOpening& opening) {

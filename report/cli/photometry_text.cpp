@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli {
@@ -40,6 +41,11 @@ std::string light_rows(const calc::PhotometricWeb& web, const PhotometryFacts& f
   std::string text =
       row("flux", fmt::format("{} lm from the intensities; {} down, {} up", number(flux, 6),
                               percent(facts.downward_share), percent(1.0 - facts.downward_share)));
+  if (source.stated_flux_lm > 0.0) {
+    text += row("", fmt::format("{} lm stated for the luminaire, {} of that",
+                                number(source.stated_flux_lm, 6),
+                                percent(source.stated_flux_lm / flux, 2)));
+  }
   const double rated = source.rated_lamp_flux_lm;
   text += row("lamps", rated > 0.0 ? fmt::format("{} lm stated; the luminaire gives {} of it",
                                                  number(rated, 6), percent(flux / rated, 2))
@@ -116,6 +122,13 @@ std::string steps_words(const std::vector<double>& angles_rad) {
 
 std::string table_row(const calc::PhotometricWeb& web) {
   const std::vector<double>& gamma = web.gamma_rad();
+  if (web.axis() == calc::TableAxis::lateral) {
+    const LateralAngles angles = lateral_angles(web);
+    return row("table", fmt::format("LM-63 type B, planes about the line C90-C270: V {:g} to {:g}, "
+                                    "H {:g} to {:g} ({})",
+                                    angles.v_first_deg, angles.v_last_deg, angles.h_first_deg,
+                                    angles.h_last_deg, steps_words(gamma)));
+  }
   const std::string planes = web.is_axial()
                                  ? "1 C-plane for all"
                                  : fmt::format("{} C-planes around the circle, {}",
@@ -123,6 +136,36 @@ std::string table_row(const calc::PhotometricWeb& web) {
   return row("table",
              fmt::format("{}; {} gamma angles {} to {}, {}", planes, gamma.size(),
                          degrees(gamma.front(), 3), degrees(gamma.back(), 3), steps_words(gamma)));
+}
+
+std::string cubic_row(const PhotometryFacts& facts) {
+  if (!facts.interpolation) return row("cubic", "not compared: the table is very large");
+  const double flux = 100.0 * facts.interpolation->flux_share;
+  return row("cubic", fmt::format("interpolation would change the light by up to {} of the maximum "
+                                  "and the flux by {:+.2f} %",
+                                  percent(facts.interpolation->largest_share, 2), flux));
+}
+
+std::string lamp_tilt_rows(const calc::PhotometrySource& source) {
+  if (!source.lamp_tilt) return "";
+  const calc::LampTilt& tilt = *source.lamp_tilt;
+  const char* const kLamps[] = {"vertical in a luminaire that points down",
+                                "horizontal along C0-C180",
+                                "horizontal, tilting with the luminaire"};
+  std::string text = row("lamp tilt", fmt::format("the lamp is {}; where it is tilted the light is "
+                                                  "multiplied by",
+                                                  kLamps[tilt.geometry - 1]));
+  constexpr std::size_t kMostShown = 12;
+  std::string pairs;
+  for (std::size_t i = 0; i < tilt.factor.size() && i < kMostShown; ++i) {
+    pairs += fmt::format("{}{:g} at {}°", i == 0 ? "" : ", ", tilt.factor[i],
+                         degrees(tilt.angle_rad[i], 3));
+  }
+  if (tilt.factor.size() > kMostShown) {
+    pairs += fmt::format(", ... ({} angles up to {}°)", tilt.factor.size(),
+                         degrees(tilt.angle_rad.back(), 3));
+  }
+  return text + row("", pairs);
 }
 
 // How the plane of the maximum lies to the longer side.
@@ -143,7 +186,10 @@ std::string opening_row(const calc::LuminousOpening& opening, const calc::Peak& 
                     report::format_metres(opening.along_c90_m));
   }
   if (opening.height_m > 0.0) {
-    words += fmt::format(", {} m high", report::format_metres(opening.height_m));
+    const double longer_m = std::max(opening.along_c0_m, opening.along_c90_m);
+    const bool is_unusually_high = opening.height_m > 0.1 * longer_m;
+    words += fmt::format(", {} m high{}", report::format_metres(opening.height_m),
+                         !opening.is_body() && is_unusually_high ? " (used as flat)" : "");
   }
   const LongerSide side = longer_side(opening);
   if (side != LongerSide::none) {
@@ -185,10 +231,12 @@ std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   text += width_row("field 10 %", file.facts.field);
   text += symmetry_row(file.facts.symmetry);
   text += table_row(web);
-  // The place for one more row: how far another interpolation departs from the bilinear one.
+  text += cubic_row(file.facts);
+  if (!source.axis_rule.empty()) text += row("axes", report::printable(source.axis_rule));
   text += opening_row(web.opening(), file.facts.peak);
   text += row("factors",
               source.applied_factors.empty() ? "none" : report::printable(source.applied_factors));
+  text += lamp_tilt_rows(source);
   return text + warning_rows(file, colour);
 }
 

@@ -24,10 +24,12 @@ constexpr Experiment kExperiments[] = {
     {"converge", run_converge, "SCENE..."},
     {"accuracy", run_accuracy, "SCENE..."},
     {"near", run_near, "[12|1000|washers|spots...]"},
+    {"openings", run_openings, ""},
     {"stiff", run_stiff, ""},
     {"coverage", run_coverage, "[SEEDS]"},
     {"verdicts", run_verdicts, "[SCENE [SEEDS]]"},
     {"scaling", run_scaling, "[points|luminaires|triangles|reflectance]"},
+    {"files", run_files, ""},
     {"projects", run_projects, "FOLDER"},
     {"smoke", run_smoke, ""},
 };

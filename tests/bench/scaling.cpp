@@ -1,40 +1,16 @@
 // Time and memory against the size of the problem.
 #include "tests/bench/experiments.h"
+#include "tests/bench/memory.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"
 
 #include <fmt/format.h>
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
-#include <cmath>
-#include <fstream>
-#include <limits>
+#include <algorithm>
 #include <string>
 
 namespace bench {
 namespace {
-
-// "VmHWM" or "VmRSS" of this process in MiB; NaN where the system does not tell.
-double memory_mib(const std::string& field) {
-  std::ifstream file("/proc/self/status");
-  for (std::string word; file >> word;) {
-    double kib = 0.0;
-    if (word == field + ":" && file >> kib) return kib / 1024.0;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-// Gives freed memory back and lets the peak begin anew; without effect where the system does not
-// allow it (peaks then only grow, which is right as long as sizes do).
-void reset_peak_memory() {
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
-  std::ofstream("/proc/self/clear_refs") << 5;
-}
 
 struct Step {
   std::string name;
@@ -51,13 +27,13 @@ void measure(const std::string& title, const std::vector<Step>& steps, const Opt
     if (options.most_size > 0 && step.size > options.most_size) continue;
     const BenchScene scene = make_scene(scaling_room(step.room));
     reset_peak_memory();
-    const double before = memory_mib("VmRSS");
+    const double before = used_memory_mib();
     const int repeats = step.size >= 1e5 ? 1 : options.repeats;
     const Run run = best_of(scene,
                             {calc::Method::light_pool, step.paths, options.replicates, options.seed,
                              options.threads.back(), 0.0},
                             repeats);
-    const double peak = memory_mib("VmHWM") - before;
+    const double peak = peak_memory_mib() - before;
     const calc::SolveTimes& t = run.times;
     sizes.push_back(step.size);
     seconds.push_back(run.seconds);

@@ -54,6 +54,7 @@ void run_smoke(const Options& given) {
   run_coverage(options);
   options.names = {"luminaires"};
   run_scaling(options);
+  run_files(options);
 }
 
 }  // namespace bench

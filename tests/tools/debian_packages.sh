@@ -1,4 +1,4 @@
-# Sourced by examples/run and tests/run: installs the Debian packages named, if any is missing.
+# Sourced by examples/run, tests/run and tests/fuzz/run: installs the Debian packages named, if any is missing.
 # Quick when nothing is missing (one dpkg query). Needs root or sudo only to install.
 
 luxgate_build_packages=(
@@ -11,6 +11,7 @@ luxgate_test_packages=(
   libgtest-dev libgmock-dev libxml2-utils
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
+luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
 
 # install_debian_packages NAME...
 install_debian_packages() {

@@ -88,6 +88,7 @@ TEST(Eulumdat, IntensityIsTableTimesConversionTimesSetFlux) {
   };
   sample.output_ratio = "94.2";
   const PhotometricWeb web = read(sample);
+  EXPECT_NEAR(web.source().stated_flux_lm, 0.942 * 3000.0, 1e-9);
   EXPECT_NEAR(at(web, 0, 0), 900.0, 1e-10);  // not times the number of lamps
   EXPECT_EQ(web.source().applied_factors, "LDT conversion 1.5 x 3000 lm / 1000");
 }
@@ -98,6 +99,7 @@ TEST(Eulumdat, NegativeLampCountMarksAbsolutePhotometry) {
   sample.lamp_set_lines[2] = "4321";
   const PhotometricWeb web = read(sample);
   EXPECT_EQ(web.source().rated_lamp_flux_lm, 0.0);
+  EXPECT_EQ(web.source().stated_flux_lm, 4321.0);
   EXPECT_NEAR(at(web, 0, 0), 4321.0 / kPi, 1e-9);
 }
 
@@ -336,7 +338,8 @@ TEST(Eulumdat, HugeCountsFailWithoutAllocating) {
   std::string text = ldt_text({});
   const std::size_t count = text.find("\n24\n") + 1;
   EXPECT_THAT(parse(std::string(text).replace(count, 2, "999999999")).messages,
-              HasSubstr("error[photometry-angle-order]"));
+              HasSubstr("a.ldt:42: error[photometry-count]: the C and gamma angles need 1000000036 "
+                        "numbers, but only "));
   EXPECT_THAT(parse(std::string(text).replace(count, 2, "1e99")).messages,
               HasSubstr("the number of C-planes (Mc) is 1e+99"));
 }

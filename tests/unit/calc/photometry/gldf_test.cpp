@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace calc {
 namespace {
 
@@ -244,7 +246,7 @@ TEST(Gldf, DamagedContainersAreNamed) {
       "<ChangeableLightSource id='s'><RatedLuminousFlux>-1</RatedLuminousFlux>"
       "</ChangeableLightSource>";
   EXPECT_THAT(parse(gldf_bytes(sample)).messages,
-              HasSubstr("<RatedLuminousFlux> is -1; allowed: >= 0"));
+              HasSubstr("<RatedLuminousFlux> is -1; allowed: 0 to 1e+12"));
 }
 
 TEST(Gldf, CutContainersAreErrors) {
@@ -253,6 +255,28 @@ TEST(Gldf, CutContainersAreErrors) {
     EXPECT_THAT(parse(bytes.substr(0, length)).messages, HasSubstr("error[archive-unreadable]"))
         << length;
   }
+}
+
+TEST(Gldf, KeepsTheAxisOfTheTable) {
+  test_support::GldfSample sample;
+  sample.emitters = "<Emitter id='e1'><LightEmitter photometryId='p2'/></Emitter>";
+  test_support::IesSample flood;
+  flood.type = "2";
+  flood.gamma_deg = flood.c_deg = test_support::angle_steps(-90, 90, 10);
+  flood.cd = [](double h, double v) { return h == -20 && v == 40 ? 900.0 : 1.0; };
+  const std::string ies = test_support::ies_text(flood);
+  Diagnostics diagnostics;
+  const auto alone = parse_photometry(ies, "b.ies", diagnostics);
+  const auto packed =
+      parse_photometry(test_support::zip_bytes({{"product.xml", test_support::product_xml(sample)},
+                                                {"ldc/a.ldt", test_support::ldt_text({})},
+                                                {"ldc/b.ies", ies}}),
+                       "a.gldf", diagnostics);
+  ASSERT_TRUE(alone && packed) << test_support::diagnostics_text(diagnostics);
+  EXPECT_EQ(packed->axis(), TableAxis::lateral);
+  const std::array<double, 3> beam =
+      alone->from_table(direction_of({radians_from_degrees(40), radians_from_degrees(70)}));
+  EXPECT_NEAR(packed->intensity_cd(beam), 900.0, 1e-6);
 }
 
 }  // namespace

@@ -299,6 +299,10 @@ TEST(Lm63, BadValuesAreRefusedWithTheirLine) {
               HasSubstr("the units type (1 feet, 2 metres) is 3"));
   EXPECT_THAT(messages([](IesSample& s) { s.lamps = "1 -2"; }),
               HasSubstr("or -1 for absolute photometry"));
+  EXPECT_THAT(messages([](IesSample& s) { s.lamps = "1 1e308"; }),
+              HasSubstr("the flux of all lamps (lm) is 1e+308; allowed: 0, or 1e-06 to 1e+12"));
+  EXPECT_THAT(messages([](IesSample& s) { s.factors = "1 1 1e300"; }),
+              HasSubstr("the input power (W) is 1e+300"));
   EXPECT_THAT(messages([](IesSample& s) { s.lamps = "0 100"; }),
               HasSubstr("the number of lamps is 0"));
   EXPECT_THAT(messages([](IesSample& s) { s.factors = "0 1 10"; }),

@@ -29,6 +29,34 @@ TEST(PhotometryFile, FormatIsToldByContent) {
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
+std::string with_line(std::string text, int line, const std::string& words) {
+  std::size_t begin = 0;
+  for (int i = 1; i < line; ++i) begin = text.find('\n', begin) + 1;
+  return text.replace(begin, text.find('\n', begin) - begin, words);
+}
+
+TEST(PhotometryFile, EulumdatTextsMayStartWithTilt) {
+  for (const int line : {1, 8, 9, 12, 28}) {  // company, report, name, date, lamp
+    const std::string words = line == 1 ? "TILT=5 GmbH" : "TILT=NONE";
+    Diagnostics diagnostics;
+    const auto web =
+        parse_photometry(with_line(test_support::ldt_text({}), line, words), "a", diagnostics);
+    ASSERT_TRUE(web) << line << ": " << test_support::diagnostics_text(diagnostics);
+    EXPECT_EQ(web->source().format, "EULUMDAT") << line;
+  }
+}
+
+TEST(PhotometryFile, Lm63WithOneNumberPerLineIsNotEulumdat) {
+  const std::string numbers = "1\n0\n1\n2\n1\n1\n2\n0\n0\n0\n1\n1\n10\n0\n90\n0\n100\n0\n";
+  for (const std::string head : {"TILT=NONE\n", "IESNA:LM-63-2002\nTILT=NONE\n"}) {
+    Diagnostics diagnostics;
+    const auto web = parse_photometry(head + numbers, "a", diagnostics);
+    ASSERT_TRUE(web) << test_support::diagnostics_text(diagnostics);
+    EXPECT_NE(web->source().format, "EULUMDAT");
+    EXPECT_EQ(web->intensity_cd(0.0, 0.0), 100.0);
+  }
+}
+
 TEST(PhotometryFile, OtherContentIsRefusedWithAGuess) {
   EXPECT_EQ(messages(""),
             "x: error[photometry-format]: not a photometry file that luxgate reads: the file is "

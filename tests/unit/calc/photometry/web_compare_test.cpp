@@ -122,5 +122,14 @@ TEST(TurnWords, NameThePlaneOfAMirrorImage) {
   EXPECT_EQ(turn_words({3, true}), "mirrored at the plane C 135-C 315 (C = 270 - C)");
 }
 
+TEST(RelateOpenings, HeightsCountBetweenBodies) {
+  const LuminousOpening low{OpeningShape::box, 1.2, 0.3, 0.2};
+  const LuminousOpening high{OpeningShape::box, 1.2, 0.3, 0.4};
+  const LuminousOpening flat{OpeningShape::rectangle, 1.2, 0.3, 0.0};
+  EXPECT_EQ(relate_openings(low, low, {}), OpeningRelation::agree);
+  EXPECT_EQ(relate_openings(low, high, {}), OpeningRelation::differ);
+  EXPECT_EQ(relate_openings(low, flat, {}), OpeningRelation::agree);
+}
+
 }  // namespace
 }  // namespace calc

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace calc {
 namespace {
 
@@ -11,6 +13,8 @@ using test_support::angle_steps;
 using test_support::make_web;
 
 double deg(double rad) { return degrees_from_radians(rad); }
+
+using test_support::lateral_web;
 
 TEST(PeakOf, FindsTheBrightestTableAngle) {
   const Peak peak =
@@ -146,6 +150,42 @@ TEST(MeasureAngles, AreTheTablesOwnWithoutTheSecondC0) {
       measure_angles(make_web(angle_steps(0, 360, 90), {0, 20, 90}, test_support::batwing));
   EXPECT_EQ(angles.c_rad.size(), 4u);
   EXPECT_EQ(angles.gamma_rad.size(), 3u);
+}
+
+// Type B: one direction, H -10 V 20, stands out; it is between whole degrees of C and gamma.
+TEST(PeakOf, IsThatOfTheTableAboutAnotherAxis) {
+  const PhotometricWeb web =
+      lateral_web([](double v, double h) { return v == 20 && h == -10 ? 900.0 : 100.0; });
+  const Peak peak = peak_of(web);
+  EXPECT_NEAR(peak.intensity_cd, 900.0, 1e-9);
+  EXPECT_NEAR(std::cos(peak.gamma_rad), test_support::cos_deg(10) * test_support::cos_deg(20),
+              1e-9);
+  EXPECT_NEAR(std::tan(peak.c_rad),
+              test_support::sin_deg(10) / (test_support::cos_deg(10) * test_support::sin_deg(20)),
+              1e-9);
+}
+
+TEST(PeakOf, IsNadirWithoutCForAnotherAxis) {
+  const Peak peak =
+      peak_of(lateral_web([](double v, double h) { return v == 0 && h == 0 ? 900.0 : 100.0; }));
+  EXPECT_EQ(peak.intensity_cd, 900.0);
+  EXPECT_EQ(peak.gamma_rad, 0.0);
+  EXPECT_EQ(peak.c_rad, 0.0);
+}
+
+// Across the planes of type B the table's own angle V is that of the plane C0-C180, and H that of
+// C90-C270.
+TEST(BeamWidth, OfATableAboutAnotherAxis) {
+  const PhotometricWeb web = lateral_web([](double v, double h) {
+    return std::max(0.0, 1.0 - std::abs(v) / 40.0) * std::max(0.0, 1.0 - std::abs(h) / 20.0);
+  });
+  EXPECT_NEAR(deg(beam_width(web, 0.0, 0.5).span_rad), 40.0, 0.01);
+  EXPECT_NEAR(deg(beam_width(web, 0.5 * kPi, 0.5).span_rad), 20.0, 0.01);
+  EXPECT_NEAR(downward_share(web), 1.0, 1e-9);
+  const SymmetryFit fit = symmetry_fit(web);
+  EXPECT_LT(fit.c0_c180, 1e-9);
+  EXPECT_LT(fit.c90_c270, 1e-9);
+  EXPECT_GT(fit.axial, 0.1);
 }
 
 }  // namespace

@@ -142,33 +142,109 @@ TEST(WritePhotometry, WritesAnIsym3OnlyWherePlanesStandByCount) {
 
 TEST(WritePhotometry, KeepsEveryOpeningThatTheFormatsKnow) {
   const PhotometricWeb web = make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot);
-  const std::vector<LuminousOpening> openings = {{OpeningShape::point, 0, 0, 0},
-                                                 {OpeningShape::rectangle, 0.1, 1.5, 0},
-                                                 {OpeningShape::rectangle, 1.5, 0, 0},
-                                                 {OpeningShape::disk, 0.08, 0.08, 0},
-                                                 {OpeningShape::disk, 0.2, 0.2, 0.05}};
-  for (const LuminousOpening& opening : openings) {
+  const LuminousOpening both[] = {
+      {OpeningShape::point, 0, 0, 0},         {OpeningShape::rectangle, 0.1, 1.5, 0},
+      {OpeningShape::rectangle, 1.5, 0, 0},   {OpeningShape::rectangle, 1.5, 0.2, 0.15},
+      {OpeningShape::disk, 0.08, 0.08, 0},    {OpeningShape::disk, 0.2, 0.2, 0.02},
+      {OpeningShape::box, 0.1, 1.5, 0.2},     {OpeningShape::box, 0.3, 0.3, 0.3},
+      {OpeningShape::cylinder, 0.2, 0.2, 0.3}};
+  for (const LuminousOpening& opening : both) {
     expect_round_trip(write_lm63, with_opening(web, opening));
     expect_round_trip(write_eulumdat, with_opening(web, opening));
   }
-  expect_round_trip(write_lm63, with_opening(web, {OpeningShape::disk, 0.2, 0.3, 0.05}));
-  expect_round_trip(write_lm63, with_opening(web, {OpeningShape::rectangle, 0, 0.3, 0}));
 }
 
-TEST(WriteEulumdat, WarnsOfOpeningsThatItCannotHold) {
+struct CodedOpening {
+  LuminousOpening opening;
+  const char* code;  // width (C90), length (C0), height
+};
+
+TEST(WriteLm63, CodesEveryShapeBySignsAsIn2002) {
   const PhotometricWeb web = make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot);
-  Diagnostics diagnostics;
-  const std::string ellipse =
-      written(write_eulumdat, with_opening(web, {OpeningShape::disk, 0.2, 0.3, 0}), diagnostics);
-  const std::string flat =
-      written(write_eulumdat, with_opening(web, {OpeningShape::rectangle, 0, 0.3, 0}), diagnostics);
-  EXPECT_EQ(diagnostics_text(diagnostics),
-            "new: warning[photometry-write-opening]: EULUMDAT cannot hold an opening of this kind: "
-            "an ellipse: it is written as the rectangle around it\n"
-            "new: warning[photometry-write-opening]: EULUMDAT cannot hold an opening of this kind: "
-            "a width of 0, which would mean a circle: it is written as 0.001 mm\n");
-  EXPECT_THAT(ellipse, HasSubstr("\r\n300\r\n200\r\n"));
-  EXPECT_EQ(parse_photometry(flat, "x", diagnostics)->opening().shape, OpeningShape::rectangle);
+  const CodedOpening cases[] = {{{OpeningShape::rectangle, 0, 0.3, 0}, "0.3 0 0"},
+                                {{OpeningShape::disk, 0.2, 0.3, 0.03}, "-0.3 -0.2 0.03"},
+                                {{OpeningShape::box, 1.2, 0.3, 0.2}, "0.3 1.2 0.2"},
+                                {{OpeningShape::cylinder, 0.2, 0.3, 0.4}, "-0.3 -0.2 0.4"},
+                                {{OpeningShape::cylinder_c0, 1.2, 0.04, 0.04}, "-0.04 1.2 -0.04"},
+                                {{OpeningShape::cylinder_c0, 1.2, 0.04, 0.05}, "-0.04 1.2 -0.05"},
+                                {{OpeningShape::cylinder_c0, 0, 0.3, 0.3}, "-0.3 0 -0.3"},
+                                {{OpeningShape::cylinder_c90, 0.04, 1.2, 0.05}, "1.2 -0.04 -0.05"},
+                                {{OpeningShape::ellipsoid, 0.3, 0.3, 0.3}, "-0.3 -0.3 -0.3"},
+                                {{OpeningShape::ellipsoid, 0.2, 0.3, 0.4}, "-0.3 -0.2 -0.4"}};
+  for (const CodedOpening& one : cases) {
+    SCOPED_TRACE(one.code);
+    EXPECT_THAT(expect_round_trip(write_lm63, with_opening(web, one.opening)),
+                HasSubstr(fmt::format(" 1 2 {}\r\n", one.code)));
+  }
+}
+
+// What is written of an opening reads back as `read`, and `warning` says why.
+struct ChangedOpening {
+  Writer writer;
+  LuminousOpening opening, read;
+  const char* warning;
+};
+
+TEST(WritePhotometry, WarnsOfOpeningsThatAFormatCannotHold) {
+  const PhotometricWeb web = make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot);
+  const ChangedOpening cases[] = {
+      {write_lm63,
+       {OpeningShape::disk, 0.2, 0.2, 0.05},
+       {OpeningShape::disk, 0.2, 0.2, 0},
+       "LM-63 cannot hold an opening of this kind: a flat one with a height of more than a tenth"},
+      {write_eulumdat,
+       {OpeningShape::disk, 0.2, 0.2, 0.05},
+       {OpeningShape::disk, 0.2, 0.2, 0},
+       "EULUMDAT cannot hold an opening of this kind: a flat one with a height"},
+      {write_lm63,
+       {OpeningShape::rectangle, 1.2, 0.3, 0.2},
+       {OpeningShape::rectangle, 1.2, 0.3, 0},
+       "the height is left out"},
+      {write_lm63,
+       {OpeningShape::cylinder_c90, 0.3, 0, 0.3},
+       {OpeningShape::box, 0.3, 0, 0.3},
+       "a vertical disk that faces C 90"},
+      {write_eulumdat,
+       {OpeningShape::disk, 0.2, 0.3, 0},
+       {OpeningShape::rectangle, 0.2, 0.3, 0},
+       "an ellipse: it is written as the rectangle around it"},
+      {write_eulumdat,
+       {OpeningShape::rectangle, 0, 0.3, 0},
+       {OpeningShape::rectangle, 0, 0.3, 0},
+       "a width of 0, which would mean a circle: it is written as 0.001 mm"},
+      {write_eulumdat,
+       {OpeningShape::cylinder, 0.2, 0.3, 0.4},
+       {OpeningShape::box, 0.2, 0.3, 0.4},
+       "an elliptical cylinder: it is written as the box around it"},
+      {write_eulumdat,
+       {OpeningShape::cylinder_c0, 1.2, 0.2, 0.2},
+       {OpeningShape::box, 1.2, 0.2, 0.2},
+       "a lying cylinder: it is written as the box around it"},
+      {write_eulumdat,
+       {OpeningShape::cylinder_c90, 0.2, 1.2, 0.2},
+       {OpeningShape::box, 0.2, 1.2, 0.2},
+       "a lying cylinder: it is written as the box around it"},
+      {write_eulumdat,
+       {OpeningShape::ellipsoid, 0.3, 0.3, 0.4},
+       {OpeningShape::cylinder, 0.3, 0.3, 0.4},
+       "a sphere or ellipsoid: it is written as the upright cylinder around it"},
+      {write_eulumdat,
+       {OpeningShape::ellipsoid, 0.2, 0.3, 0.4},
+       {OpeningShape::box, 0.2, 0.3, 0.4},
+       "an ellipsoid: it is written as the box around it"}};
+  for (const ChangedOpening& one : cases) {
+    SCOPED_TRACE(one.warning);
+    Diagnostics diagnostics;
+    const std::string text = written(one.writer, with_opening(web, one.opening), diagnostics);
+    EXPECT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_THAT(diagnostics_text(diagnostics), HasSubstr("new: warning[photometry-write-opening]"));
+    EXPECT_THAT(diagnostics_text(diagnostics), HasSubstr(one.warning));
+    const LuminousOpening read = parse_photometry(text, "new", diagnostics)->opening();
+    EXPECT_EQ(read.shape, one.read.shape);
+    EXPECT_NEAR(read.along_c0_m, one.read.along_c0_m, 2e-6);
+    EXPECT_NEAR(read.along_c90_m, one.read.along_c90_m, 2e-6);
+    EXPECT_NEAR(read.height_m, one.read.height_m, 2e-6);
+  }
 }
 
 TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
@@ -197,6 +273,22 @@ TEST(WritePhotometry, LeadsDarkEndsOnAndWarnsOfEndsInTheLight) {
 }
 
 // Symmetric but for the values at nadir, which a web averages: they must not be lost.
+// Tables of type A end in a step to darkness within 1e-5 degrees.
+TEST(WritePhotometry, KeepsTheStepToDarknessAtItsSideOfAPlane) {
+  const std::string type_a =
+      "IESNA:LM-63-2002\n[TEST] a\n[TESTLAB] b\n[ISSUEDATE] c\n[MANUFAC] d\nTILT=NONE\n"
+      "1 -1 1 3 3 3 2 0 0 0\n1 1 10\n-90 0 90\n-90 0 90\n15 60 15\n45 90 45\n15 60 15\n";
+  Diagnostics diagnostics;
+  const std::optional<PhotometricWeb> web = parse_photometry(type_a, "a", diagnostics);
+  ASSERT_TRUE(web) << diagnostics_text(diagnostics);
+  for (const Writer writer : {write_lm63, write_eulumdat}) {
+    const std::string text = written(writer, *web, diagnostics);
+    const std::optional<PhotometricWeb> read = parse_photometry(text, "new", diagnostics);
+    ASSERT_TRUE(read) << diagnostics_text(diagnostics);
+    EXPECT_NEAR(read->flux_lm(), web->flux_lm(), 1e-5 * web->flux_lm());
+  }
+}
+
 TEST(WritePhotometry, TakesTheValuesAtThePolesIntoAccount) {
   const auto web =
       make_web(angle_steps(0, 360, 90), angle_steps(0, 90, 10),

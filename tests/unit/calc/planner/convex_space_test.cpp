@@ -1,5 +1,6 @@
 #include "calc/planner/convex_space.h"
 
+#include "calc/radiosity/opening.h"
 #include "tests/unit/calc/planner/planner_scenes.h"
 
 #include <gmock/gmock.h>
@@ -201,8 +202,10 @@ TEST(ConvexSpace, GivesUpOnASphereOfTooManyFacets) {
 TEST(ConvexSpace, ShadowRaysNeverContradictAProof) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const auto web = test_support::lambert_web(1.0, 9, {calc::OpeningShape::disk, 0.6, 0.6, 0.0});
+  const auto disk = test_support::lambert_web(1.0, 9, {calc::OpeningShape::disk, 0.6, 0.6, 0.0});
+  const auto box = test_support::lambert_web(1.0, 9, {calc::OpeningShape::box, 0.6, 0.4, 0.3});
   for (int trial = 0; trial < 20; ++trial) {
+    const calc::PhotometricWeb& web = trial % 4 < 2 ? disk : box;
     calc::PreparedScene scene;
     if (trial % 2 == 0) {
       scene = empty_room();
@@ -237,10 +240,14 @@ TEST(ConvexSpace, ShadowRaysNeverContradictAProof) {
     for (int k = 0; k < 5000; ++k) {
       const glm::dvec3 from = on_surface(), to = on_surface();
       ASSERT_FALSE(tracer.is_blocked(from, to)) << trial;
-      const glm::dvec3 source =
-          calc::opening_point_m(scene.luminaires[0], uniform(random), uniform(random));
-      ASSERT_FALSE(tracer.is_blocked(
-          from, calc::lifted_source_m(scene.luminaires[0], source, from, tracer.offset_m())));
+      const calc::PlacedLuminaire& luminaire = scene.luminaires[0];
+      const calc::OpeningView view(luminaire, glm::normalize(from - luminaire.position_m));
+      const calc::OpeningView::Point source = view.point(uniform(random), uniform(random));
+      const glm::dvec3 lifted =
+          luminaire.opening.is_body()
+              ? source.position_m + tracer.offset_m() * source.normal
+              : calc::lifted_source_m(luminaire, source.position_m, from, tracer.offset_m());
+      ASSERT_FALSE(tracer.is_blocked(from, lifted)) << trial;
     }
   }
 }

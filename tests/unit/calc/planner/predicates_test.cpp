@@ -229,30 +229,35 @@ TEST(DarkLuminaires, DirectLightNeverContradictsAProof) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const calc::PhotometricWeb webs[] = {
-      spot_web(7, 8), spot_web(40, 50, {calc::OpeningShape::disk, 0.2, 0.2, 0.0}),
+      spot_web(7, 8),
+      spot_web(40, 50, {calc::OpeningShape::disk, 0.2, 0.2, 0.0}),
       test_support::lambert_web(9, 9, {calc::OpeningShape::rectangle, 0.5, 0.1, 0.0}),
-      spot_web(100, 110)};
+      spot_web(100, 110),
+      spot_web(30, 40, {calc::OpeningShape::cylinder_c0, 0.8, 0.1, 0.1}),
+      test_support::lambert_web(9, 9, {calc::OpeningShape::box, 0.5, 0.3, 0.4})};
   int proved = 0;
-  for (int trial = 0; trial < 600; ++trial) {
+  for (int trial = 0; trial < 900; ++trial) {
     calc::PreparedScene scene;
     scene.extent_m = 5.0;
     const glm::dvec3 place(4.0 * uniform(random) - 2.0, 4.0 * uniform(random) - 2.0,
                            4.0 * uniform(random) - 2.0);
-    add_aimed(scene, webs[trial % 4], place, random_unit(random));
+    add_aimed(scene, webs[trial % 6], place, random_unit(random));
     const calc::SensorGrid grid = work_plane(-1, 1, 0.0);
     if (!is_dark(scene, grid)) continue;
     ++proved;
     for (int k = 0; k < 200; ++k) {
-      const glm::dvec3 source =
-          calc::opening_point_m(scene.luminaires[0], uniform(random), uniform(random));
       const auto i = static_cast<std::size_t>(k) % grid.position_m.size();
+      const calc::PlacedLuminaire& luminaire = scene.luminaires[0];
+      const calc::OpeningView view(luminaire,
+                                   glm::normalize(grid.position_m[i] - luminaire.position_m));
+      const glm::dvec3 source = view.point(uniform(random), uniform(random)).position_m;
       ASSERT_EQ(calc::point_illuminance_lx(scene.luminaires[0], source,
                                            {grid.position_m[i], grid.normal[i]}),
                 0.0)
           << trial;
     }
   }
-  EXPECT_GT(proved, 200);
+  EXPECT_GT(proved, 300);
 }
 
 }  // namespace

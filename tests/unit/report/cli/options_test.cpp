@@ -239,6 +239,13 @@ TEST(Options, ReadsThePhotometryCommand) {
   EXPECT_EQ(options.photometry.format, cli::PhotometryFormat::json);
   EXPECT_TRUE(options.photometry.compare && options.photometry.strict && options.quiet);
   EXPECT_EQ(parsed({"photometry", "a.ies", "--convert", "b.LDT"}).photometry.convert_file, "b.LDT");
+  const cli::PhotometryOptions chosen =
+      parsed({"photometry", "--lamp-set", "2", "--variant", "v1", "--emitter", "e#2", "a.gldf"})
+          .photometry;
+  EXPECT_EQ(chosen.lamp_set, 2);
+  EXPECT_EQ(chosen.variant, "v1");
+  EXPECT_EQ(chosen.emitter, "e#2");
+  EXPECT_THAT(chosen.files, ::testing::ElementsAre("a.gldf"));
 }
 
 TEST(Options, RefusesPhotometryOptionsThatContradict) {
@@ -250,6 +257,8 @@ TEST(Options, RefusesPhotometryOptionsThatContradict) {
   expect_usage_error({"photometry", "a", "b", "--convert", "c.ies"}, "--convert is for one FILE");
   expect_usage_error({"photometry", "a", "--convert", "c.txt"}, "must end with .ies or .ldt");
   expect_usage_error({"photometry", "a", "--polar", "c.gif"}, "must end with .svg or .png");
+  expect_usage_error({"photometry", "a", "--lamp-set", "0"}, "a whole number from 1 to 1000000");
+  expect_usage_error({"photometry", "a", "--variant", ""}, "a name is needed");
 }
 
 }  // namespace
