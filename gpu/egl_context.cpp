@@ -159,18 +159,6 @@ std::string gl_string(GLenum name) {
   return result;
 }
 
-bool is_software_renderer(const std::string& renderer) {
-  std::string lower = renderer;
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  for (const char* name :
-       {"llvmpipe", "softpipe", "swrast", "software rasterizer", "swiftshader"}) {
-    if (lower.find(name) != std::string::npos) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 // Displays are EGL's own singletons, one per device: they are never terminated, because other
@@ -283,35 +271,13 @@ std::string no_such_device(int index, std::size_t count) {
                      count == 1 ? "only 0" : fmt::format("0 to {}", count - 1));
 }
 
-std::string no_usable_device(const DeviceList& list) {
-  std::string text = "no OpenGL device can be used";
-  for (const Device& device : list.devices) {
-    text += fmt::format("; device {}: {}", device.index, device.problem);
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string Device::name() const {
-  return fmt::format("{}, OpenGL {}", renderer, version.substr(0, version.find(' ')));
-}
 
 DeviceList list_devices(Fault fault) { return list_candidates(fault, true); }
 
 DeviceList list_hardware(Fault fault) {
   if (!has_graphics_node()) return {{}, "this machine has no graphics device"};
   return list_candidates(fault, false);
-}
-
-int preferred_device(const DeviceList& list) {
-  int software = -1;
-  for (const Device& device : list.devices) {
-    if (!device.is_usable()) continue;
-    if (!device.is_software) return device.index;
-    if (software < 0) software = device.index;
-  }
-  return software;
 }
 
 EglContext::EglContext(std::unique_ptr<EglHandles> handles, Device device)
@@ -327,7 +293,7 @@ std::unique_ptr<EglContext> EglContext::open(int index, Fault fault, std::string
     const DeviceList list = list_devices(fault);
     index = preferred_device(list);
     if (index < 0) {
-      problem = no_usable_device(list);
+      problem = why_none_is_usable(list);
       return nullptr;
     }
   }

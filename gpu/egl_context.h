@@ -1,33 +1,15 @@
 #pragma once
 // OpenGL without a window or display. egl_context.cpp is the only file that knows EGL.
 
+#include "gpu/device.h"
+
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace gpu {
 
-// Compute shaders came with this version.
-inline constexpr int kLeastMajor = 4, kLeastMinor = 3;
-
 // What tests let fail, because a working machine does not.
 enum class Fault { none, no_egl, out_of_memory, context_lost };
-
-struct Device {
-  int index = 0;                          // as --gl-device names it
-  std::string renderer, vendor, version;  // "" if it gives no context at all
-  bool is_software = false;               // llvmpipe, softpipe, swrast: the CPU under another name
-  std::string problem;                    // "" = it runs compute shaders, else why not
-
-  bool is_usable() const { return problem.empty(); }
-  // "llvmpipe (...), OpenGL 4.5"
-  std::string name() const;
-};
-
-struct DeviceList {
-  std::vector<Device> devices;  // in EGL's order, but what EGL itself calls software last
-  std::string problem;          // why there is none, "" if there are any
-};
 
 // Opens every device that EGL knows, one after the other: a tenth of a second or more.
 DeviceList list_devices(Fault fault = Fault::none);
@@ -35,9 +17,6 @@ DeviceList list_devices(Fault fault = Fault::none);
 // As list_devices(), but quick where there is no hardware: EGL is not even asked if the machine has
 // no graphics device, and devices that EGL itself calls software are not opened.
 DeviceList list_hardware(Fault fault = Fault::none);
-
-// The first usable device of a list: hardware if there is any. -1 = none.
-int preferred_device(const DeviceList& list);
 
 struct EglHandles;
 

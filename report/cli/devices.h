@@ -1,7 +1,7 @@
 #pragma once
 // `luxgate devices`: what --backend gpu could run on.
 
-#include "gpu/egl_context.h"
+#include "gpu/device.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,7 @@
 #include "report/cli/run.h"
 
 #include "calc/scene/project_xml.h"
+#include "gpu/egl_context.h"
 #include "report/cli/backend.h"
 #include "report/cli/check_project.h"
 #include "report/cli/devices.h"

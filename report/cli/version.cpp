@@ -1,6 +1,7 @@
 #include "report/cli/version.h"
 
 #include "calc/radiosity/rays.h"
+#include "gpu/egl_context.h"
 #include "report/cli/devices.h"
 #include "report/json_layout.h"
 

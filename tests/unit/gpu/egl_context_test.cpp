@@ -9,24 +9,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-gpu::Device device(int index, bool is_software, const std::string& problem) {
-  gpu::Device result;
-  result.index = index;
-  result.is_software = is_software;
-  result.problem = problem;
-  return result;
-}
-
-TEST(PreferredDevice, IsHardwareIfAnyCanBeUsed) {
-  EXPECT_EQ(gpu::preferred_device({}), -1);
-  EXPECT_EQ(gpu::preferred_device({{device(0, false, "too old")}, ""}), -1);
-  EXPECT_EQ(gpu::preferred_device({{device(0, true, ""), device(1, true, "")}, ""}), 0);
-  EXPECT_EQ(gpu::preferred_device({{device(0, false, "too old"), device(1, true, ""),
-                                    device(2, false, ""), device(3, false, "")},
-                                   ""}),
-            2);
-}
-
 TEST(Devices, AreNamedOneByOne) {
   LUXGATE_NEEDS_OPENGL();
   const gpu::DeviceList list = gpu::list_devices();
