@@ -2,6 +2,7 @@
 luxgate_test(cli_tests
   SOURCES
     unit/report/build_test.cpp
+    unit/report/cli/backend_test.cpp
     unit/report/cli/environment_test.cpp
     unit/report/cli/exit_code_test.cpp
     unit/report/cli/geometry_test.cpp

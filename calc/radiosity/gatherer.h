@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 namespace calc {
@@ -23,6 +24,8 @@ struct GatherBatch {
   std::span<const Receiver> receivers;
   std::span<const Connection> connections;
   bool has_shadows = true;  // false: all receivers are proved to see all vertices
+  // VertexTree::identity() of the vertices: a gatherer may keep what it made of them. 0 = none.
+  std::uint64_t vertices_identity = 0;
 };
 
 // Where the results go: [channel * stride + receiver].
@@ -30,6 +33,12 @@ struct GatherSums {
   double* lx;
   std::size_t stride;
   float* largest_lx;  // [receiver], raised to the largest single contribution
+};
+
+// Thrown by Gatherer::gather() when the backend cannot go on: what the sums hold is then worthless.
+class BackendFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 class Gatherer {
@@ -40,7 +49,7 @@ class Gatherer {
   //   weight * flux_v / pi * min(G, bound_v) * V,   G = k(w) cos_v / d^2 (see receiver.h),
   // always summed in the order of connections, so that the result is the same in bits for any
   // number of threads and any other receivers. May be called from several threads at once. Returns
-  // the number of shadow rays traced.
+  // the number of shadow rays traced. May throw BackendFailure.
   virtual std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) = 0;
 
   // For reports: "cpu (Embree 3.13.5)".

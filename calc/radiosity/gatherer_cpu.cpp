@@ -1,6 +1,5 @@
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/shadow_batch.h"
-#include "calc/units.h"
 
 #include <cstddef>
 
@@ -12,7 +11,6 @@ class CpuGatherer : public Gatherer {
   // Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages
   // out; the sums are double.
   std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) override {
-    constexpr auto kPerPi = static_cast<float>(1.0 / kPi);
     ShadowBatch shadows(batch.tracer, batch.has_shadows);
     std::uint32_t current = ~0u;
     glm::vec3 from(0.0f), x(0.0f), axis(0.0f);
@@ -27,13 +25,10 @@ class CpuGatherer : public Gatherer {
         kernel = receiver.kernel;
       }
       const LightVertex& v = batch.vertices[connection.vertex];
-      const glm::vec3 w = v.position_m - x;
-      const float response = response_times_distance(kernel, axis, w);
-      const float cy = -glm::dot(v.normal, w);
-      if (!(response > 0.0f) || !(cy > 0.0f)) continue;
-      const float d2 = glm::dot(w, w);
-      const float g = batch.bounds.limited(connection.vertex, response * cy / (d2 * d2));
-      const double lx = static_cast<double>(connection.weight * v.flux_lm * kPerPi * g);
+      const float g = connection_geometry(kernel, axis, v.normal, v.position_m - x);
+      if (!(g > 0.0f)) continue;
+      const float bounded = batch.bounds.limited(connection.vertex, g);
+      const double lx = static_cast<double>(connection_lx(connection.weight, v.flux_lm, bounded));
       shadows.add(from, v.position_m, lx, &sums.lx[v.channel * sums.stride + current],
                   &sums.largest_lx[current]);
     }

@@ -80,11 +80,8 @@ FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<do
 }
 
 double receiver_geometry(const Receiver& receiver, const SurfaceHit& hit) {
-  const glm::dvec3 w = hit.position_m - receiver.position_m;
-  const double cy = -glm::dot(hit.normal, w);
-  if (!(cy > 0.0)) return 0.0;
-  const double d2 = glm::dot(w, w);
-  return response_times_distance(receiver.kernel, receiver.axis, w) * cy / (d2 * d2);
+  return connection_geometry(receiver.kernel, receiver.axis, hit.normal,
+                             hit.position_m - receiver.position_m);
 }
 
 // Light of one short ray's hit, and of further short rays from there.

@@ -53,12 +53,7 @@ class GeometryBound {
 // cos_x cos_y / d^2 between x with normal nx and y with normal ny; 0 if either faces away or d = 0.
 inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm::dvec3& y,
                             const glm::dvec3& ny) {
-  const glm::dvec3 w = y - x;
-  const double cx = glm::dot(nx, w);
-  const double cy = -glm::dot(ny, w);
-  if (!(cx > 0.0) || !(cy > 0.0)) return 0.0;
-  const double d2 = glm::dot(w, w);
-  return cx * cy / (d2 * d2);
+  return connection_geometry(ReceiverKernel::planar, nx, ny, y - x);
 }
 
 // What short rays of one replicate and look have in common.

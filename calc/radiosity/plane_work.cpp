@@ -234,9 +234,10 @@ void PlaneWork::connect_tile(const ReceiverGroup& tile, const VertexBatch& batch
                        key.with(tile.point[k]).uniform(), scratch, connections);
     }
   }
-  sums.connection_rays += gatherer.gather(
-      {tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections, has_shadows_},
-      {sums.lx.data(), count, sums.largest_lx.data()});
+  sums.connection_rays +=
+      gatherer.gather({tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections,
+                       has_shadows_, batch.tree.identity()},
+                      {sums.lx.data(), count, sums.largest_lx.data()});
 }
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,

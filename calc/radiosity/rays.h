@@ -1,6 +1,7 @@
 #pragma once
 // Visibility and closest hits. rays.cpp is the only file that knows Embree.
 
+#include "calc/radiosity/identity.h"
 #include "calc/radiosity/receiver.h"
 #include "calc/scene/prepared_scene.h"
 
@@ -77,6 +78,8 @@ class Tracer {
   void leave_out_shadows() { has_shadows_ = false; }
   bool has_shadows() const { return has_shadows_; }
 
+  // Of this tracer and its scene, see new_identity().
+  std::uint64_t identity() const { return identity_; }
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
 
@@ -118,6 +121,7 @@ class Tracer {
                          const glm::dvec3& direction) const;
 
   const PreparedScene& scene_;
+  std::uint64_t identity_ = new_identity();
   double offset_m_;
   bool has_shadows_ = true;
   std::vector<glm::dvec3> triangle_normal_;  // unit

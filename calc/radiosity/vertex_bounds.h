@@ -21,6 +21,9 @@ class VertexBounds {
   // cuts nothing.
   explicit VertexBounds(double most_per_m2) : lowest_(static_cast<float>(most_per_m2)) {}
 
+  // limited() leaves geometry terms up to here alone.
+  float lowest_per_m2() const { return lowest_; }
+
   float limited(std::size_t vertex, float geometry_per_m2) const {
     if (geometry_per_m2 <= lowest_) return geometry_per_m2;
     return known_ ? std::min(geometry_per_m2, at(vertex)) : lowest_;

@@ -2,6 +2,7 @@
 // The pool of light vertices of one replicate, sorted in space, and a binary tree of groups over
 // it.
 
+#include "calc/radiosity/identity.h"
 #include "calc/radiosity/light_vertex.h"
 
 #include <glm/glm.hpp>
@@ -35,6 +36,8 @@ class VertexTree {
   // one surface. Order of equal keys is kept: the result is a function of the vertices alone.
   VertexTree(LightVertices vertices, std::size_t channels);
 
+  // Of these vertices, see new_identity().
+  std::uint64_t identity() const { return identity_; }
   const LightVertices& vertices() const { return vertices_; }
   // Flux of the vertices before index i, lm.
   double flux_before_lm(std::size_t i) const { return flux_before_lm_[i]; }
@@ -46,6 +49,7 @@ class VertexTree {
   std::span<const std::uint32_t> roots() const { return roots_; }
 
  private:
+  std::uint64_t identity_ = new_identity();
   LightVertices vertices_;
   std::vector<double> flux_before_lm_;  // vertices + 1 entries
   std::vector<VertexNode> nodes_;

@@ -26,6 +26,7 @@ Environment read_environment() {
   environment.no_color = variable("NO_COLOR");
   environment.clicolor_force = variable("CLICOLOR_FORCE");
   environment.term = variable("TERM");
+  environment.gl_fault = variable("LUXGATE_GL_FAULT");
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
   if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);

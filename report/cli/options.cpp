@@ -134,8 +134,19 @@ void add_calculation(CLI::App& app, Options& options) {
   add_value(app, "--time-limit", "SECONDS",
             "Stop refining a project after this time; results then depend on the machine's speed",
             seconds(settings.time_limit_s));
-  add_value(app, "--backend", "NAME", "cpu or gpu; default cpu",
-            choice<Backend>(options.backend, {{"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
+}
+
+// Who gathers the light.
+void add_backend(CLI::App& app, Options& options) {
+  add_value(app, "--backend", "NAME",
+            "auto, cpu or gpu (OpenGL compute); auto takes a GPU if there is one and enough work\n"
+            "for it, never software OpenGL; default auto. 'luxgate plan' says what it takes",
+            choice<Backend>(
+                options.backend,
+                {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"gpu", Backend::gpu}}));
+  add_value(app, "--gl-device", "N",
+            "With --backend gpu: the OpenGL device to use; 'luxgate devices' lists them",
+            whole_number(options.gl_device, 0, 1023));
 }
 
 void add_photometry(CLI::App& app, Options& options) {
@@ -199,6 +210,9 @@ std::string contradiction(const Options& options) {
                     [](const OutputFormat& format) { return format.file.empty(); });
   if (stdout_formats > 1) {
     return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  if (options.gl_device >= 0 && options.backend != Backend::gpu) {
+    return "--gl-device needs --backend gpu";
   }
   if (options.images && options.output_folder.empty()) return "--images needs --output FOLDER";
   for (std::size_t i = 0; i < options.projects.size(); ++i) {
@@ -277,11 +291,13 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   add_output(check, options);
   add_calculation(check, options);
   add_work(check, options);
+  add_backend(check, options);
   check.footer(kExitCodes);
   CLI::App& plan = *app.add_subcommand(
       "plan", "Say what 'check' would do, leave out and cost, without calculating");
   add_projects(plan, options);
   add_work(plan, options);
+  add_backend(plan, options);
   add_value(plan, "--format", "KIND", "text or json; default text",
             choice<bool>(options.plan_as_json, {{"text", false}, {"json", true}}));
   plan.footer("Exit codes: 0 no error, 2 at least one error.");
@@ -303,6 +319,10 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   CLI::App& init = *app.add_subcommand("init", "Write a small project that runs and passes");
   init.add_option("folder", options.init_folder, "Where; made if needed. Existing files are kept")
       ->type_name("FOLDER");
+  CLI::App& devices =
+      *app.add_subcommand("devices", "List OpenGL devices, and why one cannot be used");
+  devices.add_flag("--json", options.devices_as_json, "As JSON");
+  devices.footer("Exit codes: 0 at least one device is usable, 2 none is.");
   CLI::App& version = *app.add_subcommand("version", "Print versions of the program and libraries");
   version.add_flag("--json", options.version_as_json, "As JSON");
 
@@ -320,6 +340,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (geometry.parsed()) options.command = Command::geometry;
   if (schema.parsed()) options.command = Command::schema;
   if (init.parsed()) options.command = Command::init;
+  if (devices.parsed()) options.command = Command::devices;
   if (version.parsed()) options.command = Command::version;
 
   if (check.parsed() && options.timestamp.empty() && !source_date_epoch.empty()) {
@@ -365,6 +386,7 @@ std::string reproducible_command(const Options& options) {
   }
   command += no_skip_options(used.skips);
   if (options.backend == Backend::gpu) command += " --backend gpu";
+  if (options.backend == Backend::cpu) command += " --backend cpu";
   return command;
 }
 

@@ -10,10 +10,10 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, photometry, geometry, schema, init, version };
+enum class Command { check, plan, validate, photometry, geometry, schema, init, devices, version };
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
-enum class Backend { cpu, gpu };
+enum class Backend { automatic, cpu, gpu };
 enum class ColorChoice { automatic, always, never };
 
 struct OutputFormat {
@@ -51,7 +51,8 @@ struct Options {
   double tolerance = 0.02;   // relative half-width aimed at where nothing is decided, in (0, 1)
   double confidence = 0.95;  // in (0.5, 1)
   calc::RadiositySettings radiosity;
-  Backend backend = Backend::cpu;
+  Backend backend = Backend::automatic;
+  int gl_device = -1;  // as `luxgate devices` numbers them; -1 = not given
 
   bool plan_as_json = false;
   PhotometryOptions photometry;
@@ -60,6 +61,7 @@ struct Options {
   bool geometry_as_json = false;
   bool strict = false;  // warnings of 'geometry' count
   std::string init_folder = ".";
+  bool devices_as_json = false;
   bool version_as_json = false;
 };
 

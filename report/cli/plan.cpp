@@ -58,4 +58,14 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   return plan;
 }
 
+double first_look_connections(const std::vector<ProjectPlan>& projects) {
+  double sum = 0.0;
+  for (const ProjectPlan& project : projects) {
+    for (const SpacePlan& space : project.spaces) {
+      sum += space.plan.first_look.work.connection_rays;
+    }
+  }
+  return sum;
+}
+
 }  // namespace cli

@@ -4,6 +4,7 @@
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
 #include "calc/planner/scene_plan.h"
+#include "report/cli/backend.h"
 #include "rules/rule_pack.h"
 
 #include <cstddef>
@@ -31,10 +32,13 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings);
 
+// Connections that the first look at these projects makes, as far as they are planned.
+double first_look_connections(const std::vector<ProjectPlan>& projects);
+
 std::string render_plan_text(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings);
+                             const calc::RadiositySettings& settings, const BackendChoice& backend);
 std::string render_plan_json(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings);
+                             const calc::RadiositySettings& settings, const BackendChoice& backend);
 
 // For --explain-cost: the plan's prediction for the looks that were taken, and what they took.
 // solution: of these tasks.

@@ -59,8 +59,11 @@ Json space_json(const SpacePlan& space, const calc::RadiositySettings& settings)
 }  // namespace
 
 std::string render_plan_json(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings) {
-  Json json = {{"projects", Json::array()}};
+                             const calc::RadiositySettings& settings,
+                             const BackendChoice& backend) {
+  Json json = {{"backend", backend.backend == Backend::gpu ? "gpu" : "cpu"},
+               {"why_backend", backend.why},
+               {"projects", Json::array()}};
   for (const ProjectPlan& project : projects) {
     Json part = {{"path", project.path},
                  {"name", project.name},

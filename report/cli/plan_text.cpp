@@ -122,7 +122,8 @@ std::string comparison_row(const char* label, const std::string& predicted,
 }  // namespace
 
 std::string render_plan_text(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings) {
+                             const calc::RadiositySettings& settings,
+                             const BackendChoice& backend) {
   std::string text;
   for (const ProjectPlan& project : projects) {
     text += report::printable(project.path);
@@ -130,9 +131,9 @@ std::string render_plan_text(const std::vector<ProjectPlan>& projects,
     text += "\n";
     if (project.spaces.empty() && !project.is_planned) text += "  not planned: see the errors\n";
     for (const SpacePlan& space : project.spaces) text += space_text(space, settings);
-    if (&project != &projects.back()) text += "\n";
+    text += "\n";
   }
-  return text;
+  return text + backend_line(backend);
 }
 
 std::string explain_cost(const std::string& path, const std::string& space_id,

@@ -1,8 +1,10 @@
 #include "report/cli/run.h"
 
 #include "calc/scene/project_xml.h"
-#include "gpu/gl_gatherer.h"
+#include "gpu/egl_context.h"
+#include "report/cli/backend.h"
 #include "report/cli/check_project.h"
+#include "report/cli/devices.h"
 #include "report/cli/geometry.h"
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
@@ -70,19 +72,36 @@ std::optional<std::vector<rules::RulePack>> load_rule_packs(const std::vector<st
   return packs;
 }
 
+std::vector<ProjectPlan> plan_projects(const Options& options, const calc::FileReader& files,
+                                       const std::vector<rules::RulePack>& packs) {
+  std::vector<ProjectPlan> plans;
+  for (const std::string& path : options.projects) {
+    plans.push_back(plan_project(path, files, packs, options.radiosity));
+  }
+  return plans;
+}
+
 // Null after an error, which has been printed. Another backend is never taken instead.
-std::unique_ptr<calc::Gatherer> make_gatherer(Backend backend) {
-  if (backend == Backend::cpu) return calc::make_cpu_gatherer();
-  std::string reason;
-  std::unique_ptr<calc::Gatherer> gatherer = gpu::make_gl_gatherer(reason);
-  if (!gatherer) print_error(calc::DiagnosticId::backend_not_available, "gpu", reason);
+std::unique_ptr<calc::Gatherer> open_gatherer(const BackendChoice& choice, gpu::Fault fault,
+                                              bool quiet) {
+  std::string problem, software;
+  std::unique_ptr<calc::Gatherer> gatherer = make_gatherer(choice, fault, problem, software);
+  if (!gatherer) print_error(calc::DiagnosticId::backend_not_available, "gpu", problem);
+  if (!software.empty()) {
+    calc::Diagnostics diagnostics;
+    diagnostics.report(calc::DiagnosticId::backend_is_software, {}, software);
+    print_diagnostics(diagnostics.all(), quiet);
+  }
   return gatherer;
 }
 
-report::Provenance provenance_of(const Options& options, const calc::Gatherer& gatherer) {
+report::Provenance provenance_of(const Options& options, Backend backend,
+                                 const calc::Gatherer& gatherer) {
   report::Provenance provenance;
   provenance.program_version = program_version();
-  provenance.command_line = reproducible_command(options);
+  Options used = options;  // what `auto` came to; its answer `cpu` is the usual one
+  if (backend == Backend::gpu) used.backend = backend;
+  provenance.command_line = reproducible_command(used);
   provenance.timestamp = options.timestamp;
   provenance.seed = options.radiosity.seed;
   provenance.confidence = options.confidence;
@@ -94,17 +113,24 @@ report::Provenance provenance_of(const Options& options, const calc::Gatherer& g
   return provenance;
 }
 
+report::ProjectPart failed_project(const std::string& path, calc::DiagnosticId id,
+                                   const std::string& reason) {
+  calc::Diagnostics diagnostics;
+  diagnostics.report(id, {path, 0, 0}, reason);
+  report::ProjectPart part;
+  part.path = path;
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
 // Whatever goes wrong in one project must not stop the batch.
 report::ProjectPart check_safely(const std::string& path, const CheckContext& context) {
   try {
     return check_project(path, context);
+  } catch (const calc::BackendFailure& failure) {
+    return failed_project(path, calc::DiagnosticId::backend_failed, failure.what());
   } catch (const std::exception& error) {
-    calc::Diagnostics diagnostics;
-    diagnostics.report(calc::DiagnosticId::internal_error, {path, 0, 0}, error.what());
-    report::ProjectPart part;
-    part.path = path;
-    part.diagnostics = diagnostics.all();
-    return part;
+    return failed_project(path, calc::DiagnosticId::internal_error, error.what());
   }
 }
 
@@ -155,7 +181,7 @@ ExitCode write_results(const Options& options, const Environment& environment,
   return code;
 }
 
-ExitCode run_check(const Options& options, const Environment& environment) {
+ExitCode run_check(const Options& options, const Environment& environment, gpu::Fault fault) {
   const calc::DiskFileReader disk;
   const RecordingReader files(disk);
   const std::string problem = check_outputs(options);
@@ -165,16 +191,20 @@ ExitCode run_check(const Options& options, const Environment& environment) {
   }
   const std::optional<std::vector<rules::RulePack>> packs =
       load_rule_packs(options.rule_files, files);
-  const std::unique_ptr<calc::Gatherer> gatherer = make_gatherer(options.backend);
-  if (!packs || !gatherer) return kNotJudged;
+  if (!packs) return kNotJudged;
+  const BackendChoice backend = choose_backend(options, fault, [&] {
+    return first_look_connections(plan_projects(options, files, *packs));
+  });
+  const std::unique_ptr<calc::Gatherer> gatherer = open_gatherer(backend, fault, options.quiet);
+  if (!gatherer) return kNotJudged;
 
   watch_for_interrupt();
   Progress progress(environment.stderr_is_terminal && !options.quiet);
-  std::string cost_log;
+  std::string cost_log = options.explain_cost ? backend_line(backend) : "";
   const CheckContext context{options,   files,    *packs,
                              *gatherer, progress, options.explain_cost ? &cost_log : nullptr};
   report::Document document;
-  document.provenance = provenance_of(options, *gatherer);
+  document.provenance = provenance_of(options, backend.backend, *gatherer);
   for (const std::string& path : options.projects) {
     progress.start_project(path);
     document.projects.push_back(check_safely(path, context));
@@ -191,20 +221,23 @@ ExitCode run_check(const Options& options, const Environment& environment) {
   return write_results(options, environment, document, files.paths());
 }
 
-ExitCode run_plan(const Options& options) {
+ExitCode run_plan(const Options& options, gpu::Fault fault) {
   const calc::DiskFileReader files;
   const std::optional<std::vector<rules::RulePack>> packs =
       load_rule_packs(options.rule_files, files);
   if (!packs) return kNotJudged;
   ExitCode code = kAllMet;
-  std::vector<ProjectPlan> plans;
-  for (const std::string& path : options.projects) {
-    plans.push_back(plan_project(path, files, *packs, options.radiosity));
-    print_diagnostics(plans.back().diagnostics, options.quiet);
-    if (!plans.back().is_planned) code = kNotJudged;
+  const std::vector<ProjectPlan> plans = plan_projects(options, files, *packs);
+  for (const ProjectPlan& plan : plans) {
+    print_diagnostics(plan.diagnostics, options.quiet);
+    if (!plan.is_planned) code = kNotJudged;
   }
-  const std::string text = options.plan_as_json ? render_plan_json(plans, options.radiosity)
-                                                : render_plan_text(plans, options.radiosity);
+  const BackendChoice backend =
+      choose_backend(options, fault, [&] { return first_look_connections(plans); });
+  if (!open_gatherer(backend, fault, options.quiet)) code = kNotJudged;
+  const std::string text = options.plan_as_json
+                               ? render_plan_json(plans, options.radiosity, backend)
+                               : render_plan_text(plans, options.radiosity, backend);
   return print_result(text) ? code : kNotJudged;
 }
 
@@ -256,6 +289,13 @@ ExitCode run_photometry(const Options& options, const Environment& environment) 
   return print_result(result.out) ? static_cast<ExitCode>(result.exit_code) : kNotJudged;
 }
 
+ExitCode run_devices(const Options& options, gpu::Fault fault) {
+  const gpu::DeviceList list = gpu::list_devices(fault);
+  const std::string text =
+      options.devices_as_json ? render_devices_json(list) : render_devices_text(list);
+  return print_result(text) && gpu::preferred_device(list) >= 0 ? kAllMet : kNotJudged;
+}
+
 ExitCode print_or_fail(const std::string& text) {
   return print_result(text) ? kAllMet : kNotJudged;
 }
@@ -263,11 +303,17 @@ ExitCode print_or_fail(const std::string& text) {
 }  // namespace
 
 ExitCode run(const Options& options, const Environment& environment) {
+  const std::optional<gpu::Fault> fault = find_gl_fault(environment.gl_fault);
+  if (!fault) {
+    print_error(calc::DiagnosticId::backend_not_available, "gpu",
+                fmt::format("LUXGATE_GL_FAULT, which is for tests, is '{}'", environment.gl_fault));
+    return kNotJudged;
+  }
   switch (options.command) {
     case Command::check:
-      return run_check(options, environment);
+      return run_check(options, environment, *fault);
     case Command::plan:
-      return run_plan(options);
+      return run_plan(options, *fault);
     case Command::validate:
       return run_validate(options);
     case Command::photometry:
@@ -278,6 +324,8 @@ ExitCode run(const Options& options, const Environment& environment) {
       return print_or_fail(std::string(calc::project_schema()));
     case Command::init:
       return run_init(options);
+    case Command::devices:
+      return run_devices(options, *fault);
     case Command::version:
       return print_or_fail(version_text(options.version_as_json));
   }

@@ -13,6 +13,8 @@ set(allowed_cli report rules calc gpu)
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
   "embree3/|calc/radiosity/rays\\."
+  "epoxy/egl|gpu/egl_context"
+  "epoxy/|gpu/"
   "CLI/|report/cli/options\\.cpp"
   "tiny_obj_loader|calc/scene/mesh_obj"
   "tiny_gltf|calc/scene/mesh_gltf"

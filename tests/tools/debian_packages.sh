@@ -7,7 +7,10 @@ luxgate_build_packages=(
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
   libepoxy-dev
 )
-luxgate_test_packages=(libgtest-dev libgmock-dev libxml2-utils)
+luxgate_test_packages=(
+  libgtest-dev libgmock-dev libxml2-utils
+  libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
+)
 luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
 
 # install_debian_packages NAME...

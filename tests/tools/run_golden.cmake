@@ -2,6 +2,7 @@
 #   cmake -DLUXGATE=<binary> -DCOMPARE_CSV=<binary> -DCASE=<folder> -DWORK=<scratch> -P run_golden.cmake
 # The case holds:
 #   args              one argument per line; default: check, --quiet, project.xml
+#   environment       NAME=VALUE, one per line; optional
 #   expected.exit     the exit code; a case without it fails
 #   expected.stderr   standard error, byte by byte; without the file it must be empty
 #   expected.stdout   standard output, byte by byte; optional
@@ -21,6 +22,10 @@ set(environment)
 foreach(variable SOURCE_DATE_EPOCH NO_COLOR CLICOLOR_FORCE)
   list(APPEND environment --unset=${variable})
 endforeach()
+if(EXISTS ${CASE}/environment)
+  file(STRINGS ${CASE}/environment more)
+  list(APPEND environment ${more})
+endif()
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env ${environment} ${LUXGATE} ${args}
   WORKING_DIRECTORY ${CASE}

@@ -44,7 +44,8 @@ TEST(Options, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.radiosity.seed, 1u);
   EXPECT_EQ(options.radiosity.replicates, 16);
   EXPECT_EQ(options.radiosity.max_paths, 65536u);
-  EXPECT_EQ(options.backend, cli::Backend::cpu);
+  EXPECT_EQ(options.backend, cli::Backend::automatic);
+  EXPECT_EQ(options.gl_device, -1);
   EXPECT_EQ(options.timestamp, "");
 }
 
@@ -62,6 +63,19 @@ TEST(Options, ReadsEveryCalculationSetting) {
   EXPECT_DOUBLE_EQ(options.radiosity.time_limit_s, 2.5);
   EXPECT_EQ(options.radiosity.jobs, 3);
   EXPECT_EQ(options.backend, cli::Backend::gpu);
+}
+
+TEST(Options, BackendsBelongToResults) {
+  for (const char* command : {"check", "plan"}) {
+    const cli::Options gpu = parsed({command, "a.xml", "--backend", "gpu", "--gl-device", "2"});
+    EXPECT_EQ(gpu.gl_device, 2);
+    EXPECT_EQ(cli::reproducible_command(gpu), "luxgate check a.xml --backend gpu");
+    EXPECT_EQ(cli::reproducible_command(parsed({command, "a.xml", "--backend", "cpu"})),
+              "luxgate check a.xml --backend cpu");
+  }
+  expect_usage_error({"check", "a.xml", "--backend", "auto", "--gl-device", "0"},
+                     "--gl-device needs --backend gpu");
+  expect_usage_error({"check", "a.xml", "--gl-device", "-1"}, "a whole number from 0 to 1023");
 }
 
 TEST(Options, LowersTheFirstLookToTheMostPaths) {
@@ -117,7 +131,7 @@ TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
 
 TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
   expect_usage_error({"check", "a.xml", "--format", "jsn"}, "did you mean 'json'?");
-  expect_usage_error({"check", "a.xml", "--backend", "cuda"}, "cpu or gpu");
+  expect_usage_error({"check", "a.xml", "--backend", "cuda"}, "auto, cpu or gpu");
   expect_usage_error({"check", "a.xml", "--goal", "accurcy"}, "did you mean 'accuracy'?");
   expect_usage_error({"check", "a.xml", "--color", "blue"}, "auto, always or never");
 }

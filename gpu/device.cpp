@@ -1,0 +1,43 @@
+#include "gpu/device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gpu {
+
+std::string Device::name() const {
+  return fmt::format("{}, OpenGL {}", renderer, version.substr(0, version.find(' ')));
+}
+
+int preferred_device(const DeviceList& list) {
+  int software = -1;
+  for (const Device& device : list.devices) {
+    if (!device.is_usable()) continue;
+    if (!device.is_software) return device.index;
+    if (software < 0) software = device.index;
+  }
+  return software;
+}
+
+std::string why_none_is_usable(const DeviceList& list) {
+  std::string text = "no OpenGL device can be used";
+  for (const Device& device : list.devices) {
+    text += fmt::format("; device {}: {}", device.index, device.problem);
+  }
+  return text;
+}
+
+bool is_software_renderer(const std::string& renderer) {
+  std::string lower = renderer;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  for (const char* name :
+       {"llvmpipe", "softpipe", "swrast", "software rasterizer", "swiftshader"}) {
+    if (lower.find(name) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace gpu

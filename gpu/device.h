@@ -1,0 +1,37 @@
+#pragma once
+// OpenGL devices as a list to show and to choose from.
+
+#include <string>
+#include <vector>
+
+namespace gpu {
+
+// Compute shaders came with this version.
+inline constexpr int kLeastMajor = 4, kLeastMinor = 3;
+
+struct Device {
+  int index = 0;                          // as --gl-device names it
+  std::string renderer, vendor, version;  // "" if it gives no context at all
+  bool is_software = false;               // llvmpipe, softpipe, swrast: the CPU under another name
+  std::string problem;                    // "" = it runs compute shaders, else why not
+
+  bool is_usable() const { return problem.empty(); }
+  // "llvmpipe (...), OpenGL 4.5"
+  std::string name() const;
+};
+
+struct DeviceList {
+  std::vector<Device> devices;  // in EGL's order, but what EGL itself calls software last
+  std::string problem;          // why there is none, "" if there are any
+};
+
+// By GL_RENDERER.
+bool is_software_renderer(const std::string& renderer);
+
+// The first usable device of a list: hardware if there is any. -1 = none.
+int preferred_device(const DeviceList& list);
+
+// For messages: why none of them is usable.
+std::string why_none_is_usable(const DeviceList& list);
+
+}  // namespace gpu

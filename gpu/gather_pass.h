@@ -1,0 +1,85 @@
+#pragma once
+// Connections on the device: uploads, one invocation each, results back. For the thread that owns
+// the context.
+
+#include "calc/radiosity/draws.h"
+#include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/rays.h"
+#include "gpu/egl_context.h"
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_program.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <span>
+
+namespace gpu {
+
+// A receiver as the shader reads it: three vec4.
+struct GpuReceiver {
+  glm::vec4 position_m;  // local; last component unused
+  glm::vec4 axis;        // last component: the calc::ReceiverKernel
+  glm::vec4 lifted_m;    // where its rays begin; last component unused
+};
+
+struct GatherJob {
+  const calc::Tracer* tracer = nullptr;
+  std::span<const calc::LightVertex> vertices;
+  std::uint64_t vertices_identity = 0;  // as in calc::GatherBatch
+  std::span<const GpuReceiver> receivers;
+  std::span<const calc::Connection> connections;  // of these receivers
+  float bounded_from_per_m2 = 0.0f;               // VertexBounds::lowest_per_m2()
+  bool has_shadows = true;
+  // One for each connection:
+  //   kNoRay        one end faces away from the other
+  //   kAddsNothing  something stands between, or what is added is 0
+  //   kNotDone      the device did not do its work
+  //   else a float: > 0 what the connection adds, lx; < 0 the geometry term, negative, which is
+  //   above bounded_from_per_m2: its bound is for the caller to find.
+  std::span<std::uint32_t> results;
+};
+
+class GatherPass {
+ public:
+  GatherPass(const EglContext& context, Fault fault);
+
+  // All jobs at once, at most kMostConnections in all. Throws GlError, and can be used again after
+  // OutOfMemory.
+  void run(std::span<GatherJob* const> jobs);
+
+  static constexpr std::size_t kMostConnections = std::size_t{1} << 20;
+
+ private:
+  struct Scene {
+    std::uint64_t identity;
+    std::uint32_t nodes;
+    GlBuffer node, corner;
+  };
+  struct Pool {
+    std::uint64_t identity;
+    GlBuffer vertex;
+  };
+
+  const Scene& scene_of(const calc::Tracer& tracer);
+  const Pool& pool_of(const GatherJob& job);
+  void upload(std::span<GatherJob* const> jobs);
+  void dispatch(const GatherJob& job, std::size_t first_connection, std::size_t first_receiver);
+  void fetch(std::span<GatherJob* const> jobs);
+  const GlProgram& program(bool has_shadows);
+  void fail_on_purpose();
+
+  const EglContext& context_;
+  Fault fault_;
+  std::array<std::unique_ptr<GlProgram>, 2> program_;  // [has_shadows], made when first needed
+  GlBuffer receivers_, connections_, results_;
+  // Latest use first.
+  std::list<Scene> scenes_;
+  std::list<Pool> pools_;
+};
+
+}  // namespace gpu

@@ -1,0 +1,61 @@
+#include "gpu/gl_program.h"
+
+#include "gpu/gl_error.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace gpu {
+namespace {
+
+template <class GetLength, class GetLog>
+std::string log_of(GLuint name, const GetLength& get_length, const GetLog& get_log) {
+  GLint length = 0;
+  get_length(name, GL_INFO_LOG_LENGTH, &length);
+  if (length <= 0) return "no message";
+  std::vector<char> text(static_cast<std::size_t>(length));
+  get_log(name, length, &length, text.data());
+  return std::string(text.data(), static_cast<std::size_t>(length));
+}
+
+}  // namespace
+
+GlProgram::GlProgram(const std::string& what, const std::string& source) {
+  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint is_compiled = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &is_compiled);
+  if (is_compiled != GL_TRUE) {
+    const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+    glDeleteShader(shader);
+    throw GlError(fmt::format("the driver does not compile shader '{}': {}", what, log));
+  }
+  name_ = glCreateProgram();
+  glAttachShader(name_, shader);
+  glLinkProgram(name_);
+  glDeleteShader(shader);
+  GLint is_linked = GL_FALSE;
+  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return;
+  const std::string log = log_of(name_, glGetProgramiv, glGetProgramInfoLog);
+  glDeleteProgram(name_);
+  throw GlError(fmt::format("the driver does not link shader '{}': {}", what, log));
+}
+
+GlProgram::~GlProgram() { glDeleteProgram(name_); }
+
+void GlProgram::use() const { glUseProgram(name_); }
+
+void GlProgram::set(const char* uniform, std::uint32_t value) const {
+  glUniform1ui(glGetUniformLocation(name_, uniform), value);
+}
+
+void GlProgram::set(const char* uniform, float value) const {
+  glUniform1f(glGetUniformLocation(name_, uniform), value);
+}
+
+}  // namespace gpu

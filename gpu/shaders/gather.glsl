@@ -1,0 +1,35 @@
+// One connection of a receiver to a light vertex. results: what gather_pass.h says.
+
+layout(local_size_x = GROUP_SIZE) in;
+
+layout(std430, binding = 2) readonly buffer Vertices { vec4 vertex[]; };
+layout(std430, binding = 3) readonly buffer Receivers { vec4 receiver[]; };
+layout(std430, binding = 4) readonly buffer Connections { uint connection[]; };
+layout(std430, binding = 5) writeonly buffer Results { uint result[]; };
+
+uniform uint first_connection, connection_count, first_receiver;
+uniform float bounded_from_per_m2;
+
+uint gathered(uint i) {
+  const uint r = 3u * (first_receiver + connection[3u * i]);
+  const uint v = 2u * connection[3u * i + 1u];
+  const vec4 at = receiver[r];
+  const vec4 axis = receiver[r + 1u];
+  const vec4 position_and_flux = vertex[v];
+  const float g = connection_geometry(uint(axis.w), axis.xyz, vertex[v + 1u].xyz,
+                                      position_and_flux.xyz - at.xyz);
+  if (!(g > 0.0)) return NO_RAY;
+#if HAS_SHADOWS
+  if (is_blocked(receiver[r + 2u].xyz, position_and_flux.xyz)) return ADDS_NOTHING;
+#endif
+  if (g > bounded_from_per_m2) return floatBitsToUint(-g);
+  const float weight = uintBitsToFloat(connection[3u * i + 2u]);
+  const float lx = connection_lx(weight, position_and_flux.w, g);
+  return lx > 0.0 ? floatBitsToUint(lx) : ADDS_NOTHING;
+}
+
+void main() {
+  if (gl_GlobalInvocationID.x >= connection_count) return;
+  const uint i = first_connection + gl_GlobalInvocationID.x;
+  result[i] = gathered(i);
+}

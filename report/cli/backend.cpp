@@ -1,0 +1,81 @@
+#include "report/cli/backend.h"
+
+#include "report/number_format.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace cli {
+namespace {
+
+std::string why_no_hardware(const gpu::DeviceList& hardware) {
+  if (!hardware.problem.empty()) return hardware.problem;
+  std::string text;
+  for (const gpu::Device& device : hardware.devices) {
+    if (!text.empty()) text += "; ";
+    text += fmt::format("OpenGL device {} ", device.index);
+    text += device.is_software ? "is software, slower than the CPU backend"
+                               : "cannot be used: " + device.problem;
+  }
+  return text;
+}
+
+std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
+  for (const gpu::Device& device : hardware.devices) {
+    if (device.is_usable() && !device.is_software) return device.index;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
+  if (name.empty()) return gpu::Fault::none;
+  if (name == "no-egl") return gpu::Fault::no_egl;
+  if (name == "out-of-memory") return gpu::Fault::out_of_memory;
+  if (name == "context-lost") return gpu::Fault::context_lost;
+  return std::nullopt;
+}
+
+BackendChoice choose_automatically(const gpu::DeviceList& hardware,
+                                   const std::function<double()>& connections) {
+  const std::optional<int> device = hardware_device(hardware);
+  if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
+  const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
+  const double count = connections();
+  const std::string amount =
+      fmt::format("{} connections in the first look",
+                  report::format_count(static_cast<std::uint64_t>(std::llround(count))));
+  if (count < kConnectionsWorthAGpu) {
+    return {Backend::cpu, -1, fmt::format("too little work for {}: {}", name, amount)};
+  }
+  return {Backend::gpu, *device, fmt::format("enough work for {}: {}", name, amount)};
+}
+
+BackendChoice choose_backend(const Options& options, gpu::Fault fault,
+                             const std::function<double()>& connections) {
+  if (options.backend != Backend::automatic) {
+    return {options.backend, options.gl_device, "asked for with --backend"};
+  }
+  return choose_automatically(gpu::list_hardware(fault), connections);
+}
+
+std::string backend_line(const BackendChoice& choice) {
+  return fmt::format("backend: {}: {}\n", choice.backend == Backend::gpu ? "gpu" : "cpu",
+                     choice.why);
+}
+
+std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::Fault fault,
+                                              std::string& problem, std::string& warning) {
+  if (choice.backend != Backend::gpu) return calc::make_cpu_gatherer();
+  gpu::Device device;
+  std::unique_ptr<calc::Gatherer> gatherer =
+      gpu::make_gl_gatherer({choice.device, fault}, device, problem);
+  if (gatherer && device.is_software) warning = device.renderer;
+  return gatherer;
+}
+
+}  // namespace cli

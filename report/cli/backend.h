@@ -1,0 +1,49 @@
+#pragma once
+// Which backend gathers light, and why.
+
+#include "calc/radiosity/gatherer.h"
+#include "gpu/gl_gatherer.h"
+#include "report/cli/options.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+// The value of LUXGATE_GL_FAULT, by which tests let OpenGL fail: "" or a name of gpu::Fault with
+// dashes; empty if it is neither.
+std::optional<gpu::Fault> find_gl_fault(std::string_view name);
+
+// A backend that was asked for, or the answer to `auto`, and the reason in words.
+struct BackendChoice {
+  Backend backend = Backend::cpu;  // never automatic
+  int device = -1;                 // for the gpu; -1 = the first that is usable
+  std::string why;
+};
+
+// Connections below which opening a context takes longer than the GPU saves: a device that needs no
+// time at all would save some 3 ns of 16 cores for each, and it takes a few tenths of a second to
+// open. [method 05; not measured on hardware]
+inline constexpr double kConnectionsWorthAGpu = 1.0e8;
+
+// The answer to --backend auto: a GPU if there is one that is not software, and enough work for it.
+// connections: in the first look at all projects; only asked for if there is such a device. Does
+// not depend on --jobs.
+BackendChoice choose_automatically(const gpu::DeviceList& hardware,
+                                   const std::function<double()>& connections);
+// What --backend means on this machine, whose devices are only looked for if that matters.
+BackendChoice choose_backend(const Options& options, gpu::Fault fault,
+                             const std::function<double()>& connections);
+
+// "backend: cpu: this machine has no graphics device\n"
+std::string backend_line(const BackendChoice& choice);
+
+// Null: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
+// software, `warning` names its renderer.
+std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::Fault fault,
+                                              std::string& problem, std::string& warning);
+
+}  // namespace cli

@@ -1,0 +1,17 @@
+#pragma once
+// `luxgate devices`: what --backend gpu could run on.
+
+#include "gpu/device.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace cli {
+
+std::string render_devices_text(const gpu::DeviceList& list);
+std::string render_devices_json(const gpu::DeviceList& list);
+// The list in the latter, also part of `luxgate version --json`.
+nlohmann::ordered_json devices_json(const gpu::DeviceList& list);
+
+}  // namespace cli

@@ -1,0 +1,29 @@
+#pragma once
+// OpenGL for tests: Mesa's software renderer where there is nothing else.
+
+#include "gpu/gl_gatherer.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace test_support {
+
+// "" or why there is no EGL device at all, for GTEST_SKIP. A device that cannot be used is no
+// reason to skip: the gatherer then fails the test.
+inline std::string no_opengl() { return gpu::list_devices().problem; }
+
+inline std::unique_ptr<calc::Gatherer> gl_gatherer(gpu::Fault fault = gpu::Fault::none) {
+  gpu::Device device;
+  std::string problem;
+  auto gatherer = gpu::make_gl_gatherer({-1, fault}, device, problem);
+  EXPECT_TRUE(gatherer != nullptr) << problem;
+  return gatherer;
+}
+
+}  // namespace test_support
+
+#define LUXGATE_NEEDS_OPENGL()                                                 \
+  if (const std::string reason = ::test_support::no_opengl(); !reason.empty()) \
+  GTEST_SKIP() << "no OpenGL: " << reason

@@ -1,0 +1,97 @@
+# --backend gpu through the real binary: same results as the CPU, same bytes again, clear errors.
+#   cmake -DLUXGATE=<binary> -DCOMPARE_CSV=<binary> -DEXAMPLES=<folder> -DWORK=<scratch> -P run_gpu_backend.cmake
+# Says "skipped:" where EGL knows no device at all.
+cmake_minimum_required(VERSION 3.25)
+
+# run_luxgate(<exit code> [ENV NAME=VALUE...] ARGS argument...): sets out and err.
+function(run_luxgate expected)
+  cmake_parse_arguments(ARG "" "" "ENV;ARGS" ${ARGN})
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -E env --unset=LUXGATE_GL_FAULT ${ARG_ENV} ${LUXGATE} ${ARG_ARGS}
+    RESULT_VARIABLE code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+  if(NOT code STREQUAL expected)
+    message(SEND_ERROR "${ARG_ENV} ${ARG_ARGS}: exit code ${code}, expected ${expected}\n${stdout}\n${stderr}")
+  endif()
+  set(out "${stdout}" PARENT_SCOPE)
+  set(err "${stderr}" PARENT_SCOPE)
+endfunction()
+
+function(expect_in text part)
+  string(FIND "${text}" "${part}" place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "'${part}' is missing in\n${text}")
+  endif()
+endfunction()
+
+execute_process(COMMAND ${LUXGATE} devices OUTPUT_VARIABLE devices RESULT_VARIABLE code)
+if(devices MATCHES "^no OpenGL device: (.*)\n")
+  message("skipped: ${CMAKE_MATCH_1}")
+  return()
+endif()
+if(NOT code EQUAL 0)
+  message(SEND_ERROR "no device is usable:\n${devices}")
+endif()
+
+run_luxgate(0 ARGS devices --json)
+string(JSON index GET "${out}" devices 0 index)
+string(JSON usable GET "${out}" devices 0 usable)
+if(NOT index EQUAL 0 OR NOT usable MATCHES "^(ON|OFF)$")
+  message(SEND_ERROR "devices --json is\n${out}")
+endif()
+run_luxgate(0 ARGS version --json)
+string(JSON renderer GET "${out}" opengl_devices 0 renderer)
+
+# The same work by both backends.
+set(cornell ${EXAMPLES}/03-cornell-box/project.xml)
+set(work check --quiet --max-paths 512 --goal accuracy --tolerance 0.1%)
+file(MAKE_DIRECTORY ${WORK})
+execute_process(COMMAND ${LUXGATE} ${work} ${cornell} --backend cpu --format points-csv=${WORK}/cpu.csv)
+foreach(jobs 1 2 8)
+  execute_process(COMMAND ${LUXGATE} ${work} ${cornell} --backend gpu --jobs ${jobs} --format points-csv=${WORK}/gpu${jobs}.csv)
+  file(SHA256 ${WORK}/gpu${jobs}.csv hash${jobs})
+  if(NOT hash${jobs} STREQUAL hash1)
+    message(SEND_ERROR "--backend gpu --jobs ${jobs} gives other bytes than --jobs 1")
+  endif()
+endforeach()
+execute_process(COMMAND ${COMPARE_CSV} ${WORK}/cpu.csv ${WORK}/gpu1.csv 1e-4
+  RESULT_VARIABLE difference OUTPUT_VARIABLE report ERROR_VARIABLE report)
+if(NOT difference EQUAL 0)
+  message(SEND_ERROR "cpu and gpu differ: ${report}")
+endif()
+
+# What ran is written down; software is said to be software.
+run_luxgate(0 ARGS check ${cornell} --backend gpu --format json)
+expect_in("${out}" "\"backend\": \"gpu (")
+expect_in("${out}" "--backend gpu")
+if(NOT devices MATCHES "hardware")
+  expect_in("${err}" "warning[backend-is-software]")
+  run_luxgate(0 ARGS check ${cornell} --explain-cost)
+  expect_in("${err}" "backend: cpu: ")
+  run_luxgate(0 ARGS plan ${cornell})
+  expect_in("${out}" "backend: cpu: ")
+endif()
+
+# Failures end in words and exit code 2, never in a run on the CPU.
+function(expect_failure part)
+  cmake_parse_arguments(ARG "" "" "ENV;ARGS" ${ARGN})
+  run_luxgate(2 ENV ${ARG_ENV} ARGS check --quiet --format csv ${cornell} --backend gpu ${ARG_ARGS})
+  expect_in("${err}" "${part}")
+  if(out MATCHES ",(pass|fail|undecided),")
+    message(SEND_ERROR "a verdict without a backend:\n${out}")
+  endif()
+endfunction()
+expect_failure("the backend failed: the device is out of memory" ENV LUXGATE_GL_FAULT=out-of-memory)
+expect_failure("the backend failed: the device was reset" ENV LUXGATE_GL_FAULT=context-lost)
+expect_failure("04-office/project.xml: error[backend-failed]" ENV LUXGATE_GL_FAULT=context-lost
+  ARGS ${EXAMPLES}/04-office/project.xml)
+expect_failure("'gpu' cannot be used: there is no EGL library" ENV LUXGATE_GL_FAULT=no-egl)
+expect_failure("'gpu' cannot be used: there is no OpenGL device 1000" ARGS --gl-device 1000)
+expect_failure("LUXGATE_GL_FAULT, which is for tests, is 'other'" ENV LUXGATE_GL_FAULT=other)
+run_luxgate(2 ENV LUXGATE_GL_FAULT=no-egl ARGS devices)
+expect_in("${out}" "no OpenGL device: there is no EGL library")
+if(renderer MATCHES "llvmpipe" AND NOT devices MATCHES "hardware")
+  # What Mesa offers when told to be old, and EGL without any driver.
+  expect_failure("OpenGL 3.3 has no compute shaders: 4.3 is needed" ENV MESA_GL_VERSION_OVERRIDE=3.3)
+  expect_failure("EGL knows no device: no OpenGL driver is installed"
+    ENV __EGL_VENDOR_LIBRARY_FILENAMES=${WORK}/none.json)
+endif()
