@@ -1,6 +1,5 @@
 #include "gpu/gather_pass.h"
 
-#include "gpu/bvh.h"
 #include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 
@@ -17,10 +16,10 @@ static_assert(sizeof(GpuReceiver) == 48);
 static_assert(sizeof(calc::Connection) == 12);
 static_assert(sizeof(calc::LightVertex) == 32);
 
-enum Binding : unsigned { kNodes, kTriangles, kVertices, kReceivers, kConnections, kResults };
+// After those of DeviceScene.
+enum Binding : unsigned { kVertices = 2, kReceivers, kConnections, kResults };
 
-// A space at a time is computed, and its replicates side by side.
-constexpr std::size_t kMostScenes = 2;
+// The replicates of a look are computed side by side.
 constexpr std::size_t kMostPools = 128;
 constexpr std::size_t kMostPoolBytes = std::size_t{1} << 30;
 
@@ -41,38 +40,25 @@ bool use_again(List& list, std::uint64_t identity) {
 
 }  // namespace
 
-GatherPass::GatherPass(const EglContext& context, Fault fault)
-    : context_(context),
-      fault_(fault),
-      receivers_("calculation points"),
-      connections_("connections"),
-      results_("results") {}
+GatherPass::GatherPass()
+    : receivers_("calculation points"), connections_("connections"), results_("results") {}
 
-void GatherPass::run(std::span<GatherJob* const> jobs) {
+void GatherPass::run(DeviceState& device, std::span<GatherJob* const> jobs) {
   try {
     upload(jobs);
     std::size_t connection = 0, receiver = 0;
     for (const GatherJob* job : jobs) {
-      dispatch(*job, connection, receiver);
+      dispatch(device, *job, connection, receiver);
       connection += job->connections.size();
       receiver += job->receivers.size();
     }
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     fetch(jobs);
-    fail_on_purpose();
-    check_gl("gathering light");
+    device.check("gathering light");
   } catch (const OutOfMemory&) {
-    // What is kept for later may be what leaves no room.
-    scenes_.clear();
-    pools_.clear();
+    pools_.clear();  // what is kept for later may be what leaves no room
     throw;
   }
-  if (const std::string loss = context_.loss(); !loss.empty()) throw GlError(loss);
-}
-
-void GatherPass::fail_on_purpose() {
-  if (fault_ == Fault::out_of_memory) throw OutOfMemory("the device is out of memory (a test)");
-  if (fault_ == Fault::context_lost) throw GlError("the device was reset (a test)");
 }
 
 void GatherPass::upload(std::span<GatherJob* const> jobs) {
@@ -98,15 +84,14 @@ void GatherPass::upload(std::span<GatherJob* const> jobs) {
   check_gl("sending connections");
 }
 
-void GatherPass::dispatch(const GatherJob& job, std::size_t first_connection,
+void GatherPass::dispatch(DeviceState& device, const GatherJob& job, std::size_t first_connection,
                           std::size_t first_receiver) {
   const bool has_shadows = job.has_shadows && !job.tracer->scene().triangle.empty();
   const GlProgram& shader = program(has_shadows);
   shader.use();
   if (has_shadows) {
-    const Scene& scene = scene_of(*job.tracer);
-    scene.node.bind(kNodes);
-    scene.corner.bind(kTriangles);
+    const DeviceScene& scene = device.scenes.of(*job.tracer);
+    scene.bind();
     shader.set("node_count", scene.nodes);
     shader.set("offset_m", static_cast<float>(job.tracer->offset_m()));
   }
@@ -132,21 +117,6 @@ const GlProgram& GatherPass::program(bool has_shadows) {
   std::unique_ptr<GlProgram>& made = program_[has_shadows ? 1 : 0];
   if (!made) made = std::make_unique<GlProgram>("gather", gather_shader(has_shadows));
   return *made;
-}
-
-const GatherPass::Scene& GatherPass::scene_of(const calc::Tracer& tracer) {
-  if (use_again(scenes_, tracer.identity())) return scenes_.front();
-  while (scenes_.size() >= kMostScenes) scenes_.pop_back();
-  const Bvh bvh = build_bvh(tracer.scene());
-  Scene scene{tracer.identity(), static_cast<std::uint32_t>(bvh.nodes.size()),
-              GlBuffer("the scene's boxes"), GlBuffer("the scene's triangles")};
-  scene.node.reserve(bytes_of(bvh.nodes).size());
-  scene.corner.reserve(bytes_of(bvh.triangles).size());
-  scene.node.write(0, bytes_of(bvh.nodes));
-  scene.corner.write(0, bytes_of(bvh.triangles));
-  check_gl("sending the scene");
-  scenes_.push_front(std::move(scene));
-  return scenes_.front();
 }
 
 const GatherPass::Pool& GatherPass::pool_of(const GatherJob& job) {

@@ -5,7 +5,7 @@
 #include "calc/radiosity/draws.h"
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/rays.h"
-#include "gpu/egl_context.h"
+#include "gpu/device_thread.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
 
@@ -46,40 +46,30 @@ struct GatherJob {
 
 class GatherPass {
  public:
-  GatherPass(const EglContext& context, Fault fault);
+  GatherPass();
 
   // All jobs at once, at most kMostConnections in all. Throws GlError, and can be used again after
   // OutOfMemory.
-  void run(std::span<GatherJob* const> jobs);
+  void run(DeviceState& device, std::span<GatherJob* const> jobs);
 
   static constexpr std::size_t kMostConnections = std::size_t{1} << 20;
 
  private:
-  struct Scene {
-    std::uint64_t identity;
-    std::uint32_t nodes;
-    GlBuffer node, corner;
-  };
   struct Pool {
     std::uint64_t identity;
     GlBuffer vertex;
   };
 
-  const Scene& scene_of(const calc::Tracer& tracer);
   const Pool& pool_of(const GatherJob& job);
   void upload(std::span<GatherJob* const> jobs);
-  void dispatch(const GatherJob& job, std::size_t first_connection, std::size_t first_receiver);
+  void dispatch(DeviceState& device, const GatherJob& job, std::size_t first_connection,
+                std::size_t first_receiver);
   void fetch(std::span<GatherJob* const> jobs);
   const GlProgram& program(bool has_shadows);
-  void fail_on_purpose();
 
-  const EglContext& context_;
-  Fault fault_;
   std::array<std::unique_ptr<GlProgram>, 2> program_;  // [has_shadows], made when first needed
   GlBuffer receivers_, connections_, results_;
-  // Latest use first.
-  std::list<Scene> scenes_;
-  std::list<Pool> pools_;
+  std::list<Pool> pools_;  // latest use first
 };
 
 }  // namespace gpu

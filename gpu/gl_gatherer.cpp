@@ -1,18 +1,15 @@
 #include "gpu/gl_gatherer.h"
 
 #include "gpu/gather_pass.h"
-#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <condition_variable>
 #include <deque>
 #include <exception>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -29,38 +26,34 @@ GpuReceiver gpu_receiver(const calc::Tracer& tracer, const calc::Receiver& recei
           glm::vec4(glm::vec3(tracer.lift(receiver)), 0.0f)};
 }
 
-// Runs jobs of many threads, one bundle after the other, on the thread that owns the context.
-class GatherThread {
+// Jobs of many threads go to the device in bundles.
+class JobQueue {
  public:
-  explicit GatherThread(const GathererRequest& request)
-      : request_(request), thread_([this] { work(); }) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return is_open_ || !problem_.empty(); });
+  explicit JobQueue(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
+  ~JobQueue() {
+    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
   }
+  JobQueue(const JobQueue&) = delete;
+  JobQueue& operator=(const JobQueue&) = delete;
 
-  ~GatherThread() {
-    {
-      const std::scoped_lock lock(mutex_);
-      is_ending_ = true;
-    }
-    wanted_.notify_one();
-    thread_.join();
-  }
-
-  GatherThread(const GatherThread&) = delete;
-  GatherThread& operator=(const GatherThread&) = delete;
-
-  // Why there is no context, "" if there is one. Does not change after construction.
-  const std::string& problem() const { return problem_; }
-  const Device& device() const { return device_; }
+  const Device& device() const { return thread_->device(); }
 
   // Waits for the results. Throws calc::BackendFailure.
   void run(GatherJob& job) {
     Entry entry{&job, false, ""};
-    std::unique_lock lock(mutex_);
-    queue_.push_back(&entry);
-    wanted_.notify_one();
-    changed_.wait(lock, [&] { return entry.is_done; });
+    {
+      const std::scoped_lock lock(mutex_);
+      waiting_.push_back(&entry);
+    }
+    try {
+      thread_->run([&](DeviceState& device) {
+        while (!entry.is_done) run_bundle(device);  // nothing to do if another's bundle had it
+      });
+    } catch (const calc::BackendFailure&) {
+      const std::scoped_lock lock(mutex_);
+      std::erase(waiting_, &entry);
+      throw;
+    }
     if (!entry.problem.empty()) throw calc::BackendFailure(entry.problem);
   }
 
@@ -71,75 +64,40 @@ class GatherThread {
     std::string problem;
   };
 
-  void work() {
-    std::string problem;
-    const std::unique_ptr<EglContext> context =
-        EglContext::open(request_.device, request_.fault, problem);
-    {
-      const std::scoped_lock lock(mutex_);
-      problem_ = problem;
-      if (context) device_ = context->device();
-      is_open_ = context != nullptr;
-    }
-    changed_.notify_all();
-    if (!context) return;
-    GatherPass pass(*context, request_.fault);
-    std::string loss;  // once lost, a context stays lost
-    for (std::vector<Entry*> bundle = next_bundle(); !bundle.empty(); bundle = next_bundle()) {
-      finish(bundle, loss.empty() ? run(pass, bundle, loss) : loss);
-    }
-  }
-
-  // As many jobs as wait and fit into one pass; none: the end.
+  // As many jobs as wait and fit into one pass.
   std::vector<Entry*> next_bundle() {
     std::vector<Entry*> bundle;
-    std::unique_lock lock(mutex_);
-    wanted_.wait(lock, [this] { return is_ending_ || !queue_.empty(); });
+    const std::scoped_lock lock(mutex_);
     std::size_t connections = 0;
-    while (!queue_.empty()) {
-      connections += queue_.front()->job->connections.size();
+    while (!waiting_.empty()) {
+      connections += waiting_.front()->job->connections.size();
       if (connections > GatherPass::kMostConnections) break;
-      bundle.push_back(queue_.front());
-      queue_.pop_front();
+      bundle.push_back(waiting_.front());
+      waiting_.pop_front();
     }
     return bundle;
   }
 
-  // "" or what went wrong; `loss` is set if nothing can be done after it.
-  static std::string run(GatherPass& pass, const std::vector<Entry*>& bundle, std::string& loss) {
+  void run_bundle(DeviceState& device) {
+    const std::vector<Entry*> bundle = next_bundle();
     std::vector<GatherJob*> jobs;
-    for (const Entry* entry : bundle) jobs.push_back(entry->job);
+    for (Entry* entry : bundle) {
+      jobs.push_back(entry->job);
+      entry->is_done = true;
+    }
     try {
-      pass.run(jobs);
-      return "";
-    } catch (const OutOfMemory& error) {
-      return error.what();
-    } catch (const std::bad_alloc&) {
-      return "the program is out of memory";
+      if (!pass_) pass_ = std::make_unique<GatherPass>();
+      pass_->run(device, jobs);
     } catch (const std::exception& error) {
-      return loss = error.what();
+      for (Entry* entry : bundle) entry->problem = error.what();
+      throw;
     }
   }
 
-  void finish(const std::vector<Entry*>& bundle, const std::string& problem) {
-    {
-      const std::scoped_lock lock(mutex_);
-      for (Entry* entry : bundle) {
-        entry->problem = problem;
-        entry->is_done = true;
-      }
-    }
-    changed_.notify_all();
-  }
-
-  const GathererRequest request_;
+  const std::shared_ptr<DeviceThread> thread_;
   std::mutex mutex_;
-  std::condition_variable wanted_, changed_;
-  std::deque<Entry*> queue_;
-  bool is_open_ = false, is_ending_ = false;
-  std::string problem_;
-  Device device_;
-  std::thread thread_;  // last: it uses all the others
+  std::deque<Entry*> waiting_;
+  std::unique_ptr<GatherPass> pass_;  // of the device's thread alone
 };
 
 // Adds the results of some connections in their order; returns the rays.
@@ -168,9 +126,7 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
 
 class GlGatherer : public calc::Gatherer {
  public:
-  explicit GlGatherer(const GathererRequest& request) : thread_(request) {}
-
-  const GatherThread& thread() const { return thread_; }
+  explicit GlGatherer(std::shared_ptr<DeviceThread> thread) : queue_(std::move(thread)) {}
 
   std::uint64_t gather(const calc::GatherBatch& batch, const calc::GatherSums& sums) override {
     std::vector<GpuReceiver> receivers;
@@ -187,30 +143,25 @@ class GlGatherer : public calc::Gatherer {
       GatherJob job{&batch.tracer,     batch.vertices, batch.vertices_identity,
                     receivers,         connections,    batch.bounds.lowest_per_m2(),
                     batch.has_shadows, results};
-      thread_.run(job);
+      queue_.run(job);
       rays += add_results(batch, connections, results, sums);
     }
     return rays;
   }
 
   std::string description() const override {
-    const Device& device = thread_.device();
+    const Device& device = queue_.device();
     return fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
   }
 
  private:
-  GatherThread thread_;
+  JobQueue queue_;
 };
 
 }  // namespace
 
-std::unique_ptr<calc::Gatherer> make_gl_gatherer(const GathererRequest& request, Device& device,
-                                                 std::string& problem) {
-  auto gatherer = std::make_unique<GlGatherer>(request);
-  problem = gatherer->thread().problem();
-  if (!problem.empty()) return nullptr;
-  device = gatherer->thread().device();
-  return gatherer;
+std::unique_ptr<calc::Gatherer> make_gl_gatherer(std::shared_ptr<DeviceThread> thread) {
+  return std::make_unique<GlGatherer>(std::move(thread));
 }
 
 }  // namespace gpu

@@ -71,11 +71,10 @@ std::string backend_line(const BackendChoice& choice) {
 std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::Fault fault,
                                               std::string& problem, std::string& warning) {
   if (choice.backend != Backend::gpu) return calc::make_cpu_gatherer();
-  gpu::Device device;
-  std::unique_ptr<calc::Gatherer> gatherer =
-      gpu::make_gl_gatherer({choice.device, fault}, device, problem);
-  if (gatherer && device.is_software) warning = device.renderer;
-  return gatherer;
+  const auto thread = gpu::DeviceThread::open({choice.device, fault}, problem);
+  if (!thread) return nullptr;
+  if (thread->device().is_software) warning = thread->device().renderer;
+  return gpu::make_gl_gatherer(thread);
 }
 
 }  // namespace cli

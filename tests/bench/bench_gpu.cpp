@@ -67,13 +67,13 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "bench_gpu PATHS PROJECT.xml...\n");
     return 2;
   }
-  gpu::Device device;
   std::string problem;
-  const auto gl = gpu::make_gl_gatherer({}, device, problem);
-  if (!gl) {
+  const auto device = gpu::DeviceThread::open({}, problem);
+  if (!device) {
     fmt::print(stderr, "{}\n", problem);
     return 2;
   }
+  const auto gl = gpu::make_gl_gatherer(device);
   const auto cpu = calc::make_cpu_gatherer();
   fmt::print("# {}; {}\n", cpu->description(), gl->description());
   fmt::print(

@@ -221,9 +221,8 @@ TEST(GlGatherer, TellsReusedMemoryApart) {
 }
 
 TEST(GlGatherer, FailsWithAReason) {
-  gpu::Device device;
   std::string problem;
-  EXPECT_EQ(gpu::make_gl_gatherer({-1, gpu::Fault::no_egl}, device, problem), nullptr);
+  EXPECT_EQ(gpu::DeviceThread::open({-1, gpu::Fault::no_egl}, problem), nullptr);
   EXPECT_EQ(problem, "there is no EGL library (libEGL.so.1)");
   LUXGATE_NEEDS_OPENGL();
   const Crowd crowd(10, 5);

@@ -14,12 +14,15 @@ namespace test_support {
 // reason to skip: the gatherer then fails the test.
 inline std::string no_opengl() { return gpu::list_devices().problem; }
 
-inline std::unique_ptr<calc::Gatherer> gl_gatherer(gpu::Fault fault = gpu::Fault::none) {
-  gpu::Device device;
+inline std::shared_ptr<gpu::DeviceThread> gl_device(gpu::Fault fault = gpu::Fault::none) {
   std::string problem;
-  auto gatherer = gpu::make_gl_gatherer({-1, fault}, device, problem);
-  EXPECT_TRUE(gatherer != nullptr) << problem;
-  return gatherer;
+  auto device = gpu::DeviceThread::open({-1, fault}, problem);
+  EXPECT_TRUE(device != nullptr) << problem;
+  return device;
+}
+
+inline std::unique_ptr<calc::Gatherer> gl_gatherer(gpu::Fault fault = gpu::Fault::none) {
+  return gpu::make_gl_gatherer(gl_device(fault));
 }
 
 }  // namespace test_support

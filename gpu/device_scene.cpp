@@ -1,0 +1,48 @@
+#include "gpu/device_scene.h"
+
+#include "gpu/bvh.h"
+#include "gpu/gl_error.h"
+
+#include <algorithm>
+#include <span>
+
+namespace gpu {
+namespace {
+
+// A space at a time is computed; its neighbour may still be in use.
+constexpr std::size_t kMostScenes = 2;
+
+template <class T>
+void fill(GlBuffer& buffer, const T& items) {
+  const auto bytes = std::as_bytes(std::span(items));
+  buffer.reserve(bytes.size());
+  buffer.write(0, bytes);
+}
+
+}  // namespace
+
+void DeviceScene::bind() const {
+  node.bind(0);
+  triangle.bind(1);
+}
+
+const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
+  const auto found = std::find_if(scenes_.begin(), scenes_.end(), [&](const DeviceScene& scene) {
+    return scene.identity == tracer.identity();
+  });
+  if (found != scenes_.end()) {
+    scenes_.splice(scenes_.begin(), scenes_, found);
+    return scenes_.front();
+  }
+  while (scenes_.size() >= kMostScenes) scenes_.pop_back();
+  const Bvh bvh = build_bvh(tracer.scene());
+  DeviceScene scene{tracer.identity(), static_cast<std::uint32_t>(bvh.nodes.size()),
+                    GlBuffer("the scene's boxes"), GlBuffer("the scene's triangles")};
+  fill(scene.node, bvh.nodes);
+  fill(scene.triangle, bvh.triangles);
+  check_gl("sending the scene");
+  scenes_.push_front(std::move(scene));
+  return scenes_.front();
+}
+
+}  // namespace gpu

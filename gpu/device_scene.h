@@ -1,0 +1,33 @@
+#pragma once
+// Scenes as shaders trace rays through them.
+
+#include "calc/radiosity/rays.h"
+#include "gpu/gl_buffer.h"
+
+#include <cstdint>
+#include <list>
+
+namespace gpu {
+
+// A scene's triangles and the tree over them (bvh.h), for shaders/visibility.glsl.
+struct DeviceScene {
+  std::uint64_t identity;  // calc::Tracer::identity()
+  std::uint32_t nodes;
+  GlBuffer node, triangle;
+
+  // To bindings 0 and 1.
+  void bind() const;
+};
+
+// The scenes used last. All calls need the context current in which it lives, the destructor too.
+class DeviceScenes {
+ public:
+  // Valid until the next call. Throws GlError.
+  const DeviceScene& of(const calc::Tracer& tracer);
+  void clear() { scenes_.clear(); }
+
+ private:
+  std::list<DeviceScene> scenes_;  // latest use first
+};
+
+}  // namespace gpu

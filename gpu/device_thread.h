@@ -1,0 +1,77 @@
+#pragma once
+// A thread that owns an OpenGL context and does the device work of all other threads.
+
+#include "gpu/device_scene.h"
+#include "gpu/egl_context.h"
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace gpu {
+
+struct DeviceRequest {
+  int device = -1;  // as in list_devices(); -1 = preferred_device()
+  Fault fault = Fault::none;
+};
+
+// What work on the context's thread may use.
+struct DeviceState {
+  const EglContext& context;
+  Fault fault;
+  DeviceScenes scenes;
+
+  // Throws what the request's fault asks for, or that the context is lost.
+  void check(const std::string& doing) const;
+};
+
+class DeviceThread {
+ public:
+  using Work = std::function<void(DeviceState&)>;
+
+  // Null if the device gives no context; `problem` then says why in words, for the user.
+  static std::shared_ptr<DeviceThread> open(const DeviceRequest& request, std::string& problem);
+  ~DeviceThread();
+  DeviceThread(const DeviceThread&) = delete;
+  DeviceThread& operator=(const DeviceThread&) = delete;
+
+  const Device& device() const { return device_; }
+
+  // Runs the work on the context's thread and waits; any thread may ask, pieces run in the order
+  // asked for. Throws calc::BackendFailure with the text of what the work threw. After OutOfMemory
+  // the device may be used again; after anything else it is lost, and every further run() throws
+  // the same text.
+  void run(const Work& work);
+  // For handing back what earlier work made: runs on a lost device too; `work` must not throw.
+  void clean_up(const Work& work);
+
+ private:
+  struct Piece {
+    const Work* work;
+    bool is_clean_up;
+    bool is_done;
+    std::string problem;
+  };
+
+  explicit DeviceThread(const DeviceRequest& request);
+  void live();
+  Piece* next();
+  void run_piece(DeviceState& state, Piece& piece);
+  void wait_for(Piece& piece);
+
+  const DeviceRequest request_;
+  std::mutex mutex_;
+  std::condition_variable wanted_, changed_;
+  std::deque<Piece*> queue_;
+  bool is_open_ = false, is_ending_ = false;
+  std::string problem_;  // why there is no context
+  std::string loss_;     // of the context's thread alone
+  Device device_;
+  std::thread thread_;  // last: it uses all the others
+};
+
+}  // namespace gpu
