@@ -1,5 +1,6 @@
 luxgate_test(report_tests
   SOURCES
+    unit/report/ci_formats_test.cpp
     unit/report/console_test.cpp
     unit/report/csv_test.cpp
     unit/report/document_test.cpp
@@ -14,3 +15,14 @@ luxgate_test(report_tests
     unit/report/polar_diagram_test.cpp
     unit/report/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
+target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
+
+# JUnit XML has no official schema: ours holds the elements that CI systems are documented to read.
+find_program(LUXGATE_XMLLINT xmllint)
+if(LUXGATE_XMLLINT)
+  add_test(NAME junit_schema COMMAND ${LUXGATE_XMLLINT} --noout --schema ${CMAKE_CURRENT_SOURCE_DIR}/schema/junit.xsd
+    ${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats/expected.junit.xml)
+else()
+  add_test(NAME junit_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: xmllint is not installed")
+  set_tests_properties(junit_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+endif()

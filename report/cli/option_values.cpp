@@ -16,7 +16,13 @@ const std::vector<std::pair<std::string_view, FormatKind>> kFormats = {
     {"csv", FormatKind::csv},
     {"points-csv", FormatKind::points_csv},
     {"json", FormatKind::json},
-    {"html", FormatKind::html}};
+    {"html", FormatKind::html},
+    {"junit", FormatKind::junit},
+    {"sarif", FormatKind::sarif},
+    {"sarif-all", FormatKind::sarif_all},
+    {"github", FormatKind::github},
+    {"gitlab", FormatKind::gitlab},
+    {"markdown", FormatKind::markdown}};
 
 std::optional<std::string> format_epoch(std::uint64_t epoch_s) {
   constexpr std::uint64_t kEndOfYear9999 = 253402300799;

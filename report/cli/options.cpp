@@ -72,9 +72,10 @@ void add_color(CLI::App& app, Options& options) {
 void add_output(CLI::App& app, Options& options) {
   allow_repeats(
       add_value(app, "--format", "KIND[=FILE]",
-                "text, csv, points-csv, json or html, to FILE or (one kind only) to\n"
-                "standard output, where text goes unless another kind does; may be repeated;\n"
-                "FILE's folder is made if needed",
+                "text, csv, points-csv, json, html, junit, sarif (problems), sarif-all (passes\n"
+                "too), github, gitlab or markdown, to FILE or (one kind only) to standard output,\n"
+                "where text goes unless another kind does; may be repeated; FILE's folder is made\n"
+                "if needed",
                 format_item(options.formats)));
   app.add_option("--output", options.output_folder,
                  "Folder for results.csv, points.csv, result.json and report.html; made if needed")

@@ -12,7 +12,19 @@ namespace cli {
 
 enum class Command { check, plan, validate, photometry, geometry, schema, init, devices, version };
 // How results are written; see report/.
-enum class FormatKind { text, csv, points_csv, json, html };
+enum class FormatKind {
+  text,
+  csv,
+  points_csv,
+  json,
+  html,
+  junit,
+  sarif,
+  sarif_all,
+  github,
+  gitlab,
+  markdown
+};
 enum class Backend { automatic, cpu, gpu };
 enum class ColorChoice { automatic, always, never };
 

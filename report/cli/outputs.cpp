@@ -1,11 +1,15 @@
 #include "report/cli/outputs.h"
 
+#include "report/ci_annotations.h"
 #include "report/csv.h"
 #include "report/exr.h"
 #include "report/heatmap.h"
 #include "report/html.h"
 #include "report/json.h"
+#include "report/junit.h"
+#include "report/markdown.h"
 #include "report/png.h"
+#include "report/sarif.h"
 #include "report/write.h"
 
 #include <fmt/format.h>
@@ -160,6 +164,18 @@ std::string render(FormatKind kind, const report::Document& document,
       return report::render_json(document);
     case FormatKind::html:
       return report::render_html(document);
+    case FormatKind::junit:
+      return report::render_junit(document);
+    case FormatKind::sarif:
+      return report::render_sarif(document, report::SarifContent::problems);
+    case FormatKind::sarif_all:
+      return report::render_sarif(document, report::SarifContent::all);
+    case FormatKind::github:
+      return report::render_github(document);
+    case FormatKind::gitlab:
+      return report::render_gitlab(document);
+    case FormatKind::markdown:
+      return report::render_markdown(document);
   }
   return "";
 }

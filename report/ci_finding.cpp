@@ -1,0 +1,99 @@
+#include "report/ci_finding.h"
+
+#include "calc/file_hash.h"
+#include "report/number_format.h"
+#include "report/plain_text.h"
+#include "report/words.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace report {
+namespace {
+
+std::string finding_message(const PlanePart& plane, const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const char* unit = rules::metric_unit(requirement.metric);
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  std::string text = quantity_words(requirement, plane.kernel);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  if (is_judged) text += " " + format_measured(finding.measured, unit, threshold);
+  text += ", required " + format_required(threshold, unit);
+  if (requirement.state == rules::LightState::initial) text += " (initial)";
+  if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
+  if (is_judged) text += ", margin " + format_margin(finding.margin);
+  if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
+  if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
+  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (finding.is_close) text += " (close: usual rounding would change the verdict)";
+  return printable(text);
+}
+
+std::string project_message(const ProjectPart& project) {
+  const auto error =
+      std::find_if(project.diagnostics.begin(), project.diagnostics.end(),
+                   [](const calc::Diagnostic& d) { return d.severity() == calc::Severity::error; });
+  if (error == project.diagnostics.end()) return "the project could not be read or calculated";
+  return printable(error->message);
+}
+
+CiFinding of_project(const ProjectPart& project) {
+  CiFinding entry;
+  entry.project = &project;
+  entry.rule = entry.key = "project";
+  entry.where = {project.path, 0, 0};
+  entry.place = printable(project.path);
+  entry.message = "nothing is judged: " + project_message(project);
+  return entry;
+}
+
+CiFinding of_plane(const ProjectPart& project, const SpacePart& space, const PlanePart& plane) {
+  CiFinding entry;
+  entry.project = &project;
+  entry.space = &space;
+  entry.plane = &plane;
+  entry.rule = "plane";
+  entry.key = printable(space.id + "/" + plane.id);
+  entry.where = plane.where;
+  entry.place =
+      printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
+  entry.message = "not computed: " + printable(plane.reason);
+  return entry;
+}
+
+CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
+  entry.finding = &finding;
+  entry.verdict = finding.verdict;
+  entry.rule = rules::metric_name(finding.requirement.metric);
+  entry.key += "/" + printable(finding.requirement.id);
+  if (!finding.requirement.where.file.empty()) entry.where = finding.requirement.where;
+  entry.message = finding_message(*entry.plane, finding);
+  return entry;
+}
+
+}  // namespace
+
+std::vector<CiFinding> ci_findings(const Document& document) {
+  std::vector<CiFinding> list;
+  for (const ProjectPart& project : document.projects) {
+    if (!project.is_judged) list.push_back(of_project(project));
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        const CiFinding entry = of_plane(project, space, plane);
+        for (const rules::Finding& finding : plane.findings) {
+          list.push_back(of_finding(entry, finding));
+        }
+        if (plane.findings.empty() && !plane.is_computed) list.push_back(entry);
+      }
+    }
+  }
+  for (CiFinding& entry : list) {
+    if (entry.where.file.empty()) entry.where.file = entry.project->path;
+    // Lengths keep one pair of names from looking like another.
+    entry.fingerprint = calc::sha256_hex(std::to_string(entry.project->path.size()) + ":" +
+                                         entry.project->path + entry.key);
+  }
+  return list;
+}
+
+}  // namespace report

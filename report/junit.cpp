@@ -1,0 +1,95 @@
+#include "report/junit.h"
+
+#include "report/ci_finding.h"
+#include "report/plain_text.h"
+#include "report/words.h"
+
+#include <pugixml.hpp>
+
+#include <sstream>
+#include <vector>
+
+namespace report {
+namespace {
+
+struct Counts {
+  int tests = 0, failures = 0, errors = 0;
+
+  void add(rules::Verdict verdict) {
+    ++tests;
+    if (verdict == rules::Verdict::not_judged) ++errors;
+    if (verdict == rules::Verdict::fail || verdict == rules::Verdict::undecided) ++failures;
+  }
+  void write_to(pugi::xml_node node) const {
+    node.append_attribute("tests") = tests;
+    node.append_attribute("failures") = failures;
+    node.append_attribute("errors") = errors;
+    node.append_attribute("skipped") = 0;
+  }
+};
+
+void set(pugi::xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name) = value.c_str();
+}
+
+std::string case_name(const CiFinding& entry) {
+  if (entry.plane == nullptr) return "project";
+  const std::string plane = printable(entry.plane->id);
+  return entry.finding == nullptr ? plane
+                                  : plane + " / " + printable(entry.finding->requirement.id);
+}
+
+std::string class_name(const CiFinding& entry) {
+  const std::string project = printable(entry.project->path);
+  return entry.space == nullptr ? project : project + "." + printable(entry.space->id);
+}
+
+void add_case(pugi::xml_node suite, const CiFinding& entry) {
+  pugi::xml_node test = suite.append_child("testcase");
+  set(test, "classname", class_name(entry));
+  set(test, "name", case_name(entry));
+  set(test, "file", printable(entry.where.file));
+  if (entry.where.line > 0) test.append_attribute("line") = entry.where.line;
+  const std::string words = entry.place + ": " + entry.message;
+  if (entry.verdict == rules::Verdict::pass) {
+    test.append_child("system-out").text() = words.c_str();
+    return;
+  }
+  const bool is_error = entry.verdict == rules::Verdict::not_judged;
+  pugi::xml_node problem = test.append_child(is_error ? "error" : "failure");
+  set(problem, "type", verdict_key(entry.verdict));
+  set(problem, "message", words);
+  problem.text() = words.c_str();
+}
+
+}  // namespace
+
+std::string render_junit(const Document& document) {
+  const std::vector<CiFinding> findings = ci_findings(document);
+  pugi::xml_document xml;
+  pugi::xml_node declaration = xml.append_child(pugi::node_declaration);
+  set(declaration, "version", "1.0");
+  set(declaration, "encoding", "UTF-8");
+  pugi::xml_node root = xml.append_child("testsuites");
+  set(root, "name", "luxgate");
+  Counts all;
+  for (const CiFinding& entry : findings) all.add(entry.verdict);
+  all.write_to(root);
+  for (const ProjectPart& project : document.projects) {
+    pugi::xml_node suite = root.append_child("testsuite");
+    set(suite, "name", printable(project.path));
+    Counts counts;
+    for (const CiFinding& entry : findings) {
+      if (entry.project == &project) counts.add(entry.verdict);
+    }
+    counts.write_to(suite);
+    for (const CiFinding& entry : findings) {
+      if (entry.project == &project) add_case(suite, entry);
+    }
+  }
+  std::ostringstream out;
+  xml.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
+  return out.str();
+}
+
+}  // namespace report

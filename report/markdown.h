@@ -1,0 +1,14 @@
+#pragma once
+// A summary for a pull request.
+
+#include "report/document.h"
+
+#include <string>
+
+namespace report {
+
+// The verdict, a table of what did not pass, and a folded table of what did. Hosts cut long
+// comments off, so each table has at most 100 rows and says what it leaves out.
+std::string render_markdown(const Document& document);
+
+}  // namespace report
