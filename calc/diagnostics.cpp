@@ -31,6 +31,14 @@ std::string diagnostic_name(DiagnosticId id) {
   return name;
 }
 
+std::optional<DiagnosticId> diagnostic_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    const auto id = static_cast<DiagnosticId>(i);
+    if (diagnostic_name(id) == name) return id;
+  }
+  return std::nullopt;
+}
+
 Severity diagnostic_severity(DiagnosticId id) { return entry(id).severity; }
 
 std::string_view diagnostic_template(DiagnosticId id) { return entry(id).text; }

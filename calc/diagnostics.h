@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ enum class DiagnosticId {
 
 // Stable kebab-case name of an id, e.g. "unknown-attribute". Scripts may rely on it.
 std::string diagnostic_name(DiagnosticId id);
+// The inverse; empty if there is none of that name.
+std::optional<DiagnosticId> diagnostic_from_name(std::string_view name);
 Severity diagnostic_severity(DiagnosticId id);
 std::string_view diagnostic_template(DiagnosticId id);
 

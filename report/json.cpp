@@ -74,7 +74,8 @@ Json luminaire_json(const LuminaireRow& row) {
           {"max_intensity_cd", row.max_intensity_cd},
           {"maintenance_factor", row.maintenance_factor},
           {"maintenance_parts",
-           {{"llmf", from(row.maintenance.llmf)},
+           {{"product", row.maintenance.product},
+            {"llmf", from(row.maintenance.llmf)},
             {"lsf", from(row.maintenance.lsf)},
             {"lmf", from(row.maintenance.lmf)},
             {"rsmf", from(row.maintenance.rsmf)}}}};
@@ -156,6 +157,7 @@ Json plane_json(const PlanePart& plane) {
                         {"uniformity_min_max", from(plane.uniformity_min_max)}};
   json["stop"] = stop_key(plane.stop);
   json["looks"] = plane.counters.active_points.size();
+  json["points_per_look"] = plane.counters.active_points;
   json["looks_planned"] = plane.looks_planned;
   json["unseen_points"] = plane.unseen_points;
   json["single_sample_points"] = plane.single_sample_points;
@@ -183,6 +185,7 @@ Json space_json(const SpacePart& space) {
                    })},
           {"flux_balance",
            {{"emitted_lm", space.balance.emitted_lm},
+            {"untraced_lm", space.balance.untraced_lm},
             {"absorbed_lm", from(space.balance.absorbed_lm)},
             {"escaped_lm", from(space.balance.escaped_lm)}}},
           {"planes", list_of(space.planes, plane_json)}};

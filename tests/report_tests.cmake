@@ -13,6 +13,7 @@ luxgate_test(report_tests
     unit/report/plan_layout_test.cpp
     unit/report/png_test.cpp
     unit/report/polar_diagram_test.cpp
+    unit/report/read_json_test.cpp
     unit/report/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
@@ -25,4 +26,14 @@ if(LUXGATE_XMLLINT)
 else()
   add_test(NAME junit_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: xmllint is not installed")
   set_tests_properties(junit_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+endif()
+
+# What results say of themselves, checked by somebody else's validator.
+if(EXISTS /usr/lib/python3/dist-packages/jsonschema)
+  add_test(NAME result_schema COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+    -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/result_schema
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_result_schema.cmake)
+else()
+  add_test(NAME result_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-jsonschema is not installed")
+  set_tests_properties(result_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
 endif()

@@ -69,7 +69,7 @@ void add_color(CLI::App& app, Options& options) {
                                           {"never", ColorChoice::never}}));
 }
 
-void add_output(CLI::App& app, Options& options) {
+void add_formats(CLI::App& app, Options& options) {
   allow_repeats(
       add_value(app, "--format", "KIND[=FILE]",
                 "text, csv, points-csv, json, html, junit, sarif (problems), sarif-all (passes\n"
@@ -81,6 +81,10 @@ void add_output(CLI::App& app, Options& options) {
                  "Folder for results.csv, points.csv, result.json and report.html; made if needed")
       ->type_name("FOLDER");
   app.add_flag("--images", options.images, "With --output: a PNG and an EXR file per plane too");
+}
+
+void add_output(CLI::App& app, Options& options) {
+  add_formats(app, options);
   add_value(
       app, "--timestamp", "WHEN",
       "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"
@@ -294,6 +298,14 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   add_work(check, options);
   add_backend(check, options);
   check.footer(kExitCodes);
+  CLI::App& report =
+      *app.add_subcommand("report", "Render a result again in other formats, without calculating");
+  report.add_option("result", options.result_file, "A file that 'check --format json' wrote")
+      ->required()
+      ->type_name("RESULT.json");
+  add_formats(report, options);
+  add_color(report, options);
+  report.footer("Exit codes: 0 written, whatever the verdicts are; 2 an error.");
   CLI::App& plan = *app.add_subcommand(
       "plan", "Say what 'check' would do, leave out and cost, without calculating");
   add_projects(plan, options);
@@ -309,7 +321,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   CLI::App& photometry =
       *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
   add_photometry(photometry, options);
-  for (CLI::App* command : {&check, &plan, &validate, &photometry}) {
+  for (CLI::App* command : {&check, &report, &plan, &validate, &photometry}) {
     command->add_flag("-q,--quiet", options.quiet,
                       "Print errors and what an option asks for, nothing else");
   }
@@ -317,6 +329,8 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       "geometry", "Say what is in mesh files and projects, and whether rooms are closed");
   add_geometry(geometry, options);
   CLI::App& schema = *app.add_subcommand("schema", "Print the XML schema of project files");
+  schema.add_flag("--result", options.result_schema,
+                  "Print the JSON schema of 'check --format json' instead");
   CLI::App& init = *app.add_subcommand("init", "Write a small project that runs and passes");
   init.add_option("folder", options.init_folder, "Where; made if needed. Existing files are kept")
       ->type_name("FOLDER");
@@ -335,6 +349,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
     return from_cli11(app, error);
   }
 
+  if (report.parsed()) options.command = Command::report;
   if (plan.parsed()) options.command = Command::plan;
   if (validate.parsed()) options.command = Command::validate;
   if (photometry.parsed()) options.command = Command::photometry;

@@ -10,7 +10,18 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, photometry, geometry, schema, init, devices, version };
+enum class Command {
+  check,
+  report,
+  plan,
+  validate,
+  photometry,
+  geometry,
+  schema,
+  init,
+  devices,
+  version
+};
 // How results are written; see report/.
 enum class FormatKind {
   text,
@@ -50,6 +61,8 @@ struct Options {
   std::vector<std::string> projects;
   std::vector<std::string> rule_files;
 
+  std::string result_file;  // of 'report'
+
   std::vector<OutputFormat> formats;
   std::string output_folder;  // "" = none
   bool images = false;
@@ -71,7 +84,8 @@ struct Options {
   std::vector<std::string> geometry_files;
   std::string mesh_units, mesh_up;  // of mesh files that do not say; "" = not given
   bool geometry_as_json = false;
-  bool strict = false;  // warnings of 'geometry' count
+  bool strict = false;         // warnings of 'geometry' count
+  bool result_schema = false;  // 'schema' prints that of results
   std::string init_folder = ".";
   bool devices_as_json = false;
   bool version_as_json = false;

@@ -127,6 +127,7 @@ std::string check_outputs(const Options& options) {
   std::set<std::string> inputs, seen;
   for (const std::string& file : options.projects) inputs.insert(path_identity(file));
   for (const std::string& file : options.rule_files) inputs.insert(path_identity(file));
+  if (!options.result_file.empty()) inputs.insert(path_identity(options.result_file));
   for (const OutputFormat& format : planned_files(options)) {
     const std::string name = path_identity(format.file);
     if (inputs.contains(name)) {

@@ -14,6 +14,8 @@
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
+#include "report/read_json.h"
+#include "report/result_schema.h"
 
 #include <fmt/format.h>
 
@@ -163,22 +165,23 @@ std::optional<FormatKind> stdout_format(const Options& options) {
   return FormatKind::text;
 }
 
-ExitCode write_results(const Options& options, const Environment& environment,
-                       const report::Document& document, const std::set<std::string>& inputs) {
-  ExitCode code = exit_code_for(document);
+// False after an error, which has been printed; the other formats are written all the same.
+bool write_results(const Options& options, const Environment& environment,
+                   const report::Document& document, const std::set<std::string>& inputs) {
+  bool is_written = true;
   for (const std::string& problem : write_outputs(options, document, inputs)) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
-    code = kNotJudged;
+    is_written = false;
   }
   if (const std::optional<FormatKind> kind = stdout_format(options)) {
     const report::TextOptions text{use_color(options.color, environment),
                                    environment.stdout_columns};
     if (!print_result(render(*kind, document, text))) {
       print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
-      code = kNotJudged;
+      is_written = false;
     }
   }
-  return code;
+  return is_written;
 }
 
 ExitCode run_check(const Options& options, const Environment& environment, gpu::Fault fault) {
@@ -218,7 +221,30 @@ ExitCode run_check(const Options& options, const Environment& environment, gpu::
       print_timing(document.projects.back());
   }
   fmt::print(stderr, "{}", cost_log);
-  return write_results(options, environment, document, files.paths());
+  const bool is_written = write_results(options, environment, document, files.paths());
+  return is_written ? exit_code_for(document) : kNotJudged;
+}
+
+ExitCode run_report(const Options& options, const Environment& environment) {
+  const std::string output_problem = check_outputs(options);
+  if (!output_problem.empty()) {
+    print_error(calc::DiagnosticId::output_not_possible, output_problem);
+    return kNotJudged;
+  }
+  const calc::FileContent content = calc::DiskFileReader().read(options.result_file);
+  if (!content.ok()) {
+    print_error(calc::DiagnosticId::file_not_readable, options.result_file, content.error);
+    return kNotJudged;
+  }
+  std::string problem;
+  const std::optional<report::Document> document = report::read_json(content.bytes, problem);
+  if (!document) {
+    print_error(calc::DiagnosticId::result_not_readable, options.result_file, problem);
+    return kNotJudged;
+  }
+  return write_results(options, environment, *document, {path_identity(options.result_file)})
+             ? kAllMet
+             : kNotJudged;
 }
 
 ExitCode run_plan(const Options& options, gpu::Fault fault) {
@@ -312,6 +338,8 @@ ExitCode run(const Options& options, const Environment& environment) {
   switch (options.command) {
     case Command::check:
       return run_check(options, environment, *fault);
+    case Command::report:
+      return run_report(options, environment);
     case Command::plan:
       return run_plan(options, *fault);
     case Command::validate:
@@ -321,7 +349,8 @@ ExitCode run(const Options& options, const Environment& environment) {
     case Command::geometry:
       return run_geometry(options);
     case Command::schema:
-      return print_or_fail(std::string(calc::project_schema()));
+      return print_or_fail(
+          std::string(options.result_schema ? report::result_schema() : calc::project_schema()));
     case Command::init:
       return run_init(options);
     case Command::devices:

@@ -1,0 +1,291 @@
+#include "report/read_json.h"
+
+#include "report/json_cursor.h"
+#include "report/words.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace report {
+namespace {
+
+// As many as a plane may have; a file must not make pictures of any size.
+constexpr std::int64_t kMostCells = 4'000'000;
+constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
+
+int whole(const JsonCursor& at, std::int64_t low = 0) {
+  return static_cast<int>(at.whole(low, kMostInt));
+}
+
+std::size_t size(const JsonCursor& at) { return static_cast<std::size_t>(at.count()); }
+
+glm::dvec3 vec3(const JsonCursor& at) {
+  const std::vector<JsonCursor> items = at.items(3);
+  return {items[0].finite(), items[1].finite(), items[2].finite()};
+}
+
+glm::dvec2 vec2(const JsonCursor& at) {
+  const std::vector<JsonCursor> items = at.items(2);
+  return {items[0].finite(), items[1].finite()};
+}
+
+std::vector<glm::dvec2> polygon(const JsonCursor& at) { return at.list_of(vec2); }
+
+calc::Estimate estimate(const JsonCursor& at) {
+  return {at["value"].number(), at["low"].number(), at["high"].number()};
+}
+
+std::optional<double> optional_number(const JsonCursor& at) {
+  if (at.is_null()) return std::nullopt;
+  return at.finite();
+}
+
+calc::SourceLocation location(const JsonCursor& at) {
+  return {at["file"].text(), whole(at["line"]), whole(at["column"])};
+}
+
+Provenance provenance(const JsonCursor& at) {
+  Provenance p;
+  p.program_version = at["program_version"].text();
+  p.command_line = at["command_line"].text();
+  p.seed = at["seed"].count();
+  p.confidence = at["confidence"].finite();
+  p.goal =
+      at["goal"].one_of(std::array{rules::Goal::verdict, rules::Goal::accuracy}, rules::goal_name);
+  p.tolerance = at["tolerance"].finite();
+  p.max_paths = at["max_paths"].count();
+  p.replicates = whole(at["replicates"]);
+  p.backend = at["backend"].text();
+  if (const auto timestamp = at.find("timestamp")) p.timestamp = timestamp->text();
+  return p;
+}
+
+calc::Diagnostic diagnostic(const JsonCursor& at) {
+  const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(at["id"].text());
+  if (!id) at["id"].refuse("no message of this program has that id");
+  return {*id, location(at["where"]), at["message"].text()};
+}
+
+LuminaireRow luminaire(const JsonCursor& at) {
+  LuminaireRow row;
+  row.type_id = at["type"].text();
+  row.photometry_file = at["photometry_file"].text();
+  row.sha256 = at["sha256"].text();
+  row.name = at["name"].text();
+  row.format = at["format"].text();
+  row.count = whole(at["count"]);
+  row.flux_lm = at["flux_lm"].number();
+  row.power_w = at["power_w"].is_null() ? 0.0 : at["power_w"].finite();
+  row.max_intensity_cd = at["max_intensity_cd"].number();
+  row.maintenance_factor = at["maintenance_factor"].number();
+  const JsonCursor parts = at["maintenance_parts"];
+  row.maintenance.product = parts["product"].finite();
+  row.maintenance.llmf = optional_number(parts["llmf"]);
+  row.maintenance.lsf = optional_number(parts["lsf"]);
+  row.maintenance.lmf = optional_number(parts["lmf"]);
+  row.maintenance.rsmf = optional_number(parts["rsmf"]);
+  return row;
+}
+
+rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id) {
+  rules::Requirement r;
+  r.plane_id = plane_id;
+  r.id = at["requirement"].text();
+  const JsonCursor quantity = at["quantity"];
+  const std::optional<rules::Metric> metric = rules::metric_from_name(quantity.text());
+  if (!metric) quantity.refuse("no quantity has that name");
+  r.metric = *metric;
+  r.comparison = at["comparison"].one_of(
+      std::array{rules::Comparison::at_least, rules::Comparison::at_most}, comparison_name);
+  r.limit = at["limit"].finite();
+  r.state = at["state"].one_of(
+      std::array{rules::LightState::maintained, rules::LightState::initial}, state_name);
+  r.scene = at["scene"].text();
+  r.clause = at["clause"].text();
+  r.where = location(at["where"]);
+  if (const auto percent = at.find("percent")) r.percent = percent->finite();
+  if (const auto point = at.find("point_m")) r.point_m = vec3(*point);
+  return r;
+}
+
+rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
+  rules::Finding f;
+  f.requirement = requirement(at, plane_id);
+  f.verdict =
+      at["verdict"].one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
+                                      rules::Verdict::undecided, rules::Verdict::not_judged},
+                           verdict_key);
+  if (f.verdict != rules::Verdict::not_judged) {
+    f.measured = estimate(at["measured"]);
+    f.margin = at["margin"].number();
+    if (!at["place_m"].is_null()) f.place_m = vec3(at["place_m"]);
+  }
+  f.is_close = at["is_close"].flag();
+  f.reason = at["reason"].text();
+  return f;
+}
+
+calc::DroppedPoint dropped(const JsonCursor& at) {
+  using enum calc::DropReason;
+  calc::DroppedPoint point{vec3(at["position_m"]), whole(at["column"]), whole(at["row"]),
+                           outside_area, ""};
+  point.reason = at["reason"].one_of(
+      std::array{outside_area, within_margin, outside_room, inside_solid}, drop_key);
+  if (const auto body = at.find("body")) point.body = body->text();
+  return point;
+}
+
+calc::SensorGrid grid(const JsonCursor& at) {
+  calc::SensorGrid g;
+  g.rule = at["rule"].text();
+  g.columns = whole(at["columns"]);
+  g.rows = whole(at["rows"]);
+  if (std::int64_t{g.columns} * g.rows > kMostCells)
+    at["columns"].refuse("the grid has too many cells");
+  g.spacing_u_m = at["spacing_u_m"].finite();
+  g.spacing_v_m = at["spacing_v_m"].finite();
+  g.margin_m = at["margin_m"].finite();
+  g.origin_m = vec3(at["origin_m"]);
+  g.u = vec3(at["u"]);
+  g.v = vec3(at["v"]);
+  g.dropped = at["dropped"].list_of(dropped);
+  return g;
+}
+
+PointRow point(const JsonCursor& at) {
+  constexpr std::size_t kColumns = 13;
+  const std::vector<JsonCursor> c = at.items(kColumns);
+  PointRow row;
+  row.column = whole(c[0]);
+  row.row = whole(c[1]);
+  row.position_m = {c[2].finite(), c[3].finite(), c[4].finite()};
+  row.normal = {c[5].finite(), c[6].finite(), c[7].finite()};
+  row.maintained_lx = {c[8].number(), c[9].number(), c[10].number()};
+  row.direct_lx = c[11].number();
+  row.indirect_lx = c[12].number();
+  return row;
+}
+
+// The grid's own lists follow from the points. Cells must lie within the grid: pictures rely on it.
+void add_points(const JsonCursor& at, PlanePart& plane) {
+  calc::SensorGrid& grid = plane.grid;
+  for (const JsonCursor& item : at["rows"].items()) {
+    const PointRow row = point(item);
+    if (grid.columns > 0 && (row.column >= grid.columns || row.row >= grid.rows)) {
+      item.refuse("the cell is outside the grid");
+    }
+    plane.points.push_back(row);
+    grid.position_m.push_back(row.position_m);
+    grid.normal.push_back(row.normal);
+    grid.column.push_back(row.column);
+    grid.row.push_back(row.row);
+  }
+}
+
+calc::StopReason stop(const JsonCursor& at) {
+  using enum calc::StopReason;
+  return at.one_of(std::array{exact, decided, accurate, path_limit, time_limit, memory_limit,
+                              endless_path, interrupted},
+                   stop_key);
+}
+
+PlanePart plane(const JsonCursor& at, const std::string& space_id) {
+  PlanePart p;
+  p.id = at["id"].text();
+  p.name = at["name"].text();
+  p.space_id = space_id;
+  p.where = location(at["where"]);
+  const JsonCursor quantity = at["quantity"];
+  const std::string kernel = quantity.text();
+  std::size_t k = 0;
+  while (k < calc::kReceiverKernelNames.size() && calc::kReceiverKernelNames[k] != kernel) ++k;
+  if (k == calc::kReceiverKernelNames.size()) quantity.refuse("no kind of point has that name");
+  p.kernel = static_cast<calc::ReceiverKernel>(k);
+  p.is_computed = at["is_computed"].flag();
+  p.reason = at["reason"].text();
+  p.findings = at["findings"].list_of([&](const JsonCursor& f) { return finding(f, p.id); });
+  if (!p.is_computed) return p;
+  const JsonCursor statistics = at["statistics"];
+  p.average_lx = estimate(statistics["average_lx"]);
+  p.minimum_lx = estimate(statistics["minimum_lx"]);
+  p.maximum_lx = estimate(statistics["maximum_lx"]);
+  p.uniformity_min_avg = estimate(statistics["uniformity_min_avg"]);
+  p.uniformity_min_max = estimate(statistics["uniformity_min_max"]);
+  p.stop = stop(at["stop"]);
+  p.looks_planned = whole(at["looks_planned"]);
+  p.unseen_points = size(at["unseen_points"]);
+  p.single_sample_points = size(at["single_sample_points"]);
+  const JsonCursor counters = at["counters"];
+  p.counters = {counters["paths"].count(), counters["direct_rays"].count(),
+                counters["connection_rays"].count(), counters["near_rays"].count(),
+                at["points_per_look"].list_of(size)};
+  p.grid = grid(at["grid"]);
+  p.grid.kernel = p.kernel;
+  p.outline_m = polygon(at["grid"]["outline_m"]);
+  p.holes_m = at["grid"]["holes_m"].list_of(polygon);
+  add_points(at["points"], p);
+  return p;
+}
+
+SpacePart space(const JsonCursor& at) {
+  SpacePart s;
+  s.id = at["id"].text();
+  s.name = at["name"].text();
+  s.footprint_m = polygon(at["footprint_m"]);
+  s.floor_z_m = at["floor_z_m"].finite();
+  s.height_m = at["height_m"].finite();
+  s.triangles = size(at["triangles"]);
+  s.degenerate_triangles = size(at["degenerate_triangles"]);
+  s.luminaires = at["luminaires"].list_of([](const JsonCursor& mark) {
+    return LuminaireMark{vec3(mark["position_m"]), mark["type"].text()};
+  });
+  const JsonCursor balance = at["flux_balance"];
+  s.balance = {balance["emitted_lm"].number(), balance["untraced_lm"].number(),
+               estimate(balance["absorbed_lm"]), estimate(balance["escaped_lm"])};
+  s.planes = at["planes"].list_of([&](const JsonCursor& p) { return plane(p, s.id); });
+  return s;
+}
+
+PhaseTimes times(const JsonCursor& at) {
+  return {at["load_s"].finite(),  at["prepare_s"].finite(), at["direct_s"].finite(),
+          at["pool_s"].finite(),  at["connect_s"].finite(), at["near_s"].finite(),
+          at["judge_s"].finite(), at["total_s"].finite()};
+}
+
+ProjectPart project(const JsonCursor& at) {
+  ProjectPart p;
+  p.path = at["path"].text();
+  p.name = at["name"].text();
+  p.is_judged = at["is_judged"].flag();
+  p.diagnostics = at["diagnostics"].list_of(diagnostic);
+  p.luminaires = at["luminaires"].list_of(luminaire);
+  p.spaces = at["spaces"].list_of(space);
+  p.inputs = at["inputs"].list_of([](const JsonCursor& input) {
+    return calc::InputFile{input["path"].text(), input["sha256"].text()};
+  });
+  if (const auto found = at.find("times")) p.times = times(*found);
+  return p;
+}
+
+Document document(const JsonCursor& at) {
+  if (at["format"].text() != "luxgate-result") at["format"].refuse("'luxgate-result' is needed");
+  at["format_version"].whole(1, 1);
+  return {provenance(at["provenance"]), at["projects"].list_of(project)};
+}
+
+}  // namespace
+
+std::optional<Document> read_json(std::string_view bytes, std::string& problem) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(bytes);
+    return document(JsonCursor(json));
+  } catch (const BadJson& bad) {
+    problem = bad.what();
+  } catch (const nlohmann::json::exception& error) {
+    problem = std::string("it is not JSON: ") + error.what();
+  }
+  return std::nullopt;
+}
+
+}  // namespace report

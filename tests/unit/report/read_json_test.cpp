@@ -1,0 +1,169 @@
+#include "report/read_json.h"
+
+#include "report/ci_annotations.h"
+#include "report/console.h"
+#include "report/csv.h"
+#include "report/exr.h"
+#include "report/html.h"
+#include "report/json.h"
+#include "report/junit.h"
+#include "report/markdown.h"
+#include "report/png.h"
+#include "report/sarif.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace report {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+Document read_again(const Document& document) {
+  std::string problem;
+  std::optional<Document> read = read_json(render_json(document), problem);
+  EXPECT_TRUE(read) << problem;
+  return read.value_or(Document{});
+}
+
+// Everything that documents can hold, beyond the samples.
+Document rich_document() {
+  Document document = sample_document();
+  ProjectPart& project = document.projects[0];
+  project.times = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 2.8};
+  project.spaces[0].balance.untraced_lm = 12.5;
+  project.spaces[0].floor_z_m = -3.25;
+  PlanePart& plane = project.spaces[0].planes[0];
+  plane.kernel = plane.grid.kernel = calc::ReceiverKernel::hemispherical;
+  plane.where = {"school/project.xml", 12, 3};
+  plane.unseen_points = 1;
+  plane.single_sample_points = 2;
+  plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};
+  rules::Finding value = sample_finding(rules::Metric::value_at_point, 10, estimate(12, 1));
+  value.requirement.point_m = {1, 2, 3};
+  value.requirement.scene = "night";
+  value.requirement.state = rules::LightState::initial;
+  value.requirement.comparison = rules::Comparison::at_most;
+  rules::Finding percentile = sample_finding(rules::Metric::percentile, 10, estimate(12, 1));
+  percentile.requirement.percent = 5;
+  plane.findings.push_back(value);
+  plane.findings.push_back(percentile);
+  document.provenance.timestamp = "2024-05-01T12:00:00Z";
+  document.provenance.goal = rules::Goal::accuracy;
+  return document;
+}
+
+TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
+  for (const Document& document : {small_document(), sample_document(), rich_document()}) {
+    const Document again = read_again(document);
+    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(render_text(again), render_text(document));
+    EXPECT_EQ(render_results_csv(again), render_results_csv(document));
+    EXPECT_EQ(render_points_csv(again), render_points_csv(document));
+    EXPECT_EQ(render_html(again), render_html(document));
+    EXPECT_EQ(render_junit(again), render_junit(document));
+    EXPECT_EQ(render_sarif(again, SarifContent::all), render_sarif(document, SarifContent::all));
+    EXPECT_EQ(render_github(again), render_github(document));
+    EXPECT_EQ(render_gitlab(again), render_gitlab(document));
+    EXPECT_EQ(render_markdown(again), render_markdown(document));
+    const ProjectPart &a = document.projects[0], &b = again.projects[0];
+    EXPECT_EQ(render_heatmap_png(a.spaces[0].planes[0]), render_heatmap_png(b.spaces[0].planes[0]));
+    EXPECT_EQ(render_exr(document, a, a.spaces[0], a.spaces[0].planes[0]),
+              render_exr(again, b, b.spaces[0], b.spaces[0].planes[0]));
+  }
+}
+
+TEST(ReadJson, WhatIsNotFiniteStaysSo) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].findings[0].measured.high =
+      std::numeric_limits<double>::infinity();
+  const Document again = read_again(document);
+  EXPECT_FALSE(std::isfinite(again.projects[0].spaces[0].planes[0].findings[0].measured.high));
+}
+
+std::string problem_with(const json& changed) {
+  std::string problem;
+  EXPECT_FALSE(read_json(changed.dump(), problem));
+  return problem;
+}
+
+TEST(ReadJson, SaysWhereSomethingIsWrong) {
+  const json good = json::parse(render_json(small_document()));
+  const auto with = [&](const char* pointer, const json& value) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    return problem_with(changed);
+  };
+  EXPECT_EQ(with("/format", "other"), "/format: 'luxgate-result' is needed");
+  EXPECT_EQ(with("/format_version", 2), "/format_version: a whole number from 1 to 1 is needed");
+  EXPECT_EQ(with("/projects", 3), "/projects: an array is needed");
+  EXPECT_EQ(with("/projects/0/path", 3), "/projects/0/path: a text is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/height_m", nullptr),
+            "/projects/0/spaces/0/height_m: a number is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/verdict", "good"),
+            "/projects/0/spaces/0/planes/0/findings/0/verdict: one of 'pass', 'fail', 'undecided', "
+            "'not-judged' is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/quantity", "mean"),
+            "/projects/0/spaces/0/planes/0/findings/0/quantity: no quantity has that name");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1/0", 2),
+            "/projects/0/spaces/0/planes/0/points/rows/1: the cell is outside the grid");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1", json::array({1})),
+            "/projects/0/spaces/0/planes/0/points/rows/1: an array of 13 is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/grid/columns", 2'000'000'000),
+            "/projects/0/spaces/0/planes/0/grid/columns: the grid has too many cells")
+      << "with one row";
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/counters/paths", -1),
+            "/projects/0/spaces/0/planes/0/counters/paths: a whole number of at least 0 is needed");
+  json without = good;
+  without["provenance"].erase("seed");
+  EXPECT_EQ(problem_with(without), "/provenance: the key 'seed' is missing");
+}
+
+TEST(ReadJson, RefusesWhatIsNoJson) {
+  std::string problem;
+  for (const char* text :
+       {"", "{", "[1,2", "<html>", "\xff\xfe", "{\"format\":\"luxgate-result\"}"}) {
+    EXPECT_FALSE(read_json(text, problem)) << text;
+    EXPECT_FALSE(problem.empty());
+  }
+  EXPECT_FALSE(read_json(std::string(1'000'000, '['), problem));
+}
+
+TEST(ReadJson, PassesOverKeysOfLaterVersions) {
+  json later = json::parse(render_json(small_document()));
+  later["projects"][0]["spaces"][0]["planes"][0]["colour"] = "blue";
+  std::string problem;
+  EXPECT_TRUE(read_json(later.dump(), problem)) << problem;
+}
+
+// Every value of a result replaced by each of some others: read or refused, never a crash.
+TEST(ReadJson, SurvivesAnyReplacedValue) {
+  const json good = json::parse(render_json(small_document()));
+  std::string problem;
+  std::size_t refused = 0, tried = 0;
+  const json flat = good.flatten();
+  for (const auto& item : flat.items()) {
+    for (const json& value : {json(), json(-1), json(1e300), json("x"), json::array(),
+                              json::object(), json(true), json(std::uint64_t{1} << 63)}) {
+      json changed = good;
+      changed[json::json_pointer(item.key())] = value;
+      ++tried;
+      std::optional<Document> read = read_json(changed.dump(), problem);
+      if (!read) ++refused;
+      if (read) {
+        EXPECT_FALSE(render_html(*read).empty());
+      }
+    }
+  }
+  EXPECT_GT(tried, 500u);
+  EXPECT_GT(refused, tried / 2);
+}
+
+}  // namespace
+}  // namespace report
