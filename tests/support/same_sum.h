@@ -22,6 +22,16 @@ struct TimedGatherer : calc::Gatherer {
     connections += batch.connections.size();
     return rays;
   }
+  std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::uint64_t rays = inner_.draw_and_gather(batch);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (const calc::DrawTile& tile : batch.tiles) {
+      connections += batch.draws * tile.receivers.size();
+    }
+    return rays;
+  }
+  std::size_t tiles_per_batch() const override { return inner_.tiles_per_batch(); }
   std::string description() const override { return inner_.description(); }
 
   calc::Gatherer& inner_;
