@@ -1,10 +1,11 @@
 #pragma once
-// Connections on the device: uploads, one invocation each, results back. For the thread that owns
-// the context.
+// Given connections on the device: uploads, one invocation each, results back. For the thread that
+// owns the context.
 
 #include "calc/radiosity/draws.h"
 #include "calc/radiosity/light_vertex.h"
 #include "calc/radiosity/rays.h"
+#include "gpu/device_pool.h"
 #include "gpu/device_thread.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_program.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <memory>
 #include <span>
 
@@ -32,7 +32,7 @@ struct GatherJob {
   std::span<const calc::LightVertex> vertices;
   std::uint64_t vertices_identity = 0;  // as in calc::GatherBatch
   std::span<const GpuReceiver> receivers;
-  std::span<const calc::Connection> connections;  // of these receivers
+  std::span<const calc::Connection> connections;  // of these receivers, at most kMostConnections
   float bounded_from_per_m2 = 0.0f;               // VertexBounds::lowest_per_m2()
   bool has_shadows = true;
   // One for each connection:
@@ -48,28 +48,19 @@ class GatherPass {
  public:
   GatherPass();
 
-  // All jobs at once, at most kMostConnections in all. Throws GlError, and can be used again after
-  // OutOfMemory.
-  void run(DeviceState& device, std::span<GatherJob* const> jobs);
+  // Throws GlError, and can be used again after OutOfMemory.
+  void run(DeviceState& device, DevicePools& pools, const GatherJob& job);
 
-  static constexpr std::size_t kMostConnections = std::size_t{1} << 20;
+  // Short enough for the watchdogs of desktop drivers.
+  static constexpr std::size_t kMostConnections = std::size_t{1} << 18;
 
  private:
-  struct Pool {
-    std::uint64_t identity;
-    GlBuffer vertex;
-  };
-
-  const Pool& pool_of(const GatherJob& job);
-  void upload(std::span<GatherJob* const> jobs);
-  void dispatch(DeviceState& device, const GatherJob& job, std::size_t first_connection,
-                std::size_t first_receiver);
-  void fetch(std::span<GatherJob* const> jobs);
-  const GlProgram& program(bool has_shadows);
+  void upload(const GatherJob& job);
+  void dispatch(DeviceState& device, const GatherJob& job);
+  const GlProgram& program(DeviceState& device, bool has_shadows);
 
   std::array<std::unique_ptr<GlProgram>, 2> program_;  // [has_shadows], made when first needed
   GlBuffer receivers_, connections_, results_;
-  std::list<Pool> pools_;  // latest use first
 };
 
 }  // namespace gpu

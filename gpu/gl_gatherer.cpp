@@ -1,104 +1,31 @@
 #include "gpu/gl_gatherer.h"
 
+#include "gpu/draw_piece.h"
+#include "gpu/draw_queue.h"
 #include "gpu/gather_pass.h"
+#include "gpu/gl_error.h"
 #include "gpu/shader_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <deque>
-#include <exception>
-#include <mutex>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace gpu {
 namespace {
 
-// Of one dispatch: short enough for the watchdogs of desktop drivers.
-constexpr std::size_t kMostPerJob = std::size_t{1} << 18;
-static_assert(kMostPerJob <= GatherPass::kMostConnections);
+// A piece of work should be large beside the way to the device and back, a tenth of a millisecond,
+// and small beside a replicate.
+constexpr std::size_t kTilesPerBatch = 64;
 
 GpuReceiver gpu_receiver(const calc::Tracer& tracer, const calc::Receiver& receiver) {
   return {glm::vec4(glm::vec3(receiver.position_m), 0.0f),
           glm::vec4(glm::vec3(receiver.axis), static_cast<float>(receiver.kernel)),
           glm::vec4(glm::vec3(tracer.lift(receiver)), 0.0f)};
 }
-
-// Jobs of many threads go to the device in bundles.
-class JobQueue {
- public:
-  explicit JobQueue(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
-  ~JobQueue() {
-    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
-  }
-  JobQueue(const JobQueue&) = delete;
-  JobQueue& operator=(const JobQueue&) = delete;
-
-  const Device& device() const { return thread_->device(); }
-
-  // Waits for the results. Throws calc::BackendFailure.
-  void run(GatherJob& job) {
-    Entry entry{&job, false, ""};
-    {
-      const std::scoped_lock lock(mutex_);
-      waiting_.push_back(&entry);
-    }
-    try {
-      thread_->run([&](DeviceState& device) {
-        while (!entry.is_done) run_bundle(device);  // nothing to do if another's bundle had it
-      });
-    } catch (const calc::BackendFailure&) {
-      const std::scoped_lock lock(mutex_);
-      std::erase(waiting_, &entry);
-      throw;
-    }
-    if (!entry.problem.empty()) throw calc::BackendFailure(entry.problem);
-  }
-
- private:
-  struct Entry {
-    GatherJob* job;
-    bool is_done;
-    std::string problem;
-  };
-
-  // As many jobs as wait and fit into one pass.
-  std::vector<Entry*> next_bundle() {
-    std::vector<Entry*> bundle;
-    const std::scoped_lock lock(mutex_);
-    std::size_t connections = 0;
-    while (!waiting_.empty()) {
-      connections += waiting_.front()->job->connections.size();
-      if (connections > GatherPass::kMostConnections) break;
-      bundle.push_back(waiting_.front());
-      waiting_.pop_front();
-    }
-    return bundle;
-  }
-
-  void run_bundle(DeviceState& device) {
-    const std::vector<Entry*> bundle = next_bundle();
-    std::vector<GatherJob*> jobs;
-    for (Entry* entry : bundle) {
-      jobs.push_back(entry->job);
-      entry->is_done = true;
-    }
-    try {
-      if (!pass_) pass_ = std::make_unique<GatherPass>();
-      pass_->run(device, jobs);
-    } catch (const std::exception& error) {
-      for (Entry* entry : bundle) entry->problem = error.what();
-      throw;
-    }
-  }
-
-  const std::shared_ptr<DeviceThread> thread_;
-  std::mutex mutex_;
-  std::deque<Entry*> waiting_;
-  std::unique_ptr<GatherPass> pass_;  // of the device's thread alone
-};
 
 // Adds the results of some connections in their order; returns the rays.
 std::uint64_t add_results(const calc::GatherBatch& batch,
@@ -126,7 +53,16 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
 
 class GlGatherer : public calc::Gatherer {
  public:
-  explicit GlGatherer(std::shared_ptr<DeviceThread> thread) : queue_(std::move(thread)) {}
+  explicit GlGatherer(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
+  ~GlGatherer() override {
+    thread_->clean_up([this](DeviceState&) {
+      gather_pass_.reset();
+      draws_.clear();
+      pools_.clear();
+    });
+  }
+  GlGatherer(const GlGatherer&) = delete;
+  GlGatherer& operator=(const GlGatherer&) = delete;
 
   std::uint64_t gather(const calc::GatherBatch& batch, const calc::GatherSums& sums) override {
     std::vector<GpuReceiver> receivers;
@@ -136,26 +72,57 @@ class GlGatherer : public calc::Gatherer {
     }
     std::vector<std::uint32_t> results;
     std::uint64_t rays = 0;
-    for (std::size_t first = 0; first < batch.connections.size(); first += kMostPerJob) {
-      const std::size_t count = std::min(kMostPerJob, batch.connections.size() - first);
-      const auto connections = batch.connections.subspan(first, count);
-      results.resize(count);
-      GatherJob job{&batch.tracer,     batch.vertices, batch.vertices_identity,
-                    receivers,         connections,    batch.bounds.lowest_per_m2(),
-                    batch.has_shadows, results};
-      queue_.run(job);
+    for (std::size_t first = 0; first < batch.connections.size();) {
+      const auto connections = batch.connections.subspan(
+          first, std::min(GatherPass::kMostConnections, batch.connections.size() - first));
+      results.resize(connections.size());
+      run({&batch.tracer, batch.vertices, batch.vertices_identity, receivers, connections,
+           batch.bounds.lowest_per_m2(), batch.has_shadows, results});
       rays += add_results(batch, connections, results, sums);
+      first += connections.size();
     }
     return rays;
   }
 
+  std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
+    PackedPool packed;
+    const bool has_to_send = !pools_.holds(batch.tree.identity());
+    if (has_to_send) packed = pack_pool(batch.tree);
+    DrawPacker packer(batch);
+    DrawPiece piece;
+    std::uint64_t rays = 0;
+    while (packer.next(piece)) {
+      draws_.run(*thread_, pools_, piece, has_to_send ? &packed : nullptr);
+      if (piece.is_cut_short) break;
+      rays += packer.add(piece);
+    }
+    return rays;
+  }
+
+  std::size_t tiles_per_batch() const override { return kTilesPerBatch; }
+
   std::string description() const override {
-    const Device& device = queue_.device();
+    const Device& device = thread_->device();
     return fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
   }
 
  private:
-  JobQueue queue_;
+  void run(const GatherJob& job) {
+    thread_->run([&](DeviceState& device) {
+      try {
+        if (!gather_pass_) gather_pass_ = std::make_unique<GatherPass>();
+        gather_pass_->run(device, pools_, job);
+      } catch (const OutOfMemory&) {
+        pools_.clear();  // what is kept for later may be what leaves no room
+        throw;
+      }
+    });
+  }
+
+  const std::shared_ptr<DeviceThread> thread_;
+  DevicePools pools_;
+  DrawQueue draws_;
+  std::unique_ptr<GatherPass> gather_pass_;  // of the device's thread alone
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 // The sources of shaders, put together from shaders/ and the formulas of calc/.
 
+#include "gpu/draw_piece.h"
+
 #include <cstdint>
 #include <string>
 
@@ -8,12 +10,18 @@ namespace gpu {
 
 inline constexpr std::uint32_t kGroupSize = 64;
 
-// Results of one connection, bit patterns that are no positive number; see gather_pass.h.
+// Results of one connection or receiver, bit patterns that are no positive number; see
+// gather_pass.h.
 inline constexpr std::uint32_t kNoRay = 0;
 inline constexpr std::uint32_t kAddsNothing = 0x8000'0000;
 inline constexpr std::uint32_t kNotDone = 0xffff'ffff;
 
-// has_shadows: false leaves the rays out.
+// Of given connections. has_shadows: false leaves the rays out.
 std::string gather_shader(bool has_shadows);
+
+// Of drawn connections, in this order: the weights of nodes, their sums and the channels' shares,
+// one ray for each draw, the sums of receivers.
+enum class DrawStage { weigh, share, trace, add };
+std::string draw_shader(DrawStage stage, const DrawShape& shape);
 
 }  // namespace gpu

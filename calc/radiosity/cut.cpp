@@ -1,5 +1,6 @@
 #include "calc/radiosity/cut.h"
 
+#include "calc/radiosity/node_terms.h"
 #include "calc/radiosity/node_weights.h"
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace {
 
 // Float rounding must not turn "just in front" into "behind".
 constexpr float kRelativeSlack = 1e-5f;
-
-// The bound is kappa times the density of first reflections, about a third of all vertices.
-constexpr float kBoundPerDensity = 0.003f;
 
 enum : std::uint8_t { kUnseen, kTaken, kOpened, kHidden };
 
@@ -58,7 +56,7 @@ bool faces_away(const ReceiverTile& tile, const VertexNode& node, const NodeView
 }
 
 float bound_of(const VertexNode& node, float smallest_bound_per_m2) {
-  return std::max(smallest_bound_per_m2, kBoundPerDensity * node.per_m2);
+  return node_terms::node_bound_per_m2(smallest_bound_per_m2, node.per_m2);
 }
 
 // How far the node's contribution may vary over its vertices: flux times the largest kernel, times
@@ -101,6 +99,7 @@ ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m) {
 void Cut::build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
                 float smallest_bound_per_m2, bool leave_out_hidden) {
   open_nodes(tree, tile, size, smallest_bound_per_m2, leave_out_hidden);
+  resize(taken_);
   collect(tree, smallest_bound_per_m2);
 }
 
@@ -150,7 +149,7 @@ void Cut::open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size
     if (rises) ++highest;  // the loop steps down to it
   }
   for (auto& level : queue_) level.clear();
-  resize(count);
+  taken_ = count;
 }
 
 void Cut::resize(std::size_t size) {
@@ -162,42 +161,61 @@ void Cut::resize(std::size_t size) {
   }
 }
 
-void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {
-  channel_.clear();
+// Calls take(n, node) for every node n that was taken, in pool order, and forgets which they are.
+template <class Take>
+void Cut::visit_taken(const VertexTree& tree, std::vector<ChannelRange>& channels,
+                      const Take& take) {
   std::uint32_t c = 0;
   for (const std::uint32_t root : tree.roots()) {
     const std::uint32_t begin = c;
     stack_.assign(1, root);
     while (!stack_.empty()) {
-      const VertexNode& node = tree.nodes()[stack_.back()];
-      const std::uint8_t state = state_[stack_.back()];
+      const std::uint32_t n = stack_.back();
+      const VertexNode& node = tree.nodes()[n];
+      const std::uint8_t state = state_[n];
       stack_.pop_back();
       if (state == kOpened) {
         stack_.push_back(node.child + 1);
         stack_.push_back(node.child);
       }
       if (state != kTaken) continue;
-      first_[c] = node.first;
-      count_[c] = node.size();
-      flux_lm_[c] = node.flux_lm;
-      radius_m_[c] = node.radius_m;
-      bound_per_m2_[c] = bound_of(node, smallest_bound_per_m2);
-      centre_x_[c] = node.centre_m.x;
-      centre_y_[c] = node.centre_m.y;
-      centre_z_[c] = node.centre_m.z;
-      const LightVertex& v = tree.vertices()[node.first + node.size() / 2];
-      x_[c] = v.position_m.x;
-      y_[c] = v.position_m.y;
-      z_[c] = v.position_m.z;
-      nx_[c] = v.normal.x;
-      ny_[c] = v.normal.y;
-      nz_[c] = v.normal.z;
+      take(n, node);
       ++c;
     }
-    if (c > begin) channel_.push_back({begin, c});
+    if (c > begin) channels.push_back({begin, c});
   }
   for (const std::uint32_t n : touched_) state_[n] = kUnseen;
   touched_.clear();
+}
+
+void Cut::select(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
+                 std::vector<std::uint32_t>& nodes, std::vector<ChannelRange>& channels) {
+  open_nodes(tree, tile, request.nodes, request.smallest_bound_per_m2, request.leave_out_hidden);
+  visit_taken(tree, channels,
+              [&](std::uint32_t n, const VertexNode&) { nodes.push_back(n); });
+}
+
+void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {
+  channel_.clear();
+  std::size_t c = 0;
+  visit_taken(tree, channel_, [&](std::uint32_t, const VertexNode& node) {
+    first_[c] = node.first;
+    count_[c] = node.size();
+    flux_lm_[c] = node.flux_lm;
+    radius_m_[c] = node.radius_m;
+    bound_per_m2_[c] = bound_of(node, smallest_bound_per_m2);
+    centre_x_[c] = node.centre_m.x;
+    centre_y_[c] = node.centre_m.y;
+    centre_z_[c] = node.centre_m.z;
+    const LightVertex& v = tree.vertices()[node.representative()];
+    x_[c] = v.position_m.x;
+    y_[c] = v.position_m.y;
+    z_[c] = v.position_m.z;
+    nx_[c] = v.normal.x;
+    ny_[c] = v.normal.y;
+    nz_[c] = v.normal.z;
+    ++c;
+  });
 }
 
 void Cut::weigh(const Receiver& receiver, std::vector<float>& probability) const {

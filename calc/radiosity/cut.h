@@ -26,6 +26,13 @@ struct ReceiverTile {
 // extent_m: of the whole scene.
 ReceiverTile tile_of(std::span<const Receiver> receivers, double extent_m);
 
+// What Cut::build() takes, as one thing.
+struct CutRequest {
+  std::size_t nodes = 0;
+  float smallest_bound_per_m2 = 0.0f;
+  bool leave_out_hidden = true;
+};
+
 // Nodes that together hold every vertex that can light the tile, as arrays in pool order.
 class Cut {
  public:
@@ -41,6 +48,11 @@ class Cut {
   void build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
              float smallest_bound_per_m2, bool leave_out_hidden);
 
+  // The same nodes as indices in the tree, for whoever weighs them himself: appends them, and the
+  // ranges of this cut, which count from its first node. What build() made stays.
+  void select(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
+              std::vector<std::uint32_t>& nodes, std::vector<ChannelRange>& channels);
+
   // probability[c] of node c up to a common factor, > 0: its expected bounded contribution to the
   // receiver.
   void weigh(const Receiver& receiver, std::vector<float>& probability) const;
@@ -54,6 +66,8 @@ class Cut {
  private:
   void open_nodes(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
                   float smallest_bound_per_m2, bool leave_out_hidden);
+  template <class Take>
+  void visit_taken(const VertexTree& tree, std::vector<ChannelRange>& channels, const Take& take);
   void resize(std::size_t size);
   void collect(const VertexTree& tree, float smallest_bound_per_m2);
 
@@ -61,6 +75,7 @@ class Cut {
   std::vector<std::vector<std::uint32_t>> queue_;
   std::vector<std::uint8_t> state_;  // [node] of the tree
   std::vector<std::uint32_t> touched_, stack_;
+  std::size_t taken_ = 0;
 
   std::vector<std::uint32_t> first_, count_;
   std::vector<ChannelRange> channel_;

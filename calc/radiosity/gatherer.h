@@ -35,7 +35,26 @@ struct GatherSums {
   float* largest_lx;  // [receiver], raised to the largest single contribution
 };
 
-// Thrown by Gatherer::gather() when the backend cannot go on: what the sums hold is then worthless.
+// Receivers that share one cut.
+struct DrawTile {
+  std::span<const Receiver> receivers;
+  std::span<const double> shifts;  // [receiver], in [0, 1), see draw_connections()
+  GatherSums sums;
+};
+
+// Tiles whose receivers draw their connections from one pool.
+struct DrawBatch {
+  const Tracer& tracer;
+  const VertexTree& tree;
+  const VertexBounds& bounds;
+  CutRequest cut;           // of every tile
+  std::uint32_t draws = 0;  // of every receiver
+  bool has_shadows = true;  // as in GatherBatch
+  double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
+  std::span<const DrawTile> tiles;
+};
+
+// Thrown by a Gatherer when the backend cannot go on: what the sums hold is then worthless.
 class BackendFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -51,6 +70,12 @@ class Gatherer {
   // number of threads and any other receivers. May be called from several threads at once. Returns
   // the number of shadow rays traced. May throw BackendFailure.
   virtual std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) = 0;
+
+  // The same sum over the connections that draw_connections() gives each receiver: the same draws
+  // by every gatherer, in bits.
+  virtual std::uint64_t draw_and_gather(const DrawBatch& batch) = 0;
+  // In one batch, to be worth its way: a hint, results do not depend on it.
+  virtual std::size_t tiles_per_batch() const { return 1; }
 
   // For reports: "cpu (Embree 3.13.5)".
   virtual std::string description() const = 0;

@@ -1,7 +1,9 @@
 #include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/shadow_batch.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -34,6 +36,27 @@ class CpuGatherer : public Gatherer {
     }
     shadows.flush();
     return shadows.rays();
+  }
+
+  std::uint64_t draw_and_gather(const DrawBatch& batch) override {
+    thread_local Cut cut;
+    thread_local std::vector<float> scratch;
+    thread_local std::vector<Connection> connections;
+    std::uint64_t rays = 0;
+    for (const DrawTile& tile : batch.tiles) {
+      if (is_past(batch.deadline_s)) break;
+      cut.build(batch.tree, tile_of(tile.receivers, batch.tracer.scene().extent_m), batch.cut.nodes,
+                batch.cut.smallest_bound_per_m2, batch.cut.leave_out_hidden);
+      connections.clear();
+      for (std::uint32_t k = 0; k < tile.receivers.size(); ++k) {
+        draw_connections(batch.tree, cut, tile.receivers[k], k, batch.draws, tile.shifts[k],
+                         scratch, connections);
+      }
+      rays += gather({batch.tracer, batch.tree.vertices(), batch.bounds, tile.receivers,
+                      connections, batch.has_shadows, batch.tree.identity()},
+                     tile.sums);
+    }
+    return rays;
   }
 
   std::string description() const override { return "cpu (" + tracer_version() + ")"; }

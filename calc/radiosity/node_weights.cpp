@@ -1,5 +1,7 @@
 #include "calc/radiosity/node_weights.h"
 
+#include "calc/radiosity/node_terms.h"
+
 // GCC makes one version of a function per instruction set and picks at start-up; without
 // contraction to fused multiply-add all versions give the same bits.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
@@ -10,17 +12,6 @@
 #endif
 
 namespace calc {
-namespace {
-
-constexpr float kFloor = 0.03f;  // share of the largest kernel that every node keeps
-
-constexpr float kTiny_m2 = 1e-12f;
-
-inline float larger(float a, float b) { return a > b ? a : b; }
-inline float smaller(float a, float b) { return a < b ? a : b; }
-
-}  // namespace
-
 LUXGATE_WIDE void weigh_planar(const CutArrays& cut, const float p[3], const float n[3],
                                float* __restrict__ out) {
   const float px = p[0], py = p[1], pz = p[2];
@@ -41,14 +32,11 @@ LUXGATE_WIDE void weigh_planar(const CutArrays& cut, const float p[3], const flo
   for (std::size_t c = 0; c < nodes; ++c) {
     const float ux = centre_x[c] - px, uy = centre_y[c] - py, uz = centre_z[c] - pz;
     const float r = radius_m[c];
-    const float gap = larger(__builtin_sqrtf(ux * ux + uy * uy + uz * uz) - r, 0.0f);
     const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
-    const float cx = larger(ax * dx + ay * dy + az * dz, 0.0f);
-    const float cy = larger(-(nx[c] * dx + ny[c] * dy + nz[c] * dz), 0.0f);
-    const float d2 = dx * dx + dy * dy + dz * dz + r * r + kTiny_m2;
-    const float b = bound_per_m2[c];
-    out[c] = flux_lm[c] *
-             (smaller(cx * cy / (d2 * d2), b) + kFloor * smaller(1.0f / (gap * gap + kTiny_m2), b));
+    const float d2 = node_terms::node_softened_m2(r, dx, dy, dz);
+    const float facing = node_terms::node_facing(nx[c], ny[c], nz[c], dx, dy, dz);
+    const float kernel = node_terms::node_kernel_planar(d2, facing, ax, ay, az, dx, dy, dz);
+    out[c] = node_terms::node_mixed(flux_lm[c], kernel, r, bound_per_m2[c], ux, uy, uz);
   }
 }
 
@@ -70,13 +58,11 @@ LUXGATE_WIDE void weigh_round(const CutArrays& cut, const float p[3], float* __r
   for (std::size_t c = 0; c < nodes; ++c) {
     const float ux = centre_x[c] - px, uy = centre_y[c] - py, uz = centre_z[c] - pz;
     const float r = radius_m[c];
-    const float gap = larger(__builtin_sqrtf(ux * ux + uy * uy + uz * uz) - r, 0.0f);
     const float dx = x[c] - px, dy = y[c] - py, dz = z[c] - pz;
-    const float cy = larger(-(nx[c] * dx + ny[c] * dy + nz[c] * dz), 0.0f);
-    const float d2 = dx * dx + dy * dy + dz * dz + r * r + kTiny_m2;
-    const float b = bound_per_m2[c];
-    out[c] = flux_lm[c] * (smaller(cy * __builtin_sqrtf(d2) / (d2 * d2), b) +
-                           kFloor * smaller(1.0f / (gap * gap + kTiny_m2), b));
+    const float d2 = node_terms::node_softened_m2(r, dx, dy, dz);
+    const float facing = node_terms::node_facing(nx[c], ny[c], nz[c], dx, dy, dz);
+    const float kernel = node_terms::node_kernel_round(d2, facing);
+    out[c] = node_terms::node_mixed(flux_lm[c], kernel, r, bound_per_m2[c], ux, uy, uz);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "calc/statistics.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -42,12 +43,6 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
   return rays;
 }
 
-// Every vertex once: instant radiosity.
-void connect_all(std::size_t vertices, std::uint32_t receiver,
-                 std::vector<Connection>& connections) {
-  for (std::uint32_t j = 0; j < vertices; ++j) connections.push_back({receiver, j, 1.0f});
-}
-
 }  // namespace
 
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points) {
@@ -67,7 +62,6 @@ std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double r
 struct PlaneWork::TileSums {
   std::vector<double> lx;
   std::vector<float> largest_lx;
-  std::uint64_t connection_rays = 0;
 };
 
 PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
@@ -211,33 +205,51 @@ void PlaneWork::start_look(double near_reach_m, double largest_sample) {
   }
 }
 
-void PlaneWork::connect_tile(const ReceiverGroup& tile, const VertexBatch& batch,
-                             Gatherer& gatherer, TileSums& sums) const {
-  thread_local Cut cut;
-  thread_local std::vector<float> scratch;
+// Connections of tiles first..last.
+std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
+                                       const VertexBatch& batch, Gatherer& gatherer,
+                                       std::span<TileSums> sums) const {
+  if (settings_.method == Method::instant_radiosity) {
+    std::uint64_t rays = 0;
+    for (std::size_t t = first; t < last; ++t) {
+      if (!is_past(batch.deadline_s)) rays += connect_all(tiles_[t], batch, gatherer, sums[t - first]);
+    }
+    return rays;
+  }
+  const std::uint32_t draws = draws_per_point(batch.paths, points());
+  const CutRequest cut{std::clamp(kCutNodesPerDraw * draws, kSmallestCut, kLargestCut),
+                       static_cast<float>(batch.near_bound->smallest()),
+                       settings_.skips.allows(Skip::hidden_nodes)};
+  const RandomKey key = draw_key_.with(batch.replicate).with(batch.first_path);
+  std::vector<double> shifts;
+  for (std::size_t t = first; t < last; ++t) {
+    for (const std::uint32_t i : tiles_[t].point) shifts.push_back(key.with(i).uniform());
+  }
+  std::vector<DrawTile> tiles;
+  std::span<const double> rest(shifts);
+  for (std::size_t t = first; t < last; ++t) {
+    const std::size_t count = tiles_[t].point.size();
+    TileSums& sum = sums[t - first];
+    tiles.push_back({tiles_[t].receiver, rest.first(count),
+                     {sum.lx.data(), count, sum.largest_lx.data()}});
+    rest = rest.subspan(count);
+  }
+  return gatherer.draw_and_gather({tracer_, batch.tree, batch.bounds, cut, draws, has_shadows_,
+                                   batch.deadline_s, tiles});
+}
+
+// Every vertex once: instant radiosity.
+std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatch& batch,
+                                     Gatherer& gatherer, TileSums& sums) const {
   thread_local std::vector<Connection> connections;
   connections.clear();
-  const auto count = static_cast<std::uint32_t>(tile.point.size());
-  if (settings_.method == Method::instant_radiosity) {
-    for (std::uint32_t k = 0; k < count; ++k) {
-      connect_all(batch.tree.vertices().size(), k, connections);
-    }
-  } else {
-    const std::uint32_t draws = draws_per_point(batch.paths, points());
-    cut.build(batch.tree, tile_of(tile.receiver, tracer_.scene().extent_m),
-              std::clamp(kCutNodesPerDraw * draws, kSmallestCut, kLargestCut),
-              static_cast<float>(batch.near_bound->smallest()),
-              settings_.skips.allows(Skip::hidden_nodes));
-    const RandomKey key = draw_key_.with(batch.replicate).with(batch.first_path);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      draw_connections(batch.tree, cut, tile.receiver[k], k, draws,
-                       key.with(tile.point[k]).uniform(), scratch, connections);
-    }
+  const LightVertices& vertices = batch.tree.vertices();
+  for (std::uint32_t k = 0; k < tile.point.size(); ++k) {
+    for (std::uint32_t j = 0; j < vertices.size(); ++j) connections.push_back({k, j, 1.0f});
   }
-  sums.connection_rays +=
-      gatherer.gather({tracer_, batch.tree.vertices(), batch.bounds, tile.receiver, connections,
-                       has_shadows_, batch.tree.identity()},
-                      {sums.lx.data(), count, sums.largest_lx.data()});
+  return gatherer.gather({tracer_, vertices, batch.bounds, tile.receiver, connections, has_shadows_,
+                          batch.tree.identity()},
+                         {sums.lx.data(), tile.point.size(), sums.largest_lx.data()});
 }
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
@@ -262,21 +274,27 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   std::atomic<double> connect_s{0.0}, near_s{0.0};
   // A thread that waits here must not take up another replicate, whose pool would add to memory.
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t t) {
+    const tbb::blocked_range<std::size_t> all(0, tiles_.size(), gatherer.tiles_per_batch());
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       const FlushDenormals flush;
       if (is_past(batch.deadline_s)) return;
-      const ReceiverGroup& tile = tiles_[t];
-      TileSums sums;
-      sums.lx.assign(channels() * tile.point.size(), 0.0);
-      sums.largest_lx.assign(tile.point.size(), 0.0f);
+      std::vector<TileSums> sums(range.size());
+      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+        const std::size_t count = tiles_[t].point.size();
+        sums[t - range.begin()].lx.assign(channels() * count, 0.0);
+        sums[t - range.begin()].largest_lx.assign(count, 0.0f);
+      }
       const double begin_s = now_s();
-      connect_tile(tile, batch, gatherer, sums);
+      connection_rays += connect_tiles(range.begin(), range.end(), batch, gatherer, sums);
       const double middle_s = now_s();
-      if (reach_m_ > 0.0) near_rays += add_near(tile, batch, sums);
+      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+        TileSums& sum = sums[t - range.begin()];
+        if (is_past(batch.deadline_s)) return;
+        if (reach_m_ > 0.0) near_rays += add_near(tiles_[t], batch, sum);
+        store(tiles_[t], batch, sum);
+      }
       near_s += now_s() - middle_s;
       connect_s += middle_s - begin_s;
-      connection_rays += sums.connection_rays;
-      store(tile, batch, sums);
     });
   });
   replicate_connection_rays_[batch.replicate] += connection_rays;

@@ -92,8 +92,10 @@ class PlaneWork {
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
-  void connect_tile(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
-                    TileSums& sums) const;
+  std::uint64_t connect_tiles(std::size_t first, std::size_t last, const VertexBatch& batch,
+                              Gatherer& gatherer, std::span<TileSums> sums) const;
+  std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
+                            TileSums& sums) const;
   std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch, TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
   bool opening_error_matters() const;

@@ -27,6 +27,9 @@ struct VertexNode {
   glm::vec3 axis{0.0f};  // unit mean normal; 0 if normals cancel, then cos_spread is -1
 
   std::uint32_t size() const { return last - first; }
+  // The vertex whose place and normal stand for the node's. [one serves as well as the mean over
+  // four, at the same size of the cut: measured]
+  std::uint32_t representative() const { return first + size() / 2; }
 };
 
 class VertexTree {
@@ -41,6 +44,8 @@ class VertexTree {
   const LightVertices& vertices() const { return vertices_; }
   // Flux of the vertices before index i, lm.
   double flux_before_lm(std::size_t i) const { return flux_before_lm_[i]; }
+  // [vertex], and one more: all flux.
+  std::span<const double> flux_before_lm() const { return flux_before_lm_; }
   // The vertex in first..last at which the summed flux reaches flux_before_lm(first) + share of the
   // range's flux; share in [0, 1).
   std::uint32_t vertex_at(std::uint32_t first, std::uint32_t last, double share) const;

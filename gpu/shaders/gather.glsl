@@ -2,21 +2,20 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 
-layout(std430, binding = 2) readonly buffer Vertices { vec4 vertex[]; };
-layout(std430, binding = 3) readonly buffer Receivers { vec4 receiver[]; };
-layout(std430, binding = 4) readonly buffer Connections { uint connection[]; };
-layout(std430, binding = 5) writeonly buffer Results { uint result[]; };
+layout(std430, binding = 4) readonly buffer Receivers { vec4 receiver[]; };
+layout(std430, binding = 5) readonly buffer Connections { uint connection[]; };
+layout(std430, binding = 12) writeonly buffer Results { uint result[]; };
 
-uniform uint first_connection, connection_count, first_receiver;
+uniform uint connection_count;
 uniform float bounded_from_per_m2;
 
 uint gathered(uint i) {
-  const uint r = 3u * (first_receiver + connection[3u * i]);
-  const uint v = 2u * connection[3u * i + 1u];
+  const uint r = 3u * connection[3u * i];
+  const uint v = connection[3u * i + 1u];
   const vec4 at = receiver[r];
   const vec4 axis = receiver[r + 1u];
-  const vec4 position_and_flux = vertex[v];
-  const float g = connection_geometry(uint(axis.w), axis.xyz, vertex[v + 1u].xyz,
+  const vec4 position_and_flux = vertex_position[v];
+  const float g = connection_geometry(uint(axis.w), axis.xyz, vertex_normal[v].xyz,
                                       position_and_flux.xyz - at.xyz);
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
@@ -30,6 +29,5 @@ uint gathered(uint i) {
 
 void main() {
   if (gl_GlobalInvocationID.x >= connection_count) return;
-  const uint i = first_connection + gl_GlobalInvocationID.x;
-  result[i] = gathered(i);
+  result[gl_GlobalInvocationID.x] = gathered(gl_GlobalInvocationID.x);
 }

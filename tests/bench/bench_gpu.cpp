@@ -1,4 +1,5 @@
-// Both backends on projects: differences and connections per second, one CSV line each.
+// Both backends on projects: differences, connections per second, and what the CPU does for a
+// connection beside the device (in software too, that is on other threads); one CSV line each.
 //   bench_gpu PATHS PROJECT.xml...
 // PATHS: light paths per replicate, a power of two; one thread, 4 replicates, one look.
 #include "calc/scene/project_xml.h"
@@ -49,13 +50,17 @@ void measure(const std::string& path, std::uint64_t paths, calc::Gatherer& cpu,
     settings.jobs = 1;
     TimedGatherer timed_cpu(cpu), timed_gl(gl);
     const auto a = solve_with(scene, planes.tasks, settings, timed_cpu);
+    const double before_s = processor_seconds();
     const auto b = solve_with(scene, planes.tasks, settings, timed_gl);
+    const double busy_s = processor_seconds() - before_s;
     const SameSum same = compare_sums(a, b);
-    fmt::print("{},{},{},{},{:.2g},{:.2g},{:.2g},{},{:.3g},{:.3g}\n", path, space.id,
+    fmt::print("{},{},{},{},{:.2g},{:.2g},{:.2g},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", path, space.id,
                scene.triangle.size(), same.values, same.largest, same.mean_difference(),
                same.largest_grazed, same.grazed,
                static_cast<double>(timed_cpu.connections) / timed_cpu.seconds,
-               static_cast<double>(timed_gl.connections) / timed_gl.seconds);
+               static_cast<double>(timed_gl.connections) / timed_gl.seconds,
+               1e9 * busy_s / static_cast<double>(timed_gl.connections),
+               1e9 * timed_gl.processor_s / static_cast<double>(timed_gl.connections));
     std::fflush(stdout);
   }
 }
@@ -77,7 +82,8 @@ int main(int argc, char** argv) {
   const auto cpu = calc::make_cpu_gatherer();
   fmt::print("# {}; {}\n", cpu->description(), gl->description());
   fmt::print(
-      "project,space,triangles,values,largest,mean,largest_grazed,grazed,cpu_per_s,gpu_per_s\n");
+      "project,space,triangles,values,largest,mean,largest_grazed,grazed,cpu_per_s,gpu_per_s,"
+      "cpu_ns_beside_gpu,of_them_in_gatherer\n");
   for (int k = 2; k < argc; ++k) measure(argv[k], std::strtoull(argv[1], nullptr, 10), *cpu, *gl);
   return 0;
 }

@@ -3,6 +3,8 @@
 
 #include "calc/radiosity/solve.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,19 +15,40 @@
 
 namespace test_support {
 
+// Of the calling thread.
+inline double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 struct TimedGatherer : calc::Gatherer {
   explicit TimedGatherer(calc::Gatherer& inner) : inner_(inner) {}
   std::uint64_t gather(const calc::GatherBatch& batch, const calc::GatherSums& sums) override {
+    const double processor_begin = processor_seconds();
     const auto begin = std::chrono::steady_clock::now();
     const std::uint64_t rays = inner_.gather(batch, sums);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    processor_s += processor_seconds() - processor_begin;
     connections += batch.connections.size();
     return rays;
   }
+  std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
+    const double processor_begin = processor_seconds();
+    const auto begin = std::chrono::steady_clock::now();
+    const std::uint64_t rays = inner_.draw_and_gather(batch);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    processor_s += processor_seconds() - processor_begin;
+    for (const calc::DrawTile& tile : batch.tiles) {
+      connections += batch.draws * tile.receivers.size();
+    }
+    return rays;
+  }
+  std::size_t tiles_per_batch() const override { return inner_.tiles_per_batch(); }
   std::string description() const override { return inner_.description(); }
 
   calc::Gatherer& inner_;
-  double seconds = 0.0;  // valid with one thread
+  double seconds = 0.0, processor_s = 0.0;  // valid with one thread
   std::size_t connections = 0;
 };
 

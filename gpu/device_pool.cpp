@@ -1,0 +1,109 @@
+#include "gpu/device_pool.h"
+
+#include "gpu/gl_error.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace gpu {
+namespace {
+
+constexpr std::size_t kMostPools = 128;
+constexpr std::size_t kMostPoolBytes = std::size_t{1} << 30;
+
+template <class T>
+void fill(GlBuffer& buffer, const T& items) {
+  const auto bytes = std::as_bytes(std::span(items));
+  buffer.reserve(bytes.size());
+  buffer.write(0, bytes);
+}
+
+}  // namespace
+
+PackedPool pack_pool(std::span<const calc::LightVertex> vertices) {
+  PackedPool packed;
+  packed.position_m.reserve(vertices.size());
+  packed.normal.reserve(vertices.size());
+  for (const calc::LightVertex& v : vertices) {
+    packed.position_m.emplace_back(v.position_m, v.flux_lm);
+    packed.normal.emplace_back(v.normal, 0.0f);
+  }
+  return packed;
+}
+
+PackedPool pack_pool(const calc::VertexTree& tree) {
+  PackedPool packed = pack_pool(tree.vertices());
+  packed.sphere.reserve(tree.nodes().size());
+  packed.rest.reserve(tree.nodes().size());
+  for (const calc::VertexNode& node : tree.nodes()) {
+    packed.sphere.emplace_back(node.centre_m, node.radius_m);
+    packed.rest.emplace_back(std::bit_cast<std::uint32_t>(node.flux_lm),
+                             std::bit_cast<std::uint32_t>(node.per_m2), node.first, node.size());
+  }
+  packed.flux_before_lm = tree.flux_before_lm();
+  return packed;
+}
+
+std::size_t DevicePool::bytes() const {
+  return position.bytes() + normal.bytes() + sphere.bytes() + rest.bytes() + flux_before.bytes();
+}
+
+void DevicePool::bind_vertices() const {
+  position.bind(2);
+  normal.bind(3);
+}
+
+void DevicePool::bind_tree() const {
+  sphere.bind(6);
+  rest.bind(7);
+  flux_before.bind(11);
+}
+
+bool DevicePools::holds(std::uint64_t identity) const {
+  const std::scoped_lock lock(mutex_);
+  return identity != 0 && std::any_of(pools_.begin(), pools_.end(), [&](const DevicePool& pool) {
+           return pool.identity == identity;
+         });
+}
+
+const DevicePool* DevicePools::find(std::uint64_t identity) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::find_if(pools_.begin(), pools_.end(), [&](const DevicePool& pool) {
+    return pool.identity == identity;
+  });
+  if (identity == 0 || found == pools_.end()) return nullptr;
+  pools_.splice(pools_.begin(), pools_, found);
+  return &pools_.front();
+}
+
+const DevicePool& DevicePools::send(std::uint64_t identity, const PackedPool& packed) {
+  DevicePool pool{identity,
+                  GlBuffer("light vertices"),
+                  GlBuffer("normals of light vertices"),
+                  GlBuffer("groups of light vertices"),
+                  GlBuffer("fluxes of groups of light vertices"),
+                  GlBuffer("summed flux of light vertices")};
+  fill(pool.position, packed.position_m);
+  fill(pool.normal, packed.normal);
+  fill(pool.sphere, packed.sphere);
+  fill(pool.rest, packed.rest);
+  fill(pool.flux_before, packed.flux_before_lm);
+  check_gl("sending light vertices");
+  const std::scoped_lock lock(mutex_);
+  std::size_t bytes = pool.bytes();
+  for (const DevicePool& other : pools_) bytes += other.bytes();
+  while (!pools_.empty() && (pools_.size() >= kMostPools || bytes > kMostPoolBytes)) {
+    bytes -= pools_.back().bytes();
+    pools_.pop_back();
+  }
+  pools_.push_front(std::move(pool));
+  return pools_.front();
+}
+
+void DevicePools::clear() {
+  const std::scoped_lock lock(mutex_);
+  pools_.clear();
+}
+
+}  // namespace gpu

@@ -1,0 +1,60 @@
+#pragma once
+// Pools of light vertices on the device, with the groups that draws choose from.
+
+#include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/vertex_tree.h"
+#include "gpu/gl_buffer.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+// As the shaders read them. Apart, so that the largest pool (calc::kMostVertices) fits into buffers
+// of 128 MiB.
+struct PackedPool {
+  std::vector<glm::vec4> position_m;  // last component: flux, lm
+  std::vector<glm::vec4> normal;      // last component unused
+  std::vector<glm::vec4> sphere;      // [node] centre and radius, m
+  std::vector<glm::uvec4> rest;       // [node] flux and vertices per m2 as floats; first, count
+  std::span<const double> flux_before_lm;
+};
+
+PackedPool pack_pool(std::span<const calc::LightVertex> vertices);
+PackedPool pack_pool(const calc::VertexTree& tree);  // which must live on
+
+struct DevicePool {
+  std::uint64_t identity;
+  GlBuffer position, normal, sphere, rest, flux_before;
+
+  std::size_t bytes() const;
+  // To bindings 2, 3, and for draws 6, 7, 11.
+  void bind_vertices() const;
+  void bind_tree() const;
+};
+
+// The pools used last: the replicates of a look are computed side by side.
+class DevicePools {
+ public:
+  // Whether send() need not be called now; it may yet be necessary later. For all threads.
+  bool holds(std::uint64_t identity) const;
+
+  // All others need the context current in which the pools live, the destructor too.
+  // Null if it is not there. Valid until the next call.
+  const DevicePool* find(std::uint64_t identity);
+  // identity: as VertexTree::identity(), 0 = never used again. Throws GlError.
+  const DevicePool& send(std::uint64_t identity, const PackedPool& packed);
+  void clear();
+
+ private:
+  mutable std::mutex mutex_;     // changes of the list, and reading it outside the context's thread
+  std::list<DevicePool> pools_;  // latest use first
+};
+
+}  // namespace gpu
