@@ -2,6 +2,8 @@
 luxgate_test(gpu_tests
   SOURCES
     differential/gpu_gatherer_test.cpp
+    differential/gpu_near_test.cpp
+    differential/gpu_paths_test.cpp
     unit/gpu/bvh_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp

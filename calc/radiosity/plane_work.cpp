@@ -240,19 +240,68 @@ void PlaneWork::connect_tile(const ReceiverGroup& tile, const VertexBatch& batch
                       {sums.lx.data(), count, sums.largest_lx.data()});
 }
 
+// First hits of short rays of some tiles; there are none if add_near_field() traces them itself.
+struct PlaneWork::ShortRays {
+  std::size_t last_tile = 0;
+  std::vector<FirstHit> hits;
+  std::vector<std::size_t> first_hit;  // per tile
+
+  const FirstHit* of(std::size_t tile_of_block) const {
+    return hits.empty() ? nullptr : hits.data() + first_hit[tile_of_block];
+  }
+};
+
+NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t k,
+                                         const VertexBatch& batch) const {
+  const std::uint32_t i = tile.point[k];
+  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path).with(i);
+  if (!(clear_m_[i] < reach_m_)) return {tile.receiver[k], key, 0};
+  const std::uint32_t draws = draws_per_point(batch.paths, points());
+  return {tile.receiver[k], key, short_rays_per_point(draws, clear_m_[i], reach_m_)};
+}
+
+// A tile has too few rays for a device: as many tiles at once as fit.
+PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile,
+                                                const VertexBatch& batch) const {
+  ShortRays block;
+  block.last_tile = tiles_.size();
+  if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return block;
+  std::vector<NearFieldRequest> requests;
+  std::size_t rays = 0;
+  for (std::size_t t = first_tile; t < tiles_.size(); ++t) {
+    const std::size_t requests_before = requests.size(), rays_before = rays;
+    for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
+      const NearFieldRequest request = near_request(tiles_[t], k, batch);
+      if (request.rays == 0) continue;
+      requests.push_back(request);
+      rays += request.rays;
+    }
+    if (rays > kShortRaysPerCast && t > first_tile) {
+      block.last_tile = t;
+      requests.erase(requests.begin() + static_cast<std::ptrdiff_t>(requests_before),
+                     requests.end());
+      rays = rays_before;
+      break;
+    }
+    block.first_hit.push_back(rays_before);
+  }
+  block.hits.resize(rays);
+  batch.short_rays->cast(tracer_, static_cast<float>(tracer_.offset_m()),
+                         static_cast<float>(batch.near_bound->reach_m()), requests, block.hits);
+  return block;
+}
+
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
-                                  TileSums& sums) const {
+                                  const FirstHit* first_hits, TileSums& sums) const {
   const NearField field{tracer_,      *batch.near_bound, batch.tree,
                         batch.bounds, batch.global_cut,  channels()};
-  const std::uint32_t draws = draws_per_point(batch.paths, points());
-  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path);
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
-    const std::uint32_t i = tile.point[k];
-    if (clear_m_[i] >= reach_m_) continue;
-    rays += add_near_field(
-        field, {tile.receiver[k], key.with(i), short_rays_per_point(draws, clear_m_[i], reach_m_)},
-        &sums.lx[k], tile.point.size(), sums.largest_lx[k]);
+    const NearFieldRequest request = near_request(tile, k, batch);
+    if (request.rays == 0) continue;
+    rays += add_near_field(field, request, first_hits, &sums.lx[k], tile.point.size(),
+                           sums.largest_lx[k]);
+    if (first_hits != nullptr) first_hits += request.rays;
   }
   return rays;
 }
@@ -260,25 +309,31 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
 void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
   std::atomic<std::uint64_t> connection_rays{0}, near_rays{0};
   std::atomic<double> connect_s{0.0}, near_s{0.0};
-  // A thread that waits here must not take up another replicate, whose pool would add to memory.
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t t) {
-      const FlushDenormals flush;
-      if (is_past(batch.deadline_s)) return;
-      const ReceiverGroup& tile = tiles_[t];
-      TileSums sums;
-      sums.lx.assign(channels() * tile.point.size(), 0.0);
-      sums.largest_lx.assign(tile.point.size(), 0.0f);
-      const double begin_s = now_s();
-      connect_tile(tile, batch, gatherer, sums);
-      const double middle_s = now_s();
-      if (reach_m_ > 0.0) near_rays += add_near(tile, batch, sums);
-      near_s += now_s() - middle_s;
-      connect_s += middle_s - begin_s;
-      connection_rays += sums.connection_rays;
-      store(tile, batch, sums);
+  for (std::size_t first = 0; first < tiles_.size() && !is_past(batch.deadline_s);) {
+    const double cast_begin_s = now_s();
+    const ShortRays short_rays = cast_short_rays(first, batch);
+    near_s += now_s() - cast_begin_s;
+    // A thread that waits here must not take up another replicate, whose pool would add to memory.
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(first, short_rays.last_tile, [&](std::size_t t) {
+        const FlushDenormals flush;
+        if (is_past(batch.deadline_s)) return;
+        const ReceiverGroup& tile = tiles_[t];
+        TileSums sums;
+        sums.lx.assign(channels() * tile.point.size(), 0.0);
+        sums.largest_lx.assign(tile.point.size(), 0.0f);
+        const double begin_s = now_s();
+        connect_tile(tile, batch, gatherer, sums);
+        const double middle_s = now_s();
+        if (reach_m_ > 0.0) near_rays += add_near(tile, batch, short_rays.of(t - first), sums);
+        near_s += now_s() - middle_s;
+        connect_s += middle_s - begin_s;
+        connection_rays += sums.connection_rays;
+        store(tile, batch, sums);
+      });
     });
-  });
+    first = short_rays.last_tile;
+  }
   replicate_connection_rays_[batch.replicate] += connection_rays;
   replicate_near_rays_[batch.replicate] += near_rays;
   times.connect_s += connect_s;
