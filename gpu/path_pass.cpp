@@ -55,6 +55,11 @@ void run_groups(std::size_t invocations) {
 
 PathPass::PathPass(std::uint32_t most_paths)
     : most_paths_(most_paths),
+      starts_program_("starts of light paths", path_starts_shader()),
+      paths_program_("light paths", light_path_shader()),
+      sums_program_("sums of light paths", path_sums_shader()),
+      places_program_("places of light paths", path_places_shader()),
+      balance_program_("balance of light paths", path_balance_shader()),
       words_("random numbers"),
       vertices_("light vertices"),
       packed_("packed light vertices"),
@@ -71,15 +76,11 @@ PathPass::PathPass(std::uint32_t most_paths)
   counts_.reserve(most_paths * sizeof(std::uint32_t));
   balances_.reserve(most_paths * 2 * sizeof(double));
   for (GlBuffer& states : states_) states.reserve(most_paths * kStateBytes);
-  emit_ = std::make_unique<GlProgram>("light paths", light_path_shader(true));
-  go_on_ = std::make_unique<GlProgram>("more of light paths", light_path_shader(false));
-  sums_program_ = std::make_unique<GlProgram>("sums of light paths", path_sums_shader());
-  places_program_ = std::make_unique<GlProgram>("places of light paths", path_places_shader());
-  balance_program_ = std::make_unique<GlProgram>("balance of light paths", path_balance_shader());
 }
 
 void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   start(jobs);
+  emit(jobs);
   while (slot_.back() > 0) {
     const std::uint32_t left = calc::kMostReflections - reflection_;
     const std::uint32_t room = most_paths_ * kReflectionsPerRound / slot_.back();
@@ -87,7 +88,7 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
     for (PathJob* job : jobs) {
       if (calc::is_past(job->batch.deadline_s)) job->is_late = true;
     }
-    trace(device, jobs, reflections);
+    trace(device, *jobs.front(), reflections);
     const std::vector<ChunkSum> sums = sum_up();
     reflection_ += reflections;
     device.check("tracing light paths");
@@ -130,8 +131,25 @@ void PathPass::start(std::span<PathJob* const> jobs) {
   reflection_ = 0;
 }
 
-void PathPass::bind_all(DeviceState& device, const PathJob& job) {
+void PathPass::emit(std::span<PathJob* const> jobs) {
+  const PathJob& job = *jobs.front();
+  starts_program_.use();
+  tables_of(job).bind(kTables);
+  words_.bind(kWords);
+  states_[now_].bind(kStates);
+  starts_program_.set("luminaire_count",
+                      static_cast<std::uint32_t>(job.emitter.scene().luminaires.size()));
+  starts_program_.set("path_count", slot_.back());
+  starts_program_.set("job_count", static_cast<std::uint32_t>(jobs.size()));
+  run_groups(slot_.back());
+  check_gl("starting light paths");
+}
+
+void PathPass::trace(DeviceState& device, const PathJob& job, std::uint32_t reflections) {
+  const std::uint32_t paths = slot_.back();
+  counts_.fill(paths * sizeof(std::uint32_t), ~0u);
   const DeviceScene& scene = device.scenes.of(job.tracer);
+  paths_program_.use();
   scene.bind();
   scene.surface.bind(kSurfaces);
   tables_of(job).bind(kTables);
@@ -139,22 +157,10 @@ void PathPass::bind_all(DeviceState& device, const PathJob& job) {
   states_[now_].bind(kStates);
   vertices_.bind(kVertices);
   counts_.bind(kCounts);
-}
-
-void PathPass::trace(DeviceState& device, std::span<PathJob* const> jobs,
-                     std::uint32_t reflections) {
-  const std::uint32_t paths = slot_.back();
-  counts_.fill(paths * sizeof(std::uint32_t), ~0u);
-  const GlProgram& program = reflection_ == 0 ? *emit_ : *go_on_;
-  program.use();
-  bind_all(device, *jobs.front());
-  program.set("node_count", device.scenes.of(jobs.front()->tracer).nodes);
-  program.set("luminaire_count",
-              static_cast<std::uint32_t>(jobs.front()->emitter.scene().luminaires.size()));
-  program.set("path_count", paths);
-  program.set("first_reflection", reflection_);
-  program.set("reflections", reflections);
-  program.set("job_count", static_cast<std::uint32_t>(jobs.size()));
+  paths_program_.set("node_count", scene.nodes);
+  paths_program_.set("path_count", paths);
+  paths_program_.set("first_reflection", reflection_);
+  paths_program_.set("reflections", reflections);
   run_groups(paths);
   check_gl("tracing light paths");
 }
@@ -164,8 +170,8 @@ std::vector<PathPass::ChunkSum> PathPass::sum_up() {
   std::vector<ChunkSum> sums(chunk_.size());
   sums_.reserve(sums.size() * sizeof(ChunkSum));
   sums_.fill(sums.size() * sizeof(ChunkSum), ~0u);
-  sums_program_->use();
-  sums_program_->set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
+  sums_program_.use();
+  sums_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
   chunks_.bind(kChunks);
   sums_.bind(kPlaces);
   counts_.bind(kCounts);
@@ -213,8 +219,8 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
   }
   send(places_, places);
   packed_.fill(vertex * sizeof(calc::LightVertex), ~0u);
-  places_program_->use();
-  places_program_->set("path_count", slot_.back());
+  places_program_.use();
+  places_program_.set("path_count", slot_.back());
   chunks_.bind(kChunks);
   places_.bind(kPlaces);
   packed_.bind(kPacked);
@@ -247,8 +253,8 @@ void PathPass::fetch_balance(std::span<PathJob* const> jobs) {
   std::vector<glm::dvec2> sums(chunk_.size());
   sums_.reserve(sums.size() * sizeof(glm::dvec2));
   sums_.fill(sums.size() * sizeof(glm::dvec2), ~0u);
-  balance_program_->use();
-  balance_program_->set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
+  balance_program_.use();
+  balance_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
   balances_.bind(0);
   chunks_.bind(1);
   sums_.bind(2);

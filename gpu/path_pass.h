@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -73,16 +72,16 @@ class PathPass {
   };
 
   void start(std::span<PathJob* const> jobs);
-  void bind_all(DeviceState& device, const PathJob& job);
+  void emit(std::span<PathJob* const> jobs);
   // The next reflections of all living paths.
-  void trace(DeviceState& device, std::span<PathJob* const> jobs, std::uint32_t reflections);
+  void trace(DeviceState& device, const PathJob& job, std::uint32_t reflections);
   std::vector<ChunkSum> sum_up();
   void pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums);
   void fetch_balance(std::span<PathJob* const> jobs);
   const GlBuffer& tables_of(const PathJob& job);
 
   const std::uint32_t most_paths_;
-  std::unique_ptr<GlProgram> emit_, go_on_, sums_program_, places_program_, balance_program_;
+  GlProgram starts_program_, paths_program_, sums_program_, places_program_, balance_program_;
   GlBuffer words_, vertices_, packed_, counts_, chunks_, sums_, places_, balances_;
   std::array<GlBuffer, 2> states_;
   std::list<Tables> tables_;  // latest use first

@@ -22,7 +22,8 @@ inline constexpr std::uint32_t kJobKey = 21, kJobFirstPath = 23, kJobBatchPaths 
 
 inline constexpr std::uint32_t kLuminaireSize = 19;  // entries of a luminaire, see path_tables.h
 
-std::string light_path_shader(bool emits);
+std::string path_starts_shader();
+std::string light_path_shader();
 std::string path_sums_shader();
 std::string path_places_shader();
 std::string path_balance_shader();

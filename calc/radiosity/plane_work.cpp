@@ -9,6 +9,7 @@
 #include "calc/statistics.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -27,6 +28,9 @@ constexpr std::uint32_t kFewestDraws = 16;
 constexpr std::size_t kCutNodesPerDraw = 16;
 constexpr std::size_t kSmallestCut = 128;
 constexpr std::size_t kLargestCut = 1024;
+
+// A tile has too few short rays for a device: so many tiles send theirs together, at least.
+constexpr std::size_t kTilesPerCast = 128;
 
 // Share of the indirect part's variance below which openings need no more samples.
 constexpr double kNegligibleVariance = 0.1;
@@ -242,12 +246,11 @@ void PlaneWork::connect_tile(const ReceiverGroup& tile, const VertexBatch& batch
 
 // First hits of short rays of some tiles; there are none if add_near_field() traces them itself.
 struct PlaneWork::ShortRays {
-  std::size_t last_tile = 0;
   std::vector<FirstHit> hits;
-  std::vector<std::size_t> first_hit;  // per tile
+  std::vector<std::size_t> first_hit{};  // per tile
 
-  const FirstHit* of(std::size_t tile_of_block) const {
-    return hits.empty() ? nullptr : hits.data() + first_hit[tile_of_block];
+  const FirstHit* of(std::size_t tile) const {
+    return hits.empty() ? nullptr : hits.data() + first_hit[tile];
   }
 };
 
@@ -260,35 +263,33 @@ NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t 
   return {tile.receiver[k], key, short_rays_per_point(draws, clear_m_[i], reach_m_)};
 }
 
-// A tile has too few rays for a device: as many tiles at once as fit.
-PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile,
+PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                                                 const VertexBatch& batch) const {
-  ShortRays block;
-  block.last_tile = tiles_.size();
-  if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return block;
+  ShortRays result;
+  if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return result;
   std::vector<NearFieldRequest> requests;
-  std::size_t rays = 0;
-  for (std::size_t t = first_tile; t < tiles_.size(); ++t) {
-    const std::size_t requests_before = requests.size(), rays_before = rays;
+  std::vector<std::size_t> first_ray{0};  // of each request
+  for (std::size_t t = first_tile; t < last_tile; ++t) {
+    result.first_hit.push_back(first_ray.back());
     for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
       const NearFieldRequest request = near_request(tiles_[t], k, batch);
       if (request.rays == 0) continue;
       requests.push_back(request);
-      rays += request.rays;
+      first_ray.push_back(first_ray.back() + request.rays);
     }
-    if (rays > kShortRaysPerCast && t > first_tile) {
-      block.last_tile = t;
-      requests.erase(requests.begin() + static_cast<std::ptrdiff_t>(requests_before),
-                     requests.end());
-      rays = rays_before;
-      break;
-    }
-    block.first_hit.push_back(rays_before);
   }
-  block.hits.resize(rays);
-  batch.short_rays->cast(tracer_, static_cast<float>(tracer_.offset_m()),
-                         static_cast<float>(batch.near_bound->reach_m()), requests, block.hits);
-  return block;
+  result.hits.resize(first_ray.back());
+  for (std::size_t first = 0, last = 0; first < requests.size(); first = last) {
+    for (last = first + 1; last < requests.size(); ++last) {
+      if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
+    }
+    batch.short_rays->cast(tracer_, static_cast<float>(tracer_.offset_m()),
+                           static_cast<float>(batch.near_bound->reach_m()),
+                           std::span(requests).subspan(first, last - first),
+                           std::span(result.hits)
+                               .subspan(first_ray[first], first_ray[last] - first_ray[first]));
+  }
+  return result;
 }
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
@@ -309,14 +310,17 @@ std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& 
 void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times) {
   std::atomic<std::uint64_t> connection_rays{0}, near_rays{0};
   std::atomic<double> connect_s{0.0}, near_s{0.0};
-  for (std::size_t first = 0; first < tiles_.size() && !is_past(batch.deadline_s);) {
-    const double cast_begin_s = now_s();
-    const ShortRays short_rays = cast_short_rays(first, batch);
-    near_s += now_s() - cast_begin_s;
-    // A thread that waits here must not take up another replicate, whose pool would add to memory.
-    tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(first, short_rays.last_tile, [&](std::size_t t) {
-        const FlushDenormals flush;
+  // A thread that waits here must not take up another replicate, whose pool would add to memory.
+  tbb::this_task_arena::isolate([&] {
+    const tbb::blocked_range<std::size_t> all(0, tiles_.size(),
+                                              batch.short_rays != nullptr ? kTilesPerCast : 1);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+      const FlushDenormals flush;
+      if (is_past(batch.deadline_s)) return;
+      const double cast_begin_s = now_s();
+      const ShortRays short_rays = cast_short_rays(range.begin(), range.end(), batch);
+      near_s += now_s() - cast_begin_s;
+      for (std::size_t t = range.begin(); t < range.end(); ++t) {
         if (is_past(batch.deadline_s)) return;
         const ReceiverGroup& tile = tiles_[t];
         TileSums sums;
@@ -325,15 +329,16 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
         const double begin_s = now_s();
         connect_tile(tile, batch, gatherer, sums);
         const double middle_s = now_s();
-        if (reach_m_ > 0.0) near_rays += add_near(tile, batch, short_rays.of(t - first), sums);
+        if (reach_m_ > 0.0) {
+          near_rays += add_near(tile, batch, short_rays.of(t - range.begin()), sums);
+        }
         near_s += now_s() - middle_s;
         connect_s += middle_s - begin_s;
         connection_rays += sums.connection_rays;
         store(tile, batch, sums);
-      });
+      }
     });
-    first = short_rays.last_tile;
-  }
+  });
   replicate_connection_rays_[batch.replicate] += connection_rays;
   replicate_near_rays_[batch.replicate] += near_rays;
   times.connect_s += connect_s;

@@ -99,7 +99,8 @@ class PlaneWork {
   NearFieldRequest near_request(const ReceiverGroup& tile, std::size_t k,
                                 const VertexBatch& batch) const;
   struct ShortRays;
-  ShortRays cast_short_rays(std::size_t first_tile, const VertexBatch& batch) const;
+  ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,
+                            const VertexBatch& batch) const;
   std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch,
                          const FirstHit* first_hits, TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);

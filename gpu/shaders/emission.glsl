@@ -1,13 +1,9 @@
-// Light paths leaving luminaires: calc::Emitter, calc::WebSampler and calc::OpeningView again, with
-// tables of PathTables (path_tables.h says what stands where).
-
-layout(std430, binding = 3) readonly buffer Tables { double entry[]; };
+// Light paths leaving luminaires: calc::Emitter, calc::WebSampler and calc::OpeningView again, from the
+// tables of path_tables.h.
 
 uniform uint luminaire_count;
 
 const double kTwoPi = DBL(6.283185307179586476925286766559);
-
-double offset_of_rays_m() { return entry[0]; }
 
 dvec3 triple(uint at) { return dvec3(entry[at], entry[at + 1u], entry[at + 2u]); }
 

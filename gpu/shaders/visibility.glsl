@@ -9,10 +9,8 @@ uniform float offset_m;  // at either end, the stretch that is left out
 
 // Edge tests by volumes, which are the same with opposite sign for both triangles at an edge: no
 // ray slips through between them. [Woop13 for the problem; volumes as in Embree's robust mode]
-// share: of corners b and c.
-bool is_crossed(uint triangle, vec3 from, vec3 along, out float t, out vec2 share) {
+bool is_crossed(uint triangle, vec3 from, vec3 along, out float t) {
   t = 0.0;
-  share = vec2(0.0);
   const vec4 a = bvh_corner[3u * triangle];
   const vec4 b = bvh_corner[3u * triangle + 1u];
   const vec4 c = bvh_corner[3u * triangle + 2u];
@@ -20,23 +18,20 @@ bool is_crossed(uint triangle, vec3 from, vec3 along, out float t, out vec2 shar
   precise float volume0 = dot(cross(v2 - v0, v2 + v0), along);
   precise float volume1 = dot(cross(v0 - v1, v0 + v1), along);
   precise float volume2 = dot(cross(v1 - v2, v1 + v2), along);
-  const float sum = volume0 + volume1 + volume2;
-  const float rounding = 1.2e-7 * abs(sum);
+  const float rounding = 1.2e-7 * abs(volume0 + volume1 + volume2);
   const bool is_inside = min(volume0, min(volume1, volume2)) >= -rounding ||
                          max(volume0, max(volume1, volume2)) <= rounding;
   if (!is_inside) return false;
   const vec3 normal = vec3(a.w, b.w, c.w);
   const float slope = dot(normal, along);
-  if (slope == 0.0 || sum == 0.0) return false;
+  if (slope == 0.0) return false;
   t = dot(normal, v0) / slope;
-  share = vec2(volume0, volume1) / sum;
   return true;
 }
 
 bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
   float t;
-  vec2 share;
-  return is_crossed(triangle, from, along, t, share) && t_near <= t && t <= t_far;
+  return is_crossed(triangle, from, along, t) && t_near <= t && t <= t_far;
 }
 
 // Rays along an axis would divide by 0.

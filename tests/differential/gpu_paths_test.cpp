@@ -72,6 +72,56 @@ void expect_same_paths(const Source& source, calc::PathTracer& gl, const calc::P
   }
 }
 
+// Batches of one path show which path and reflection a vertex belongs to. They run side by side, so
+// that the device gets them in bundles.
+struct PathByPath {
+  std::vector<std::size_t> diverged_at;  // [reflection], paths
+  std::size_t paths = 0;
+
+  std::size_t diverged(std::size_t first, std::size_t last) const {
+    std::size_t sum = 0;
+    for (std::size_t k = first; k < std::min(last, diverged_at.size()); ++k) sum += diverged_at[k];
+    return sum;
+  }
+};
+
+PathByPath compare_path_by_path(const Source& source, calc::PathTracer& gl, std::uint32_t paths) {
+  std::vector<calc::TracedPaths> b(paths);
+  tbb::task_arena(32).execute([&] {
+    tbb::parallel_for(std::uint32_t{0}, paths, [&](std::uint32_t i) {
+      b[i] = source.gl(gl, {3, 0, i, i + 1});
+    });
+  });
+  PathByPath result;
+  result.paths = paths;
+  const PoolTolerance tolerance{1e-5 * source.scene.extent_m};
+  for (std::uint32_t i = 0; i < paths; ++i) {
+    const calc::LightVertices& cpu = source.cpu({3, 0, i, i + 1}).vertices;
+    const calc::LightVertices& device = b[i].vertices;
+    for (std::size_t k = 0; k < std::max(cpu.size(), device.size()); ++k) {
+      if (k < cpu.size() && k < device.size() && is_same_vertex(cpu[k], device[k], tolerance)) {
+        continue;
+      }
+      result.diverged_at.resize(std::max(result.diverged_at.size(), k + 1));
+      ++result.diverged_at[k];
+      break;
+    }
+  }
+  return result;
+}
+
+TEST(GlPathTracer, KeepsToThePathsOfTheCpu) {
+  LUXGATE_NEEDS_OPENGL();
+  const auto gl = gl_path_tracer();
+  for (const double reflectance : {0.6, 0.9, 0.99}) {
+    const LampHall hall(reflectance);
+    const PathByPath result = compare_path_by_path(Source(hall.scene), *gl, 2000);
+    std::printf("rho %.2f: of %zu paths, diverged within 8, 16, 32, any reflections: %zu %zu %zu %zu\n",
+                reflectance, result.paths, result.diverged(0, 8), result.diverged(0, 16),
+                result.diverged(0, 32), result.diverged(0, 1000000));
+  }
+}
+
 TEST(GlPathTracer, TracesThePathsOfTheCpu) {
   LUXGATE_NEEDS_OPENGL();
   const auto gl = gl_path_tracer();
