@@ -190,7 +190,11 @@ Bvh build_bvh(const calc::PreparedScene& scene) {
   Builder(items, nodes).build(0, 0, items.size(), 0);
   flatten(nodes, 0, bvh.nodes);
   bvh.triangles.reserve(items.size());
-  for (const Item& item : items) bvh.triangles.push_back(triangle_of(scene, item.triangle));
+  bvh.order.reserve(items.size());
+  for (const Item& item : items) {
+    bvh.triangles.push_back(triangle_of(scene, item.triangle));
+    bvh.order.push_back(item.triangle);
+  }
   return bvh;
 }
 

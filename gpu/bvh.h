@@ -32,6 +32,7 @@ static_assert(sizeof(BvhTriangle) == 48);
 struct Bvh {
   std::vector<BvhNode> nodes;
   std::vector<BvhTriangle> triangles;  // in the order of leaves
+  std::vector<std::uint32_t> order;    // which of the scene's triangles they are
 };
 
 // Splits where the summed area of boxes, times their triangles, is least among 16 bins of each

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 namespace gpu {
 namespace {
@@ -17,6 +18,15 @@ void fill(GlBuffer& buffer, const T& items) {
   const auto bytes = std::as_bytes(std::span(items));
   buffer.reserve(bytes.size());
   buffer.write(0, bytes);
+}
+
+std::vector<glm::dvec4> surfaces_of(const calc::Tracer& tracer, const Bvh& bvh) {
+  std::vector<glm::dvec4> surfaces;
+  surfaces.reserve(bvh.order.size());
+  for (const std::uint32_t triangle : bvh.order) {
+    surfaces.emplace_back(tracer.triangle_normal(triangle), tracer.scene().reflectance[triangle]);
+  }
+  return surfaces;
 }
 
 }  // namespace
@@ -37,9 +47,12 @@ const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
   while (scenes_.size() >= kMostScenes) scenes_.pop_back();
   const Bvh bvh = build_bvh(tracer.scene());
   DeviceScene scene{tracer.identity(), static_cast<std::uint32_t>(bvh.nodes.size()),
-                    GlBuffer("the scene's boxes"), GlBuffer("the scene's triangles")};
+                    GlBuffer("the scene's boxes"), GlBuffer("the scene's triangles"),
+                    GlBuffer("the scene's surfaces"), GlBuffer("the scene's triangle numbers")};
   fill(scene.node, bvh.nodes);
   fill(scene.triangle, bvh.triangles);
+  fill(scene.surface, surfaces_of(tracer, bvh));
+  fill(scene.order, bvh.order);
   check_gl("sending the scene");
   scenes_.push_front(std::move(scene));
   return scenes_.front();

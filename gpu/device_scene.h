@@ -14,6 +14,8 @@ struct DeviceScene {
   std::uint64_t identity;  // calc::Tracer::identity()
   std::uint32_t nodes;
   GlBuffer node, triangle;
+  GlBuffer surface;  // per triangle of the tree: unit normal and reflectance, four double
+  GlBuffer order;    // per triangle of the tree: its index in the scene
 
   // To bindings 0 and 1.
   void bind() const;

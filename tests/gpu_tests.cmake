@@ -2,6 +2,9 @@
 luxgate_test(gpu_tests
   SOURCES
     differential/gpu_gatherer_test.cpp
+    differential/gpu_near_test.cpp
+    differential/gpu_paths_test.cpp
+    differential/gpu_stages_test.cpp
     unit/gpu/bvh_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp
@@ -10,6 +13,8 @@ luxgate_test(gpu_tests
 # Differences and speed of both backends, project by project.
 add_executable(bench_gpu bench/bench_gpu.cpp)
 target_link_libraries(bench_gpu PRIVATE gpu calc_radiosity)
+add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp)
+target_link_libraries(bench_gpu_stages PRIVATE gpu calc_radiosity TBB::tbb fmt::fmt)
 
 add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DCOMPARE_CSV=$<TARGET_FILE:compare_csv>

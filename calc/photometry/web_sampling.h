@@ -29,6 +29,12 @@ class WebSampler {
   // What the prefix sums add up to: web.flux_lm() up to rounding.
   double normalisation_lm() const { return c_prefix_.back(); }
 
+  // The table and its sums, for who samples elsewhere: [plane][gamma], integrals of I sin(gamma)
+  // from the first angle; [plane], integrals over C of the plane totals (axial: {0, flux}).
+  const PhotometricWeb& web() const { return web_; }
+  const std::vector<double>& gamma_prefix() const { return gamma_prefix_; }
+  const std::vector<double>& c_prefix() const { return c_prefix_; }
+
  private:
   // A plane between table planes: where the conditional distribution of gamma is taken.
   struct Plane {

@@ -2,6 +2,7 @@
 // Light leaving luminaires: as sources for light paths, and directly at a point.
 
 #include "calc/photometry/web_sampling.h"
+#include "calc/radiosity/identity.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 #include "calc/scene/prepared_scene.h"
@@ -47,13 +48,23 @@ class Emitter {
   // u in [0, 1): luminaire in file order. Half of the probability goes by flux, half evenly to the
   // channels and by flux within them, so that a weak channel is known as well as a strong one.
   std::size_t choose_luminaire(double u) const;
+  // Of choosing one of the first luminaires; luminaires + 1 entries, the last about 1.
+  const std::vector<double>& cumulative() const { return cumulative_; }
   // Flux over probability of choosing it: what a path from this luminaire stands for.
   double path_flux_lm(std::size_t luminaire) const { return path_flux_lm_[luminaire]; }
   // direction by exact inversion of the web; position evenly over the opening as seen along it.
   EmittedRay emit(std::size_t luminaire, std::array<double, 2> direction_u,
                   std::array<double, 2> opening_u, double offset_m) const;
 
+  // Of this emitter and its scene, see new_identity().
+  std::uint64_t identity() const { return identity_; }
+  const PreparedScene& scene() const { return scene_; }
+  // One per distinct web, and which of them is a luminaire's.
+  const std::vector<WebSampler>& samplers() const { return samplers_; }
+  std::size_t sampler_of(std::size_t luminaire) const { return sampler_of_[luminaire]; }
+
  private:
+  std::uint64_t identity_ = new_identity();
   const PreparedScene& scene_;
   std::vector<WebSampler> samplers_;     // one per distinct web
   std::vector<std::size_t> sampler_of_;  // per luminaire

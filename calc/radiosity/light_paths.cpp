@@ -17,17 +17,7 @@
 namespace calc {
 namespace {
 
-// Fixed: sums are grouped the same way for any thread count.
-constexpr std::uint32_t kPathsPerChunk = 256;
 constexpr std::size_t kUsualVertices = 4;  // of a path; more cost a move
-constexpr int kFreeReflections = 1;        // reflections before roulette begins
-
-// Sobol' dimensions of a path.
-constexpr int kLuminaireDimension = 0;
-constexpr int kDirectionDimension = 1;  // and 2
-constexpr int kRouletteDimension = 3;
-constexpr int kOpeningDimension = 4;  // and 5
-constexpr int kBounceDimension = 6;   // and 7, two more for every reflection
 
 struct Chunk {
   LightVertices vertices;
@@ -64,14 +54,14 @@ class PathWave {
   }
 
   // Sets is_cancelled, which other waves obey too, when the batch has become useless.
-  void trace(double deadline_s, std::atomic<std::uint64_t>& vertices,
+  void trace(const PathBatch& batch, std::atomic<std::uint64_t>& vertices,
              std::atomic<bool>& is_cancelled) {
     for (int reflection = 0; !paths_.empty(); ++reflection) {
       if (reflection >= kMostReflections) {
         chunk_.has_endless_path = true;
         is_cancelled = true;
       }
-      if (is_past(deadline_s)) is_cancelled = true;
+      if (is_past(batch.deadline_s)) is_cancelled = true;
       if (is_cancelled.load(std::memory_order_relaxed)) return;
       const std::size_t before = chunk_.vertices.size();
       std::size_t alive = 0;
@@ -80,7 +70,7 @@ class PathWave {
       }
       paths_.resize(alive);
       const std::size_t added = chunk_.vertices.size() - before;
-      if ((vertices += added) > kMostVertices) is_cancelled = true;
+      if ((vertices += added) > batch.most_vertices) is_cancelled = true;
     }
   }
 
@@ -131,11 +121,15 @@ class PathWave {
 
 }  // namespace
 
+ScrambledSobol path_samples(const PathBatch& batch) {
+  return ScrambledSobol(
+      stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate), kSobolDimensions);
+}
+
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
                               const PathBatch& batch) {
   const std::uint32_t paths = batch.last - batch.first;
-  const ScrambledSobol sobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate),
-                             kSobolDimensions);
+  const ScrambledSobol sobol = path_samples(batch);
   std::atomic<std::uint64_t> vertices_so_far{0};
   std::atomic<bool> is_cancelled{false};
   std::vector<Chunk> chunks((paths + kPathsPerChunk - 1) / kPathsPerChunk);
@@ -145,13 +139,13 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
     const std::uint32_t end = std::min(begin + kPathsPerChunk, batch.last);
     PathWave wave(tracer, sobol, chunks[c]);
     for (std::uint32_t i = begin; i < end; ++i) wave.emit(emitter, i, paths);
-    wave.trace(batch.deadline_s, vertices_so_far, is_cancelled);
+    wave.trace(batch, vertices_so_far, is_cancelled);
   });
 
   TracedPaths traced;
   std::size_t vertices = 0;
   for (const Chunk& chunk : chunks) vertices += chunk.vertices.size();
-  traced.has_too_many_vertices = vertices_so_far > kMostVertices;
+  traced.has_too_many_vertices = vertices_so_far > batch.most_vertices;
   if (!traced.has_too_many_vertices) traced.vertices.reserve(vertices);
   for (const Chunk& chunk : chunks) {
     if (!traced.has_too_many_vertices) {

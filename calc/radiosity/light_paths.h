@@ -3,11 +3,33 @@
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/rays.h"
 
 #include <cstdint>
 
 namespace calc {
+
+// Light vertices of one batch: about 1.2 GB with all that is built on them.
+inline constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 23;
+
+inline constexpr int kMostReflections = 100000;
+
+// Paths that advance together: sums and the order of vertices are by such chunks, for any number of
+// threads. Within a chunk vertices stand by reflections, then by paths.
+inline constexpr std::uint32_t kPathsPerChunk = 256;
+
+// Reflections before roulette begins.
+inline constexpr int kFreeReflections = 1;
+
+// Sobol' dimensions of a path.
+enum PathDimension : int {
+  kLuminaireDimension = 0,
+  kDirectionDimension = 1,  // and 2
+  kRouletteDimension = 3,
+  kOpeningDimension = 4,  // and 5
+  kBounceDimension = 6    // and 7, two more for every reflection
+};
 
 // Paths first..last (indices of one replicate's low-discrepancy sequence).
 struct PathBatch {
@@ -15,6 +37,7 @@ struct PathBatch {
   std::uint64_t replicate = 0;
   std::uint32_t first = 0, last = 0;
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
+  std::uint64_t most_vertices = kMostVertices;
 };
 
 struct TracedPaths {
@@ -25,13 +48,11 @@ struct TracedPaths {
   std::uint64_t rays = 0;
   // A path did not end after kMostReflections: there is no steady state. vertices are then useless.
   bool has_endless_path = false;
-  bool has_too_many_vertices = false;  // more than kMostVertices; they are then useless
+  bool has_too_many_vertices = false;  // more than most_vertices; they are then useless
 };
 
-// Light vertices of one batch: about 1.2 GB with all that is built on them.
-inline constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 23;
-
-inline constexpr int kMostReflections = 100000;
+// The sequence that a batch's paths take their numbers from: path i is its point i.
+ScrambledSobol path_samples(const PathBatch& batch);
 
 // Paths end by one random number each: after the first reflection a path lives until the product of
 // reflectances falls to that number. Exact in the mean, and path lengths come out stratified.

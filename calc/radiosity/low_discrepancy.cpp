@@ -1,5 +1,7 @@
 #include "calc/radiosity/low_discrepancy.h"
 
+#include "calc/radiosity/path_terms.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -63,12 +65,13 @@ constexpr DirectionTable make_directions() {
   return v;
 }
 
+constexpr DirectionTable kDirections = make_directions();
+
 // [dimension][byte of the index][value]: the direction numbers of its bits, combined.
 using ByteTable =
     std::array<std::array<std::array<std::uint32_t, 256>, kBits / 8>, kSobolDimensions>;
 
 ByteTable make_byte_table() {
-  constexpr DirectionTable kDirections = make_directions();
   ByteTable table{};
   for (std::size_t d = 0; d < kSobolDimensions; ++d) {
     for (std::size_t byte = 0; byte < kBits / 8; ++byte) {
@@ -84,27 +87,6 @@ ByteTable make_byte_table() {
 
 const ByteTable kByteTable = make_byte_table();
 
-constexpr std::uint32_t reverse_bits(std::uint32_t x) {
-  x = ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
-  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
-  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
-  x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
-  return (x << 16) | (x >> 16);
-}
-
-// Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2,
-// by hashing the reversed word with a permutation whose carries run upwards.  [Burley20; constants:
-// Vegdahl]
-constexpr std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
-  x = reverse_bits(x);
-  x ^= x * 0x3d20adeau;
-  x += seed;
-  x *= (seed >> 16) | 1u;
-  x ^= x * 0x05526c56u;
-  x ^= x * 0x53a22864u;
-  return reverse_bits(x);
-}
-
 std::uint32_t scramble_of(RandomKey key, int dimension) {
   return static_cast<std::uint32_t>(key.with(static_cast<std::uint64_t>(dimension)).bits() >> 32);
 }
@@ -116,6 +98,15 @@ ScrambledSobol::ScrambledSobol(RandomKey key, int dimensions)
   for (int d = 0; d < prepared_; ++d) scramble_[static_cast<std::size_t>(d)] = scramble_of(key_, d);
 }
 
+std::uint32_t ScrambledSobol::scramble(int dimension) const {
+  return dimension < prepared_ ? scramble_[static_cast<std::size_t>(dimension)]
+                               : scramble_of(key_, dimension);
+}
+
+std::uint32_t ScrambledSobol::direction_number(int dimension, int bit) {
+  return kDirections[static_cast<std::size_t>(dimension)][static_cast<std::size_t>(bit)];
+}
+
 double ScrambledSobol::sample(std::uint32_t index, int dimension) const {
   const auto d = static_cast<std::size_t>(dimension);
   if (dimension >= kSobolDimensions) return key_.with(d).with(index).uniform();
@@ -123,9 +114,7 @@ double ScrambledSobol::sample(std::uint32_t index, int dimension) const {
   std::uint32_t x = table[0][index & 0xffu];
   std::size_t byte = 1;
   for (std::uint32_t rest = index >> 8; rest != 0; rest >>= 8) x ^= table[byte++][rest & 0xffu];
-  const std::uint32_t scramble =
-      dimension < prepared_ ? scramble_[d] : scramble_of(key_, dimension);
-  return static_cast<double>(nested_scramble(x, scramble)) * 0x1.0p-32;
+  return static_cast<double>(nested_scramble(x, scramble(dimension))) * 0x1.0p-32;
 }
 
 }  // namespace calc

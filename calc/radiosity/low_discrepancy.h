@@ -26,6 +26,12 @@ class ScrambledSobol {
     return {sample(index, dimension), sample(index, dimension + 1)};
   }
 
+  // What samples are made of, for who makes them elsewhere: the bits of `index` choose direction
+  // numbers (bit 0 to 31, dimension below kSobolDimensions), whose sum modulo 2 is scrambled.
+  RandomKey key() const { return key_; }
+  std::uint32_t scramble(int dimension) const;
+  static std::uint32_t direction_number(int dimension, int bit);
+
  private:
   RandomKey key_;
   int prepared_;

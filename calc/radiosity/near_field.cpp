@@ -7,7 +7,6 @@
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/scene/surface_summary.h"
-#include "calc/turns.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -71,10 +70,7 @@ FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<do
   if (has_back(receiver.kernel)) {
     return {tracer.lift(receiver), cosine_direction(receiver.axis, u[0], u[1]), 1.0};
   }
-  const double z = 1.0 - 2.0 * u[0];
-  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const SineCosine angle = sine_cosine_of_turns(u[1]);
-  const glm::dvec3 direction(radius * angle.cosine, radius * angle.sine, z);
+  const glm::dvec3 direction = sphere_direction(u[0], u[1]);
   return {receiver.position_m, direction,
           4.0 * response_times_distance(receiver.kernel, receiver.axis, direction)};
 }
@@ -170,25 +166,30 @@ double near_reach_m(const SurfaceSummary& surfaces) {
   return kMeanFreePathsPerReach * surfaces.mean_free_path_m;
 }
 
-glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1) {
-  // Frame without a branch at the poles [Duff et al. 2017].
-  const double sign = std::copysign(1.0, normal.z);
-  const double a = -1.0 / (sign + normal.z);
-  const double b = normal.x * normal.y * a;
-  const glm::dvec3 s(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-  const glm::dvec3 t(b, sign + normal.y * normal.y * a, -normal.y);
-  const double radius = std::sqrt(u0);
-  const SineCosine angle = sine_cosine_of_turns(u1);
-  return radius * angle.cosine * s + radius * angle.sine * t + std::sqrt(1.0 - u0) * normal;
-}
-
-std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request, double* sums,
-                             std::size_t stride, float& largest) {
+std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
+                             const FirstHit* first_hits, double* sums, std::size_t stride,
+                             float& largest) {
   const ScrambledSobol sobol(request.key);
   const double ray_weight = 1.0 / request.rays;
   std::uint64_t rays = request.rays;
+  const auto add = [&](std::uint32_t k, const SurfaceHit& hit, double weight) {
+    const double before = sum_of_channels(sums, stride, field.channels);
+    rays += add_hit(field, hit, receiver_geometry(request.receiver, hit), request.key.with(k),
+                    weight, sums, stride);
+    const double added = sum_of_channels(sums, stride, field.channels) - before;
+    largest = std::max(largest, static_cast<float>(added));
+  };
+  if (first_hits != nullptr) {
+    for (std::uint32_t k = 0; k < request.rays; ++k) {
+      if (first_hits[k].triangle_and_side == FirstHit::kNothing) continue;
+      const FirstRay ray = first_ray(field.tracer, request.receiver, sobol.sample_pair(k, 0));
+      add(k, field.tracer.surface_hit(first_hits[k]), ray_weight * ray.weight);
+    }
+    return rays;
+  }
   // A point may lie in a surface that it does not look out of: that surface is not in its way.
   const auto least_m = static_cast<float>(field.tracer.offset_m());
+  const auto most_m = static_cast<float>(field.bound.reach_m());
   RayPacket packet;
   std::array<double, RayPacket::kSize> weight;
   std::array<SurfaceHit, RayPacket::kSize> hit;
@@ -199,15 +200,10 @@ std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& req
       weight[k - first] = ray_weight * ray.weight;
       packet.add(ray.origin_m, ray.direction);
     }
-    std::uint32_t hits =
-        field.tracer.closest_hits(packet, least_m, static_cast<float>(field.bound.reach_m()), hit);
+    std::uint32_t hits = field.tracer.closest_hits(packet, least_m, most_m, hit);
     for (; hits != 0; hits &= hits - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(hits));
-      const double before = sum_of_channels(sums, stride, field.channels);
-      rays += add_hit(field, hit[k], receiver_geometry(request.receiver, hit[k]),
-                      request.key.with(first + k), weight[k], sums, stride);
-      const double added = sum_of_channels(sums, stride, field.channels) - before;
-      largest = std::max(largest, static_cast<float>(added));
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(hits));
+      add(first + k, hit[k], weight[k]);
     }
   }
   return rays;

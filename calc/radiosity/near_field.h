@@ -5,9 +5,11 @@
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/path_terms.h"
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/radiosity/short_rays.h"
 #include "calc/scene/surface_summary.h"
 
 #include <glm/glm.hpp>
@@ -69,23 +71,14 @@ struct NearField {
 // Short rays of the first look reach so far: a third of the mean free path.
 double near_reach_m(const SurfaceSummary& surfaces);
 
-// One point's near-field part for one batch of light vertices.
-struct NearFieldRequest {
-  Receiver receiver;
-  RandomKey key;  // of point, replicate and batch
-  std::uint32_t rays;
-};
-
 // Adds to sums[channel * stride] the mean over the rays of
 //   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a ray within
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
 // where E_far(y) uses a few vertices drawn from the pool and E_near(y) one more ray, ended by
 // roulette on its weight. largest: raised to the largest single ray's contribution. Returns the
-// rays traced.
-std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request, double* sums,
-                             std::size_t stride, float& largest);
-
-// Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
-glm::dvec3 cosine_direction(const glm::dvec3& normal, double u0, double u1);
+// rays traced. first_hits: of a ShortRayCaster, one per ray; null: they are traced here.
+std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
+                             const FirstHit* first_hits, double* sums, std::size_t stride,
+                             float& largest);
 
 }  // namespace calc

@@ -29,8 +29,16 @@ constexpr std::size_t kCutNodesPerDraw = 16;
 constexpr std::size_t kSmallestCut = 128;
 constexpr std::size_t kLargestCut = 1024;
 
+// A tile has too few short rays for a device: so many tiles send theirs together, at least.
+constexpr std::size_t kTilesPerCast = 128;
+
 // Share of the indirect part's variance below which openings need no more samples.
 constexpr double kNegligibleVariance = 0.1;
+
+// Results do not depend on it.
+std::size_t tiles_per_task(const VertexBatch& batch, const Gatherer& gatherer) {
+  return std::max(gatherer.tiles_per_batch(), batch.short_rays != nullptr ? kTilesPerCast : 1);
+}
 
 // Runs work(i) -> rays for every point on all threads and returns the sum of rays.
 template <class Work>
@@ -212,7 +220,8 @@ std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
   if (settings_.method == Method::instant_radiosity) {
     std::uint64_t rays = 0;
     for (std::size_t t = first; t < last; ++t) {
-      if (!is_past(batch.deadline_s)) rays += connect_all(tiles_[t], batch, gatherer, sums[t - first]);
+      if (!is_past(batch.deadline_s))
+        rays += connect_all(tiles_[t], batch, gatherer, sums[t - first]);
     }
     return rays;
   }
@@ -230,12 +239,12 @@ std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
   for (std::size_t t = first; t < last; ++t) {
     const std::size_t count = tiles_[t].point.size();
     TileSums& sum = sums[t - first];
-    tiles.push_back({tiles_[t].receiver, rest.first(count),
-                     {sum.lx.data(), count, sum.largest_lx.data()}});
+    tiles.push_back(
+        {tiles_[t].receiver, rest.first(count), {sum.lx.data(), count, sum.largest_lx.data()}});
     rest = rest.subspan(count);
   }
-  return gatherer.draw_and_gather({tracer_, batch.tree, batch.bounds, cut, draws, has_shadows_,
-                                   batch.deadline_s, tiles});
+  return gatherer.draw_and_gather(
+      {tracer_, batch.tree, batch.bounds, cut, draws, has_shadows_, batch.deadline_s, tiles});
 }
 
 // Every vertex once: instant radiosity.
@@ -252,19 +261,65 @@ std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatc
                          {sums.lx.data(), tile.point.size(), sums.largest_lx.data()});
 }
 
+// First hits of short rays of some tiles; there are none if add_near_field() traces them itself.
+struct PlaneWork::ShortRays {
+  std::vector<FirstHit> hits;
+  std::vector<std::size_t> first_hit{};  // per tile
+
+  const FirstHit* of(std::size_t tile) const {
+    return hits.empty() ? nullptr : hits.data() + first_hit[tile];
+  }
+};
+
+NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t k,
+                                         const VertexBatch& batch) const {
+  const std::uint32_t i = tile.point[k];
+  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path).with(i);
+  if (!(clear_m_[i] < reach_m_)) return {tile.receiver[k], key, 0};
+  const std::uint32_t draws = draws_per_point(batch.paths, points());
+  return {tile.receiver[k], key, short_rays_per_point(draws, clear_m_[i], reach_m_)};
+}
+
+PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::size_t last_tile,
+                                                const VertexBatch& batch) const {
+  ShortRays result;
+  if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return result;
+  std::vector<NearFieldRequest> requests;
+  std::vector<std::size_t> first_ray{0};  // of each request
+  for (std::size_t t = first_tile; t < last_tile; ++t) {
+    result.first_hit.push_back(first_ray.back());
+    for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
+      const NearFieldRequest request = near_request(tiles_[t], k, batch);
+      if (request.rays == 0) continue;
+      requests.push_back(request);
+      first_ray.push_back(first_ray.back() + request.rays);
+    }
+  }
+  result.hits.resize(first_ray.back());
+  for (std::size_t first = 0, last = 0; first < requests.size(); first = last) {
+    for (last = first + 1; last < requests.size(); ++last) {
+      if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
+    }
+    batch.short_rays->cast(
+        tracer_, static_cast<float>(tracer_.offset_m()),
+        static_cast<float>(batch.near_bound->reach_m()),
+        std::span(requests).subspan(first, last - first),
+        std::span(result.hits).subspan(first_ray[first], first_ray[last] - first_ray[first]));
+  }
+  return result;
+}
+
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
-                                  TileSums& sums) const {
+                                  const FirstHit* first_hits, TileSums& sums) const {
   const NearField field{tracer_,      *batch.near_bound, batch.tree,
                         batch.bounds, batch.global_cut,  channels()};
-  const std::uint32_t draws = draws_per_point(batch.paths, points());
-  const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path);
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
-    const std::uint32_t i = tile.point[k];
-    if (clear_m_[i] >= reach_m_) continue;
-    rays += add_near_field(
-        field, {tile.receiver[k], key.with(i), short_rays_per_point(draws, clear_m_[i], reach_m_)},
-        &sums.lx[k], tile.point.size(), sums.largest_lx[k]);
+    const NearFieldRequest request = near_request(tile, k, batch);
+    if (request.rays == 0) continue;
+    rays += add_near_field(field, request, first_hits, &sums.lx[k], tile.point.size(),
+                           sums.largest_lx[k]);
+    if (first_hits != nullptr) first_hits += request.rays;
   }
   return rays;
 }
@@ -274,7 +329,7 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   std::atomic<double> connect_s{0.0}, near_s{0.0};
   // A thread that waits here must not take up another replicate, whose pool would add to memory.
   tbb::this_task_arena::isolate([&] {
-    const tbb::blocked_range<std::size_t> all(0, tiles_.size(), gatherer.tiles_per_batch());
+    const tbb::blocked_range<std::size_t> all(0, tiles_.size(), tiles_per_task(batch, gatherer));
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
       const FlushDenormals flush;
       if (is_past(batch.deadline_s)) return;
@@ -287,10 +342,13 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
       const double begin_s = now_s();
       connection_rays += connect_tiles(range.begin(), range.end(), batch, gatherer, sums);
       const double middle_s = now_s();
+      const ShortRays short_rays = cast_short_rays(range.begin(), range.end(), batch);
       for (std::size_t t = range.begin(); t < range.end(); ++t) {
         TileSums& sum = sums[t - range.begin()];
         if (is_past(batch.deadline_s)) return;
-        if (reach_m_ > 0.0) near_rays += add_near(tiles_[t], batch, sum);
+        if (reach_m_ > 0.0) {
+          near_rays += add_near(tiles_[t], batch, short_rays.of(t - range.begin()), sum);
+        }
         store(tiles_[t], batch, sum);
       }
       near_s += now_s() - middle_s;

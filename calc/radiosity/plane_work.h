@@ -37,6 +37,7 @@ struct VertexBatch {
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
+  ShortRayCaster* short_rays = nullptr;  // see Stages
 };
 
 // Connections that each point draws from a pool of so many paths: fewer for planes with many
@@ -96,7 +97,14 @@ class PlaneWork {
                               Gatherer& gatherer, std::span<TileSums> sums) const;
   std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
                             TileSums& sums) const;
-  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch, TileSums& sums) const;
+  // Of point k of a tile; 0 rays if no surface is within reach.
+  NearFieldRequest near_request(const ReceiverGroup& tile, std::size_t k,
+                                const VertexBatch& batch) const;
+  struct ShortRays;
+  ShortRays cast_short_rays(std::size_t first_tile, std::size_t last_tile,
+                            const VertexBatch& batch) const;
+  std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch,
+                         const FirstHit* first_hits, TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
   bool opening_error_matters() const;
   // Marks points that sampled light may reach but has not.

@@ -1,5 +1,7 @@
 #include "calc/radiosity/rays.h"
 
+#include "calc/radiosity/short_rays.h"
+
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <xmmintrin.h>
@@ -91,15 +93,27 @@ bool Tracer::closest_hit(const glm::dvec3& origin_m, const glm::dvec3& direction
   return true;
 }
 
-SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
-                               const glm::dvec3& direction) const {
+glm::dvec3 Tracer::point_on(std::uint32_t triangle, double u, double v) const {
   const glm::uvec3 corner = scene_.triangle[triangle];
   const glm::dvec3 a(scene_.vertex_m[corner.x]);
   const glm::dvec3 b(scene_.vertex_m[corner.y]);
   const glm::dvec3 c(scene_.vertex_m[corner.z]);
+  return a + u * (b - a) + v * (c - a);
+}
+
+SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
+                               const glm::dvec3& direction) const {
   const glm::dvec3& normal = triangle_normal_[triangle];
-  return {triangle, a + u * (b - a) + v * (c - a),
+  return {triangle, point_on(triangle, u, v),
           glm::dot(normal, direction) < 0.0 ? normal : -normal};
+}
+
+SurfaceHit Tracer::surface_hit(const FirstHit& first) const {
+  const std::uint32_t triangle = first.triangle_and_side & ~FirstHit::kFromBehind;
+  const glm::dvec3& normal = triangle_normal_[triangle];
+  return {triangle,
+          point_on(triangle, static_cast<double>(first.u), static_cast<double>(first.v)),
+          (first.triangle_and_side & FirstHit::kFromBehind) == 0 ? normal : -normal};
 }
 
 std::uint32_t Tracer::closest_hits(const RayPacket& packet, float least_m, float most_m,

@@ -22,6 +22,8 @@ struct SurfaceHit {
   glm::dvec3 normal;      // unit, towards the side that the ray came from
 };
 
+struct FirstHit;
+
 // Up to 16 segments, as arrays for a ray packet.
 struct SegmentPacket {
   static constexpr int kSize = 16;
@@ -82,6 +84,10 @@ class Tracer {
   std::uint64_t identity() const { return identity_; }
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
+  // Unit, by the order of corners.
+  const glm::dvec3& triangle_normal(std::size_t triangle) const {
+    return triangle_normal_[triangle];
+  }
 
   // A point moved off its surface along the unit normal.
   glm::dvec3 lift(const glm::dvec3& position_m, const glm::dvec3& normal) const {
@@ -104,6 +110,9 @@ class Tracer {
   std::uint32_t closest_hits(const RayPacket& packet, float least_m, float most_m,
                              std::array<SurfaceHit, RayPacket::kSize>& hit) const;
 
+  // What a ShortRayCaster found: a + u (b - a) + v (c - a) for the triangle's corners a, b, c.
+  SurfaceHit surface_hit(const FirstHit& first) const;
+
   // Distance from a point to the nearest surface that reaches in front of the plane through it with
   // this unit normal (0 = all around); most_m if there is none within. Never too large.
   double clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
@@ -117,6 +126,7 @@ class Tracer {
 
  private:
   struct Embree;
+  glm::dvec3 point_on(std::uint32_t triangle, double u, double v) const;
   SurfaceHit surface_hit(std::uint32_t triangle, double u, double v,
                          const glm::dvec3& direction) const;
 

@@ -43,10 +43,10 @@ constexpr double kGlobalSoftening = 0.1;
 class Solver {
  public:
   Solver(const PreparedScene& scene, const RadiositySettings& settings, double confidence,
-         Gatherer& gatherer, const LookTest& test, const ProgressSink& progress)
+         const Stages& stages, const LookTest& test, const ProgressSink& progress)
       : settings_(settings),
         confidence_(confidence),
-        gatherer_(gatherer),
+        stages_(stages),
         test_(test),
         progress_(progress),
         start_s_(now_s()),
@@ -145,9 +145,7 @@ class Solver {
   bool is_endless() {
     constexpr std::uint32_t kProbes = 16;
     return samples_indirect_ && may_be_endless_ &&
-           trace_light_paths(tracer_, emitter_,
-                             {settings_.seed, replicates(), 0, kProbes, deadline_s_})
-               .has_endless_path;
+           trace_batch({settings_.seed, replicates(), 0, kProbes, deadline_s_}).has_endless_path;
   }
 
   bool any_active() const {
@@ -278,8 +276,9 @@ class Solver {
     }
     times.pool_s += now_s() - sort_begin_s;
     for (PlaneWork* plane : lit_planes_) {
-      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_},
-                     gatherer_, times);
+      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_,
+                      stages_.short_rays},
+                     stages_.gatherer, times);
       if (const auto stopped = reason_to_stop(last)) return stopped;
     }
     return std::nullopt;
@@ -311,11 +310,15 @@ class Solver {
     solution_.times.near_s += share * sum.near_s;
   }
 
+  TracedPaths trace_batch(const PathBatch& batch) const {
+    if (stages_.path_tracer == nullptr) return trace_light_paths(tracer_, emitter_, batch);
+    return stages_.path_tracer->trace(tracer_, emitter_, batch);
+  }
+
   TracedPaths trace(std::size_t replicate, std::uint64_t first, std::uint64_t last) {
     TracedPaths traced =
-        trace_light_paths(tracer_, emitter_,
-                          {settings_.seed, replicate, static_cast<std::uint32_t>(first),
-                           static_cast<std::uint32_t>(last), deadline_s_});
+        trace_batch({settings_.seed, replicate, static_cast<std::uint32_t>(first),
+                     static_cast<std::uint32_t>(last), deadline_s_});
     look_absorbed_lm_[replicate] = traced.absorbed_lm;
     look_escaped_lm_[replicate] = traced.escaped_lm;
     pool_rays_ += traced.rays;
@@ -337,7 +340,7 @@ class Solver {
 
   const RadiositySettings& settings_;
   double confidence_;
-  Gatherer& gatherer_;
+  const Stages& stages_;
   const LookTest& test_;
   const ProgressSink& progress_;
   double start_s_;
@@ -362,11 +365,11 @@ class Solver {
 
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
-                                Gatherer& gatherer, const LookTest& test,
+                                const Stages& stages, const LookTest& test,
                                 const ProgressSink& progress) {
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
   return arena.execute(
-      [&] { return Solver(scene, settings, confidence, gatherer, test, progress).run(tasks); });
+      [&] { return Solver(scene, settings, confidence, stages, test, progress).run(tasks); });
 }
 
 }  // namespace calc

@@ -3,9 +3,9 @@
 // looks.
 
 #include "calc/field.h"
-#include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/plane_work.h"
 #include "calc/radiosity/settings.h"
+#include "calc/radiosity/stages.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 
@@ -62,7 +62,7 @@ struct SpaceSolution {
 // any other tasks, unless a time limit or the progress sink stopped the run.
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
-                                Gatherer& gatherer, const LookTest& test,
+                                const Stages& stages, const LookTest& test,
                                 const ProgressSink& progress);
 
 }  // namespace calc

@@ -9,7 +9,8 @@ uniform float offset_m;  // at either end, the stretch that is left out
 
 // Edge tests by volumes, which are the same with opposite sign for both triangles at an edge: no
 // ray slips through between them. [Woop13 for the problem; volumes as in Embree's robust mode]
-bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
+bool is_crossed(uint triangle, vec3 from, vec3 along, out float t) {
+  t = 0.0;
   const vec4 a = bvh_corner[3u * triangle];
   const vec4 b = bvh_corner[3u * triangle + 1u];
   const vec4 c = bvh_corner[3u * triangle + 2u];
@@ -24,8 +25,13 @@ bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
   const vec3 normal = vec3(a.w, b.w, c.w);
   const float slope = dot(normal, along);
   if (slope == 0.0) return false;
-  const float t = dot(normal, v0) / slope;
-  return t_near <= t && t <= t_far;
+  t = dot(normal, v0) / slope;
+  return true;
+}
+
+bool is_hit(uint triangle, vec3 from, vec3 along, float t_near, float t_far) {
+  float t;
+  return is_crossed(triangle, from, along, t) && t_near <= t && t <= t_far;
 }
 
 // Rays along an axis would divide by 0.

@@ -1,5 +1,8 @@
 #include "report/cli/backend.h"
 
+#include "gpu/gl_path_tracer.h"
+#include "gpu/gl_short_rays.h"
+#include "report/cli/option_values.h"
 #include "report/number_format.h"
 
 #include <fmt/format.h>
@@ -30,6 +33,15 @@ std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
   return std::nullopt;
 }
 
+std::string describe(const gpu::Device& device, const GpuStages& stages) {
+  const std::string gpu =
+      fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
+  const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field};
+  if (stages == GpuStages()) return gpu;
+  return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
+                     calc::tracer_version(), fmt::join(gpu_stage_names(rest), ", "));
+}
+
 }  // namespace
 
 std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
@@ -58,23 +70,36 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<double()>& connections) {
   if (options.backend != Backend::automatic) {
-    return {options.backend, options.gl_device, "asked for with --backend"};
+    return {options.backend, options.gl_device, "asked for with --backend",
+            options.gpu_stages.value_or(GpuStages())};
   }
   return choose_automatically(gpu::list_hardware(fault), connections);
 }
 
 std::string backend_line(const BackendChoice& choice) {
-  return fmt::format("backend: {}: {}\n", choice.backend == Backend::gpu ? "gpu" : "cpu",
-                     choice.why);
+  if (choice.backend != Backend::gpu) return fmt::format("backend: cpu: {}\n", choice.why);
+  return fmt::format("backend: gpu: {}\ngpu stages: {}\n", choice.why,
+                     fmt::join(gpu_stage_names(choice.stages), ", "));
 }
 
-std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::Fault fault,
-                                              std::string& problem, std::string& warning) {
-  if (choice.backend != Backend::gpu) return calc::make_cpu_gatherer();
+std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
+                                        std::string& problem, std::string& warning) {
+  OpenBackend backend;
+  if (choice.backend != Backend::gpu) {
+    backend.gatherer = calc::make_cpu_gatherer();
+    backend.description = backend.gatherer->description();
+    return backend;
+  }
   const auto thread = gpu::DeviceThread::open({choice.device, fault}, problem);
-  if (!thread) return nullptr;
+  if (!thread) return std::nullopt;
   if (thread->device().is_software) warning = thread->device().renderer;
-  return gpu::make_gl_gatherer(thread);
+  const GpuStages& stages = choice.stages;
+  backend.gatherer =
+      stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
+  if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
+  if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
+  backend.description = describe(thread->device(), stages);
+  return backend;
 }
 
 }  // namespace cli

@@ -1,7 +1,7 @@
 #pragma once
-// Which backend gathers light, and why.
+// Which backend computes what, and why.
 
-#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/stages.h"
 #include "gpu/gl_gatherer.h"
 #include "report/cli/options.h"
 
@@ -22,6 +22,7 @@ struct BackendChoice {
   Backend backend = Backend::cpu;  // never automatic
   int device = -1;                 // for the gpu; -1 = the first that is usable
   std::string why;
+  GpuStages stages{};  // of the gpu
 };
 
 // Connections below which opening a context takes longer than the GPU saves: a device that needs no
@@ -38,12 +39,23 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<double()>& connections);
 
-// "backend: cpu: this machine has no graphics device\n"
+// "backend: cpu: this machine has no graphics device\n"; of a gpu also what runs on it.
 std::string backend_line(const BackendChoice& choice);
 
-// Null: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
+// Who computes which part.
+struct OpenBackend {
+  std::unique_ptr<calc::Gatherer> gatherer;
+  std::unique_ptr<calc::PathTracer> path_tracer;     // null: the CPU
+  std::unique_ptr<calc::ShortRayCaster> short_rays;  // null: the CPU
+  // For reports: "cpu (Embree 3.13.5)", "gpu (...): light-paths; cpu (...): connections, ...".
+  std::string description;
+
+  calc::Stages stages() const { return {*gatherer, path_tracer.get(), short_rays.get()}; }
+};
+
+// Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
 // software, `warning` names its renderer.
-std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::Fault fault,
-                                              std::string& problem, std::string& warning);
+std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
+                                        std::string& problem, std::string& warning);
 
 }  // namespace cli

@@ -120,7 +120,7 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
     return !interrupted();
   };
   return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
-                                 options.confidence, context.gatherer, test, progress);
+                                 options.confidence, context.stages, test, progress);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.

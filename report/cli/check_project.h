@@ -2,7 +2,7 @@
 // One project from file to document part.
 
 #include "calc/file_reader.h"
-#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/stages.h"
 #include "report/cli/options.h"
 #include "report/cli/progress.h"
 #include "report/document.h"
@@ -18,7 +18,7 @@ struct CheckContext {
   const Options& options;
   const calc::FileReader& files;
   const std::vector<rules::RulePack>& packs;
-  calc::Gatherer& gatherer;
+  const calc::Stages& stages;
   Progress& progress;
   std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
 };

@@ -5,8 +5,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <ctime>
+#include <iterator>
 
 namespace cli {
 namespace {
@@ -138,6 +140,41 @@ ValueParser forbidden_skip(calc::SkipSet& target) {
     }
     names.push_back("all");
     return one_of_message(text, names);
+  };
+}
+
+namespace {
+
+constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
+    {"light-paths", &GpuStages::light_paths},
+    {"connections", &GpuStages::connections},
+    {"near-field", &GpuStages::near_field}};
+
+}  // namespace
+
+std::vector<std::string_view> gpu_stage_names(const GpuStages& stages) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, member] : kGpuStages) {
+    if (stages.*member) names.push_back(name);
+  }
+  return names;
+}
+
+ValueParser gpu_stages(std::optional<GpuStages>& target) {
+  return [&target](const std::string& text) -> std::string {
+    GpuStages stages{false, false, false};
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      const std::string_view name = std::string_view(text).substr(begin, end - begin);
+      const auto found = std::find_if(std::begin(kGpuStages), std::end(kGpuStages),
+                                      [&](const auto& stage) { return stage.first == name; });
+      if (found == std::end(kGpuStages)) return one_of_message(name, gpu_stage_names(GpuStages()));
+      if (stages.*found->second) return std::string(name) + " is named twice";
+      stages.*found->second = true;
+      begin = end + 1;
+    }
+    target = stages;
+    return "";
   };
 }
 

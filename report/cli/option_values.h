@@ -34,6 +34,9 @@ ValueParser seconds(double& target);
 ValueParser format_item(std::vector<OutputFormat>& target);
 // A name of calc::skip_name(), or "all"; forbidden besides those that are already.
 ValueParser forbidden_skip(calc::SkipSet& target);
+// "light-paths,near-field": names of GpuStages with dashes, each once, at least one.
+ValueParser gpu_stages(std::optional<GpuStages>& target);
+std::vector<std::string_view> gpu_stage_names(const GpuStages& stages);
 // "now" or seconds since 1970; the target becomes "2024-05-01T12:00:00Z".
 ValueParser moment(std::string& target);
 

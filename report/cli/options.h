@@ -37,6 +37,11 @@ enum class FormatKind {
   markdown
 };
 enum class Backend { automatic, cpu, gpu };
+// Which parts of the calculation a gpu does.
+struct GpuStages {
+  bool light_paths = true, connections = true, near_field = true;
+  friend bool operator==(const GpuStages&, const GpuStages&) = default;
+};
 enum class ColorChoice { automatic, always, never };
 
 struct OutputFormat {
@@ -78,6 +83,7 @@ struct Options {
   calc::RadiositySettings radiosity;
   Backend backend = Backend::automatic;
   int gl_device = -1;  // as `luxgate devices` numbers them; -1 = not given
+  std::optional<GpuStages> gpu_stages;  // empty: not given, all
 
   bool plan_as_json = false;
   PhotometryOptions photometry;

@@ -1,4 +1,5 @@
 #include "calc/radiosity/skips.h"
+#include "report/cli/option_values.h"
 #include "report/cli/plan.h"
 #include "report/json_layout.h"
 
@@ -63,7 +64,13 @@ std::string render_plan_json(const std::vector<ProjectPlan>& projects,
                              const BackendChoice& backend) {
   Json json = {{"backend", backend.backend == Backend::gpu ? "gpu" : "cpu"},
                {"why_backend", backend.why},
+               {"gpu_stages", Json::array()},
                {"projects", Json::array()}};
+  if (backend.backend == Backend::gpu) {
+    for (const std::string_view name : gpu_stage_names(backend.stages)) {
+      json["gpu_stages"].push_back(name);
+    }
+  }
   for (const ProjectPlan& project : projects) {
     Json part = {{"path", project.path},
                  {"name", project.name},

@@ -83,22 +83,22 @@ std::vector<ProjectPlan> plan_projects(const Options& options, const calc::FileR
   return plans;
 }
 
-// Null after an error, which has been printed. Another backend is never taken instead.
-std::unique_ptr<calc::Gatherer> open_gatherer(const BackendChoice& choice, gpu::Fault fault,
-                                              bool quiet) {
+// Empty after an error, which has been printed. Another backend is never taken instead.
+std::optional<OpenBackend> open_or_complain(const BackendChoice& choice, gpu::Fault fault,
+                                            bool quiet) {
   std::string problem, software;
-  std::unique_ptr<calc::Gatherer> gatherer = make_gatherer(choice, fault, problem, software);
-  if (!gatherer) print_error(calc::DiagnosticId::backend_not_available, "gpu", problem);
+  std::optional<OpenBackend> backend = open_backend(choice, fault, problem, software);
+  if (!backend) print_error(calc::DiagnosticId::backend_not_available, "gpu", problem);
   if (!software.empty()) {
     calc::Diagnostics diagnostics;
     diagnostics.report(calc::DiagnosticId::backend_is_software, {}, software);
     print_diagnostics(diagnostics.all(), quiet);
   }
-  return gatherer;
+  return backend;
 }
 
 report::Provenance provenance_of(const Options& options, Backend backend,
-                                 const calc::Gatherer& gatherer) {
+                                 const std::string& description) {
   report::Provenance provenance;
   provenance.program_version = program_version();
   Options used = options;  // what `auto` came to; its answer `cpu` is the usual one
@@ -111,7 +111,7 @@ report::Provenance provenance_of(const Options& options, Backend backend,
   provenance.tolerance = options.tolerance;
   provenance.max_paths = options.radiosity.max_paths;
   provenance.replicates = options.radiosity.replicates;
-  provenance.backend = gatherer.description();
+  provenance.backend = description;
   return provenance;
 }
 
@@ -198,16 +198,17 @@ ExitCode run_check(const Options& options, const Environment& environment, gpu::
   const BackendChoice backend = choose_backend(options, fault, [&] {
     return first_look_connections(plan_projects(options, files, *packs));
   });
-  const std::unique_ptr<calc::Gatherer> gatherer = open_gatherer(backend, fault, options.quiet);
-  if (!gatherer) return kNotJudged;
+  const std::optional<OpenBackend> opened = open_or_complain(backend, fault, options.quiet);
+  if (!opened) return kNotJudged;
 
   watch_for_interrupt();
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
-  const CheckContext context{options,   files,    *packs,
-                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr};
+  const calc::Stages stages = opened->stages();
+  const CheckContext context{options, files,    *packs,
+                             stages,  progress, options.explain_cost ? &cost_log : nullptr};
   report::Document document;
-  document.provenance = provenance_of(options, backend.backend, *gatherer);
+  document.provenance = provenance_of(options, backend.backend, opened->description);
   for (const std::string& path : options.projects) {
     progress.start_project(path);
     document.projects.push_back(check_safely(path, context));
@@ -260,7 +261,7 @@ ExitCode run_plan(const Options& options, gpu::Fault fault) {
   }
   const BackendChoice backend =
       choose_backend(options, fault, [&] { return first_look_connections(plans); });
-  if (!open_gatherer(backend, fault, options.quiet)) code = kNotJudged;
+  if (!open_or_complain(backend, fault, options.quiet)) code = kNotJudged;
   const std::string text = options.plan_as_json
                                ? render_plan_json(plans, options.radiosity, backend)
                                : render_plan_text(plans, options.radiosity, backend);

@@ -2,6 +2,8 @@
 // OpenGL for tests: Mesa's software renderer where there is nothing else.
 
 #include "gpu/gl_gatherer.h"
+#include "gpu/gl_path_tracer.h"
+#include "gpu/gl_short_rays.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +25,14 @@ inline std::shared_ptr<gpu::DeviceThread> gl_device(gpu::Fault fault = gpu::Faul
 
 inline std::unique_ptr<calc::Gatherer> gl_gatherer(gpu::Fault fault = gpu::Fault::none) {
   return gpu::make_gl_gatherer(gl_device(fault));
+}
+
+inline std::unique_ptr<calc::PathTracer> gl_path_tracer(gpu::Fault fault = gpu::Fault::none) {
+  return gpu::make_gl_path_tracer(gl_device(fault));
+}
+
+inline std::unique_ptr<calc::ShortRayCaster> gl_short_rays(gpu::Fault fault = gpu::Fault::none) {
+  return gpu::make_gl_short_rays(gl_device(fault));
 }
 
 }  // namespace test_support

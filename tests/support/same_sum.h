@@ -55,9 +55,9 @@ struct TimedGatherer : calc::Gatherer {
 inline std::vector<calc::PlaneField> solve_with(const calc::PreparedScene& scene,
                                                 const std::vector<calc::PlaneTask>& tasks,
                                                 calc::RadiositySettings settings,
-                                                calc::Gatherer& gatherer) {
+                                                const calc::Stages& stages) {
   return calc::solve_illuminance(
-             scene, tasks, settings, 0.95, gatherer,
+             scene, tasks, settings, 0.95, stages,
              [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; },
              {})
       .fields;

@@ -71,9 +71,23 @@ TEST(Backend, WhatIsAskedForIsTaken) {
 
 TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
   std::string problem, warning;
-  EXPECT_EQ(cli::make_gatherer({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, problem, warning),
-            nullptr);
+  EXPECT_FALSE(cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, problem, warning));
   EXPECT_EQ(problem, "there is no EGL library (libEGL.so.1)");
+}
+
+TEST(Backend, StagesAreNamed) {
+  cli::Options options;
+  options.backend = cli::Backend::gpu;
+  options.gpu_stages = cli::GpuStages{true, false, true};
+  const auto choose = [&] {
+    return cli::choose_backend(options, gpu::Fault::no_egl, [] { return 0.0; });
+  };
+  EXPECT_EQ(cli::backend_line(choose()),
+            "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
+  options.gpu_stages.reset();
+  EXPECT_EQ(choose().stages, cli::GpuStages());
+  EXPECT_THAT(cli::backend_line(choose()),
+              HasSubstr("gpu stages: light-paths, connections, near-field\n"));
 }
 
 TEST(Backend, FaultsForTestsHaveNames) {

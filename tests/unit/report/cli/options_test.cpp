@@ -65,6 +65,27 @@ TEST(Options, ReadsEveryCalculationSetting) {
   EXPECT_EQ(options.backend, cli::Backend::gpu);
 }
 
+TEST(Options, GpuStagesBelongToResults) {
+  const auto stages = [](const char* list) {
+    return parsed({"check", "a.xml", "--backend", "gpu", "--gpu-stages", list});
+  };
+  const cli::Options two = stages("near-field,light-paths");
+  EXPECT_EQ(two.gpu_stages, (cli::GpuStages{true, false, true}));
+  EXPECT_EQ(cli::reproducible_command(two),
+            "luxgate check a.xml --backend gpu --gpu-stages light-paths,near-field");
+  EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,light-paths")),
+            "luxgate check a.xml --backend gpu");
+  for (const char* wrong : {"", "near", "near-field,", "Near-Field", "all"}) {
+    expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages", wrong},
+                       "light-paths, connections or near-field");
+  }
+  expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages",
+                      "near-field,near-field"},
+                     "near-field is named twice");
+  expect_usage_error({"check", "a.xml", "--gpu-stages", "near-field"},
+                     "--gpu-stages needs --backend gpu");
+}
+
 TEST(Options, BackendsBelongToResults) {
   for (const char* command : {"check", "plan"}) {
     const cli::Options gpu = parsed({command, "a.xml", "--backend", "gpu", "--gl-device", "2"});

@@ -1,0 +1,28 @@
+#pragma once
+// path_terms.glsl as C++.
+
+#include "calc/turns.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "calc/shader_words.h"
+
+namespace calc {
+namespace path_terms {
+using std::max;
+using std::sqrt;
+
+#include "calc/radiosity/path_terms.glsl"
+}  // namespace path_terms
+
+using path_terms::cosine_direction;
+using path_terms::nested_scramble;
+using path_terms::sphere_direction;
+
+}  // namespace calc
+
+#include "calc/shader_words_end.h"

@@ -1,0 +1,10 @@
+// What formulas that are compiled as C++ and as GLSL are written in: their .glsl files lie beside
+// the headers that include them, between this and shader_words_end.h. In GLSL, DBL(0.5) becomes
+// 0.5lf (gpu/shader_text).
+// No include guard: every text defines and forgets these words.
+#define TERM inline
+#define UINT std::uint32_t
+#define DVEC3 glm::dvec3
+#define IN_DVEC3 const glm::dvec3&
+#define DBL(x) x
+#define SIGN_OF(x) std::copysign(1.0, x)

@@ -1,0 +1,151 @@
+#include "gpu/gl_short_rays.h"
+
+#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/low_discrepancy.h"
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_error.h"
+#include "gpu/gl_program.h"
+#include "gpu/path_shader_text.h"
+#include "gpu/shader_text.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <utility>
+#include <vector>
+
+namespace gpu {
+namespace {
+
+enum Binding : unsigned { kSurfaces = 2, kRequests, kWords, kOrder, kHits };
+
+// Of one dispatch: short enough for the watchdogs of desktop drivers.
+constexpr std::uint32_t kRaysPerDispatch = std::uint32_t{1} << 18;
+
+// One point as the shader reads it: four uvec4.
+struct GpuRequest {
+  glm::dvec3 axis;
+  std::array<std::uint32_t, 2> unused{};
+  glm::vec3 origin_m;      // local, lifted
+  std::uint32_t has_back;  // 0: rays all around
+  std::array<std::uint32_t, 2> scramble;
+  std::uint32_t first_ray;
+  std::uint32_t unused_too = 0;
+};
+static_assert(sizeof(GpuRequest) == 64);
+
+class ShortRayPass {
+ public:
+  ShortRayPass()
+      : program_("short rays", short_ray_shader()),
+        words_("random numbers"),
+        requests_("calculation points"),
+        hits_("hits of short rays") {
+    std::vector<std::uint32_t> words;
+    for (int dimension = 0; dimension < 2; ++dimension) {
+      for (int bit = 0; bit < 32; ++bit) {
+        words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
+      }
+    }
+    words_.reserve(words.size() * sizeof(std::uint32_t));
+    words_.write(0, std::as_bytes(std::span(words)));
+  }
+
+  void run(DeviceState& device, const calc::Tracer& tracer, float least_m, float most_m,
+           std::span<const GpuRequest> requests, std::span<calc::FirstHit> hits) {
+    requests_.reserve(requests.size_bytes());
+    requests_.write(0, std::as_bytes(requests));
+    hits_.reserve(hits.size_bytes());
+    hits_.fill(hits.size_bytes(), calc::FirstHit::kNotDone);
+    const DeviceScene& scene = device.scenes.of(tracer);
+    program_.use();
+    scene.bind();
+    scene.surface.bind(kSurfaces);
+    requests_.bind(kRequests);
+    words_.bind(kWords);
+    scene.order.bind(kOrder);
+    hits_.bind(kHits);
+    program_.set("node_count", scene.nodes);
+    program_.set("request_count", static_cast<std::uint32_t>(requests.size()));
+    program_.set("least_m", least_m);
+    program_.set("most_m", most_m);
+    const auto rays = static_cast<std::uint32_t>(hits.size());
+    for (std::uint32_t first = 0; first < rays; first += kRaysPerDispatch) {
+      const std::uint32_t count = std::min(kRaysPerDispatch, rays - first);
+      program_.set("first_ray", first);
+      program_.set("ray_count", count);
+      glDispatchCompute((count + kGroupSize - 1) / kGroupSize, 1, 1);
+    }
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    hits_.read(0, std::as_writable_bytes(hits));
+    device.check("tracing short rays");
+  }
+
+ private:
+  GlProgram program_;
+  GlBuffer words_, requests_, hits_;
+};
+
+std::vector<GpuRequest> gpu_requests(const calc::Tracer& tracer,
+                                     std::span<const calc::NearFieldRequest> requests) {
+  std::vector<GpuRequest> result;
+  result.reserve(requests.size());
+  std::uint32_t first_ray = 0;
+  for (const calc::NearFieldRequest& request : requests) {
+    const calc::ScrambledSobol sobol(request.key);
+    GpuRequest& to = result.emplace_back();
+    to.axis = request.receiver.axis;
+    to.origin_m = glm::vec3(tracer.lift(request.receiver));
+    to.has_back = calc::has_back(request.receiver.kernel) ? 1 : 0;
+    to.scramble = {sobol.scramble(0), sobol.scramble(1)};
+    to.first_ray = first_ray;
+    first_ray += request.rays;
+  }
+  return result;
+}
+
+class GlShortRays : public calc::ShortRayCaster {
+ public:
+  explicit GlShortRays(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
+  ~GlShortRays() override {
+    thread_->clean_up([this](DeviceState&) { pass_.reset(); });
+  }
+  GlShortRays(const GlShortRays&) = delete;
+  GlShortRays& operator=(const GlShortRays&) = delete;
+
+  void cast(const calc::Tracer& tracer, float least_m, float most_m,
+            std::span<const calc::NearFieldRequest> requests,
+            std::span<calc::FirstHit> hits) override {
+    if (hits.empty()) return;
+    const std::vector<GpuRequest> sent = gpu_requests(tracer, requests);
+    thread_->run([&](DeviceState& device) {
+      try {
+        if (!pass_) pass_ = std::make_unique<ShortRayPass>();
+        pass_->run(device, tracer, least_m, most_m, sent, hits);
+      } catch (const std::exception&) {
+        pass_.reset();  // what it kept may be what left no room
+        throw;
+      }
+    });
+    for (const calc::FirstHit& hit : hits) {
+      if (hit.triangle_and_side == calc::FirstHit::kNotDone) {
+        throw calc::BackendFailure("the device did not finish its work");
+      }
+    }
+  }
+
+ private:
+  const std::shared_ptr<DeviceThread> thread_;
+  std::unique_ptr<ShortRayPass> pass_;  // of the device's thread alone
+};
+
+}  // namespace
+
+std::unique_ptr<calc::ShortRayCaster> make_gl_short_rays(std::shared_ptr<DeviceThread> thread) {
+  return std::make_unique<GlShortRays>(std::move(thread));
+}
+
+}  // namespace gpu

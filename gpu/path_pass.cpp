@@ -1,0 +1,289 @@
+#include "gpu/path_pass.h"
+
+#include "calc/radiosity/phase_timer.h"
+#include "gpu/gl_error.h"
+#include "gpu/path_shader_text.h"
+#include "gpu/path_tables.h"
+#include "gpu/shader_text.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace gpu {
+namespace {
+
+enum LightPathBinding : unsigned {
+  kSurfaces = 2,  // after those of DeviceScene
+  kTables,
+  kWords,
+  kStates,
+  kVertices,
+  kCounts
+};
+enum PlacesBinding : unsigned { kChunks = 0, kPlaces, kPacked, kNextStates, kBalances };
+
+// Reflections of a path in one round: room for so many of every path, for more when fewer live.
+constexpr std::uint32_t kReflectionsPerRound = 8;
+constexpr std::uint32_t kMostReflectionsPerRound = 2048;  // of the last, long ones
+
+constexpr std::size_t kMostTables = 2;
+constexpr std::size_t kStateBytes = 64;
+
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& items) {
+  return std::as_bytes(std::span(items));
+}
+
+template <class T>
+void send(GlBuffer& buffer, const std::vector<T>& items) {
+  buffer.reserve(bytes_of(items).size());
+  buffer.write(0, bytes_of(items));
+}
+
+void run_groups(std::size_t invocations) {
+  glDispatchCompute(static_cast<GLuint>((invocations + kGroupSize - 1) / kGroupSize), 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+[[noreturn]] void throw_not_done() { throw GlError("the device did not finish its work"); }
+
+}  // namespace
+
+PathPass::PathPass(std::uint32_t most_paths)
+    : most_paths_(most_paths),
+      starts_program_("starts of light paths", path_starts_shader()),
+      paths_program_("light paths", light_path_shader()),
+      sums_program_("sums of light paths", path_sums_shader()),
+      places_program_("places of light paths", path_places_shader()),
+      balance_program_("balance of light paths", path_balance_shader()),
+      words_("random numbers"),
+      vertices_("light vertices"),
+      packed_("packed light vertices"),
+      counts_("counts of light vertices"),
+      chunks_("chunks of light paths"),
+      sums_("sums of light paths"),
+      places_("places of light vertices"),
+      balances_("fluxes of light paths"),
+      states_{GlBuffer("light paths"), GlBuffer("light paths")} {
+  const std::size_t room =
+      std::size_t{most_paths} * kReflectionsPerRound * sizeof(calc::LightVertex);
+  vertices_.reserve(room);
+  packed_.reserve(room);
+  counts_.reserve(most_paths * sizeof(std::uint32_t));
+  balances_.reserve(most_paths * 2 * sizeof(double));
+  for (GlBuffer& states : states_) states.reserve(most_paths * kStateBytes);
+}
+
+void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
+  start(jobs);
+  emit(jobs);
+  while (slot_.back() > 0) {
+    const std::uint32_t left = calc::kMostReflections - reflection_;
+    const std::uint32_t room = most_paths_ * kReflectionsPerRound / slot_.back();
+    const std::uint32_t reflections = std::min({left, room, kMostReflectionsPerRound});
+    for (PathJob* job : jobs) {
+      if (calc::is_past(job->batch.deadline_s)) job->is_late = true;
+    }
+    trace(device, *jobs.front(), reflections);
+    const std::vector<ChunkSum> sums = sum_up();
+    reflection_ += reflections;
+    device.check("tracing light paths");
+    pack(jobs, sums);
+  }
+  fetch_balance(jobs);
+  device.check("tracing light paths");
+}
+
+void PathPass::start(std::span<PathJob* const> jobs) {
+  std::vector<std::uint32_t> words;
+  for (int dimension = 0; dimension < calc::kSobolDimensions; ++dimension) {
+    for (int bit = 0; bit < 32; ++bit) {
+      words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
+    }
+  }
+  chunk_.clear();
+  slot_.assign(1, 0);
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    const PathJob& job = *jobs[j];
+    const calc::ScrambledSobol sobol = calc::path_samples(job.batch);
+    std::array<std::uint32_t, kJobSize> part{};
+    static_assert(calc::kSobolDimensions <= kJobKey);
+    for (int dimension = 0; dimension < calc::kSobolDimensions; ++dimension) {
+      part[static_cast<std::size_t>(dimension)] = sobol.scramble(dimension);
+    }
+    part[kJobKey] = static_cast<std::uint32_t>(sobol.key().bits());
+    part[kJobKey + 1] = static_cast<std::uint32_t>(sobol.key().bits() >> 32);
+    part[kJobFirstPath] = job.first;
+    part[kJobBatchPaths] = job.batch.last - job.batch.first;
+    part[kJobFirstSlot] = slot_.back();
+    words.insert(words.end(), part.begin(), part.end());
+    for (std::uint32_t first = job.first; first < job.last; first += calc::kPathsPerChunk) {
+      const std::uint32_t paths = std::min(calc::kPathsPerChunk, job.last - first);
+      chunk_.push_back({j, first, paths});
+      slot_.push_back(slot_.back() + paths);
+    }
+  }
+  send(words_, words);
+  reflection_ = 0;
+}
+
+void PathPass::emit(std::span<PathJob* const> jobs) {
+  const PathJob& job = *jobs.front();
+  starts_program_.use();
+  tables_of(job).bind(kTables);
+  words_.bind(kWords);
+  states_[now_].bind(kStates);
+  starts_program_.set("luminaire_count",
+                      static_cast<std::uint32_t>(job.emitter.scene().luminaires.size()));
+  starts_program_.set("path_count", slot_.back());
+  starts_program_.set("job_count", static_cast<std::uint32_t>(jobs.size()));
+  run_groups(slot_.back());
+  check_gl("starting light paths");
+}
+
+void PathPass::trace(DeviceState& device, const PathJob& job, std::uint32_t reflections) {
+  const std::uint32_t paths = slot_.back();
+  counts_.fill(paths * sizeof(std::uint32_t), ~0u);
+  const DeviceScene& scene = device.scenes.of(job.tracer);
+  paths_program_.use();
+  scene.bind();
+  scene.surface.bind(kSurfaces);
+  tables_of(job).bind(kTables);
+  words_.bind(kWords);
+  states_[now_].bind(kStates);
+  vertices_.bind(kVertices);
+  counts_.bind(kCounts);
+  paths_program_.set("node_count", scene.nodes);
+  paths_program_.set("path_count", paths);
+  paths_program_.set("first_reflection", reflection_);
+  paths_program_.set("reflections", reflections);
+  run_groups(paths);
+  check_gl("tracing light paths");
+}
+
+std::vector<PathPass::ChunkSum> PathPass::sum_up() {
+  send(chunks_, slot_);
+  std::vector<ChunkSum> sums(chunk_.size());
+  sums_.reserve(sums.size() * sizeof(ChunkSum));
+  sums_.fill(sums.size() * sizeof(ChunkSum), ~0u);
+  sums_program_.use();
+  sums_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
+  chunks_.bind(kChunks);
+  sums_.bind(kPlaces);
+  counts_.bind(kCounts);
+  run_groups(chunk_.size());
+  sums_.read(0, std::as_writable_bytes(std::span(sums)));
+  check_gl("adding up light paths");
+  for (const ChunkSum& sum : sums) {
+    if (sum.is_done != 1) throw_not_done();
+  }
+  return sums;
+}
+
+// Decides which jobs go on, moves vertices and living paths together, fetches the former.
+void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums) {
+  std::vector<std::uint64_t> alive(jobs.size());
+  for (std::size_t c = 0; c < chunk_.size(); ++c) {
+    PathJob& job = *jobs[chunk_[c].job];
+    job.vertices += sums[c].vertices;
+    job.rays += sums[c].rays;
+    alive[chunk_[c].job] += sums[c].alive;
+  }
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    PathJob& job = *jobs[j];
+    if (job.vertices > job.most_vertices) job.has_too_many_vertices = true;
+    if (reflection_ >= calc::kMostReflections && alive[j] > 0) job.has_endless_path = true;
+    if (!job.is_useless()) job.rounds.emplace_back();
+  }
+
+  std::vector<glm::uvec4> places;
+  std::vector<std::uint32_t> next_slot{0};
+  std::vector<std::uint32_t> job_vertices(jobs.size());
+  std::uint32_t vertex = 0;
+  for (std::size_t c = 0; c < chunk_.size(); ++c) {
+    const std::size_t j = chunk_[c].job;
+    const bool is_wanted = !jobs[j]->is_useless();
+    places.emplace_back(is_wanted ? vertex : kPathDropped, next_slot.back(), chunk_[c].first_path,
+                        0);
+    next_slot.push_back(next_slot.back() + (is_wanted ? sums[c].alive : 0));
+    if (!is_wanted) continue;
+    std::vector<std::size_t>& chunk_first = jobs[j]->rounds.back().chunk_first;
+    if (chunk_first.empty()) chunk_first.push_back(0);
+    chunk_first.push_back(chunk_first.back() + sums[c].vertices);
+    vertex += sums[c].vertices;
+    job_vertices[j] += sums[c].vertices;
+  }
+  send(places_, places);
+  packed_.fill(vertex * sizeof(calc::LightVertex), ~0u);
+  places_program_.use();
+  places_program_.set("path_count", slot_.back());
+  chunks_.bind(kChunks);
+  places_.bind(kPlaces);
+  packed_.bind(kPacked);
+  states_[1 - now_].bind(kNextStates);
+  balances_.bind(kBalances);
+  states_[now_].bind(kStates);
+  vertices_.bind(kVertices);
+  counts_.bind(kCounts);
+  run_groups(chunk_.size() * kGroupSize);  // a group for each chunk
+  check_gl("packing light vertices");
+  std::size_t first = 0;
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    if (jobs[j]->is_useless()) continue;
+    calc::LightVertices& vertices = jobs[j]->rounds.back().vertices;
+    vertices.resize(job_vertices[j]);
+    packed_.read(first * sizeof(calc::LightVertex), std::as_writable_bytes(std::span(vertices)));
+    first += vertices.size();
+    for (const calc::LightVertex& v : vertices) {
+      if (std::bit_cast<std::uint32_t>(v.flux_lm) == ~0u) throw_not_done();
+    }
+  }
+  now_ = 1 - now_;
+  slot_ = std::move(next_slot);
+}
+
+void PathPass::fetch_balance(std::span<PathJob* const> jobs) {
+  std::vector<std::uint32_t> paths;
+  for (const Chunk& chunk : chunk_) paths.push_back(chunk.paths);
+  send(chunks_, paths);
+  std::vector<glm::dvec2> sums(chunk_.size());
+  sums_.reserve(sums.size() * sizeof(glm::dvec2));
+  sums_.fill(sums.size() * sizeof(glm::dvec2), ~0u);
+  balance_program_.use();
+  balance_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
+  balances_.bind(0);
+  chunks_.bind(1);
+  sums_.bind(2);
+  run_groups(chunk_.size());
+  sums_.read(0, std::as_writable_bytes(std::span(sums)));
+  check_gl("adding up fluxes");
+  for (std::size_t c = 0; c < chunk_.size(); ++c) {
+    PathJob& job = *jobs[chunk_[c].job];
+    if (job.is_useless()) continue;
+    if (!(sums[c].x >= 0.0) || !(sums[c].y >= 0.0)) throw_not_done();
+    job.absorbed_lm += sums[c].x;
+    job.escaped_lm += sums[c].y;
+  }
+}
+
+const GlBuffer& PathPass::tables_of(const PathJob& job) {
+  const auto found = std::find_if(tables_.begin(), tables_.end(), [&](const Tables& tables) {
+    return tables.emitter == job.emitter.identity();
+  });
+  if (found != tables_.end()) {
+    tables_.splice(tables_.begin(), tables_, found);
+    return tables_.front().value;
+  }
+  while (tables_.size() >= kMostTables) tables_.pop_back();
+  Tables tables{job.emitter.identity(), GlBuffer("luminaires")};
+  send(tables.value, path_tables(job.emitter, job.tracer.offset_m()));
+  check_gl("sending luminaires");
+  tables_.push_front(std::move(tables));
+  return tables_.front().value;
+}
+
+}  // namespace gpu

@@ -1,0 +1,95 @@
+#pragma once
+// Light paths on the device: uploads, some reflections of all paths per dispatch until none lives,
+// vertices back. For the thread that owns the context.
+
+#include "calc/radiosity/light_paths.h"
+#include "gpu/device_thread.h"
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_program.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+// Some paths of one batch, on their own way through a pass that jobs of one emitter share.
+struct PathJob {
+  const calc::Tracer& tracer;
+  const calc::Emitter& emitter;
+  const calc::PathBatch& batch;
+  std::uint32_t first = 0, last = 0;  // of the batch's paths, by whole chunks
+  std::uint64_t most_vertices = 0;    // for this job
+
+  // Vertices of the reflections of one round: in order of chunks, then of reflections, then of
+  // paths.
+  struct Round {
+    calc::LightVertices vertices;
+    std::vector<std::size_t> chunk_first{};  // chunks + 1 entries
+  };
+  std::vector<Round> rounds{};
+  double absorbed_lm = 0.0, escaped_lm = 0.0;
+  std::uint64_t vertices = 0, rays = 0;
+  bool has_endless_path = false, has_too_many_vertices = false, is_late = false;
+
+  bool is_useless() const { return has_endless_path || has_too_many_vertices || is_late; }
+};
+
+// Buffers of a pass. A path's place in them is its slot; the slots of a chunk (kPathsPerChunk paths
+// of one job) follow each other. Where paths have ended, the others move up between rounds.
+//   words     direction numbers, then kJobSize per job
+//   states    4 uvec4 per slot: origin, index; direction, channel and job; flux and survival;
+//             absorbed and escaped so far (double)
+//   vertices  [reflection of the round][slot], 2 uvec4, as calc::LightVertex
+//   counts    per slot: vertices of this round, and how the path ended (kPathEndings)
+//   balances  per path of a chunk, once it has ended: absorbed and escaped
+class PathPass {
+ public:
+  // most_paths: of one run(), a multiple of kPathsPerChunk. Never changes a result.
+  explicit PathPass(std::uint32_t most_paths);
+
+  // All jobs at once: at most kMostJobs of one tracer and emitter, of at most most_paths() with
+  // chunks counted as full. Throws GlError; is then of no more use.
+  void run(DeviceState& device, std::span<PathJob* const> jobs);
+
+  std::uint32_t most_paths() const { return most_paths_; }
+  static constexpr std::size_t kMostJobs = 64;
+
+ private:
+  struct Chunk {
+    std::size_t job;
+    std::uint32_t first_path, paths;
+  };
+  struct Tables {
+    std::uint64_t emitter;
+    GlBuffer value;
+  };
+  struct ChunkSum {
+    std::uint32_t vertices, alive, rays, is_done;
+  };
+
+  void start(std::span<PathJob* const> jobs);
+  void emit(std::span<PathJob* const> jobs);
+  // The next reflections of all living paths.
+  void trace(DeviceState& device, const PathJob& job, std::uint32_t reflections);
+  std::vector<ChunkSum> sum_up();
+  void pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums);
+  void fetch_balance(std::span<PathJob* const> jobs);
+  const GlBuffer& tables_of(const PathJob& job);
+
+  const std::uint32_t most_paths_;
+  GlProgram starts_program_, paths_program_, sums_program_, places_program_, balance_program_;
+  GlBuffer words_, vertices_, packed_, counts_, chunks_, sums_, places_, balances_;
+  std::array<GlBuffer, 2> states_;
+  std::list<Tables> tables_;  // latest use first
+  // Of this run:
+  std::vector<Chunk> chunk_;
+  std::vector<std::uint32_t> slot_;  // first of each chunk; chunks + 1 entries
+  std::uint32_t reflection_ = 0;     // done
+  std::size_t now_ = 0;              // which of states_ holds this round's, not the next one's
+};
+
+}  // namespace gpu

@@ -1,0 +1,32 @@
+#pragma once
+// The sources of shaders for light paths and short rays, put together from shaders/ and the
+// formulas of calc/.
+
+#include <cstdint>
+#include <string>
+
+namespace gpu {
+
+// How a path's reflections of one round ended: bits of its count, see path_pass.h.
+inline constexpr std::uint32_t kPathEndings = 0xc000'0000;
+inline constexpr std::uint32_t kPathLives = 0x8000'0000;
+inline constexpr std::uint32_t kPathEndedByRay = 0x4000'0000;  // which left no vertex
+inline constexpr std::uint32_t kPathEndedByRoulette = 0;
+inline constexpr std::uint32_t kPathNotDone = 0xc000'0000;
+inline constexpr std::uint32_t kPathDropped = 0xffff'ffff;
+
+// Words of a light-path pass: 32 direction numbers per Sobol' dimension, then jobs.
+inline constexpr std::uint32_t kJobSize = 32;
+inline constexpr std::uint32_t kJobKey = 21, kJobFirstPath = 23, kJobBatchPaths = 24,
+                               kJobFirstSlot = 25;  // before them: scrambles of the dimensions
+
+inline constexpr std::uint32_t kLuminaireSize = 19;  // entries of a luminaire, see path_tables.h
+
+std::string path_starts_shader();
+std::string light_path_shader();
+std::string path_sums_shader();
+std::string path_places_shader();
+std::string path_balance_shader();
+std::string short_ray_shader();
+
+}  // namespace gpu

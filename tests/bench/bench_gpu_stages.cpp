@@ -1,0 +1,108 @@
+// Speed of light paths and short rays by CPU and by OpenGL, and the processor time that the device's
+// work costs outside the device: what a fast GPU would wait for.
+//   bench_gpu_stages [paths] [rays per point]
+#include "calc/radiosity/light_paths.h"
+#include "calc/radiosity/near_field.h"
+#include "calc/radiosity/phase_timer.h"
+#include "gpu/gl_path_tracer.h"
+#include "gpu/gl_short_rays.h"
+#include "tests/support/lamp_shop.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <ctime>
+
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+double thread_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Of the caller's thread and of the one that owns the context. Mesa traces on threads of its own.
+double busy_s(gpu::DeviceThread& device) {
+  double device_s = 0.0;
+  device.run([&](gpu::DeviceState&) { device_s = thread_s(); });
+  return device_s + thread_s();
+}
+
+void measure(const char* name, gpu::DeviceThread& device, double items,
+             const std::function<void()>& cpu, const std::function<void()>& gl) {
+  const double begin_s = calc::now_s();
+  cpu();
+  const double cpu_s = calc::now_s() - begin_s;
+  gl();  // the driver compiles
+  const double busy_before_s = busy_s(device), gl_begin_s = calc::now_s();
+  gl();
+  const double gl_s = calc::now_s() - gl_begin_s;
+  fmt::print("{}: cpu, one thread {:.3g} /s; {} {:.3g} /s; {:.3g} us each outside the device\n",
+             name, items / cpu_s, device.device().name(), items / gl_s,
+             1e6 * (busy_s(device) - busy_before_s) / items);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto paths = static_cast<std::uint32_t>(argc > 1 ? std::atoi(argv[1]) : 32768);
+  const auto rays = static_cast<std::uint32_t>(argc > 2 ? std::atoi(argv[2]) : 32);
+  std::string problem;
+  const auto device = gpu::DeviceThread::open({}, problem);
+  if (!device) {
+    fmt::print("no OpenGL: {}\n", problem);
+    return 2;
+  }
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const test_support::LampHall hall(0.6);
+  const calc::Tracer tracer(hall.scene);
+  const calc::Emitter emitter(hall.scene);
+  const auto path_tracer = gpu::make_gl_path_tracer(device);
+  const auto short_rays = gpu::make_gl_short_rays(device);
+  const calc::PathBatch batch{1, 0, 0, paths};
+  std::size_t vertices = 0;
+  measure(
+      "light paths", *device, paths,
+      [&] { vertices = calc::trace_light_paths(tracer, emitter, batch).vertices.size(); },
+      [&] { path_tracer->trace(tracer, emitter, batch); });
+  fmt::print("  {:.2f} vertices per path\n", static_cast<double>(vertices) / paths);
+
+  std::vector<calc::NearFieldRequest> requests;
+  for (std::uint32_t i = 0; i < 8192; ++i) {
+    const calc::RandomKey key = calc::RandomKey(3).with(i);
+    requests.push_back({{{7.0 * key.with(0).uniform() - 3.5, 5.0 * key.with(1).uniform() - 2.5,
+                          0.1 + key.with(2).uniform()},
+                         {0, 0, 1},
+                         calc::ReceiverKernel::planar},
+                        key,
+                        rays});
+  }
+  const float least_m = 1e-4f, most_m = 0.7f;
+  std::vector<calc::FirstHit> hits(requests.size() * rays);
+  std::vector<calc::SurfaceHit> met;
+  measure(
+      "short rays", *device, static_cast<double>(hits.size()),
+      [&] {
+        std::array<calc::SurfaceHit, calc::RayPacket::kSize> hit;
+        for (const calc::NearFieldRequest& request : requests) {
+          const calc::ScrambledSobol sobol(request.key);
+          for (std::uint32_t first = 0; first < rays; first += calc::RayPacket::kSize) {
+            calc::RayPacket packet;
+            for (std::uint32_t k = first; k < rays && !packet.is_full(); ++k) {
+              const auto u = sobol.sample_pair(k, 0);
+              packet.add(tracer.lift(request.receiver),
+                         calc::cosine_direction(request.receiver.axis, u[0], u[1]));
+            }
+            if (tracer.closest_hits(packet, least_m, most_m, hit) == ~0u) met.push_back(hit[0]);
+          }
+        }
+      },
+      [&] { short_rays->cast(tracer, least_m, most_m, requests, hits); });
+  return 0;
+}

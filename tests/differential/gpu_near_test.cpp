@@ -1,0 +1,174 @@
+// Short rays by OpenGL against the CPU's, ray by ray.
+#include "calc/radiosity/gatherer.h"
+#include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/path_terms.h"
+#include "calc/radiosity/phase_timer.h"
+#include "tests/support/lamp_shop.h"
+#include "tests/support/opengl.h"
+#include "tests/support/scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+using ::testing::HasSubstr;
+
+// Points of all kinds in a hall, some of them in the plane of a floor or wall.
+std::vector<calc::NearFieldRequest> points_in_hall(std::size_t count, std::uint32_t rays) {
+  std::vector<calc::NearFieldRequest> requests;
+  for (std::size_t i = 0; i < count; ++i) {
+    const calc::RandomKey key = calc::RandomKey(23).with(i);
+    const auto u = [&](std::uint64_t k) { return key.with(k).uniform(); };
+    const auto kernel = static_cast<calc::ReceiverKernel>(i % 5);
+    glm::dvec3 axis = glm::normalize(glm::dvec3(u(3) - 0.5, u(4) - 0.5, u(5) - 0.5));
+    glm::dvec3 position(7.6 * u(0) - 3.8, 5.6 * u(1) - 2.8, 0.1 + 3.3 * u(2));
+    if (i % 15 == 0) {
+      position.z = 0.0;
+      axis = {0, 0, 1};
+    }
+    if (i % 15 == 5) {
+      position.x = -4.0;
+      axis = {1, 0, 0};
+    }
+    if (kernel == calc::ReceiverKernel::semicylindrical && i % 15 != 5) {
+      axis = glm::normalize(glm::dvec3(axis.x, axis.y, 0.0));
+    }
+    requests.push_back({{position, axis, kernel}, key.with(9), rays});
+  }
+  return requests;
+}
+
+struct Cast {
+  bool is_hit;
+  calc::SurfaceHit at;
+};
+
+std::vector<Cast> cast_by_cpu(const calc::Tracer& tracer, float least_m, float most_m,
+                              const std::vector<calc::NearFieldRequest>& requests) {
+  std::vector<Cast> casts;
+  for (const calc::NearFieldRequest& request : requests) {
+    const calc::ScrambledSobol sobol(request.key);
+    for (std::uint32_t first = 0; first < request.rays; first += calc::RayPacket::kSize) {
+      calc::RayPacket packet;
+      for (std::uint32_t k = first; k < request.rays && !packet.is_full(); ++k) {
+        const auto u = sobol.sample_pair(k, 0);
+        const bool has_back = calc::has_back(request.receiver.kernel);
+        packet.add(tracer.lift(request.receiver),
+                   has_back ? calc::cosine_direction(request.receiver.axis, u[0], u[1])
+                            : calc::sphere_direction(u[0], u[1]));
+      }
+      std::array<calc::SurfaceHit, calc::RayPacket::kSize> hit;
+      const std::uint32_t hits = tracer.closest_hits(packet, least_m, most_m, hit);
+      for (int k = 0; k < packet.count; ++k) {
+        casts.push_back({((hits >> k) & 1u) != 0, hit[static_cast<std::size_t>(k)]});
+      }
+    }
+  }
+  return casts;
+}
+
+TEST(GlShortRays, MeetWhatTheCpuMeets) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const calc::Tracer tracer(hall.scene);
+  const auto gl = gl_short_rays();
+  const auto least_m = static_cast<float>(tracer.offset_m());
+  const std::vector<calc::NearFieldRequest> requests = points_in_hall(1000, 100);
+  std::size_t total = 0, differing = 0, met = 0;
+  double largest = 0.0;
+  for (const float most_m : {0.5f, 2.0f, 1e30f}) {
+    const double begin_s = calc::now_s();
+    const std::vector<Cast> expected = cast_by_cpu(tracer, least_m, most_m, requests);
+    const double middle_s = calc::now_s();
+    std::vector<calc::FirstHit> hits(expected.size());
+    gl->cast(tracer, least_m, most_m, requests, hits);
+    const double end_s = calc::now_s();
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      ++total;
+      const bool is_hit = hits[k].triangle_and_side != calc::FirstHit::kNothing;
+      if (is_hit) ++met;
+      if (is_hit != expected[k].is_hit) {
+        ++differing;
+      } else if (is_hit) {
+        const calc::SurfaceHit hit = tracer.surface_hit(hits[k]);
+        const double distance = glm::distance(hit.position_m, expected[k].at.position_m);
+        if (distance > 1e-5 * hall.scene.extent_m ||
+            glm::distance(hit.normal, expected[k].at.normal) > 1e-6) {
+          ++differing;
+        } else {
+          largest = std::max(largest, distance);
+        }
+      }
+    }
+    std::printf("reach %.2g m: %.3g us/ray, %.3g on the CPU\n", static_cast<double>(most_m),
+                1e6 * (end_s - middle_s) / static_cast<double>(hits.size()),
+                1e6 * (middle_s - begin_s) / static_cast<double>(hits.size()));
+  }
+  std::printf("%zu of %zu rays differ, %zu hits, places within %.2g of the extent\n", differing,
+              total, met, largest / hall.scene.extent_m);
+  EXPECT_EQ(total, 300'000u);
+  EXPECT_GT(met, 100'000u);
+  EXPECT_LE(differing, total / 20'000);
+}
+
+TEST(GlShortRays, GiveTheSameBitsAgainAndOnManyThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5), other(0.5, true);
+  const calc::Tracer tracer(hall.scene), other_tracer(other.scene);
+  const auto gl = gl_short_rays();
+  const std::vector<calc::NearFieldRequest> requests = points_in_hall(100, 16);
+  const auto cast = [&](calc::ShortRayCaster& caster, const calc::Tracer& with) {
+    std::vector<calc::FirstHit> hits(1600);
+    caster.cast(with, 1e-4f, 3.0f, requests, hits);
+    std::vector<std::uint32_t> bits;
+    for (const calc::FirstHit& hit : hits) {
+      bits.push_back(hit.triangle_and_side);
+      if (hit.triangle_and_side == calc::FirstHit::kNothing) continue;
+      bits.push_back(std::bit_cast<std::uint32_t>(hit.u));
+      bits.push_back(std::bit_cast<std::uint32_t>(hit.v));
+    }
+    return bits;
+  };
+  const auto once = cast(*gl, tracer), elsewhere = cast(*gl, other_tracer);
+  EXPECT_NE(once, elsewhere);
+  EXPECT_EQ(once, cast(*gl_short_rays(), tracer));
+  std::vector<std::vector<std::uint32_t>> all(20);
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
+    all[k] = cast(*gl, k % 2 == 0 ? tracer : other_tracer);
+  });
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k], k % 2 == 0 ? once : elsewhere);
+}
+
+TEST(GlShortRays, FailWithAReason) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.5);
+  const calc::Tracer tracer(hall.scene);
+  const std::vector<calc::NearFieldRequest> requests = points_in_hall(2, 4);
+  for (const auto& [fault, text] : {std::pair{gpu::Fault::out_of_memory, "out of memory"},
+                                    {gpu::Fault::context_lost, "reset"}}) {
+    const auto gl = gl_short_rays(fault);
+    for (int k = 0; k < 2; ++k) {  // not only the first time
+      std::vector<calc::FirstHit> hits(8);
+      try {
+        gl->cast(tracer, 0.0f, 1.0f, requests, hits);
+        ADD_FAILURE() << text;
+      } catch (const calc::BackendFailure& failure) {
+        EXPECT_THAT(failure.what(), HasSubstr(text));
+      }
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,145 @@
+// The whole calculation with some of its stages on the device.
+#include "calc/radiosity/phase_timer.h"
+#include "calc/statistics.h"
+#include "tests/support/lamp_shop.h"
+#include "tests/support/opengl.h"
+#include "tests/support/same_sum.h"
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+
+// One context for all stages, as in the program.
+struct Device {
+  std::shared_ptr<gpu::DeviceThread> thread;
+  std::unique_ptr<calc::Gatherer> cpu = calc::make_cpu_gatherer();
+  std::unique_ptr<calc::Gatherer> gatherer = gpu::make_gl_gatherer(thread);
+  std::unique_ptr<calc::PathTracer> paths = gpu::make_gl_path_tracer(thread);
+  std::unique_ptr<calc::ShortRayCaster> near = gpu::make_gl_short_rays(thread);
+
+  explicit Device(gpu::Fault fault = gpu::Fault::none) : thread(gl_device(fault)) {}
+};
+
+struct Hall {
+  LampHall hall{0.6};
+  calc::SensorGrid task, corner;
+  std::vector<calc::PlaneTask> tasks{{"task", &task}, {"corner", &corner}};
+
+  Hall() {
+    for (int i = 0; i < 80; ++i) {
+      task.position_m.emplace_back(-3.8 + 0.09 * i, -2.7 + 0.06 * i, 0.05);
+      task.normal.emplace_back(0, 0, 1);
+      corner.position_m.emplace_back(-3.98, -2.9 + 0.07 * i, 0.03);  // short rays matter here
+      corner.normal.emplace_back(1, 0, 0);
+    }
+  }
+};
+
+calc::RadiositySettings settings_of(std::uint64_t paths, int jobs) {
+  calc::RadiositySettings settings;
+  settings.first_paths = paths / 2;
+  settings.max_paths = paths;
+  settings.replicates = 4;
+  settings.jobs = jobs;
+  return settings;
+}
+
+// Means of replicates against each other's intervals: the random numbers are the same, so that the
+// difference is a small part of them.
+void expect_within_intervals(const std::vector<calc::PlaneField>& a,
+                             const std::vector<calc::PlaneField>& b) {
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    for (std::size_t i = 0; i < a[p].points; ++i) {
+      const calc::ReplicateMean x = calc::replicate_mean(replicates_at(a[p], i));
+      const calc::ReplicateMean y = calc::replicate_mean(replicates_at(b[p], i));
+      EXPECT_LE(std::abs(x.mean - y.mean), x.standard_error + y.standard_error) << p << " " << i;
+    }
+  }
+}
+
+TEST(GlStages, GiveTheSameSumEachAndTogether) {
+  LUXGATE_NEEDS_OPENGL();
+  const Hall hall;
+  const Device device;
+  const calc::RadiositySettings settings = settings_of(512, 2);
+  const double begin_s = calc::now_s();
+  const auto cpu = solve_with(hall.hall.scene, hall.tasks, settings, *device.cpu);
+  std::printf("cpu: %.2f s\n", calc::now_s() - begin_s);
+  const auto compare = [&](const char* name, const calc::Stages& stages, double most_grazed,
+                           double most_mean) {
+    SCOPED_TRACE(name);
+    const double start_s = calc::now_s();
+    const auto gl = solve_with(hall.hall.scene, hall.tasks, settings, stages);
+    const double took_s = calc::now_s() - start_s;
+    const SameSum same = compare_sums(cpu, gl);
+    std::printf("%s: %zu of %zu values differ by more than rounding, the largest by %.2g; without "
+                "them %.2g; mean %.2g; %.2f s\n",
+                name, same.grazed, same.values, same.largest_grazed, same.largest,
+                same.mean_difference(), took_s);
+    EXPECT_GT(same.values, 1000u);
+    EXPECT_LE(static_cast<double>(same.grazed), most_grazed * static_cast<double>(same.values));
+    EXPECT_LE(same.mean_difference(), most_mean);
+    expect_within_intervals(cpu, gl);
+    for (std::size_t p = 0; p < cpu.size(); ++p) {
+      EXPECT_NEAR(static_cast<double>(gl[p].counters.near_rays),
+                  static_cast<double>(cpu[p].counters.near_rays),
+                  1e-3 * static_cast<double>(cpu[p].counters.near_rays));
+    }
+  };
+  compare("near field", {*device.cpu, nullptr, device.near.get()}, 0.005, 1e-6);
+  compare("light paths", {*device.cpu, device.paths.get()}, 0.2, 1e-4);
+  compare("all", {*device.gatherer, device.paths.get(), device.near.get()}, 0.2, 1e-4);
+}
+
+TEST(GlStages, GiveTheSameBitsForAnyNumberOfThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  const Hall hall;
+  const Device device;
+  const calc::Stages stages{*device.cpu, device.paths.get(), device.near.get()};
+  const auto one = solve_with(hall.hall.scene, hall.tasks, settings_of(128, 1), stages);
+  for (const int jobs : {2, 8, 3}) {
+    const auto many = solve_with(hall.hall.scene, hall.tasks, settings_of(128, jobs), stages);
+    for (std::size_t p = 0; p < one.size(); ++p) {
+      EXPECT_EQ(one[p].indirect_lx, many[p].indirect_lx);
+      EXPECT_EQ(one[p].largest_share, many[p].largest_share);
+      EXPECT_EQ(one[p].counters.near_rays, many[p].counters.near_rays);
+    }
+  }
+}
+
+TEST(GlStages, EndWithTheReasonWhenTheDeviceFails) {
+  LUXGATE_NEEDS_OPENGL();
+  const Hall hall;
+  const Device device(gpu::Fault::context_lost);
+  for (const calc::Stages& stages : {calc::Stages{*device.cpu, device.paths.get()},
+                                     calc::Stages{*device.cpu, nullptr, device.near.get()}}) {
+    EXPECT_THROW(solve_with(hall.hall.scene, hall.tasks, settings_of(64, 4), stages),
+                 calc::BackendFailure);
+  }
+}
+
+TEST(GlStages, RefuseASpaceWithoutASteadyState) {
+  LUXGATE_NEEDS_OPENGL();
+  const Device device;
+  calc::PreparedScene white;
+  add_box(white, {-1, -1, -1}, {2, 2, 2}, 1.0);
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  add_luminaire(white, web, {0, 0, 0});
+  set_extent(white);
+  calc::SensorGrid grid;
+  grid.position_m = {{0.5, 0.5, 0.0}};
+  grid.normal = {{0, 0, 1}};
+  const auto fields = solve_with(white, {{"plane", &grid}}, settings_of(64, 2),
+                                 {*device.cpu, device.paths.get(), device.near.get()});
+  EXPECT_NE(fields[0].problem.find("did not end after 100000 reflections"), std::string::npos)
+      << fields[0].problem;
+}
+
+}  // namespace
