@@ -2,6 +2,8 @@
 // The command line as a value. options.cpp is the only file that includes CLI11.
 
 #include "calc/radiosity/settings.h"
+#include "report/cli/converge_options.h"
+#include "report/cli/vpl_options.h"
 #include "rules/goal.h"
 
 #include <optional>
@@ -10,7 +12,19 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, photometry, geometry, schema, init, devices, version };
+enum class Command {
+  check,
+  plan,
+  validate,
+  vpl,
+  converge,
+  photometry,
+  geometry,
+  schema,
+  init,
+  devices,
+  version
+};
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
 enum class Backend { automatic, cpu, gpu };
@@ -54,6 +68,10 @@ struct Options {
   Backend backend = Backend::automatic;
   int gl_device = -1;  // as `luxgate devices` numbers them; -1 = not given
 
+  std::string vpl_file;  // light vertices to take instead of tracing; "" = none
+
+  VplOptions vpl;
+  ConvergeOptions converge;
   bool plan_as_json = false;
   PhotometryOptions photometry;
   std::vector<std::string> geometry_files;

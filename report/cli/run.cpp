@@ -4,6 +4,7 @@
 #include "gpu/egl_context.h"
 #include "report/cli/backend.h"
 #include "report/cli/check_project.h"
+#include "report/cli/converge.h"
 #include "report/cli/devices.h"
 #include "report/cli/geometry.h"
 #include "report/cli/init.h"
@@ -14,6 +15,7 @@
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
+#include "report/cli/vpl.h"
 
 #include <fmt/format.h>
 
@@ -181,9 +183,26 @@ ExitCode write_results(const Options& options, const Environment& environment,
   return code;
 }
 
-ExitCode run_check(const Options& options, const Environment& environment, gpu::Fault fault) {
+// Options with a cache's seed, replicates and paths; empty after an error, which has been printed.
+std::optional<Options> with_cache(const Options& options, const calc::FileReader& files,
+                                  std::optional<calc::VertexCache>& cache) {
+  Options used = options;
+  if (options.vpl_file.empty()) return used;
+  calc::Diagnostics diagnostics;
+  cache = read_vertex_cache(options.vpl_file, files, diagnostics);
+  print_diagnostics(diagnostics.all(), true);
+  if (!cache) return std::nullopt;
+  use_settings_of(*cache, used.radiosity);
+  return used;
+}
+
+ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fault fault) {
   const calc::DiskFileReader disk;
   const RecordingReader files(disk);
+  std::optional<calc::VertexCache> cache;
+  const std::optional<Options> used = with_cache(asked, files, cache);
+  if (!used) return kNotJudged;
+  const Options& options = *used;
   const std::string problem = check_outputs(options);
   if (!problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
@@ -202,7 +221,8 @@ ExitCode run_check(const Options& options, const Environment& environment, gpu::
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
   const CheckContext context{options,   files,    *packs,
-                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr};
+                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr,
+                             cache ? &*cache : nullptr};
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, *gatherer);
   for (const std::string& path : options.projects) {
@@ -254,6 +274,12 @@ ExitCode run_validate(const Options& options) {
     if (part.is_judged && !options.quiet) fmt::print("{}: no error\n", path);
   }
   return code;
+}
+
+// Results to standard output, messages before them to standard error.
+ExitCode print_outcome(const CommandOutcome& outcome, bool quiet) {
+  print_diagnostics(outcome.diagnostics, quiet);
+  return print_result(outcome.text) ? outcome.code : kNotJudged;
 }
 
 ExitCode run_geometry(const Options& options) {
@@ -316,6 +342,13 @@ ExitCode run(const Options& options, const Environment& environment) {
       return run_plan(options, *fault);
     case Command::validate:
       return run_validate(options);
+    case Command::vpl:
+      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader()), false);
+    case Command::converge:
+      watch_for_interrupt();
+      return print_outcome(run_converge(options.converge, calc::DiskFileReader(),
+                                        environment.stderr_is_terminal),
+                           false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:
