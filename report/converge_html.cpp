@@ -94,13 +94,12 @@ std::string lead(const ConvergeDocument& document) {
       const ConvergeTarget& theirs = plane.curves[m].targets[t];
       if (!ours.seconds || !theirs.seconds) continue;
       html += fmt::format(
-          "{} {} of RMS error takes {} {} and {} {}: <b>{} times</b> as long{}.",
-          html.empty() ? "" : "<br/>", error_words(kConvergeTargets[t]),
+          "{}To {} of RMS error, {} takes <b>{}</b>, {} <b>{}</b>: <b>{} times</b> as long.",
+          html.empty() ? "" : "<br/>", format_percent(kConvergeTargets[t]),
           escape_html(document.methods[0].title), time_words(ours),
           escape_html(document.methods[m].title), time_words(theirs),
           format_fixed(*theirs.seconds / *ours.seconds,
-                       *theirs.seconds < 9.95 * *ours.seconds ? 1 : 0),
-          ours.is_extrapolated || theirs.is_extrapolated ? " (extrapolated)" : "");
+                       *theirs.seconds < 9.95 * *ours.seconds ? 1 : 0));
       break;
     }
   }
@@ -178,7 +177,7 @@ std::string plots(const ConvergeDocument& document, const ConvergePlane& plane) 
 
 std::string targets(const ConvergeDocument& document, const ConvergePlane& plane) {
   std::vector<std::string> words;
-  for (const double target : kConvergeTargets) words.push_back(error_words(target));
+  for (const double target : kConvergeTargets) words.push_back(format_percent(target));
   std::string html = "<table><caption>Time to an RMS error of</caption>" + heads(words) + "<tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     html += "<tr>" + method_head(document.methods[m], m);

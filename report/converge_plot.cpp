@@ -157,7 +157,7 @@ std::string log_log_plot(const PlotSpec& spec) {
       x.add(p.x);
       y.add(p.y);
       y.add(p.high);
-      y.add(std::max(p.low, p.y / 10.0));  // one lucky seed does not squeeze all others
+      y.add(std::max(p.low, p.y / 4.0));  // one lucky seed does not squeeze all others
     }
   }
   if (!(x.high > 0.0) || !(y.high > 0.0)) return "";

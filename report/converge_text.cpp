@@ -1,4 +1,5 @@
 #include "report/converge_words.h"
+#include "report/number_format.h"
 #include "report/plain_text.h"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ std::string curve_text(const ConvergeMethod& method, const ConvergeCurve& curve)
 
 std::string targets_text(const ConvergeDocument& document, const ConvergePlane& plane) {
   std::vector<std::string> heads{"time to an RMS error of"};
-  for (const double target : kConvergeTargets) heads.push_back(error_words(target));
+  for (const double target : kConvergeTargets) heads.push_back(format_percent(target));
   TextTable table(heads);
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     std::vector<std::string> row{document.methods[m].name};

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <regex>
 
 namespace report {
 namespace {
@@ -35,15 +37,16 @@ ConvergeDocument sample() {
   plane.reference_error = 0.0004;
   plane.curves.resize(2);
   for (std::size_t m = 0; m < 2; ++m) {
+    const double factor = m == 0 ? 1.0 : 2.0;
     for (int k = 0; k < 4; ++k) {
       ConvergeStep step;
       step.paths = 64u << k;
-      step.seconds = 0.01 * std::pow(2.0, k) * (m + 1.0);
+      step.seconds = 0.01 * std::pow(2.0, k) * factor;
       step.phases.connect = step.seconds;
       step.light_rays = m == 0 ? 100.0 * std::pow(2.0, k) : 0.0;
       step.rays_per_point = 50.0 * std::pow(2.0, k);
       document.methods[m].steps.push_back(step);
-      const double error = 0.1 * std::pow(0.6, k) * (m + 1.0);
+      const double error = 0.1 * std::pow(0.6, k) * factor;
       plane.curves[m].errors.push_back({ConvergeError{error, 0.8 * error, 1.3 * error, false},
                                         ConvergeError{2 * error, error, 3 * error, false},
                                         ConvergeError{0.1 * error, 0.0, error, k == 3},
@@ -52,10 +55,15 @@ ConvergeDocument sample() {
       plane.curves[m].average_coverage.push_back({3, 3});
     }
     plane.curves[m].slopes[0] = {-0.74, -0.73};
-    plane.curves[m].targets[0] = {0.02 * (m + 1.0), false};
-    plane.curves[m].targets[1] = {0.05 * (m + 1.0), true};
+    plane.curves[m].targets[0] = {0.02 * factor, false};
+    plane.curves[m].targets[1] = {0.05 * factor, true};
   }
   return document;
+}
+
+// Numbers that are none, not the middle of "illuminance".
+bool shows_no_number(const std::string& text) {
+  return std::regex_search(text, std::regex("(^|[^a-z])-?(nan|inf)([^a-z]|$)"));
 }
 
 TEST(ConvergeHtml, IsWellFormedAndLoadsNothing) {
@@ -64,10 +72,10 @@ TEST(ConvergeHtml, IsWellFormedAndLoadsNothing) {
   ASSERT_TRUE(tree.load_buffer(html.data(), html.size(), pugi::parse_full));
   EXPECT_EQ(tree.select_nodes("//svg[@class='plot' and @role='img']").size(), 5u);  // no Uo known
   EXPECT_TRUE(tree.select_nodes("//script | //link | //img | //@src | //@href").empty());
-  EXPECT_THAT(html, Not(HasSubstr("http")));
+  EXPECT_THAT(html, Not(HasSubstr("http:")));
+  EXPECT_THAT(html, Not(HasSubstr("https:")));
   EXPECT_THAT(html, HasSubstr("A &lt;room&gt; &amp; more"));
-  EXPECT_THAT(html, Not(HasSubstr("nan")));
-  EXPECT_THAT(html, Not(HasSubstr("inf")));
+  EXPECT_FALSE(shows_no_number(html));
   EXPECT_THAT(html, HasSubstr("<b>2.0 times</b>"));
   const std::string empty = render_converge_html({});
   EXPECT_TRUE(tree.load_buffer(empty.data(), empty.size(), pugi::parse_full));
@@ -118,7 +126,7 @@ TEST(ConvergeCsv, HasOneLineForEveryStep) {
               columns);
   }
   EXPECT_THAT(csv, HasSubstr("s,desk,core,64,16,3,0.01,"));
-  EXPECT_THAT(csv, Not(HasSubstr("nan")));
+  EXPECT_FALSE(shows_no_number(csv));
 }
 
 TEST(ConvergeJson, HoldsEverything) {
@@ -140,7 +148,7 @@ TEST(ConvergeText, AlignsAndMarks) {
   EXPECT_THAT(text, HasSubstr("< "));
   EXPECT_THAT(text, HasSubstr("~50 ms"));
   EXPECT_THAT(text, HasSubstr("rms -0.74"));
-  EXPECT_THAT(text, Not(HasSubstr("nan")));
+  EXPECT_FALSE(shows_no_number(text));
 }
 
 TEST(ConvergeWords, HaveTwoDigits) {
