@@ -21,6 +21,7 @@ constexpr std::size_t kUsualVertices = 4;  // of a path; more cost a move
 
 struct Chunk {
   LightVertices vertices;
+  std::vector<VertexOrigin> origins;
   double absorbed_lm = 0.0, escaped_lm = 0.0;
   std::uint64_t rays = 0;
   bool has_endless_path = false;
@@ -34,11 +35,15 @@ struct Path {
   EmittedRay ray;
 };
 
+RandomKey sequence_key(std::uint64_t seed, std::uint64_t replicate) {
+  return stage_key(seed, RandomStage::light_paths).with(replicate);
+}
+
 // All paths of a chunk advance together, one reflection at a time, so that their rays fill packets.
 class PathWave {
  public:
-  PathWave(const Tracer& tracer, const ScrambledSobol& sobol, Chunk& chunk)
-      : tracer_(tracer), sobol_(sobol), chunk_(chunk) {
+  PathWave(const Tracer& tracer, const ScrambledSobol& sobol, bool keeps_origins, Chunk& chunk)
+      : tracer_(tracer), sobol_(sobol), keeps_origins_(keeps_origins), chunk_(chunk) {
     paths_.reserve(kPathsPerChunk);
     chunk_.vertices.reserve(kUsualVertices * kPathsPerChunk);
   }
@@ -100,6 +105,9 @@ class PathWave {
     const glm::dvec3 lifted = tracer_.lift(hit.position_m, hit.normal);
     chunk_.vertices.push_back({glm::vec3(lifted), static_cast<float>(path.weight_lm * rho),
                                glm::vec3(hit.normal), path.channel});
+    if (keeps_origins_) {
+      chunk_.origins.push_back({path.index, static_cast<std::uint32_t>(reflection)});
+    }
     if (reflection < kFreeReflections) {
       path.weight_lm *= rho;
     } else {
@@ -113,6 +121,7 @@ class PathWave {
 
   const Tracer& tracer_;
   const ScrambledSobol& sobol_;
+  bool keeps_origins_;
   Chunk& chunk_;
   std::vector<Path> paths_;
   RayPacket packet_;
@@ -122,8 +131,8 @@ class PathWave {
 }  // namespace
 
 ScrambledSobol path_samples(const PathBatch& batch) {
-  return ScrambledSobol(
-      stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate), kSobolDimensions);
+  return ScrambledSobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate),
+                        kSobolDimensions);
 }
 
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
@@ -137,7 +146,7 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
     const FlushDenormals flush;
     const std::uint32_t begin = batch.first + static_cast<std::uint32_t>(c) * kPathsPerChunk;
     const std::uint32_t end = std::min(begin + kPathsPerChunk, batch.last);
-    PathWave wave(tracer, sobol, chunks[c]);
+    PathWave wave(tracer, sobol, batch.keeps_origins, chunks[c]);
     for (std::uint32_t i = begin; i < end; ++i) wave.emit(emitter, i, paths);
     wave.trace(batch, vertices_so_far, is_cancelled);
   });
@@ -150,6 +159,7 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
   for (const Chunk& chunk : chunks) {
     if (!traced.has_too_many_vertices) {
       traced.vertices.insert(traced.vertices.end(), chunk.vertices.begin(), chunk.vertices.end());
+      traced.origins.insert(traced.origins.end(), chunk.origins.begin(), chunk.origins.end());
     }
     traced.absorbed_lm += chunk.absorbed_lm;
     traced.escaped_lm += chunk.escaped_lm;
@@ -157,6 +167,12 @@ TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,
     traced.has_endless_path = traced.has_endless_path || chunk.has_endless_path;
   }
   return traced;
+}
+
+std::size_t luminaire_of_path(const Emitter& emitter, std::uint64_t seed, std::uint64_t replicate,
+                              std::uint32_t path) {
+  const ScrambledSobol sobol(sequence_key(seed, replicate));
+  return emitter.choose_luminaire(sobol.sample(path, kLuminaireDimension));
 }
 
 }  // namespace calc

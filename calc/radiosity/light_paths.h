@@ -6,7 +6,9 @@
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/rays.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace calc {
 
@@ -38,12 +40,20 @@ struct PathBatch {
   std::uint32_t first = 0, last = 0;
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
   std::uint64_t most_vertices = kMostVertices;
+  bool keeps_origins = false;  // fills TracedPaths::origins
+};
+
+// Where a light vertex comes from.
+struct VertexOrigin {
+  std::uint32_t path;        // index in the replicate's sequence
+  std::uint32_t reflection;  // 0 = the path's first
 };
 
 struct TracedPaths {
   LightVertices vertices;  // in no useful order; flux such that their sum over the batch estimates
                            // all reflected flux
-  double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
+  std::vector<VertexOrigin> origins;  // [vertex], if asked for
+  double absorbed_lm = 0.0;           // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
   // A path did not end after kMostReflections: there is no steady state. vertices are then useless.
@@ -58,5 +68,9 @@ ScrambledSobol path_samples(const PathBatch& batch);
 // reflectances falls to that number. Exact in the mean, and path lengths come out stratified.
 // [method 02, section 3] Parallel inside; the result does not depend on the number of threads.
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const PathBatch& batch);
+
+// The luminaire that a path of a replicate starts from.
+std::size_t luminaire_of_path(const Emitter& emitter, std::uint64_t seed, std::uint64_t replicate,
+                              std::uint32_t path);
 
 }  // namespace calc

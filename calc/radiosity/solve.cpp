@@ -9,6 +9,7 @@
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/vertex_bounds.h"
+#include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
 #include "calc/statistics.h"
 #include "calc/units.h"
@@ -43,12 +44,14 @@ constexpr double kGlobalSoftening = 0.1;
 class Solver {
  public:
   Solver(const PreparedScene& scene, const RadiositySettings& settings, double confidence,
-         const Stages& stages, const LookTest& test, const ProgressSink& progress)
+         const Stages& stages, const LookTest& test, const ProgressSink& progress,
+         const VertexCache* cache)
       : settings_(settings),
         confidence_(confidence),
         stages_(stages),
         test_(test),
         progress_(progress),
+        cache_(cache),
         start_s_(now_s()),
         tracer_(scene),
         beams_(beams_of(scene)),
@@ -316,9 +319,9 @@ class Solver {
   }
 
   TracedPaths trace(std::size_t replicate, std::uint64_t first, std::uint64_t last) {
-    TracedPaths traced =
-        trace_batch({settings_.seed, replicate, static_cast<std::uint32_t>(first),
-                     static_cast<std::uint32_t>(last), deadline_s_});
+    const PathBatch batch{settings_.seed, replicate, static_cast<std::uint32_t>(first),
+                          static_cast<std::uint32_t>(last), deadline_s_};
+    TracedPaths traced = cache_ != nullptr ? cache_->take(batch) : trace_batch(batch);
     look_absorbed_lm_[replicate] = traced.absorbed_lm;
     look_escaped_lm_[replicate] = traced.escaped_lm;
     pool_rays_ += traced.rays;
@@ -343,6 +346,7 @@ class Solver {
   const Stages& stages_;
   const LookTest& test_;
   const ProgressSink& progress_;
+  const VertexCache* cache_;
   double start_s_;
   Tracer tracer_;
   std::vector<Beam> beams_;
@@ -366,10 +370,11 @@ class Solver {
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
                                 const Stages& stages, const LookTest& test,
-                                const ProgressSink& progress) {
+                                const ProgressSink& progress, const VertexCache* cache) {
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
-  return arena.execute(
-      [&] { return Solver(scene, settings, confidence, stages, test, progress).run(tasks); });
+  return arena.execute([&] {
+    return Solver(scene, settings, confidence, stages, test, progress, cache).run(tasks);
+  });
 }
 
 }  // namespace calc

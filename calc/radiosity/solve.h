@@ -17,6 +17,8 @@
 
 namespace calc {
 
+struct VertexCache;
+
 // A plane to compute: its id keys the random numbers, so that a plane's result does not depend on
 // which other planes are computed or in which order.
 struct PlaneTask {
@@ -59,10 +61,12 @@ struct SpaceSolution {
 };
 
 // Settings must be valid. Same scene, task and seed give the same bits for any settings.jobs and
-// any other tasks, unless a time limit or the progress sink stopped the run.
+// any other tasks, unless a time limit or the progress sink stopped the run. cache: light vertices
+// to take instead of tracing paths, which gives the same bits; must be of this scene
+// (scene_fingerprint()) and these settings (VertexCache::fit()).
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
                                 const Stages& stages, const LookTest& test,
-                                const ProgressSink& progress);
+                                const ProgressSink& progress, const VertexCache* cache = nullptr);
 
 }  // namespace calc

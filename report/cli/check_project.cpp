@@ -7,6 +7,7 @@
 #include "report/build.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/plan.h"
+#include "report/cli/vpl.h"
 #include "rules/bind.h"
 #include "rules/judge.h"
 #include "rules/stop_rule.h"
@@ -106,7 +107,8 @@ calc::RadiositySettings remaining_settings(const Options& options, const Stopwat
 }
 
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
-                          const Tasks& tasks, const CheckContext& context, const Stopwatch& watch) {
+                          const Tasks& tasks, const CheckContext& context, const Stopwatch& watch,
+                          const calc::VertexCache* cache) {
   const Options& options = context.options;
   const rules::StopRule rule{options.goal, options.tolerance, options.confidence};
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
@@ -120,7 +122,7 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
     return !interrupted();
   };
   return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
-                                 options.confidence, context.stages, test, progress);
+                                 options.confidence, context.stages, test, progress, cache);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
@@ -179,8 +181,11 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   const Tasks tasks = make_tasks(jobs);
   times.prepare_s += prepare_watch.seconds();
 
+  const calc::VertexCache* cache =
+      context.cache != nullptr && context.cache->space_id == space.id ? context.cache : nullptr;
+  if (cache != nullptr && !fits(*cache, scene, context.options, diagnostics)) return {};
   calc::SpaceSolution solution;
-  if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch);
+  if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch, cache);
   if (context.cost_log != nullptr && !tasks.list.empty()) {
     *context.cost_log += explain_cost(loaded.project.path, space.id, scene, tasks.list,
                                       context.options.radiosity, solution);
@@ -211,11 +216,20 @@ report::ProjectPart check_project(const std::string& path, const CheckContext& c
   report::ProjectPart part = report::build_project(loaded->project);
   report::PhaseTimes times;
   times.load_s = watch.seconds();
+  if (context.cache != nullptr &&
+      !has_space_of(*context.cache, loaded->project, context.options, diagnostics)) {
+    return unreadable_project(path, diagnostics);
+  }
   for (const calc::Space& space : loaded->project.spaces) {
     context.progress.start_space(space.id);
     part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
     if (interrupted()) break;
   }
+  const bool is_refused =
+      std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [](const auto& diagnostic) {
+        return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
+      });
+  if (is_refused) return unreadable_project(path, diagnostics);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

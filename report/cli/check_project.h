@@ -3,6 +3,7 @@
 
 #include "calc/file_reader.h"
 #include "calc/radiosity/stages.h"
+#include "calc/radiosity/vertex_cache.h"
 #include "report/cli/options.h"
 #include "report/cli/progress.h"
 #include "report/document.h"
@@ -20,7 +21,8 @@ struct CheckContext {
   const std::vector<rules::RulePack>& packs;
   const calc::Stages& stages;
   Progress& progress;
-  std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
+  std::string* cost_log = nullptr;           // gets what --explain-cost prints; null: not wanted
+  const calc::VertexCache* cache = nullptr;  // of one space, with the options' settings; or null
 };
 
 // Calculates and judges. Input errors end up in the part's diagnostics and leave it not judged; a

@@ -100,6 +100,15 @@ ValueParser some_text(std::string& target) {
   };
 }
 
+ValueParser positive_number(double& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::optional<double> value = calc::parse_number(text);
+    if (!value || *value <= 0.0) return "a number above 0 is needed";
+    target = *value;
+    return "";
+  };
+}
+
 ValueParser seconds(double& target) {
   return [&target](const std::string& text) -> std::string {
     const std::optional<double> value = calc::parse_number(text);

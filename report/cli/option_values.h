@@ -17,6 +17,13 @@ namespace cli {
 // Sets its target and returns "", or returns what is allowed and leaves the target alone.
 using ValueParser = std::function<std::string(const std::string& text)>;
 
+// An option with a value, for commands that list theirs in a file of their own.
+struct ValueOption {
+  std::string name, value_name, help;
+  ValueParser parser;
+  bool repeats = false;
+};
+
 // Digits only.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
@@ -30,6 +37,8 @@ ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t
 ValueParser some_text(std::string& target);
 // > 0
 ValueParser seconds(double& target);
+// > 0 and finite
+ValueParser positive_number(double& target);
 // "csv" or "csv=FILE", appended.
 ValueParser format_item(std::vector<OutputFormat>& target);
 // A name of calc::skip_name(), or "all"; forbidden besides those that are already.

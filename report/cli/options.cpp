@@ -211,9 +211,23 @@ void add_geometry(CLI::App& app, Options& options) {
   app.footer("Exit codes: 0 readable, 1 warnings with --strict, 2 at least one error.");
 }
 
+// One project and the options that a command lists by itself.
+void add_listed(CLI::App& app, std::string& project, const std::vector<ValueOption>& list) {
+  app.add_option("project", project, "Project file")->required()->type_name("PROJECT.xml");
+  for (const ValueOption& item : list) {
+    CLI::Option* option = add_value(app, item.name, item.value_name, item.help, item.parser);
+    if (item.repeats) allow_repeats(option);
+  }
+}
+
 // What can only be seen with all options together; "" = nothing is wrong.
 std::string contradiction(const Options& options) {
   if (options.command == Command::photometry) return photometry_contradiction(options.photometry);
+  if (options.command == Command::vpl) return vpl_contradiction(options.vpl);
+  if (options.command == Command::converge) return converge_contradiction(options.converge);
+  if (!options.vpl_file.empty() && options.projects.size() > 1) {
+    return fmt::format("--vpl is for one project; found {}", options.projects.size());
+  }
   const auto stdout_formats =
       std::count_if(options.formats.begin(), options.formats.end(),
                     [](const OutputFormat& format) { return format.file.empty(); });
@@ -304,6 +318,14 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   add_calculation(check, options);
   add_work(check, options);
   add_backend(check, options);
+  CLI::Option* vpl_file = add_value(
+      check, "--vpl", "FILE",
+      "Take the light vertices of one space from a file of 'luxgate vpl' instead of tracing them;\n"
+      "seed, replicates and the most paths are the file's. Results are the same to the bit",
+      some_text(options.vpl_file));
+  for (const char* fixed : {"--seed", "--replicates", "--max-paths"}) {
+    vpl_file->excludes(check.get_option(fixed));
+  }
   check.footer(kExitCodes);
   CLI::App& report =
       *app.add_subcommand("report", "Render a result again in other formats, without calculating");
@@ -325,6 +347,14 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       *app.add_subcommand("validate", "Check projects for errors without calculating");
   add_projects(validate, options);
   validate.footer("Exit codes: 0 no error, 2 at least one error.");
+  CLI::App& vpl = *app.add_subcommand(
+      "vpl", "Trace the light vertices of a space and write them as a PLY file");
+  add_listed(vpl, options.vpl.project, vpl_value_options(options.vpl));
+  vpl.footer("Exit codes: 0 written, 2 an error.");
+  CLI::App& converge = *app.add_subcommand(
+      "converge", "Measure error against run time and rays, for several methods");
+  add_listed(converge, options.converge.project, converge_value_options(options.converge));
+  converge.footer(converge_footer());
   CLI::App& photometry =
       *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
   add_photometry(photometry, options);
@@ -359,6 +389,8 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (report.parsed()) options.command = Command::report;
   if (plan.parsed()) options.command = Command::plan;
   if (validate.parsed()) options.command = Command::validate;
+  if (vpl.parsed()) options.command = Command::vpl;
+  if (converge.parsed()) options.command = Command::converge;
   if (photometry.parsed()) options.command = Command::photometry;
   if (geometry.parsed()) options.command = Command::geometry;
   if (schema.parsed()) options.command = Command::schema;

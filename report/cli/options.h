@@ -2,6 +2,8 @@
 // The command line as a value. options.cpp is the only file that includes CLI11.
 
 #include "calc/radiosity/settings.h"
+#include "report/cli/converge_options.h"
+#include "report/cli/vpl_options.h"
 #include "rules/goal.h"
 
 #include <optional>
@@ -15,6 +17,8 @@ enum class Command {
   report,
   plan,
   validate,
+  vpl,
+  converge,
   photometry,
   geometry,
   schema,
@@ -85,6 +89,10 @@ struct Options {
   int gl_device = -1;  // as `luxgate devices` numbers them; -1 = not given
   std::optional<GpuStages> gpu_stages;  // empty: not given, all
 
+  std::string vpl_file;  // light vertices to take instead of tracing; "" = none
+
+  VplOptions vpl;
+  ConvergeOptions converge;
   bool plan_as_json = false;
   PhotometryOptions photometry;
   std::vector<std::string> geometry_files;

@@ -36,6 +36,8 @@ fs::path existing_folder(fs::path path) {
   return path.empty() ? fs::path(".") : path;
 }
 
+}  // namespace
+
 std::string writability(const std::string& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
@@ -49,6 +51,8 @@ std::string writability(const std::string& file) {
   }
   return "";
 }
+
+namespace {
 
 // Writes what `make` gives; "" or a message.
 std::string write_made(const std::string& path, const std::function<std::string()>& make) {

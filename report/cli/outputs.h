@@ -25,6 +25,9 @@ std::string check_outputs(const Options& options);
 std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
                                        const std::set<std::string>& inputs);
 
+// "" if a file can be written there, else why not. Touches nothing.
+std::string writability(const std::string& file);
+
 // Equal for two paths to the same file, whether it exists or not.
 std::string path_identity(const std::string& file);
 

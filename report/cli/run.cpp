@@ -4,6 +4,7 @@
 #include "gpu/egl_context.h"
 #include "report/cli/backend.h"
 #include "report/cli/check_project.h"
+#include "report/cli/converge.h"
 #include "report/cli/devices.h"
 #include "report/cli/geometry.h"
 #include "report/cli/init.h"
@@ -14,6 +15,7 @@
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
+#include "report/cli/vpl.h"
 #include "report/read_json.h"
 #include "report/result_schema.h"
 
@@ -184,9 +186,26 @@ bool write_results(const Options& options, const Environment& environment,
   return is_written;
 }
 
-ExitCode run_check(const Options& options, const Environment& environment, gpu::Fault fault) {
+// Options with a cache's seed, replicates and paths; empty after an error, which has been printed.
+std::optional<Options> with_cache(const Options& options, const calc::FileReader& files,
+                                  std::optional<calc::VertexCache>& cache) {
+  Options used = options;
+  if (options.vpl_file.empty()) return used;
+  calc::Diagnostics diagnostics;
+  cache = read_vertex_cache(options.vpl_file, files, diagnostics);
+  print_diagnostics(diagnostics.all(), true);
+  if (!cache) return std::nullopt;
+  use_settings_of(*cache, used.radiosity);
+  return used;
+}
+
+ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fault fault) {
   const calc::DiskFileReader disk;
   const RecordingReader files(disk);
+  std::optional<calc::VertexCache> cache;
+  const std::optional<Options> used = with_cache(asked, files, cache);
+  if (!used) return kNotJudged;
+  const Options& options = *used;
   const std::string problem = check_outputs(options);
   if (!problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
@@ -205,8 +224,13 @@ ExitCode run_check(const Options& options, const Environment& environment, gpu::
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
   const calc::Stages stages = opened->stages();
-  const CheckContext context{options, files,    *packs,
-                             stages,  progress, options.explain_cost ? &cost_log : nullptr};
+  const CheckContext context{options,
+                             files,
+                             *packs,
+                             stages,
+                             progress,
+                             options.explain_cost ? &cost_log : nullptr,
+                             cache ? &*cache : nullptr};
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, opened->description);
   for (const std::string& path : options.projects) {
@@ -283,6 +307,12 @@ ExitCode run_validate(const Options& options) {
   return code;
 }
 
+// Results to standard output, messages before them to standard error.
+ExitCode print_outcome(const CommandOutcome& outcome, bool quiet) {
+  print_diagnostics(outcome.diagnostics, quiet);
+  return print_result(outcome.text) ? outcome.code : kNotJudged;
+}
+
 ExitCode run_geometry(const Options& options) {
   const calc::DiskFileReader files;
   std::vector<GeometryReport> reports;
@@ -345,6 +375,13 @@ ExitCode run(const Options& options, const Environment& environment) {
       return run_plan(options, *fault);
     case Command::validate:
       return run_validate(options);
+    case Command::vpl:
+      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader()), false);
+    case Command::converge:
+      watch_for_interrupt();
+      return print_outcome(
+          run_converge(options.converge, calc::DiskFileReader(), environment.stderr_is_terminal),
+          false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:

@@ -1,0 +1,134 @@
+#include "report/cli/converge_options.h"
+
+#include "report/cli/converge_estimators.h"
+#include "report/cli/option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+ValueParser method_list(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::vector<std::string_view> names = estimator_names();
+    std::vector<std::string> list = split(text);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (std::find(names.begin(), names.end(), list[i]) == names.end()) {
+        return one_of_message(list[i], names);
+      }
+      if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i), list[i]) !=
+          list.begin() + static_cast<std::ptrdiff_t>(i)) {
+        return fmt::format("'{}' is named twice", list[i]);
+      }
+    }
+    target = std::move(list);
+    return "";
+  };
+}
+
+ValueParser output_item(std::vector<ConvergeOutput>& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    ConvergeOutput output;
+    std::string problem = choice<ConvergeFormat>(output.kind, {{"text", ConvergeFormat::text},
+                                                               {"csv", ConvergeFormat::csv},
+                                                               {"json", ConvergeFormat::json},
+                                                               {"html", ConvergeFormat::html}})(
+        text.substr(0, equals));
+    if (!problem.empty()) return problem;
+    if (equals != std::string::npos) output.file = text.substr(equals + 1);
+    if (equals != std::string::npos && output.file.empty()) return "a file name is missing after '='";
+    target.push_back(output);
+    return "";
+  };
+}
+
+ValueParser plane_list(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "the id of a plane is needed";
+    target.push_back(text);
+    return "";
+  };
+}
+
+}  // namespace
+
+std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
+  constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
+  return {
+      {"--methods", "LIST",
+       "Any of core (what 'check' does), instant-radiosity, clamped-instant-radiosity and\n"
+       "path-tracing, with commas; default core,instant-radiosity",
+       method_list(options.methods)},
+      {"--reference", "own|FILE.csv",
+       "What errors are measured against: a long run of the core with other random numbers, whose\n"
+       "own error is subtracted, or a table with a line for every point: plane,column,row,lx or\n"
+       "x,y,z,lx (m, lx, initial) and perhaps error_lx, its standard error; default own",
+       some_text(options.reference)},
+      {"--reference-paths", "N",
+       "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
+       power_of_two(options.reference_paths, 16, kMostPaths)},
+      {"--part", "NAME",
+       "total, or indirect: errors of the reflected light alone; default total",
+       choice<bool>(options.is_indirect, {{"total", false}, {"indirect", true}})},
+      {"--min-paths", "N", "First step of the ladder, per replicate, a power of two; default 64",
+       power_of_two(options.min_paths, 16, kMostPaths)},
+      {"--max-paths", "N", "Last step; every step takes twice as many; default 8192",
+       power_of_two(options.max_paths, 16, kMostPaths)},
+      {"--replicates", "N", "Replicates of a run, which is their mean, 4 to 64; default 16",
+       whole_number(options.replicates, 4, 64)},
+      {"--seeds", "N", "Runs at every step, with different random numbers; default 5",
+       whole_number(options.seeds, 1, 1000)},
+      {"--seed", "N", "Seed of the first of them; default 1",
+       whole_number(options.seed, 0, UINT64_MAX - 1000)},
+      {"--clamp", "B",
+       "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
+       positive_number(options.clamp_per_m2)},
+      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
+      {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
+       plane_list(options.planes), true},
+      {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
+      {"--format", "KIND[=FILE]",
+       "text, csv, json or html, to FILE or (one kind only) to standard output, where text goes\n"
+       "unless another kind does; may be repeated",
+       output_item(options.outputs), true}};
+}
+
+std::string converge_contradiction(const ConvergeOptions& options) {
+  if (options.max_paths < options.min_paths) {
+    return fmt::format("--max-paths {} is less than --min-paths {}", options.max_paths,
+                       options.min_paths);
+  }
+  if (options.reference != "own" && options.reference_paths > 0) {
+    return "--reference-paths is for --reference own";
+  }
+  const auto to_stdout =
+      std::count_if(options.outputs.begin(), options.outputs.end(),
+                    [](const ConvergeOutput& output) { return output.file.empty(); });
+  if (to_stdout > 1) {
+    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  return "";
+}
+
+std::string converge_footer() {
+  return "Times depend on the machine and on what else it does; errors do not.\n"
+         "Exit codes: 0 measured, 2 an error, 130 interrupted.";
+}
+
+}  // namespace cli

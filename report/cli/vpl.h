@@ -1,0 +1,32 @@
+#pragma once
+// `luxgate vpl`: light vertices into a file; and out of it for `luxgate check --vpl`.
+
+#include "calc/diagnostics.h"
+#include "calc/file_reader.h"
+#include "calc/radiosity/vertex_cache.h"
+#include "calc/scene/project.h"
+#include "report/cli/command_outcome.h"
+#include "report/cli/options.h"
+
+#include <optional>
+#include <string>
+
+namespace cli {
+
+CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk);
+
+// Empty after an error: unreadable, changed, of another version, or too few replicates to judge by.
+std::optional<calc::VertexCache> read_vertex_cache(const std::string& path,
+                                                   const calc::FileReader& files,
+                                                   calc::Diagnostics& diagnostics);
+
+// Seed, replicates and paths.
+void use_settings_of(const calc::VertexCache& cache, calc::RadiositySettings& settings);
+
+// False after an error.
+bool has_space_of(const calc::VertexCache& cache, const calc::Project& project,
+                  const Options& options, calc::Diagnostics& diagnostics);
+bool fits(const calc::VertexCache& cache, const calc::PreparedScene& scene, const Options& options,
+          calc::Diagnostics& diagnostics);
+
+}  // namespace cli

@@ -1,0 +1,108 @@
+#pragma once
+// What `luxgate converge` measured, for its formats.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+// Relative errors: RMS and maximum over points, of the plane average, of its Uo (minimum to
+// average).
+enum class ConvergeMetric { rms, maximum, average, uniformity };
+inline constexpr std::size_t kConvergeMetrics = 4;
+inline constexpr std::array<ConvergeMetric, kConvergeMetrics> kAllConvergeMetrics{
+    ConvergeMetric::rms, ConvergeMetric::maximum, ConvergeMetric::average,
+    ConvergeMetric::uniformity};
+
+// Errors whose run time is looked up.
+inline constexpr std::array kConvergeTargets{0.05, 0.02, 0.01, 0.005, 0.001};
+
+// Over the seeds at one number of paths. value: root of the mean square, of the maximum too, less
+// the reference's own error where it could be subtracted; low, high: smallest and largest of one
+// seed, as measured. value is NaN where there is nothing to measure, and is_below where it drowns
+// in the reference's error: value is then that error.
+struct ConvergeError {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double low = 0.0, high = 0.0;
+  bool is_below = false;
+};
+
+// Points whose stated 95 % interval holds the truth.
+struct ConvergeCoverage {
+  std::uint64_t held = 0, tried = 0;
+  double share() const {
+    return tried > 0 ? static_cast<double>(held) / static_cast<double>(tried) : 0.0;
+  }
+};
+
+struct ConvergePhases {  // seconds
+  double build = 0.0, direct = 0.0, pool = 0.0, connect = 0.0, near = 0.0;
+};
+
+// One method, one number of paths. Times and rays: medians over the seeds, of all planes together.
+struct ConvergeStep {
+  std::uint64_t paths = 0;  // of one replicate
+  double seconds = 0.0;
+  ConvergePhases phases;
+  double light_rays = 0.0;      // of light paths, all replicates: so many light vertices at most
+  double rays_per_point = 0.0;  // all but those towards luminaires, all replicates
+};
+
+struct ConvergeSlopes {
+  std::optional<double> over_time, over_rays;  // exponents; none below three steps
+};
+
+struct ConvergeTarget {
+  std::optional<double> seconds;  // none: not reached, and too far to tell
+  bool is_extrapolated = false;
+};
+
+// How one method does on one plane, [step].
+struct ConvergeCurve {
+  std::vector<std::array<ConvergeError, kConvergeMetrics>> errors;
+  std::vector<ConvergeCoverage> coverage, average_coverage;
+  std::array<ConvergeSlopes, kConvergeMetrics> slopes;
+  std::array<ConvergeTarget, kConvergeTargets.size()> targets;  // of the RMS error
+};
+
+struct ConvergePlane {
+  std::string id, name;
+  std::size_t points = 0;
+  double average_lx = 0.0, minimum_lx = 0.0, uo = 0.0;  // of the reference
+  double reference_error = 0.0;                         // RMS, relative
+  std::vector<ConvergeCurve> curves;                    // [method]
+};
+
+struct ConvergeMethod {
+  std::string name, title;
+  std::vector<ConvergeStep> steps;
+};
+
+struct ConvergeDocument {
+  std::string project, path, space_id, program, tracer;
+  std::string part;       // "total" or "indirect"
+  std::string reference;  // in words
+  int replicates = 0, seeds = 0, jobs = 0;
+  std::uint64_t first_seed = 1;
+  double load_s = 0.0, prepare_s = 0.0, reference_s = 0.0;
+  std::size_t triangles = 0, luminaires = 0, points = 0;
+  double clamp_per_m2 = 0.0;  // 0 = no clamped method among them
+  std::vector<ConvergeMethod> methods;
+  std::vector<ConvergePlane> planes;
+};
+
+std::string_view converge_metric_name(ConvergeMetric metric);   // "rms"
+std::string_view converge_metric_title(ConvergeMetric metric);  // "RMS over points"
+
+std::string render_converge_text(const ConvergeDocument& document);
+std::string render_converge_csv(const ConvergeDocument& document);
+std::string render_converge_json(const ConvergeDocument& document);
+std::string render_converge_html(const ConvergeDocument& document);
+
+}  // namespace report

@@ -1,0 +1,94 @@
+#include "report/cli/options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cli {
+namespace {
+
+using testing::HasSubstr;
+
+ParseResult parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "luxgate");
+  return parse_options(static_cast<int>(words.size()), words.data(), "");
+}
+
+TEST(ConvergeOptions, AreRead) {
+  const ParseResult result =
+      parse({"converge", "a.xml", "--methods", "path-tracing,core", "--reference", "r.csv",
+             "--part", "indirect", "--min-paths", "32", "--max-paths", "128", "--replicates", "8",
+             "--seeds", "3", "--seed", "7", "--clamp", "2.5", "--space", "s", "--plane", "p",
+             "--plane", "q", "--jobs", "2", "--format", "html=x.html", "--format", "csv"});
+  ASSERT_TRUE(result.options) << result.err;
+  const ConvergeOptions& options = result.options->converge;
+  EXPECT_EQ(result.options->command, Command::converge);
+  EXPECT_EQ(options.project, "a.xml");
+  EXPECT_EQ(options.methods, (std::vector<std::string>{"path-tracing", "core"}));
+  EXPECT_EQ(options.reference, "r.csv");
+  EXPECT_TRUE(options.is_indirect);
+  EXPECT_EQ(options.min_paths, 32u);
+  EXPECT_EQ(options.max_paths, 128u);
+  EXPECT_EQ(options.replicates, 8);
+  EXPECT_EQ(options.seeds, 3);
+  EXPECT_EQ(options.seed, 7u);
+  EXPECT_EQ(options.clamp_per_m2, 2.5);
+  EXPECT_EQ(options.space, "s");
+  EXPECT_EQ(options.planes, (std::vector<std::string>{"p", "q"}));
+  EXPECT_EQ(options.jobs, 2);
+  ASSERT_EQ(options.outputs.size(), 2u);
+  EXPECT_EQ(options.outputs[0].file, "x.html");
+  EXPECT_EQ(options.outputs[1].kind, ConvergeFormat::csv);
+}
+
+TEST(ConvergeOptions, BadOnesAreRefused) {
+  const auto problem = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"converge", "a.xml"});
+    const ParseResult result = parse(words);
+    EXPECT_FALSE(result.options);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(problem({"--methods", "core,radiance"}), HasSubstr("radiance"));
+  EXPECT_THAT(problem({"--methods", "core,core"}), HasSubstr("named twice"));
+  EXPECT_THAT(problem({"--methods", ""}), HasSubstr("core"));
+  EXPECT_THAT(problem({"--min-paths", "100"}), HasSubstr("power of two"));
+  EXPECT_THAT(problem({"--min-paths", "256", "--max-paths", "64"}), HasSubstr("less than"));
+  EXPECT_THAT(problem({"--replicates", "3"}), HasSubstr("4"));
+  EXPECT_THAT(problem({"--seeds", "0"}), HasSubstr("1"));
+  EXPECT_THAT(problem({"--clamp", "0"}), HasSubstr("above 0"));
+  EXPECT_THAT(problem({"--format", "pdf"}), HasSubstr("html"));
+  EXPECT_THAT(problem({"--format", "html="}), HasSubstr("file name"));
+  EXPECT_THAT(problem({"--format", "csv", "--format", "text"}), HasSubstr("only one kind"));
+  EXPECT_THAT(problem({"--reference", "r.csv", "--reference-paths", "64"}),
+              HasSubstr("--reference own"));
+}
+
+TEST(VplOptions, AreReadAndChecked) {
+  const ParseResult good = parse({"vpl", "a.xml", "-o", "x.ply", "--paths", "64", "--seed", "5",
+                                  "--replicates", "1", "--space", "hall"});
+  ASSERT_TRUE(good.options) << good.err;
+  EXPECT_EQ(good.options->command, Command::vpl);
+  EXPECT_EQ(good.options->vpl.output, "x.ply");
+  EXPECT_EQ(good.options->vpl.radiosity.max_paths, 64u);
+  EXPECT_EQ(good.options->vpl.radiosity.seed, 5u);
+  EXPECT_EQ(good.options->vpl.radiosity.replicates, 1);
+  EXPECT_EQ(good.options->vpl.space, "hall");
+  EXPECT_THAT(parse({"vpl", "a.xml"}).err, HasSubstr("-o FILE.ply is needed"));
+  EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--paths", "65"}).err, HasSubstr("power of two"));
+  EXPECT_FALSE(parse({"vpl"}).options);
+}
+
+TEST(CheckOptions, AFileOfVerticesFixesSeedReplicatesAndPaths) {
+  EXPECT_EQ(parse({"check", "a.xml", "--vpl", "x.ply"}).options->vpl_file, "x.ply");
+  for (const char* name : {"--seed", "--replicates", "--max-paths"}) {
+    const ParseResult result = parse({"check", "a.xml", "--vpl", "x.ply", name, "16"});
+    EXPECT_FALSE(result.options) << name;
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr(name));
+  }
+  EXPECT_THAT(parse({"check", "a.xml", "b.xml", "--vpl", "x.ply"}).err,
+              HasSubstr("--vpl is for one project; found 2"));
+}
+
+}  // namespace
+}  // namespace cli
