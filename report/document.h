@@ -21,7 +21,7 @@ namespace report {
 // Seconds by phase; absent from formats unless timing was asked for, since they change from run to
 // run.
 struct PhaseTimes {
-  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0,
+  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0,
          judge_s = 0;
   double total_s = 0;
 };

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace calc {
 
@@ -41,6 +42,12 @@ class BackendFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What gather_all() did.
+struct SharedGather {
+  std::vector<std::uint32_t> pairs;    // [receiver], with a vertex that it faces
+  double maps_s = 0.0, gather_s = 0.0;  // without waiting for the device
+};
+
 class Gatherer {
  public:
   virtual ~Gatherer() = default;
@@ -51,6 +58,16 @@ class Gatherer {
   // number of threads and any other receivers. May be called from several threads at once. Returns
   // the number of shadow rays traced. May throw BackendFailure.
   virtual std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) = 0;
+
+  // Whether instant radiosity is to hand over all points of a space at once, by gather_all(): what
+  // is made for a vertex, a shadow map, then serves them all.
+  virtual bool connects_all() const { return false; }
+
+  // As gather(), for every receiver with every vertex, each with weight 1; batch.connections is
+  // empty. Only if connects_all().
+  virtual SharedGather gather_all(const GatherBatch&, const GatherSums&) {
+    throw BackendFailure("this gatherer takes connections one by one");
+  }
 
   // For reports: "cpu (Embree 3.13.5)".
   virtual std::string description() const = 0;

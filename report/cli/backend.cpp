@@ -1,5 +1,6 @@
 #include "report/cli/backend.h"
 
+#include "gpu/shadow_map_gatherer.h"
 #include "report/number_format.h"
 
 #include <fmt/format.h>
@@ -57,6 +58,9 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<double()>& connections) {
+  if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
+    return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL", texels};
+  }
   if (options.backend != Backend::automatic) {
     return {options.backend, options.gl_device, "asked for with --backend"};
   }
@@ -74,6 +78,9 @@ std::unique_ptr<calc::Gatherer> make_gatherer(const BackendChoice& choice, gpu::
   const auto thread = gpu::DeviceThread::open({choice.device, fault}, problem);
   if (!thread) return nullptr;
   if (thread->device().is_software) warning = thread->device().renderer;
+  if (choice.shadow_map_texels > 0) {
+    return gpu::make_shadow_map_gatherer(thread, choice.shadow_map_texels);
+  }
   return gpu::make_gl_gatherer(thread);
 }
 

@@ -166,6 +166,7 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
   times.prepare_s += solution.times.build_s;
   times.direct_s += solution.times.direct_s;
   times.pool_s += solution.times.pool_s;
+  times.maps_s += solution.times.maps_s;
   times.connect_s += solution.times.connect_s;
   times.near_s += solution.times.near_s;
 }
