@@ -16,4 +16,7 @@ inline constexpr float kDepthBias = 1.0e-4f;
 RenderShaders shadow_map_shaders();
 std::string shadow_gather_shader();
 
+// Two outputs: a value, and a colour over it. is_cover: draws the colour alone.
+RenderShaders picture_shaders(bool is_cover);
+
 }  // namespace gpu
