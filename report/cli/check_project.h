@@ -5,6 +5,7 @@
 #include "calc/radiosity/gatherer.h"
 #include "report/cli/options.h"
 #include "report/cli/progress.h"
+#include "report/cli/room_pictures.h"
 #include "report/document.h"
 #include "rules/rule_pack.h"
 
@@ -20,6 +21,7 @@ struct CheckContext {
   const std::vector<rules::RulePack>& packs;
   calc::Gatherer& gatherer;
   Progress& progress;
+  PictureMaker* pictures = nullptr;  // null: none are wanted
   std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
 };
 

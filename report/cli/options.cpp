@@ -79,7 +79,12 @@ void add_output(CLI::App& app, Options& options) {
   app.add_option("--output", options.output_folder,
                  "Folder for results.csv, points.csv, result.json and report.html; made if needed")
       ->type_name("FOLDER");
-  app.add_flag("--images", options.images, "With --output: a PNG and an EXR file per plane too");
+  app.add_flag("--images", options.images,
+               "With --output: a PNG and an EXR file per plane and picture too");
+  add_value(app, "--pictures", "WHEN",
+            "Rooms in false colours, in HTML and with --images: auto (where OpenGL can draw) or\n"
+            "off; default auto. Their bytes depend on the machine's OpenGL",
+            choice<bool>(options.pictures, {{"auto", true}, {"off", false}}));
   add_value(
       app, "--timestamp", "WHEN",
       "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"

@@ -202,8 +202,15 @@ ExitCode run_check(const Options& options, const Environment& environment, gpu::
   watch_for_interrupt();
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
-  const CheckContext context{options,   files,    *packs,
-                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr};
+  std::optional<PictureMaker> pictures;
+  if (wants_pictures(options)) pictures.emplace(options, fault, [] { return !interrupted(); });
+  const CheckContext context{options,
+                             files,
+                             *packs,
+                             *gatherer,
+                             progress,
+                             pictures ? &*pictures : nullptr,
+                             options.explain_cost ? &cost_log : nullptr};
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, *gatherer);
   for (const std::string& path : options.projects) {
