@@ -22,6 +22,7 @@ class GlBuffer {
   // At least so many bytes; what was there is lost if it has to grow.
   void reserve(std::size_t bytes);
   std::size_t bytes() const { return bytes_; }
+  unsigned name() const { return name_; }  // of OpenGL, for arrays that are drawn from
   void write(std::size_t offset, std::span<const std::byte> from);
   void read(std::size_t offset, std::span<std::byte> to) const;
   // Every 4 bytes of the first `bytes`, a multiple of 4.

@@ -16,6 +16,9 @@ inline constexpr std::uint32_t kNoRay = 0;
 inline constexpr std::uint32_t kAddsNothing = 0x8000'0000;
 inline constexpr std::uint32_t kNotDone = 0xffff'ffff;
 
+// Declares connection_geometry() and connection_lx() of calc/radiosity/connection_terms.glsl.
+std::string connection_terms_text();
+
 // Of given connections. has_shadows: false leaves the rays out.
 std::string gather_shader(bool has_shadows);
 

@@ -21,7 +21,7 @@ namespace report {
 // Seconds by phase; absent from formats unless timing was asked for, since they change from run to
 // run.
 struct PhaseTimes {
-  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0,
+  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0,
          judge_s = 0;
   double total_s = 0;
 };
@@ -84,6 +84,26 @@ struct LuminaireMark {  // for plans
   std::string type_id;
 };
 
+// A picture of a room in false colours, as files.
+struct RoomPicture {
+  std::string name;   // "corner", "plan": for file names
+  std::string title;  // "seen from above a corner"
+  int width = 0, height = 0;
+  std::string png;           // without legend, transparent around the room
+  std::string labelled_png;  // with legend; "" = not asked for
+  std::string exr;           // in lx; "" = not asked for
+};
+
+struct RoomPictures {
+  std::vector<RoomPicture> list;  // empty: not asked for, or there is a problem
+  std::string problem;            // why there are none; "" = no problem
+  double low_lx = 0, step_lx = 1;  // a ColourScale
+  int bands = 1;
+  double highest_lx = 0;   // seen; above the scale it is painted as the last band
+  double error_share = 0;  // relative standard error of sampling on surfaces, root mean square
+  std::string device;      // that drew them
+};
+
 struct SpacePart {
   std::string id, name;
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
@@ -93,6 +113,7 @@ struct SpacePart {
   std::vector<LuminaireMark> luminaires;
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
+  RoomPictures pictures;
 };
 
 struct ProjectPart {

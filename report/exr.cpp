@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -66,12 +67,13 @@ Planes channel_values(const PlanePart& plane) {
   return values;
 }
 
-void write_picture(const Imf::Header& header, int columns, int rows, Planes& values,
+void write_picture(const Imf::Header& header, int columns, int rows,
+                   std::span<const char* const> names, std::span<std::vector<float>> values,
                    Imf::OStream& stream) {
   Imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < kChannels; ++c) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
     char* first = reinterpret_cast<char*>(values[c].data());
-    frame.insert(kNames[c], Imf::Slice(Imf::FLOAT, first, sizeof(float),
+    frame.insert(names[c], Imf::Slice(Imf::FLOAT, first, sizeof(float),
                                        sizeof(float) * static_cast<std::size_t>(columns)));
   }
   Imf::OutputFile file(stream, header, 0);
@@ -101,7 +103,32 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
     attribute("luxgate.version", document.provenance.program_version);
     Planes values = channel_values(plane);
     MemoryStream stream;
-    write_picture(header, columns, rows, values, stream);
+    write_picture(header, columns, rows, kNames, values, stream);
+    return stream.bytes();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string("cannot encode EXR: ") + error.what());
+  }
+}
+
+std::string render_room_exr(const std::string& project_path, const std::string& space_id,
+                            const std::string& title, int width, int height,
+                            const std::vector<float>& lx) {
+  constexpr std::array<const char*, 2> kRoomNames{kNames[kIlluminance], kNames[kValid]};
+  try {
+    Imf::Header header(width, height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : kRoomNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    header.insert("luxgate.project", Imf::StringAttribute(printable(project_path)));
+    header.insert("luxgate.space", Imf::StringAttribute(printable(space_id)));
+    header.insert("luxgate.picture", Imf::StringAttribute(printable(title)));
+    header.insert("luxgate.unit", Imf::StringAttribute("lx"));
+    std::array<std::vector<float>, 2> values{lx, std::vector<float>(lx.size(), 1.0F)};
+    for (std::size_t i = 0; i < lx.size(); ++i) {
+      if (!(lx[i] < 0.0F)) continue;
+      values[0][i] = values[1][i] = 0.0F;
+    }
+    MemoryStream stream;
+    write_picture(header, width, height, kRoomNames, values, stream);
     return stream.bytes();
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string("cannot encode EXR: ") + error.what());

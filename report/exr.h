@@ -4,6 +4,7 @@
 #include "report/document.h"
 
 #include <string>
+#include <vector>
 
 namespace report {
 
@@ -16,5 +17,11 @@ namespace report {
 // refuses.
 std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
                        const PlanePart& plane);
+
+// A picture of a room: channels illuminance_lx and valid as above, width * height values from the
+// top row on, below 0 = nothing there. title: "seen from above a corner", in luxgate.picture.
+std::string render_room_exr(const std::string& project_path, const std::string& space_id,
+                            const std::string& title, int width, int height,
+                            const std::vector<float>& lx);
 
 }  // namespace report

@@ -4,6 +4,7 @@
 #include "report/html_markup.h"
 #include "report/html_plane.h"
 #include "report/html_project.h"
+#include "report/html_room.h"
 #include "report/html_style.h"
 #include "report/words.h"
 
@@ -49,6 +50,7 @@ std::string space_html(const ProjectPart& project, std::size_t p, std::size_t s)
   std::string html = fmt::format(
       "<section class=\"space\"><h3>{} <span class=\"id\">{}</span></h3>\n",
       escape_html(title_of(space.name, space.id)), space.name.empty() ? "" : escape_html(space.id));
+  html += html_room(space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane({p, s, k}, space, space.planes[k]);
   return html + "</section>\n";

@@ -93,6 +93,7 @@ std::string times_table(const PhaseTimes& times) {
                                                               {"Verdicts", times.judge_s},
                                                               {"Total", times.total_s}}};
   std::string rows;
+  if (times.maps_s > 0.0) rows += fact("Shadow maps", format_seconds(times.maps_s) + " s");
   for (const auto& [name, seconds] : phases) rows += fact(name, format_seconds(seconds) + " s");
   return "<table class=\"facts narrow\"><caption>Time</caption><tbody>" + rows +
          "</tbody></table>\n";

@@ -1,4 +1,5 @@
 #include "calc/utf8.h"
+#include "report/dot_font.h"
 #include "report/heatmap.h"
 #include "report/png.h"
 #include "report/polar_diagram.h"
@@ -14,39 +15,7 @@ namespace {
 
 constexpr double kScale = 2.0;  // pixels per unit of the drawing
 constexpr int kDot = 3;         // pixels per dot of a letter
-constexpr int kGlyphWidth = 5, kGlyphHeight = 7;
 constexpr double kDash = 9.0, kGap = 5.0;  // units of the drawing
-
-struct Glyph {
-  char character;
-  std::array<std::uint8_t, kGlyphHeight> rows;  // top first, the highest of 5 bits is left
-};
-// The characters of kPolarCharacters without the blank; 'o' stands for the degree sign.
-constexpr std::array<Glyph, 23> kFont{{
-    {'0', {0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110}},
-    {'1', {0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110}},
-    {'2', {0b01110, 0b10001, 0b00001, 0b00110, 0b01000, 0b10000, 0b11111}},
-    {'3', {0b11111, 0b00010, 0b00100, 0b00010, 0b00001, 0b10001, 0b01110}},
-    {'4', {0b00010, 0b00110, 0b01010, 0b10010, 0b11111, 0b00010, 0b00010}},
-    {'5', {0b11111, 0b10000, 0b11110, 0b00001, 0b00001, 0b10001, 0b01110}},
-    {'6', {0b00110, 0b01000, 0b10000, 0b11110, 0b10001, 0b10001, 0b01110}},
-    {'7', {0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b01000, 0b01000}},
-    {'8', {0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110}},
-    {'9', {0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100}},
-    {'.', {0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100}},
-    {',', {0b00000, 0b00000, 0b00000, 0b00000, 0b00100, 0b00100, 0b01000}},
-    {'-', {0b00000, 0b00000, 0b00000, 0b01110, 0b00000, 0b00000, 0b00000}},
-    {'=', {0b00000, 0b00000, 0b11111, 0b00000, 0b11111, 0b00000, 0b00000}},
-    {'C', {0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110}},
-    {'c', {0b00000, 0b00000, 0b01110, 0b10000, 0b10000, 0b10001, 0b01110}},
-    {'d', {0b00001, 0b00001, 0b01101, 0b10011, 0b10001, 0b10001, 0b01111}},
-    {'m', {0b00000, 0b00000, 0b11010, 0b10101, 0b10101, 0b10001, 0b10001}},
-    {'a', {0b00000, 0b00000, 0b01110, 0b00001, 0b01111, 0b10001, 0b01111}},
-    {'x', {0b00000, 0b00000, 0b10001, 0b01010, 0b00100, 0b01010, 0b10001}},
-    {'l', {0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110}},
-    {'k', {0b10000, 0b10000, 0b10010, 0b10100, 0b11000, 0b10100, 0b10010}},
-    {'o', {0b01100, 0b10010, 0b10010, 0b01100, 0b00000, 0b00000, 0b00000}},
-}};
 
 Rgb colour_of(PolarRole role) {
   switch (role) {
@@ -180,16 +149,9 @@ void draw_label(const PolarLabel& label, Canvas& canvas) {
   if (label.anchor == PolarLabel::Anchor::end) x -= width;
   const int y = static_cast<int>(std::lround(kScale * label.at.y)) - kGlyphHeight * kDot / 2;
   for (const char letter : letters) {
-    const auto glyph = std::find_if(kFont.begin(), kFont.end(),
-                                    [&](const Glyph& g) { return g.character == letter; });
-    for (int row = 0; glyph != kFont.end() && row < kGlyphHeight; ++row) {
-      for (int bit = 0; bit < kGlyphWidth; ++bit) {
-        if (((glyph->rows[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - bit)) & 1) == 0) {
-          continue;
-        }
-        canvas.dot(x + bit * kDot, y + row * kDot, colour_of(label.role));
-      }
-    }
+    for_each_dot(letter, [&](int column, int row) {
+      canvas.dot(x + column * kDot, y + row * kDot, colour_of(label.role));
+    });
     x += kAdvance;
   }
 }

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace calc {
 
@@ -60,6 +61,12 @@ class BackendFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What gather_all() did.
+struct SharedGather {
+  std::vector<std::uint32_t> pairs;    // [receiver], with a vertex that it faces
+  double maps_s = 0.0, gather_s = 0.0;  // without waiting for the device
+};
+
 class Gatherer {
  public:
   virtual ~Gatherer() = default;
@@ -76,6 +83,16 @@ class Gatherer {
   virtual std::uint64_t draw_and_gather(const DrawBatch& batch) = 0;
   // In one batch, to be worth its way: a hint, results do not depend on it.
   virtual std::size_t tiles_per_batch() const { return 1; }
+
+  // Whether instant radiosity is to hand over all points of a space at once, by gather_all(): what
+  // is made for a vertex, a shadow map, then serves them all.
+  virtual bool connects_all() const { return false; }
+
+  // As gather(), for every receiver with every vertex, each with weight 1; batch.connections is
+  // empty. Only if connects_all().
+  virtual SharedGather gather_all(const GatherBatch&, const GatherSums&) {
+    throw BackendFailure("this gatherer takes connections one by one");
+  }
 
   // For reports: "cpu (Embree 3.13.5)".
   virtual std::string description() const = 0;

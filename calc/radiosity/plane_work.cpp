@@ -361,6 +361,23 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   times.near_s += near_s;
 }
 
+void PlaneWork::take_shared(const VertexBatch& batch, const GatherSums& sums,
+                            std::uint64_t pairs) {
+  std::size_t first = 0;
+  for (const ReceiverGroup& tile : tiles_) {
+    const std::size_t count = tile.point.size();
+    TileSums part;
+    for (std::size_t c = 0; c < channels(); ++c) {
+      const double* lx = sums.lx + c * sums.stride + first;
+      part.lx.insert(part.lx.end(), lx, lx + count);
+    }
+    part.largest_lx.assign(sums.largest_lx + first, sums.largest_lx + first + count);
+    store(tile, batch, part);
+    first += count;
+  }
+  replicate_connection_rays_[batch.replicate] += pairs;
+}
+
 void PlaneWork::store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums) {
   const std::size_t count = tile.point.size();
   const auto paths = static_cast<double>(batch.paths);

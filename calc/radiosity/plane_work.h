@@ -25,7 +25,7 @@ namespace calc {
 // Seconds by phase. Phases of replicates that run at the same time share the elapsed time in
 // proportion to their work.
 struct SolveTimes {
-  double build_s = 0, direct_s = 0, pool_s = 0, connect_s = 0, near_s = 0;
+  double build_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0;
 };
 
 // Light vertices of one replicate and look, shared by all planes.
@@ -82,6 +82,11 @@ class PlaneWork {
   // One replicate's indirect light: connections and near field. Replicates may run at the same
   // time.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
+  // The same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
+  // points of this look, and what was gathered at them, [channel * stride + point] in their order.
+  std::span<const ReceiverGroup> tiles() const { return tiles_; }
+  bool has_shadows() const { return has_shadows_; }
+  void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
   // All replicates of a look are in, with batch_paths new paths each.
   void finish_look(std::uint64_t batch_paths);
   // Turns the sums so far into field(). looks_planned: see PlaneField.

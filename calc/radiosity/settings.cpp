@@ -34,6 +34,15 @@ std::string validate(const RadiositySettings& settings) {
   if (!(settings.clamp_per_m2 >= 0.0) || !std::isfinite(settings.clamp_per_m2)) {
     return fmt::format("clamp is {} /m^2; allowed: 0 (none) or more", settings.clamp_per_m2);
   }
+  const std::uint32_t texels = settings.shadow_map_texels;
+  if (texels != 0 && (!std::has_single_bit(texels) || texels < kFewestShadowMapTexels ||
+                      texels > kMostShadowMapTexels)) {
+    return fmt::format("shadow map texels is {}; allowed: 0 (rays) or a power of two, {} to {}",
+                       texels, kFewestShadowMapTexels, kMostShadowMapTexels);
+  }
+  if (texels != 0 && settings.method != Method::instant_radiosity) {
+    return "shadow maps stand for rays in instant radiosity only";
+  }
   if (!(settings.time_limit_s >= 0.0) || !std::isfinite(settings.time_limit_s)) {
     return fmt::format("time limit is {} s; allowed: 0 (none) or more", settings.time_limit_s);
   }

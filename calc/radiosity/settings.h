@@ -23,9 +23,15 @@ struct RadiositySettings {
   std::uint64_t max_paths = 65536;  // of one replicate of one plane, a power of two >= first_paths
   // Largest geometry term of instant radiosity, 1/m^2; 0 = no limit. What it cuts off is lost.
   double clamp_per_m2 = 0.0;
+  // Texels along the edge of the cube maps that stand for rays in instant radiosity, one map for
+  // each light vertex: a power of two, 16 to 2048; 0 = rays. For a gatherer that connects_all().
+  std::uint32_t shadow_map_texels = 0;
   double time_limit_s = 0.0;  // per project; 0 = none. Results then depend on the machine's speed
   int jobs = 0;               // threads; 0 = one per core. Never changes a result
 };
+
+inline constexpr std::uint32_t kFewestShadowMapTexels = 16;
+inline constexpr std::uint32_t kMostShadowMapTexels = 2048;
 
 // "" if all values are allowed, else what is wrong and what is allowed.
 std::string validate(const RadiositySettings& settings);

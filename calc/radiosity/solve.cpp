@@ -8,6 +8,7 @@
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/shared_gather.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
@@ -278,6 +279,13 @@ class Solver {
       global_cut.build(tree, everywhere, kGlobalCut, static_cast<float>(bound->smallest()), false);
     }
     times.pool_s += now_s() - sort_begin_s;
+    if (stages_.gatherer.connects_all() && bound == nullptr) {
+      gather_all_planes(
+          tracer_, lit_planes_,
+          {tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_}, gatherer_,
+          times);
+      return reason_to_stop(last);
+    }
     for (PlaneWork* plane : lit_planes_) {
       plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_,
                       stages_.short_rays},
@@ -302,13 +310,15 @@ class Solver {
     SolveTimes sum;
     for (const SolveTimes& t : times) {
       sum.pool_s += t.pool_s;
+      sum.maps_s += t.maps_s;
       sum.connect_s += t.connect_s;
       sum.near_s += t.near_s;
     }
-    const double busy_s = sum.pool_s + sum.connect_s + sum.near_s;
+    const double busy_s = sum.pool_s + sum.maps_s + sum.connect_s + sum.near_s;
     if (!(busy_s > 0.0)) return;
     const double share = elapsed_s / busy_s;
     solution_.times.pool_s += share * sum.pool_s;
+    solution_.times.maps_s += share * sum.maps_s;
     solution_.times.connect_s += share * sum.connect_s;
     solution_.times.near_s += share * sum.near_s;
   }

@@ -2,6 +2,7 @@
 
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
+#include "gpu/shadow_map_gatherer.h"
 #include "report/cli/option_values.h"
 #include "report/number_format.h"
 
@@ -69,6 +70,10 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<double()>& connections) {
+  if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
+    return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL",
+            options.gpu_stages.value_or(GpuStages{false, true, false}), texels};
+  }
   if (options.backend != Backend::automatic) {
     return {options.backend, options.gl_device, "asked for with --backend",
             options.gpu_stages.value_or(GpuStages())};
@@ -94,8 +99,12 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   if (!thread) return std::nullopt;
   if (thread->device().is_software) warning = thread->device().renderer;
   const GpuStages& stages = choice.stages;
-  backend.gatherer =
-      stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
+  if (choice.shadow_map_texels > 0) {
+    backend.gatherer = gpu::make_shadow_map_gatherer(thread, choice.shadow_map_texels);
+  } else {
+    backend.gatherer =
+        stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
+  }
   if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
   if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
   backend.description = describe(thread->device(), stages);

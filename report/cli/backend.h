@@ -5,6 +5,7 @@
 #include "gpu/gl_gatherer.h"
 #include "report/cli/options.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ struct BackendChoice {
   int device = -1;                 // for the gpu; -1 = the first that is usable
   std::string why;
   GpuStages stages{};  // of the gpu
+  std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
 
 // Connections below which opening a context takes longer than the GPU saves: a device that needs no

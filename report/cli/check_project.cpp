@@ -168,6 +168,7 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
   times.prepare_s += solution.times.build_s;
   times.direct_s += solution.times.direct_s;
   times.pool_s += solution.times.pool_s;
+  times.maps_s += solution.times.maps_s;
   times.connect_s += solution.times.connect_s;
   times.near_s += solution.times.near_s;
 }
@@ -202,7 +203,12 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
     planes.push_back(judge(job, field, loaded.project.scenes, context.options.confidence));
   }
   times.judge_s += judge_watch.seconds();
-  return report::build_space(space, scene, solution.balance, std::move(planes));
+  report::SpacePart part =
+      report::build_space(space, scene, solution.balance, std::move(planes));
+  if (context.pictures != nullptr) {
+    context.pictures->add_pictures(loaded.project.path, space, scene, part);
+  }
+  return part;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "calc/radiosity/vertex_cache.h"
 #include "report/cli/options.h"
 #include "report/cli/progress.h"
+#include "report/cli/room_pictures.h"
 #include "report/document.h"
 #include "rules/rule_pack.h"
 
@@ -21,6 +22,7 @@ struct CheckContext {
   const std::vector<rules::RulePack>& packs;
   const calc::Stages& stages;
   Progress& progress;
+  PictureMaker* pictures = nullptr;          // null: none are wanted
   std::string* cost_log = nullptr;           // gets what --explain-cost prints; null: not wanted
   const calc::VertexCache* cache = nullptr;  // of one space, with the options' settings; or null
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <ctime>
 #include <iterator>
 
@@ -88,6 +89,32 @@ ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t
       return fmt::format("a power of two from {} to {} is needed", low, high);
     }
     target = *value;
+    return "";
+  };
+}
+
+ValueParser positive_number(double& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::optional<double> value = calc::parse_number(text);
+    if (!value || !(*value > 0.0) || !std::isfinite(*value)) return "a number above 0 is needed";
+    target = *value;
+    return "";
+  };
+}
+
+ValueParser visibility(std::uint32_t& target) {
+  return [&target](const std::string& text) -> std::string {
+    constexpr std::string_view kShadowMap = "shadow-map:";
+    std::uint64_t texels = 0;
+    if (text != "rays") {
+      const std::string size = text.starts_with(kShadowMap) ? text.substr(kShadowMap.size()) : "";
+      if (!power_of_two(texels, calc::kFewestShadowMapTexels,
+                        calc::kMostShadowMapTexels)(size).empty()) {
+        return fmt::format("rays or shadow-map:N is needed, N a power of two from {} to {}",
+                           calc::kFewestShadowMapTexels, calc::kMostShadowMapTexels);
+      }
+    }
+    target = static_cast<std::uint32_t>(texels);
     return "";
   };
 }

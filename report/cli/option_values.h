@@ -33,6 +33,10 @@ ValueParser share_between(double& target, double low, double high);
 ValueParser whole_number(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
 ValueParser whole_number(int& target, int low, int high);
 ValueParser power_of_two(std::uint64_t& target, std::uint64_t low, std::uint64_t high);
+// > 0 and finite
+ValueParser positive_number(double& target);
+// "rays" (0) or "shadow-map:N", as calc::RadiositySettings::shadow_map_texels.
+ValueParser visibility(std::uint32_t& target);
 // Not empty.
 ValueParser some_text(std::string& target);
 // > 0

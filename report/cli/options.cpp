@@ -80,11 +80,16 @@ void add_formats(CLI::App& app, Options& options) {
   app.add_option("--output", options.output_folder,
                  "Folder for results.csv, points.csv, result.json and report.html; made if needed")
       ->type_name("FOLDER");
-  app.add_flag("--images", options.images, "With --output: a PNG and an EXR file per plane too");
+  app.add_flag("--images", options.images,
+               "With --output: a PNG and an EXR file per plane and picture too");
 }
 
 void add_output(CLI::App& app, Options& options) {
   add_formats(app, options);
+  add_value(app, "--pictures", "WHEN",
+            "Rooms in false colours, in HTML and with --images: auto (where OpenGL can draw) or\n"
+            "off; default auto. Their bytes depend on the machine's OpenGL",
+            choice<bool>(options.pictures, {{"auto", true}, {"off", false}}));
   add_value(
       app, "--timestamp", "WHEN",
       "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"
@@ -113,6 +118,14 @@ void add_work(CLI::App& app, Options& options) {
             "light-pool, or instant-radiosity for comparison: every point is connected to every\n"
             "light vertex; default light-pool",
             choice<calc::Method>(settings.method, kMethods));
+  add_value(app, "--visibility", "NAME",
+            "rays, or shadow-map:N with --method instant-radiosity: OpenGL draws what each light\n"
+            "vertex sees, N texels along a cube's edge (16 to 2048, a power of two); default rays",
+            visibility(settings.shadow_map_texels));
+  add_value(app, "--clamp", "G",
+            "With --method instant-radiosity: cut off geometry terms above G /m2; default none.\n"
+            "What is cut off is lost",
+            positive_number(settings.clamp_per_m2));
   allow_repeats(add_value(app, "--no-skip", "NAME",
                           "Leave nothing out for this reason, or any ('all'); may be repeated.\n"
                           "Other random numbers may then be drawn. 'luxgate plan' lists the names",
@@ -239,6 +252,20 @@ std::string contradiction(const Options& options) {
   }
   if (options.gpu_stages && options.backend != Backend::gpu) {
     return "--gpu-stages needs --backend gpu";
+  }
+  const bool is_instant = options.radiosity.method == calc::Method::instant_radiosity;
+  if (options.radiosity.shadow_map_texels > 0) {
+    if (!is_instant) {
+      return "--visibility shadow-map needs --method instant-radiosity; with light-pool only "
+             "--visibility rays is allowed";
+    }
+    if (options.backend == Backend::cpu) {
+      return "--visibility shadow-map draws with OpenGL: --backend auto and gpu are allowed with "
+             "it, cpu is not";
+    }
+  }
+  if (options.radiosity.clamp_per_m2 > 0.0 && !is_instant) {
+    return "--clamp needs --method instant-radiosity";
   }
   if (options.images && options.output_folder.empty()) return "--images needs --output FOLDER";
   for (std::size_t i = 0; i < options.projects.size(); ++i) {
@@ -439,6 +466,10 @@ std::string reproducible_command(const Options& options) {
       command += fmt::format(" --method {}", name);
     }
   }
+  if (used.shadow_map_texels > 0) {
+    command += fmt::format(" --visibility shadow-map:{}", used.shadow_map_texels);
+  }
+  add("--clamp", used.clamp_per_m2, defaults.radiosity.clamp_per_m2);
   command += no_skip_options(used.skips);
   if (options.backend == Backend::gpu) command += " --backend gpu";
   if (options.backend == Backend::gpu && options.gpu_stages.value_or(GpuStages()) != GpuStages()) {

@@ -86,6 +86,32 @@ class Writer {
   std::vector<std::string> problems_;
 };
 
+std::string safe_name(const std::string& wanted) {
+  std::string safe;
+  for (const char c : wanted) {
+    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;  // of UTF-8
+    if (is_continuation) continue;
+    safe += is_kept ? c : '_';
+  }
+  return safe;
+}
+
+// Of a room's pictures; names are those of its planes with the picture's in place of the plane's.
+void write_pictures(const std::string& folder, const report::ProjectPart& project,
+                    const report::SpacePart& space, std::set<std::string>& taken, Writer& writer) {
+  for (const report::RoomPicture& picture : space.pictures.list) {
+    const std::string wanted =
+        safe_name(fs::path(project.path).stem().string() + "-" + space.id + "-" + picture.name);
+    std::string stem = wanted;
+    for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
+    const std::string path = (fs::path(folder) / stem).string();
+    writer.write(path + ".png", [&] { return picture.labelled_png; });
+    writer.write(path + ".exr", [&] { return picture.exr; });
+  }
+}
+
 void write_images(const std::string& folder, const report::Document& document, Writer& writer) {
   std::set<std::string> taken;
   for (const report::ProjectPart& project : document.projects) {
@@ -100,6 +126,7 @@ void write_images(const std::string& folder, const report::Document& document, W
         writer.write(path + ".exr",
                      [&] { return report::render_exr(document, project, space, plane); });
       }
+      write_pictures(folder, project, space, taken, writer);
     }
   }
 }
@@ -186,16 +213,7 @@ std::string render(FormatKind kind, const report::Document& document,
 }
 
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {
-  const std::string stem = fs::path(project.path).stem().string() + "-" + plane.id;
-  std::string safe;
-  for (const char c : stem) {
-    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;  // of UTF-8
-    if (is_continuation) continue;
-    safe += is_kept ? c : '_';
-  }
-  return safe;
+  return safe_name(fs::path(project.path).stem().string() + "-" + plane.id);
 }
 
 }  // namespace cli

@@ -152,8 +152,9 @@ void print_timing(const report::ProjectPart& project) {
   fmt::print(
       stderr,
       "{}: {:.3f} s: load {:.3f}, prepare {:.3f}, direct {:.3f}, light paths {:.3f}, "
-      "connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
+      "{}connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
       project.path, times.total_s, times.load_s, times.prepare_s, times.direct_s, times.pool_s,
+      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "",
       times.connect_s, times.near_s, times.judge_s, rays,
       rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
 }
@@ -224,11 +225,14 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
   const calc::Stages stages = opened->stages();
+  std::optional<PictureMaker> pictures;
+  if (wants_pictures(options)) pictures.emplace(options, fault, [] { return !interrupted(); });
   const CheckContext context{options,
                              files,
                              *packs,
                              stages,
                              progress,
+                             pictures ? &*pictures : nullptr,
                              options.explain_cost ? &cost_log : nullptr,
                              cache ? &*cache : nullptr};
   report::Document document;

@@ -1,0 +1,48 @@
+#pragma once
+// Illuminance on the surfaces of a room, for pictures: estimated at the corners of a mesh, linear
+// between them.
+
+#include "calc/radiosity/cutaway.h"
+#include "calc/radiosity/gatherer.h"
+#include "calc/scene/prepared_scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace calc {
+
+struct SurfaceLightSettings {
+  std::size_t points = 6000;      // about so many at first, and again at most so many where it changes
+  std::size_t most_points = 60000;  // a mesh of more corners is refused
+  int replicates = 4;
+  std::uint64_t paths = 2048;  // per replicate, a power of two
+  std::uint64_t seed = 1;
+  int jobs = 0;                   // never changes a result
+  std::function<bool()> go_on;    // may be empty; false stops with a problem
+};
+
+// Maintained, every luminaire at full output.
+struct LitSurfaces {
+  std::string problem;                // why there is nothing; "" = there is
+  std::vector<glm::vec3> position_m;  // local
+  std::vector<float> lx;              // [position]
+  std::vector<glm::uvec3> triangle;   // counter-clockwise as seen from the lit side
+  std::vector<std::uint32_t> side;    // of each triangle, index into the sides given
+  // Relative standard error of the sampling, root mean square over positions.
+  double error_share = 0.0;
+};
+
+// The same estimators as for planes (solve_illuminance()), at points on the given sides. Edges are
+// split until they are short beside the room, then twice again where illuminance changes most along
+// them; shadows' edges are as sharp as the shortest edges, about 1/50 of the room. A function of its
+// arguments alone.
+LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSide> sides,
+                           const SurfaceLightSettings& settings, Gatherer& gatherer);
+
+}  // namespace calc

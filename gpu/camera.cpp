@@ -1,0 +1,80 @@
+#include "gpu/camera.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gpu {
+namespace {
+
+constexpr double kMargin = 0.03;    // of the picture, on every side
+constexpr double kElevation = 0.72;  // rad
+constexpr double kAside = 0.42;      // rad, from straight across the longer side
+constexpr double kDistance = 2.4;    // diagonals of the box, from its middle
+
+std::array<glm::dvec3, 8> corners_of(const Box& box) {
+  std::array<glm::dvec3, 8> result;
+  for (std::size_t k = 0; k < 8; ++k) {
+    result[k] = {(k & 1u) != 0 ? box.high_m.x : box.low_m.x,
+                 (k & 2u) != 0 ? box.high_m.y : box.low_m.y,
+                 (k & 4u) != 0 ? box.high_m.z : box.low_m.z};
+  }
+  return result;
+}
+
+// Scales and shifts what the matrix shows so that the box just fills the picture.
+void fit(Camera& camera, const Box& box) {
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::dvec3& corner : corners_of(box)) {
+    const glm::dvec3 p = camera.project(corner);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::dvec3 size = glm::max(high - low, glm::dvec3(1e-9));
+  const glm::dvec3 middle = 0.5 * (low + high);
+  camera.aspect *= size.x / size.y;
+  const double fill = 2.0 * (1.0 - 2.0 * kMargin);
+  const glm::dmat4 scale =
+      glm::scale(glm::dmat4(1.0), glm::dvec3(fill / size.x, fill / size.y, 1.9 / size.z));
+  camera.clip_from_local =
+      scale * glm::translate(glm::dmat4(1.0), -middle) * camera.clip_from_local;
+}
+
+double diagonal_m(const Box& box) {
+  return std::max(glm::length(box.high_m - box.low_m), 1e-6);
+}
+
+}  // namespace
+
+Camera corner_camera(const Box& box) {
+  const glm::dvec3 size = box.high_m - box.low_m;
+  const double turn = size.x >= size.y ? 0.0 : 1.5707963267948966;
+  const double around = turn - 1.5707963267948966 - kAside;  // of the eye, from the middle
+  const glm::dvec3 out(std::cos(kElevation) * std::cos(around),
+                       std::cos(kElevation) * std::sin(around), std::sin(kElevation));
+  const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
+  const double distance = kDistance * diagonal_m(box);
+  Camera camera;
+  camera.eye_m = middle + distance * out;
+  camera.towards = -out;
+  camera.clip_from_local =
+      glm::perspective(0.7, 1.0, 0.5 * distance, 1.5 * distance) *
+      glm::lookAt(camera.eye_m, middle, glm::dvec3(0, 0, 1));
+  fit(camera, box);
+  return camera;
+}
+
+Camera plan_camera(const Box& box) {
+  const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
+  const double d = diagonal_m(box);
+  Camera camera;
+  camera.eye_m = middle + glm::dvec3(0, 0, 1e5 * d);
+  camera.clip_from_local = glm::ortho(-d, d, -d, d, -d, d) *
+                           glm::translate(glm::dmat4(1.0), -middle);
+  fit(camera, box);
+  return camera;
+}
+
+}  // namespace gpu

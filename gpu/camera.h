@@ -1,0 +1,37 @@
+#pragma once
+// From where a picture of a room is taken.
+
+#include <glm/glm.hpp>
+
+namespace gpu {
+
+// A box in local coordinates, z up.
+struct Box {
+  glm::dvec3 low_m{0.0}, high_m{0.0};
+};
+
+struct Camera {
+  glm::dmat4 clip_from_local{1.0};
+  glm::dvec3 eye_m{0.0};     // far outside the box; nothing is behind it
+  glm::dvec3 towards{0, 0, -1};  // where it looks
+  double aspect = 1.0;       // width over height
+
+  // Place in the picture: x to the right, y up, both -1 to 1; z is depth, -1 nearest.
+  glm::dvec3 project(const glm::dvec3& p_m) const {
+    const glm::dvec4 clip = clip_from_local * glm::dvec4(p_m, 1.0);
+    return glm::dvec3(clip) / clip.w;
+  }
+  // Moved towards the eye: lines stand off the surfaces that they are drawn on.
+  glm::dvec3 nearer(const glm::dvec3& p_m, double distance_m) const {
+    return p_m + glm::normalize(eye_m - p_m) * distance_m;
+  }
+};
+
+// From above one corner, across the longer side; its horizontal axis runs to the right. The box
+// fills the picture up to a small margin.
+Camera corner_camera(const Box& box);
+
+// Straight from above, without perspective: x to the right, y up, as in a plan.
+Camera plan_camera(const Box& box);
+
+}  // namespace gpu

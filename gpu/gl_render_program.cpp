@@ -1,0 +1,86 @@
+#include "gpu/gl_render_program.h"
+
+#include "gpu/gl_error.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace gpu {
+namespace {
+
+// Frees a shader when it goes.
+class Shader {
+ public:
+  Shader(GLenum kind, const std::string& what, const std::string& source)
+      : name_(glCreateShader(kind)) {
+    const char* text = source.c_str();
+    glShaderSource(name_, 1, &text, nullptr);
+    glCompileShader(name_);
+    GLint is_compiled = GL_FALSE;
+    glGetShaderiv(name_, GL_COMPILE_STATUS, &is_compiled);
+    if (is_compiled == GL_TRUE) return;
+    std::array<char, 2000> log{};
+    glGetShaderInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    glDeleteShader(name_);
+    throw GlError(fmt::format("the driver does not compile shader '{}': {}", what, log.data()));
+  }
+  ~Shader() { glDeleteShader(name_); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  GLuint name() const { return name_; }
+
+ private:
+  GLuint name_;
+};
+
+}  // namespace
+
+GlRenderProgram::GlRenderProgram(const std::string& what, const RenderShaders& source) {
+  const Shader vertex(GL_VERTEX_SHADER, what, source.vertex);
+  const Shader fragment(GL_FRAGMENT_SHADER, what, source.fragment);
+  name_ = glCreateProgram();
+  glAttachShader(name_, vertex.name());
+  glAttachShader(name_, fragment.name());
+  glLinkProgram(name_);
+  GLint is_linked = GL_FALSE;
+  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return;
+  std::array<char, 2000> log{};
+  glGetProgramInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  glDeleteProgram(name_);
+  throw GlError(fmt::format("the driver does not link shader '{}': {}", what, log.data()));
+}
+
+GlRenderProgram::~GlRenderProgram() { glDeleteProgram(name_); }
+
+void GlRenderProgram::use() const { glUseProgram(name_); }
+
+void GlRenderProgram::set(const char* uniform, std::uint32_t value) const {
+  glUniform1ui(glGetUniformLocation(name_, uniform), value);
+}
+
+void GlRenderProgram::set(const char* uniform, float value) const {
+  glUniform1f(glGetUniformLocation(name_, uniform), value);
+}
+
+void GlRenderProgram::set(const char* uniform, const glm::vec2& value) const {
+  glUniform2f(glGetUniformLocation(name_, uniform), value.x, value.y);
+}
+
+void GlRenderProgram::set(const char* uniform, const glm::vec3& value) const {
+  glUniform3f(glGetUniformLocation(name_, uniform), value.x, value.y, value.z);
+}
+
+void GlRenderProgram::set(const char* uniform, const glm::vec4& value) const {
+  glUniform4f(glGetUniformLocation(name_, uniform), value.x, value.y, value.z, value.w);
+}
+
+void GlRenderProgram::set(const char* uniform, const glm::mat4& value) const {
+  glUniformMatrix4fv(glGetUniformLocation(name_, uniform), 1, GL_FALSE, &value[0][0]);
+}
+
+}  // namespace gpu

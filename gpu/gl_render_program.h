@@ -1,0 +1,35 @@
+#pragma once
+// A vertex and a fragment shader.
+
+#include "gpu/raster_shaders.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace gpu {
+
+// As GlProgram, for drawing.
+class GlRenderProgram {
+ public:
+  // Throws GlError with the compiler's messages. what: for messages, "shadow map".
+  GlRenderProgram(const std::string& what, const RenderShaders& source);
+  ~GlRenderProgram();
+  GlRenderProgram(const GlRenderProgram&) = delete;
+  GlRenderProgram& operator=(const GlRenderProgram&) = delete;
+
+  void use() const;
+  // Of the program in use; names that the shaders do not read are passed over.
+  void set(const char* uniform, std::uint32_t value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const glm::vec2& value) const;
+  void set(const char* uniform, const glm::vec3& value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
+  void set(const char* uniform, const glm::mat4& value) const;
+
+ private:
+  unsigned name_ = 0;
+};
+
+}  // namespace gpu

@@ -1,0 +1,227 @@
+#include "gpu/picture.h"
+
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_error.h"
+#include "gpu/gl_render_program.h"
+#include "gpu/gl_target.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace gpu {
+namespace {
+
+// In the picture's coordinates, as the shader reads it.
+struct CoverVertex {
+  glm::vec3 place;
+  glm::vec4 colour, rim;
+  glm::vec3 disc;
+};
+static_assert(sizeof(CoverVertex) == 14 * sizeof(float));
+
+// Triangles of one kind, those that shine through surfaces first.
+struct Cover {
+  std::vector<CoverVertex> hidden, shown;
+};
+
+class CoverBuilder {
+ public:
+  CoverBuilder(const PictureScene& scene, const Camera& camera, int width, int height)
+      : scene_(scene), camera_(camera), half_px_(0.5 * width, 0.5 * height) {}
+
+  Cover build() {
+    for (const PictureFace& face : scene_.faces) {
+      for (const glm::dvec3& corner : face.corner_m) {
+        cover_.shown.push_back({glm::vec3(place(corner)), face.colour, {}, {}});
+      }
+    }
+    for (const PictureLine& line : scene_.lines) add(line);
+    for (const PictureDot& dot : scene_.dots) add(dot);
+    return std::move(cover_);
+  }
+
+ private:
+  glm::dvec3 place(const glm::dvec3& p_m) const {
+    return camera_.project(camera_.nearer(p_m, scene_.lift_m));
+  }
+  glm::dvec3 shifted(const glm::dvec3& place, const glm::dvec2& px) const {
+    return {glm::dvec2(place) + px / half_px_, place.z};
+  }
+
+  void add(const PictureLine& line) {
+    const glm::dvec3 a = place(line.from_m), b = place(line.to_m);
+    glm::dvec2 along = glm::dvec2(b - a) * half_px_;
+    const double length_px = glm::length(along);
+    along = length_px > 1e-6 ? along / length_px : glm::dvec2(1, 0);
+    const glm::dvec2 across = 0.5 * line.width_px * glm::dvec2(-along.y, along.x);
+    const glm::dvec2 end = 0.5 * line.width_px * along;  // square ends close corners
+    const std::array<glm::dvec3, 4> q{shifted(a, across - end), shifted(a, -across - end),
+                                      shifted(b, -across + end), shifted(b, across + end)};
+    for (const std::size_t k : {0u, 1u, 2u, 0u, 2u, 3u}) {
+      CoverVertex v{glm::vec3(q[k]), line.colour, {}, {}};
+      cover_.shown.push_back(v);
+      if (line.hidden_share <= 0.0) continue;
+      v.colour.a *= static_cast<float>(line.hidden_share);
+      cover_.hidden.push_back(v);
+    }
+  }
+
+  void add(const PictureDot& dot) {
+    const glm::dvec3 centre = place(dot.centre_m);
+    constexpr std::array<glm::dvec2, 4> kCorners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    for (const std::size_t k : {0u, 1u, 2u, 0u, 2u, 3u}) {
+      const glm::dvec2 corner = kCorners[k];
+      cover_.shown.push_back({glm::vec3(shifted(centre, corner * dot.radius_px)), dot.colour,
+                              dot.rim, glm::vec3(glm::dvec3(corner, dot.radius_px))});
+    }
+  }
+
+  const PictureScene& scene_;
+  const Camera& camera_;
+  glm::dvec2 half_px_;
+  Cover cover_;
+};
+
+// An array for drawing, with the inputs of a vertex shader described for it.
+class VertexArray {
+ public:
+  VertexArray() { glGenVertexArrays(1, &name_); }
+  ~VertexArray() { glDeleteVertexArrays(1, &name_); }
+  VertexArray(const VertexArray&) = delete;
+  VertexArray& operator=(const VertexArray&) = delete;
+  void bind() const { glBindVertexArray(name_); }
+
+  static void input(unsigned location, int components, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+  }
+
+ private:
+  unsigned name_ = 0;
+};
+
+template <class T>
+void upload(GlBuffer& buffer, const std::vector<T>& items) {
+  const auto bytes = std::as_bytes(std::span(items));
+  buffer.reserve(bytes.size());
+  buffer.write(0, bytes);
+}
+
+void draw_surfaces(const PictureScene& scene, const Camera& camera) {
+  if (scene.triangle.empty()) return;
+  const GlRenderProgram program("surfaces", picture_shaders(false));
+  GlBuffer position("surfaces"), value("values of surfaces"), triangle("triangles of surfaces");
+  upload(position, scene.position_m);
+  upload(value, scene.value);
+  upload(triangle, scene.triangle);
+  const VertexArray array;
+  array.bind();
+  glBindBuffer(GL_ARRAY_BUFFER, position.name());
+  VertexArray::input(0, 3, sizeof(glm::vec3), 0);
+  glBindBuffer(GL_ARRAY_BUFFER, value.name());
+  VertexArray::input(1, 1, sizeof(float), 0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangle.name());
+  program.use();
+  program.set("clip_from_local", glm::mat4(camera.clip_from_local));
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * scene.triangle.size()), GL_UNSIGNED_INT,
+                 nullptr);
+  glFinish();  // before its buffers go
+  check_gl("drawing surfaces");
+}
+
+void draw_cover(const std::vector<CoverVertex>& vertices, const GlRenderProgram& program) {
+  if (vertices.empty()) return;
+  GlBuffer buffer("lines and dots");
+  upload(buffer, vertices);
+  const VertexArray array;
+  array.bind();
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+  std::size_t offset = 0;
+  unsigned location = 0;
+  for (const int components : {3, 4, 4, 3}) {
+    VertexArray::input(location++, components, sizeof(CoverVertex), offset);
+    offset += sizeof(float) * static_cast<std::size_t>(components);
+  }
+  program.use();
+  program.set("opacity", 1.0f);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  glFinish();
+  check_gl("drawing lines and dots");
+}
+
+// The device's rows run upwards.
+template <class T>
+void turn_over(std::vector<T>& rows, std::size_t row) {
+  for (std::size_t low = 0, high = rows.size() / row; low + 1 < high; ++low) {
+    --high;
+    std::swap_ranges(rows.begin() + static_cast<std::ptrdiff_t>(low * row),
+                     rows.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
+                     rows.begin() + static_cast<std::ptrdiff_t>(high * row));
+  }
+}
+
+Picture draw(const PictureScene& scene, const Camera& camera, int width, int height) {
+  const GlTarget target("a picture", width, height, {Layer::value, Layer::colour, Layer::depth});
+  target.draw_into();
+  const std::array<float, 4> nothing{Picture::kNothing, 0, 0, 0}, clear{0, 0, 0, 0};
+  const float far = 1.0f;
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, nothing.data());
+  glClearBufferfv(GL_COLOR, 1, clear.data());
+  glClearBufferfv(GL_DEPTH, 0, &far);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  draw_surfaces(scene, camera);
+
+  const Cover cover = CoverBuilder(scene, camera, width, height).build();
+  const GlRenderProgram program("lines and dots", picture_shaders(true));
+  glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glDepthMask(GL_FALSE);
+  glEnablei(GL_BLEND, 1);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_GREATER);
+  draw_cover(cover.hidden, program);
+  glDepthFunc(GL_LEQUAL);
+  draw_cover(cover.shown, program);
+  glDisablei(GL_BLEND, 1);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glBindVertexArray(0);
+
+  Picture picture;
+  picture.width = width;
+  picture.height = height;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  picture.value.resize(pixels);
+  picture.cover.resize(4 * pixels);
+  target.read(0, std::as_writable_bytes(std::span(picture.value)));
+  target.read(1, std::as_writable_bytes(std::span(picture.cover)));
+  turn_over(picture.value, static_cast<std::size_t>(width));
+  turn_over(picture.cover, 4 * static_cast<std::size_t>(width));
+  return picture;
+}
+
+}  // namespace
+
+int height_of(const Camera& camera, int width) {
+  return std::max(1, static_cast<int>(std::lround(width / camera.aspect)));
+}
+
+Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
+                     int width) {
+  Picture picture;
+  thread.run([&](DeviceState& device) {
+    picture = draw(scene, camera, width, height_of(camera, width));
+    device.check("drawing a picture");
+  });
+  return picture;
+}
+
+}  // namespace gpu

@@ -1,0 +1,22 @@
+#pragma once
+// The sources of shaders that draw triangles, and of those that read what was drawn.
+
+#include <string>
+
+namespace gpu {
+
+struct RenderShaders {
+  std::string vertex, fragment;
+};
+
+// Share of a depth by which two depths of one surface may differ through rounding.
+inline constexpr float kDepthBias = 1.0e-4f;
+
+// Depths of all surfaces around light vertices, as shares of depth_unit_m.
+RenderShaders shadow_map_shaders();
+std::string shadow_gather_shader();
+
+// Two outputs: a value, and a colour over it. is_cover: draws the colour alone.
+RenderShaders picture_shaders(bool is_cover);
+
+}  // namespace gpu

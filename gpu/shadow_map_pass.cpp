@@ -1,0 +1,174 @@
+#include "gpu/shadow_map_pass.h"
+
+#include "calc/radiosity/phase_timer.h"
+#include "gpu/gl_error.h"
+#include "gpu/raster_shaders.h"
+#include "gpu/shader_text.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <limits>
+#include <vector>
+
+namespace gpu {
+namespace {
+
+enum Binding : unsigned { kVertices, kReceivers, kResults };
+
+constexpr std::uint32_t kFaces = 5;
+constexpr int kWidthInFaces = 3;  // of a map in the atlas
+// 64 MiB; one map of 2048 takes 48.
+constexpr std::size_t kAtlasTexels = std::size_t{1} << 24;
+constexpr std::size_t kMostMaps = 1024;
+constexpr std::size_t kMostResults = std::size_t{1} << 21;
+constexpr std::size_t kFewestReceivers = 64;
+
+std::size_t maps_in_atlas(std::uint32_t texels) {
+  const std::size_t map = std::size_t{kWidthInFaces} * texels * texels;
+  return std::clamp(kAtlasTexels / map, std::size_t{1}, kMostMaps);
+}
+
+// As square as it goes, within what the device draws.
+std::uint32_t maps_in_row(std::uint32_t texels) {
+  const std::uint32_t width = std::min<std::uint32_t>(
+      8192, static_cast<std::uint32_t>(std::max(GlTarget::largest_side(), 0)));
+  return std::max(1u, width / (kWidthInFaces * texels));
+}
+
+template <class T>
+void upload_array(GlBuffer& buffer, std::span<const T> items) {
+  buffer.reserve(items.size_bytes());
+  buffer.write(0, std::as_bytes(items));
+}
+
+}  // namespace
+
+ShadowMapPass::ShadowMapPass(std::uint32_t texels)
+    : texels_(texels),
+      maps_per_row_(maps_in_row(texels)),
+      most_maps_(maps_in_atlas(texels)),
+      draw_("shadow map", shadow_map_shaders()),
+      gather_("shadow gather", shadow_gather_shader()),
+      atlas_("shadow maps",
+             static_cast<int>(kWidthInFaces * texels *
+                              std::min<std::size_t>(maps_per_row_, most_maps_)),
+             static_cast<int>(texels * ((most_maps_ + maps_per_row_ - 1) / maps_per_row_)),
+             {Layer::depth}),
+      vertices_("light vertices"),
+      receivers_("calculation points"),
+      results_("results"),
+      corners_("the scene's corners"),
+      triangles_("the scene's triangles") {
+  glGenVertexArrays(1, &layout_);
+}
+
+ShadowMapPass::~ShadowMapPass() { glDeleteVertexArrays(1, &layout_); }
+
+ShadowMapTimes ShadowMapPass::run(DeviceState& device, const ShadowMapJob& job) {
+  ShadowMapTimes times;
+  upload(job);
+  for (std::size_t first = 0; first < job.vertices.size(); first += most_maps_) {
+    const std::size_t count = std::min(most_maps_, job.vertices.size() - first);
+    if (job.has_shadows) {
+      const calc::PhaseTimer timer(times.maps_s);
+      render(job, first, count);
+      glFinish();
+    }
+    const calc::PhaseTimer timer(times.gather_s);
+    gather(job, first, count);
+    device.check("gathering light by shadow maps");
+  }
+  return times;
+}
+
+void ShadowMapPass::upload(const ShadowMapJob& job) {
+  if (job.has_shadows) upload_scene(*job.tracer);
+  upload_array(vertices_, job.vertices);
+  upload_array(receivers_, job.receivers);
+  check_gl("sending light vertices");
+}
+
+void ShadowMapPass::upload_scene(const calc::Tracer& tracer) {
+  if (scene_identity_ == tracer.identity()) return;
+  scene_identity_ = 0;
+  const calc::PreparedScene& scene = tracer.scene();
+  upload_array(corners_, std::span<const glm::vec3>(scene.vertex_m));
+  upload_array(triangles_, std::span<const glm::uvec3>(scene.triangle));
+  check_gl("sending the scene");
+  indices_ = static_cast<std::uint32_t>(3 * scene.triangle.size());
+  depth_unit_m_ = static_cast<float>(1.01 * scene.extent_m);
+  scene_identity_ = tracer.identity();
+}
+
+void ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size_t count) {
+  atlas_.draw_into();
+  glDepthMask(GL_TRUE);
+  glClearDepth(1.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (indices_ == 0) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  for (unsigned k = 0; k < kFaces; ++k) glEnable(GL_CLIP_DISTANCE0 + k);
+  draw_.use();
+  draw_.set("first_map", 0u);
+  draw_.set("maps_per_row", maps_per_row_);
+  draw_.set("map_texels", texels_);
+  draw_.set("atlas_width", static_cast<float>(atlas_.width()));
+  draw_.set("atlas_height", static_cast<float>(atlas_.height()));
+  draw_.set("near_m", static_cast<float>(job.tracer->offset_m()));
+  draw_.set("depth_unit_m", depth_unit_m_);
+  glBindVertexArray(layout_);
+  glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  for (unsigned k = 0; k < 2; ++k) {  // position and normal of calc::LightVertex
+    glVertexAttribPointer(
+        1 + k, 3, GL_FLOAT, GL_FALSE, sizeof(calc::LightVertex),
+        reinterpret_cast<const void*>(first * sizeof(calc::LightVertex) + 16 * k));
+    glVertexAttribDivisor(1 + k, kFaces);
+  }
+  for (unsigned k = 0; k < 3; ++k) glEnableVertexAttribArray(k);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT, nullptr,
+                          static_cast<GLsizei>(kFaces * count));
+  for (unsigned k = 0; k < kFaces; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
+  glBindVertexArray(0);
+  check_gl("drawing shadow maps");
+}
+
+void ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size_t count) {
+  gather_.use();
+  gather_.set("maps_per_row", maps_per_row_);
+  gather_.set("map_texels", texels_);
+  gather_.set("most_per_m2", std::min(job.most_per_m2, FLT_MAX));
+  gather_.set("offset_m", static_cast<float>(job.tracer->offset_m()));
+  gather_.set("depth_unit_m", depth_unit_m_);
+  gather_.set("has_shadows", job.has_shadows ? 1u : 0u);
+  gather_.set("first_vertex", static_cast<std::uint32_t>(first));
+  atlas_.bind_texture(0, 0);
+  vertices_.bind(kVertices);
+  receivers_.bind(kReceivers);
+  const std::size_t most = std::max(kFewestReceivers, kMostResults / count);
+  std::vector<std::uint32_t> results;
+  for (std::size_t begin = 0; begin < job.receivers.size(); begin += most) {
+    const std::size_t receivers = std::min(most, job.receivers.size() - begin);
+    results.resize(count * receivers);
+    results_.reserve(results.size() * sizeof(std::uint32_t));
+    results_.fill(results.size() * sizeof(std::uint32_t), kNotDone);
+    results_.bind(kResults);
+    gather_.set("first_receiver", static_cast<std::uint32_t>(begin));
+    gather_.set("receiver_count", static_cast<std::uint32_t>(receivers));
+    glDispatchCompute(static_cast<GLuint>((receivers + kGroupSize - 1) / kGroupSize),
+                      static_cast<GLuint>(count), 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    results_.read(0, std::as_writable_bytes(std::span(results)));
+    check_gl("reading shadow maps");
+    job.take(first, begin, receivers, results);
+  }
+}
+
+}  // namespace gpu

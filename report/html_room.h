@@ -1,0 +1,14 @@
+#pragma once
+// Pictures of a room in false colours.
+
+#include "report/document.h"
+
+#include <string>
+
+namespace report {
+
+// A <figure> with the pictures and their legend, a sentence where there could be none, or "" where
+// none were asked for.
+std::string html_room(const SpacePart& space);
+
+}  // namespace report
