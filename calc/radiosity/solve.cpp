@@ -282,8 +282,8 @@ class Solver {
     if (stages_.gatherer.connects_all() && bound == nullptr) {
       gather_all_planes(
           tracer_, lit_planes_,
-          {tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_}, gatherer_,
-          times);
+          {tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_},
+          stages_.gatherer, times);
       return reason_to_stop(last);
     }
     for (PlaneWork* plane : lit_planes_) {
