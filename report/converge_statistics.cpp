@@ -74,11 +74,10 @@ bool holds(std::span<const double> values, double truth, double error, double co
            ConvergeCoverage& coverage) {
   const calc::ReplicateMean known = calc::replicate_mean(values);
   if (!(known.standard_error > 0.0)) return false;
-  const double t = calc::student_t_quantile(0.5 + 0.5 * confidence,
-                                            static_cast<int>(values.size()) - 1);
+  const double t =
+      calc::student_t_quantile(0.5 + 0.5 * confidence, static_cast<int>(values.size()) - 1);
   ++coverage.tried;
-  const bool is_held =
-      std::abs(known.mean - truth) <= t * std::hypot(known.standard_error, error);
+  const bool is_held = std::abs(known.mean - truth) <= t * std::hypot(known.standard_error, error);
   if (is_held) ++coverage.held;
   return is_held;
 }
@@ -96,8 +95,8 @@ ConvergeTruth truth_of(const std::vector<std::vector<double>>& replicates) {
     truth.error_lx.push_back(known.standard_error);
   }
   std::vector<double> averages, ratios;
-  const auto darkest = static_cast<std::size_t>(
-      std::min_element(truth.lx.begin(), truth.lx.end()) - truth.lx.begin());
+  const auto darkest = static_cast<std::size_t>(std::min_element(truth.lx.begin(), truth.lx.end()) -
+                                                truth.lx.begin());
   for (const std::vector<double>& replicate : replicates) {
     averages.push_back(mean(replicate));
     if (averages.back() > 0.0) ratios.push_back(replicate[darkest] / averages.back());
@@ -120,8 +119,8 @@ ConvergeTruth truth_of(std::vector<double> lx, std::vector<double> error_lx) {
   const auto darkest =
       static_cast<std::size_t>(std::min_element(lx.begin(), lx.end()) - lx.begin());
   if (truth.average_lx > 0.0) {
-    truth.uo_error = std::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) /
-                     truth.average_lx;
+    truth.uo_error =
+        std::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) / truth.average_lx;
   }
   truth.lx = std::move(lx);
   truth.error_lx = std::move(error_lx);

@@ -52,8 +52,9 @@ std::string curve_text(const ConvergeMethod& method, const ConvergeCurve& curve)
   }
   std::string slopes;
   for (std::size_t m = 0; m < kConvergeMetrics; ++m) {
-    slopes += fmt::format("{} {} {}", m == 0 ? "" : ",", converge_metric_name(kAllConvergeMetrics[m]),
-                          slope_words(curve.slopes[m].over_time));
+    slopes +=
+        fmt::format("{} {} {}", m == 0 ? "" : ",", converge_metric_name(kAllConvergeMetrics[m]),
+                    slope_words(curve.slopes[m].over_time));
   }
   return fmt::format("{} ({})\n{}  slopes over time:{}; RMS over rays {}\n", method.title,
                      method.name, table.text(), slopes, slope_words(curve.slopes[0].over_rays));
@@ -72,8 +73,8 @@ std::string targets_text(const ConvergeDocument& document, const ConvergePlane& 
 }
 
 std::string phases_text(const ConvergeDocument& document) {
-  TextTable table({"phases", "paths", "build", "direct", "light paths", "connections", "near field",
-                   "all"});
+  TextTable table(
+      {"phases", "paths", "build", "direct", "light paths", "connections", "near field", "all"});
   for (const ConvergeMethod& method : document.methods) {
     const ConvergeStep& step = method.steps.back();
     const ConvergePhases& p = step.phases;

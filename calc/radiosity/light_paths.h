@@ -16,7 +16,7 @@ struct PathBatch {
   std::uint64_t seed = 0;
   std::uint64_t replicate = 0;
   std::uint32_t first = 0, last = 0;
-  double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
+  double deadline_s = 0.0;     // see is_past(); the rest is then left undone, to be thrown away
   bool keeps_origins = false;  // fills TracedPaths::origins
 };
 
@@ -30,7 +30,7 @@ struct TracedPaths {
   LightVertices vertices;  // in no useful order; flux such that their sum over the batch estimates
                            // all reflected flux
   std::vector<VertexOrigin> origins;  // [vertex], if asked for
-  double absorbed_lm = 0.0;  // mean over the batch's paths, like all of these
+  double absorbed_lm = 0.0;           // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
   // A path did not end after kMostReflections: there is no steady state. vertices are then useless.

@@ -21,7 +21,7 @@ struct CheckContext {
   const std::vector<rules::RulePack>& packs;
   calc::Gatherer& gatherer;
   Progress& progress;
-  std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
+  std::string* cost_log = nullptr;           // gets what --explain-cost prints; null: not wanted
   const calc::VertexCache* cache = nullptr;  // of one space, with the options' settings; or null
 };
 

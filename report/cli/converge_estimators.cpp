@@ -80,7 +80,7 @@ constexpr std::array kEstimators{
     Entry{"core", "luxgate's core", run_core},
     Entry{"instant-radiosity", "instant radiosity", run_shared},
     Entry{"clamped-instant-radiosity", "instant radiosity, clamped", run_clamped},
-    Entry{"path-tracing", "path tracing from the points", run_paths}};
+    Entry{"path-tracing", "path tracing", run_paths}};
 
 const Entry& entry_of(std::string_view name) {
   return *std::find_if(kEstimators.begin(), kEstimators.end(),

@@ -220,8 +220,12 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
   watch_for_interrupt();
   Progress progress(environment.stderr_is_terminal && !options.quiet);
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
-  const CheckContext context{options,   files,    *packs,
-                             *gatherer, progress, options.explain_cost ? &cost_log : nullptr,
+  const CheckContext context{options,
+                             files,
+                             *packs,
+                             *gatherer,
+                             progress,
+                             options.explain_cost ? &cost_log : nullptr,
                              cache ? &*cache : nullptr};
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, *gatherer);
@@ -346,9 +350,9 @@ ExitCode run(const Options& options, const Environment& environment) {
       return print_outcome(run_vpl(options.vpl, calc::DiskFileReader()), false);
     case Command::converge:
       watch_for_interrupt();
-      return print_outcome(run_converge(options.converge, calc::DiskFileReader(),
-                                        environment.stderr_is_terminal),
-                           false);
+      return print_outcome(
+          run_converge(options.converge, calc::DiskFileReader(), environment.stderr_is_terminal),
+          false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:

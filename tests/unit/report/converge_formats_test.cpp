@@ -86,13 +86,15 @@ TEST(ConvergePlot, PlacesPointsByTheirLogarithms) {
   spec.title = "t";
   spec.x_title = "x";
   // Powers of ten in steps: places must be evenly spaced.
-  spec.series.push_back({0, {{0.01, 0.1, 0.1, 0.1, false, "first"},
-                             {0.1, 0.01, 0.01, 0.01, true, "second"},
-                             {1.0, 0.001, 0.001, 0.001, false, "third"}}});
+  spec.series.push_back({0,
+                         {{0.01, 0.1, 0.1, 0.1, false, "first"},
+                          {0.1, 0.01, 0.01, 0.01, true, "second"},
+                          {1.0, 0.001, 0.001, 0.001, false, "third"}}});
   const std::string svg = log_log_plot(spec);
   pugi::xml_document tree;
   ASSERT_TRUE(tree.load_buffer(svg.data(), svg.size()));
-  const std::string curve = tree.select_node("//path[@class='curve']").node().attribute("d").value();
+  const std::string curve =
+      tree.select_node("//path[@class='curve']").node().attribute("d").value();
   double x[3], y[3];
   ASSERT_EQ(std::sscanf(curve.c_str(), "M%lf,%lfL%lf,%lfL%lf,%lf", &x[0], &y[0], &x[1], &y[1],
                         &x[2], &y[2]),

@@ -60,9 +60,9 @@ TEST(ConvergeTime, CountsFromWhereTheErrorStaysSmall) {
 }
 
 TEST(ConvergeTime, AFloorIsNeverReached) {
-  EXPECT_FALSE(find_crossing(std::vector<double>{1, 2, 4, 8},
-                             std::vector<double>{0.1, 0.1, 0.1, 0.1}, 0.05)
-                   .seconds);
+  EXPECT_FALSE(
+      find_crossing(std::vector<double>{1, 2, 4, 8}, std::vector<double>{0.1, 0.1, 0.1, 0.1}, 0.05)
+          .seconds);
 }
 
 TEST(ConvergeErrors, AreWhatTheySay) {
@@ -145,10 +145,10 @@ TEST(ConvergeCoverage, CountsWhatHolds) {
   const ConvergeTruth truth = truth_of(std::vector<double>(kPoints, 100.0), exact);
   EXPECT_EQ(average_coverage_of(replicates, truth, 0.95).tried, 1u);
   EXPECT_EQ(average_coverage_of(replicates, truth, 0.95).held, 1u);
-  EXPECT_EQ(average_coverage_of(replicates, truth_of(std::vector<double>(kPoints, 101.0), exact),
-                                0.95)
-                .held,
-            0u);
+  EXPECT_EQ(
+      average_coverage_of(replicates, truth_of(std::vector<double>(kPoints, 101.0), exact), 0.95)
+          .held,
+      0u);
 }
 
 TEST(ConvergeCoverage, LeavesOutWhatNeverVaries) {

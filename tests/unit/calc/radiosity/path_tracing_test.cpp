@@ -116,9 +116,8 @@ class PathTracingAndTheCore : public testing::TestWithParam<Comparison> {};
 TEST_P(PathTracingAndTheCore, AgreeWithinTheirIntervals) {
   const Comparison& what = GetParam();
   const calc::PhotometricWeb web =
-      what.is_extended
-          ? lambert_web(300.0, 36, {calc::OpeningShape::rectangle, 0.6, 0.6, 0.0})
-          : lambert_web(300.0, 36);
+      what.is_extended ? lambert_web(300.0, 36, {calc::OpeningShape::rectangle, 0.6, 0.6, 0.0})
+                       : lambert_web(300.0, 36);
   calc::PreparedScene scene;
   add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.5);
   if (what.is_open) {  // without its lid
