@@ -183,6 +183,8 @@ std::optional<double> fitted_exponent(std::span<const double> x, std::span<const
 
 ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> y, double target) {
   constexpr double kFarthest = 4.0;  // in y, beyond what was measured
+  constexpr std::size_t kEnd = 4;    // steps that tell how the curve goes on
+  constexpr double kStillFalls = -0.25;
   std::vector<double> xs, ys;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!(x[i] > 0.0) || !(y[i] > 0.0) || !std::isfinite(y[i])) continue;
@@ -198,8 +200,12 @@ ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> 
   }
   const double nearest = first == 0 ? ys.front() : ys.back();
   const double ratio = first == 0 ? target / nearest : nearest / target;
-  const std::optional<Line> line = fitted_line(x, y);
-  if (!line || !(line->exponent < -0.05) || ratio > kFarthest) return {};
+  // The end of the curve tells how it goes on: a bias may have stopped it.
+  const std::size_t count = std::min(kEnd, xs.size());
+  const std::size_t begin = first == 0 ? 0 : xs.size() - count;
+  const std::optional<Line> line =
+      fitted_line(std::span(xs).subspan(begin, count), std::span(ys).subspan(begin, count));
+  if (!line || !(line->exponent < kStillFalls) || ratio > kFarthest) return {};
   const std::size_t from = first == 0 ? 0 : xs.size() - 1;
   return {xs[from] * std::pow(target / ys[from], 1.0 / line->exponent), true};
 }
