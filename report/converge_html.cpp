@@ -85,6 +85,13 @@ std::string head(const std::string& title) {
          "</style>\n</head>\n";
 }
 
+// " It ends at 4 % here." where the first method is known to get further.
+std::string where_it_ends(const ConvergeCurve& ours, const ConvergeCurve& theirs, std::size_t t) {
+  if (t + 1 >= kConvergeTargets.size() || theirs.errors.empty()) return "";
+  if (!ours.targets[t + 1].seconds || theirs.targets[t + 1].seconds) return "";
+  return fmt::format(" Its last error is {}.", error_words(theirs.errors.back()[0]));
+}
+
 // The smallest error whose time is known for the first method and another one.
 std::string lead(const ConvergeDocument& document) {
   if (document.planes.empty() || document.methods.empty()) return "";
@@ -95,13 +102,14 @@ std::string lead(const ConvergeDocument& document) {
       const ConvergeTarget& ours = plane.curves[0].targets[t];
       const ConvergeTarget& theirs = plane.curves[m].targets[t];
       if (!ours.seconds || !theirs.seconds) continue;
+      const double ratio = *theirs.seconds / *ours.seconds;
       html += fmt::format(
-          "{}To {} of RMS error, {} takes <b>{}</b>, {} <b>{}</b>: <b>{} times</b> as long.",
+          "{}To {} of RMS error, {} takes <b>{}</b>, {} <b>{}</b>: <b>{} times</b> as long.{}",
           html.empty() ? "" : "<br/>", format_percent(kConvergeTargets[t]),
           escape_html(document.methods[0].title), time_words(ours),
           escape_html(document.methods[m].title), time_words(theirs),
-          format_fixed(*theirs.seconds / *ours.seconds,
-                       *theirs.seconds < 9.95 * *ours.seconds ? 1 : 0));
+          format_fixed(ratio, ratio < 9.95 ? 1 : 0),
+          escape_html(where_it_ends(plane.curves[0], plane.curves[m], t)));
       break;
     }
   }
@@ -254,11 +262,14 @@ std::string all_numbers(const ConvergeDocument& document, const ConvergePlane& p
 std::string plane_html(const ConvergeDocument& document, const ConvergePlane& plane) {
   return fmt::format(
              "<section><h2>{} <span class=\"id\">{}</span></h2>\n<p class=\"quiet\">{} points · "
-             "average {} lx · minimum {} lx · Uo {} · reference known to {} (RMS)</p>\n",
+             "average {} lx · minimum {} lx · Uo {} · reference {}</p>\n",
              escape_html(plane.name.empty() ? plane.id : plane.name),
              plane.name.empty() ? "" : escape_html(plane.id), format_count(plane.points),
              format_cell_lx(plane.average_lx), format_cell_lx(plane.minimum_lx),
-             format_fixed(plane.uo, 3), error_words(plane.reference_error)) +
+             format_fixed(plane.uo, 3),
+             plane.reference_error > 0.0
+                 ? fmt::format("known to {} (RMS)", error_words(plane.reference_error))
+                 : "exact") +
          legend(document) + plots(document, plane) + "<div class=\"halves\">\n" +
          targets(document, plane) + slopes(document, plane) + coverage(document, plane) +
          "</div>\n" + all_numbers(document, plane) + "</section>\n";

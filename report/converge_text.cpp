@@ -97,10 +97,12 @@ std::string render_converge_text(const ConvergeDocument& document) {
       time_words(document.load_s), time_words(document.prepare_s));
   for (const ConvergePlane& plane : document.planes) {
     text += fmt::format(
-        "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference known "
-        "to {} (RMS)\n\n",
+        "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference "
+        "{}\n\n",
         printable(plane.id), plane.points, plane.average_lx, plane.minimum_lx, plane.uo,
-        error_words(plane.reference_error));
+        plane.reference_error > 0.0
+            ? fmt::format("known to {} (RMS)", error_words(plane.reference_error))
+            : "exact");
     for (std::size_t m = 0; m < document.methods.size(); ++m) {
       text += curve_text(document.methods[m], plane.curves[m]) + "\n";
     }

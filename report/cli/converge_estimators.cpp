@@ -63,8 +63,9 @@ EstimatorRun run_paths(const EstimatorContext& context, std::uint64_t paths, std
     run.times.build_s = calc::now_s() - begin_s;
     for (const calc::PlaneTask& task : context.tasks) {
       if (interrupted()) return;
-      run.fields.push_back(calc::trace_from_points(tracer, task.plane_id, *task.grid,
-                                                   {paths, context.replicates, seed}));
+      run.fields.push_back(calc::trace_from_points(
+          tracer, task.plane_id, *task.grid,
+          {paths, context.replicates, seed, [] { return !interrupted(); }}));
     }
     run.seconds = calc::now_s() - begin_s;
     run.times.near_s = run.seconds - run.times.build_s;

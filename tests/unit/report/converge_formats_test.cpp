@@ -81,6 +81,15 @@ TEST(ConvergeHtml, IsWellFormedAndLoadsNothing) {
   EXPECT_TRUE(tree.load_buffer(empty.data(), empty.size(), pugi::parse_full));
 }
 
+TEST(ConvergeHtml, LeadNamesWhatIsKnownOfBoth) {
+  ConvergeDocument document = sample();
+  EXPECT_THAT(render_converge_html(document), HasSubstr("To 2 % of RMS error"));
+  EXPECT_THAT(render_converge_html(document), Not(HasSubstr("Its last error")));
+  document.planes[0].curves[1].targets[1] = {};
+  EXPECT_THAT(render_converge_html(document), HasSubstr("To 5 % of RMS error"));
+  EXPECT_THAT(render_converge_html(document), HasSubstr("Its last error is 4.3 %."));
+}
+
 TEST(ConvergePlot, PlacesPointsByTheirLogarithms) {
   PlotSpec spec;
   spec.title = "t";
