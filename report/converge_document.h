@@ -45,7 +45,7 @@ struct ConvergePhases {  // seconds
   double build = 0.0, direct = 0.0, pool = 0.0, connect = 0.0, near = 0.0;
 };
 
-// One method, one number of paths. Times and rays: medians over the seeds, of all planes together.
+// One method, one number of paths; all planes together. Times: of the fastest seed; rays: medians.
 struct ConvergeStep {
   std::uint64_t paths = 0;  // of one replicate
   double seconds = 0.0;

@@ -44,6 +44,8 @@ constexpr const char* kStyle = R"css(
 .key-line { display: inline-block; width: .8em; height: .8em; border-radius: 2px; background: var(--c); margin-right: .5em; vertical-align: -1px; }
 .best { font-weight: 650; }
 .halves { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1.5rem 2.4rem; align-items: start; }
+.halves th, .halves td { padding-right: .45rem; }
+.halves tbody th { white-space: nowrap; }
 .halves caption { font-weight: 650; color: var(--ink); }
 .bar { display: flex; height: 9px; border-radius: 3px; overflow: hidden; min-width: 9rem; background: var(--soft); }
 .bar i { display: block; height: 100%; }
@@ -83,6 +85,13 @@ std::string head(const std::string& title) {
          "</style>\n</head>\n";
 }
 
+// " It ends at 4 % here." where the first method is known to get further.
+std::string where_it_ends(const ConvergeCurve& ours, const ConvergeCurve& theirs, std::size_t t) {
+  if (t + 1 >= kConvergeTargets.size() || theirs.errors.empty()) return "";
+  if (!ours.targets[t + 1].seconds || theirs.targets[t + 1].seconds) return "";
+  return fmt::format(" Its last error is {}.", error_words(theirs.errors.back()[0]));
+}
+
 // The smallest error whose time is known for the first method and another one.
 std::string lead(const ConvergeDocument& document) {
   if (document.planes.empty() || document.methods.empty()) return "";
@@ -93,13 +102,14 @@ std::string lead(const ConvergeDocument& document) {
       const ConvergeTarget& ours = plane.curves[0].targets[t];
       const ConvergeTarget& theirs = plane.curves[m].targets[t];
       if (!ours.seconds || !theirs.seconds) continue;
+      const double ratio = *theirs.seconds / *ours.seconds;
       html += fmt::format(
-          "{}To {} of RMS error, {} takes <b>{}</b>, {} <b>{}</b>: <b>{} times</b> as long.",
+          "{}To {} of RMS error, {} takes <b>{}</b>, {} <b>{}</b>: <b>{} times</b> as long.{}",
           html.empty() ? "" : "<br/>", format_percent(kConvergeTargets[t]),
           escape_html(document.methods[0].title), time_words(ours),
           escape_html(document.methods[m].title), time_words(theirs),
-          format_fixed(*theirs.seconds / *ours.seconds,
-                       *theirs.seconds < 9.95 * *ours.seconds ? 1 : 0));
+          format_fixed(ratio, ratio < 9.95 ? 1 : 0),
+          escape_html(where_it_ends(plane.curves[0], plane.curves[m], t)));
       break;
     }
   }
@@ -178,7 +188,8 @@ std::string plots(const ConvergeDocument& document, const ConvergePlane& plane) 
 std::string targets(const ConvergeDocument& document, const ConvergePlane& plane) {
   std::vector<std::string> words;
   for (const double target : kConvergeTargets) words.push_back(format_percent(target));
-  std::string html = "<table><caption>Time to an RMS error of</caption>" + heads(words) + "<tbody>\n";
+  std::string html =
+      "<table><caption>Time to an RMS error of</caption>" + heads(words) + "<tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     html += "<tr>" + method_head(document.methods[m], m);
     for (std::size_t t = 0; t < kConvergeTargets.size(); ++t) {
@@ -196,9 +207,8 @@ std::string targets(const ConvergeDocument& document, const ConvergePlane& plane
 }
 
 std::string slopes(const ConvergeDocument& document, const ConvergePlane& plane) {
-  std::string html =
-      "<table><caption>Fitted exponents: RMS over rays, and over time</caption>" +
-      heads({"RMS / rays", "RMS", "worst", "average", "Uo"}) + "<tbody>\n";
+  std::string html = "<table><caption>Fitted exponents: RMS over rays, and over time</caption>" +
+                     heads({"RMS / rays", "RMS", "worst", "average", "Uo"}) + "<tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     const auto& all = plane.curves[m].slopes;
     html += "<tr>" + method_head(document.methods[m], m) + num(slope_words(all[0].over_rays));
@@ -209,9 +219,8 @@ std::string slopes(const ConvergeDocument& document, const ConvergePlane& plane)
 }
 
 std::string coverage(const ConvergeDocument& document, const ConvergePlane& plane) {
-  std::string html =
-      "<table><caption>How often stated 95 % intervals hold the truth</caption>" +
-      heads({"points", "of", "average", "of"}) + "<tbody>\n";
+  std::string html = "<table><caption>How often stated 95 % intervals hold the truth</caption>" +
+                     heads({"points", "of", "average", "of"}) + "<tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     ConvergeCoverage points, averages;
     for (std::size_t k = 0; k < plane.curves[m].coverage.size(); ++k) {
@@ -230,8 +239,8 @@ std::string coverage(const ConvergeDocument& document, const ConvergePlane& plan
 std::string all_numbers(const ConvergeDocument& document, const ConvergePlane& plane) {
   std::string html = "<details><summary>All numbers</summary>";
   std::string table = "<table class=\"numbers\">" +
-                      heads({"paths", "time", "rays / point", "light rays", "RMS", "worst", "average",
-                             "Uo", "held", "av. held"}) +
+                      heads({"paths", "time", "rays / point", "light rays", "RMS", "worst",
+                             "average", "Uo", "held", "av. held"}) +
                       "<tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     const ConvergeMethod& method = document.methods[m];
@@ -253,11 +262,14 @@ std::string all_numbers(const ConvergeDocument& document, const ConvergePlane& p
 std::string plane_html(const ConvergeDocument& document, const ConvergePlane& plane) {
   return fmt::format(
              "<section><h2>{} <span class=\"id\">{}</span></h2>\n<p class=\"quiet\">{} points · "
-             "average {} lx · minimum {} lx · Uo {} · reference known to {} (RMS)</p>\n",
+             "average {} lx · minimum {} lx · Uo {} · reference {}</p>\n",
              escape_html(plane.name.empty() ? plane.id : plane.name),
              plane.name.empty() ? "" : escape_html(plane.id), format_count(plane.points),
              format_cell_lx(plane.average_lx), format_cell_lx(plane.minimum_lx),
-             format_fixed(plane.uo, 3), error_words(plane.reference_error)) +
+             format_fixed(plane.uo, 3),
+             plane.reference_error > 0.0
+                 ? fmt::format("known to {} (RMS)", error_words(plane.reference_error))
+                 : "exact") +
          legend(document) + plots(document, plane) + "<div class=\"halves\">\n" +
          targets(document, plane) + slopes(document, plane) + coverage(document, plane) +
          "</div>\n" + all_numbers(document, plane) + "</section>\n";
@@ -285,7 +297,11 @@ std::string phases_html(const ConvergeDocument& document) {
       "<th scope=\"col\" class=\"num phase-key\"><i class=\"p4\"></i>near field</th>"
       "<th scope=\"col\" class=\"num\">all</th><th scope=\"col\"></th></tr></thead><tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
-    for (const ConvergeStep& step : document.methods[m].steps) {
+    const std::vector<ConvergeStep>& steps = document.methods[m].steps;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const std::size_t left = steps.size() - 1 - k;  // the last one and two before it
+      if (left % 2 != 0 || left > 4) continue;
+      const ConvergeStep& step = steps[k];
       const ConvergePhases& p = step.phases;
       table += "<tr>" + method_head(document.methods[m], m) + num(format_count(step.paths));
       for (const double seconds : {p.build, p.direct, p.pool, p.connect, p.near, step.seconds}) {
@@ -297,7 +313,7 @@ std::string phases_html(const ConvergeDocument& document) {
   return "<section><h2>Where the time goes</h2>\n<p class=\"quiet\">Reading files took " +
          time_words(document.load_s) + ", preparing the scene " + time_words(document.prepare_s) +
          (document.reference_s > 0.0 ? ", the reference " + time_words(document.reference_s) : "") +
-         ". Path tracing counts its rays as near field. All planes together, median over seeds.</p>"
+         ". Path tracing counts its rays as near field. All planes together, the fastest seed.</p>"
          "\n" +
          scroll_box("Phases", table + "</tbody></table>") + "</section>\n";
 }
@@ -309,18 +325,20 @@ std::string method_notes(const ConvergeDocument& document) {
          fact("Reference", escape_html(document.reference)) +
          fact("A run", fmt::format("the mean of {} independent replicates; {} seeds from {}",
                                    document.replicates, document.seeds, document.first_seed)) +
-         fact("Curves", "root of the mean square over seeds, less the reference's own error but "
-                        "for worst points; bands from the smallest to the largest seed; hollow "
-                        "marks drown in the reference's error; <b>~</b> is extrapolated") +
-         fact("Time", fmt::format("median over seeds, without reading and preparing; {}",
+         fact("Curves",
+              "root of the mean square over seeds, less the reference's own error but "
+              "for worst points; bands from the smallest to the largest seed; hollow "
+              "marks drown in the reference's error; <b>~</b> is extrapolated") +
+         fact("Time", fmt::format("of the fastest seed, without reading and preparing; {}",
                                   document.jobs > 0 ? fmt::format("{} threads", document.jobs)
                                                     : "one thread per core")) +
-         fact("Intervals", "Student-t over the replicates at a fixed number of paths, held against "
-                           "the reference with its own error") +
-         fact("Scene", fmt::format("{} triangles, {} luminaires, {} points",
-                                   format_count(document.triangles),
-                                   format_count(document.luminaires),
-                                   format_count(document.points))) +
+         fact("Intervals",
+              "Student-t over the replicates at a fixed number of paths, held against "
+              "the reference with its own error") +
+         fact(
+             "Scene",
+             fmt::format("{} triangles, {} luminaires, {} points", format_count(document.triangles),
+                         format_count(document.luminaires), format_count(document.points))) +
          fact("Program", escape_html("luxgate " + document.program + ", " + document.tracer)) +
          "</table></section>\n";
 }

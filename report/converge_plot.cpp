@@ -166,7 +166,8 @@ std::string log_log_plot(const PlotSpec& spec) {
   std::string svg = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
-      svg_number(kWidth), svg_number(kHeight), escape_html(spec.title + " against " + spec.x_title));
+      svg_number(kWidth), svg_number(kHeight),
+      escape_html(spec.title + " against " + spec.x_title));
   svg += grid(x, y, spec);
   svg += fmt::format(
       "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "

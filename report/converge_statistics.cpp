@@ -74,11 +74,10 @@ bool holds(std::span<const double> values, double truth, double error, double co
            ConvergeCoverage& coverage) {
   const calc::ReplicateMean known = calc::replicate_mean(values);
   if (!(known.standard_error > 0.0)) return false;
-  const double t = calc::student_t_quantile(0.5 + 0.5 * confidence,
-                                            static_cast<int>(values.size()) - 1);
+  const double t =
+      calc::student_t_quantile(0.5 + 0.5 * confidence, static_cast<int>(values.size()) - 1);
   ++coverage.tried;
-  const bool is_held =
-      std::abs(known.mean - truth) <= t * std::hypot(known.standard_error, error);
+  const bool is_held = std::abs(known.mean - truth) <= t * std::hypot(known.standard_error, error);
   if (is_held) ++coverage.held;
   return is_held;
 }
@@ -96,8 +95,8 @@ ConvergeTruth truth_of(const std::vector<std::vector<double>>& replicates) {
     truth.error_lx.push_back(known.standard_error);
   }
   std::vector<double> averages, ratios;
-  const auto darkest = static_cast<std::size_t>(
-      std::min_element(truth.lx.begin(), truth.lx.end()) - truth.lx.begin());
+  const auto darkest = static_cast<std::size_t>(std::min_element(truth.lx.begin(), truth.lx.end()) -
+                                                truth.lx.begin());
   for (const std::vector<double>& replicate : replicates) {
     averages.push_back(mean(replicate));
     if (averages.back() > 0.0) ratios.push_back(replicate[darkest] / averages.back());
@@ -120,8 +119,8 @@ ConvergeTruth truth_of(std::vector<double> lx, std::vector<double> error_lx) {
   const auto darkest =
       static_cast<std::size_t>(std::min_element(lx.begin(), lx.end()) - lx.begin());
   if (truth.average_lx > 0.0) {
-    truth.uo_error = std::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) /
-                     truth.average_lx;
+    truth.uo_error =
+        std::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) / truth.average_lx;
   }
   truth.lx = std::move(lx);
   truth.error_lx = std::move(error_lx);
@@ -184,6 +183,8 @@ std::optional<double> fitted_exponent(std::span<const double> x, std::span<const
 
 ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> y, double target) {
   constexpr double kFarthest = 4.0;  // in y, beyond what was measured
+  constexpr std::size_t kEnd = 4;    // steps that tell how the curve goes on
+  constexpr double kStillFalls = -0.25;
   std::vector<double> xs, ys;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!(x[i] > 0.0) || !(y[i] > 0.0) || !std::isfinite(y[i])) continue;
@@ -199,8 +200,12 @@ ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> 
   }
   const double nearest = first == 0 ? ys.front() : ys.back();
   const double ratio = first == 0 ? target / nearest : nearest / target;
-  const std::optional<Line> line = fitted_line(x, y);
-  if (!line || !(line->exponent < -0.05) || ratio > kFarthest) return {};
+  // The end of the curve tells how it goes on: a bias may have stopped it.
+  const std::size_t count = std::min(kEnd, xs.size());
+  const std::size_t begin = first == 0 ? 0 : xs.size() - count;
+  const std::optional<Line> line =
+      fitted_line(std::span(xs).subspan(begin, count), std::span(ys).subspan(begin, count));
+  if (!line || !(line->exponent < kStillFalls) || ratio > kFarthest) return {};
   const std::size_t from = first == 0 ? 0 : xs.size() - 1;
   return {xs[from] * std::pow(target / ys[from], 1.0 / line->exponent), true};
 }

@@ -41,8 +41,8 @@ ConvergeError pool_errors(ConvergeMetric metric, std::span<const double> of_seed
 std::optional<double> fitted_exponent(std::span<const double> x, std::span<const double> y);
 
 // x where y falls to `target`, log-log: from the first step from which y stays at or below it and
-// the one before; else along the fitted slope, if that falls, up to a factor of 4 beyond the last
-// error or before the first one. x, y > 0; steps with y not finite are left out.
+// the one before; else along the slope of the last (or first) four steps, if it is below -1/4, up
+// to a factor of 4 beyond what was measured. x, y > 0; steps with y not finite are left out.
 ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> y, double target);
 
 // Whether stated intervals hold the truth: |mean - T| <= t sqrt(s^2 / R + error^2). A value that

@@ -52,8 +52,9 @@ std::string curve_text(const ConvergeMethod& method, const ConvergeCurve& curve)
   }
   std::string slopes;
   for (std::size_t m = 0; m < kConvergeMetrics; ++m) {
-    slopes += fmt::format("{} {} {}", m == 0 ? "" : ",", converge_metric_name(kAllConvergeMetrics[m]),
-                          slope_words(curve.slopes[m].over_time));
+    slopes +=
+        fmt::format("{} {} {}", m == 0 ? "" : ",", converge_metric_name(kAllConvergeMetrics[m]),
+                    slope_words(curve.slopes[m].over_time));
   }
   return fmt::format("{} ({})\n{}  slopes over time:{}; RMS over rays {}\n", method.title,
                      method.name, table.text(), slopes, slope_words(curve.slopes[0].over_rays));
@@ -72,8 +73,8 @@ std::string targets_text(const ConvergeDocument& document, const ConvergePlane& 
 }
 
 std::string phases_text(const ConvergeDocument& document) {
-  TextTable table({"phases", "paths", "build", "direct", "light paths", "connections", "near field",
-                   "all"});
+  TextTable table(
+      {"phases", "paths", "build", "direct", "light paths", "connections", "near field", "all"});
   for (const ConvergeMethod& method : document.methods) {
     const ConvergeStep& step = method.steps.back();
     const ConvergePhases& p = step.phases;
@@ -96,10 +97,12 @@ std::string render_converge_text(const ConvergeDocument& document) {
       time_words(document.load_s), time_words(document.prepare_s));
   for (const ConvergePlane& plane : document.planes) {
     text += fmt::format(
-        "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference known "
-        "to {} (RMS)\n\n",
+        "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference "
+        "{}\n\n",
         printable(plane.id), plane.points, plane.average_lx, plane.minimum_lx, plane.uo,
-        error_words(plane.reference_error));
+        plane.reference_error > 0.0
+            ? fmt::format("known to {} (RMS)", error_words(plane.reference_error))
+            : "exact");
     for (std::size_t m = 0; m < document.methods.size(); ++m) {
       text += curve_text(document.methods[m], plane.curves[m]) + "\n";
     }

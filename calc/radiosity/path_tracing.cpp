@@ -102,9 +102,11 @@ PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
   const RandomKey plane_key =
       stage_key(settings.seed, RandomStage::paths_from_points).with(plane_id);
   std::atomic<std::uint64_t> path_rays{0}, direct_rays{0};
-  std::atomic<bool> is_endless{false};
+  std::atomic<bool> is_endless{false}, is_stopped{false};
   tbb::parallel_for(std::size_t{0}, points, [&](std::size_t i) {
     const FlushDenormals flush;
+    if (settings.goes_on && !settings.goes_on()) is_stopped = true;
+    if (is_stopped) return;
     direct_rays +=
         add_point_sources(tracer, receivers[i], {}, &field.direct_exact_lx[i], points).traced;
     for (std::size_t r = 0; r < field.replicates && !is_endless; ++r) {
@@ -131,7 +133,10 @@ PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
   });
   field.counters.near_rays = path_rays;
   field.counters.direct_rays = direct_rays;
-  if (is_endless) {
+  if (is_stopped) {
+    field.stop = StopReason::interrupted;
+    field.problem = "the calculation was interrupted";
+  } else if (is_endless) {
     field.problem = fmt::format("a path did not end after {} reflections", kMostReflections);
   }
   return field;

@@ -7,6 +7,7 @@
 #include "calc/scene/sensor_grid.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace calc {
@@ -15,6 +16,8 @@ struct PathTracingSettings {
   std::uint64_t paths = 1024;  // from each point, of one replicate; 1 to 2^30
   int replicates = 16;         // >= 2
   std::uint64_t seed = 1;
+  std::function<bool()> goes_on;  // asked at every point, on any thread; may be empty. False: the
+                                  // rest is left undone, and the field has a `problem`
 };
 
 // Rays with density cos / pi (evenly on the sphere for receivers without a back); direct light of

@@ -42,7 +42,13 @@ class RandomKey {
 };
 
 // First part of every key below the seed, so that no two uses share a stream.
-enum class RandomStage : std::uint64_t { light_paths = 1, opening, near_field, connections, paths_from_points };
+enum class RandomStage : std::uint64_t {
+  light_paths = 1,
+  opening,
+  near_field,
+  connections,
+  paths_from_points
+};
 
 constexpr RandomKey stage_key(std::uint64_t seed, RandomStage stage) {
   return RandomKey(seed).with(static_cast<std::uint64_t>(stage));

@@ -240,7 +240,8 @@ std::string read_ply(std::string_view bytes, VertexCache& cache) {
   header.numbers("comment light groups ", cache.channels);
   header.numbers("comment origin ", cache.origin_m.x, cache.origin_m.y, cache.origin_m.z);
   if (!header.problem().empty()) return header.problem();
-  if (!are_settings(cache)) return "its numbers of paths, replicates or light groups are not allowed";
+  if (!are_settings(cache))
+    return "its numbers of paths, replicates or light groups are not allowed";
   std::vector<std::uint64_t> counts;
   std::string problem = read_batches(header, cache, counts);
   if (!problem.empty()) return problem;
@@ -256,9 +257,10 @@ std::string read_ply(std::string_view bytes, VertexCache& cache) {
 
   const std::size_t present = header.rest().size();
   if (vertices > kMostVertices * counts.size() || present != vertices * kVertexBytes) {
-    return fmt::format("it has {} bytes of vertices, where {} vertices take {:.0f}: it was cut off or "
-                       "changed",
-                       present, vertices, static_cast<double>(vertices) * kVertexBytes);
+    return fmt::format(
+        "it has {} bytes of vertices, where {} vertices take {:.0f}: it was cut off or "
+        "changed",
+        present, vertices, static_cast<double>(vertices) * kVertexBytes);
   }
   if (checksum(before, after) != stated) return "its checksum does not fit: it was changed";
   std::uint64_t sum = 0;
@@ -287,9 +289,9 @@ std::string render_vertex_ply(const VertexCache& cache) {
       cache.paths, cache.first_paths, cache.channels, cache.origin_m.x, cache.origin_m.y,
       cache.origin_m.z);
   for (const VertexCacheBatch& batch : cache.batches) {
-    before += fmt::format("comment batch {} {} {} {} {:.17g} {:.17g}\n", batch.replicate,
-                          batch.first, batch.last, batch.vertices.size(), batch.absorbed_lm,
-                          batch.escaped_lm);
+    before +=
+        fmt::format("comment batch {} {} {} {} {:.17g} {:.17g}\n", batch.replicate, batch.first,
+                    batch.last, batch.vertices.size(), batch.absorbed_lm, batch.escaped_lm);
   }
   std::string after = fmt::format("element vertex {}\n", cache.vertices());
   after += kProperties;

@@ -48,9 +48,9 @@ bool choose_planes(const ConvergeOptions& options, Subject& subject,
                        calc::join_choices(ids));
   }
   for (const calc::CalcPlane& plane : subject.space->planes) {
-    const bool is_wanted = options.planes.empty() ||
-                           std::find(options.planes.begin(), options.planes.end(), plane.id) !=
-                               options.planes.end();
+    const bool is_wanted =
+        options.planes.empty() ||
+        std::find(options.planes.begin(), options.planes.end(), plane.id) != options.planes.end();
     if (!is_wanted) continue;
     std::optional<calc::SensorGrid> grid =
         calc::make_sensor_grid(plane, *subject.space, diagnostics);
@@ -93,8 +93,8 @@ bool check_files(const ConvergeOptions& options, const std::set<std::string>& in
     if (output.file.empty()) continue;
     std::string problem = writability(output.file);
     if (!taken.insert(path_identity(output.file)).second) {
-      problem = fmt::format("'{}' is an input or another output and is not overwritten",
-                            output.file);
+      problem =
+          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
     }
     if (!problem.empty()) {
       diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
@@ -154,9 +154,10 @@ void describe(const ConvergeOptions& options, const Subject& subject,
   document.part = options.is_indirect ? "indirect" : "total";
   document.reference =
       options.reference == "own"
-          ? fmt::format("luxgate's core, other random numbers: {} replicates of {} paths; its own "
-                        "error is subtracted",
-                        kReferenceReplicates, report::format_count(reference_paths(options)))
+          ? fmt::format(
+                "luxgate's core, other random numbers: {} replicates of {} paths; its own "
+                "error is subtracted",
+                kReferenceReplicates, report::format_count(reference_paths(options)))
           : options.reference;
   document.replicates = options.replicates;
   document.seeds = options.seeds;
@@ -193,8 +194,8 @@ void add_planes(const Subject& subject, const std::vector<report::ConvergeTruth>
       }
     }
     if (is_below || smallest < plane.reference_error) {
-      diagnostics.report(calc::DiagnosticId::reference_is_rough, subject.planes[p]->where,
-                         plane.id, 100.0 * plane.reference_error, 100.0 * smallest);
+      diagnostics.report(calc::DiagnosticId::reference_is_rough, subject.planes[p]->where, plane.id,
+                         100.0 * plane.reference_error, 100.0 * smallest);
     }
   }
 }
@@ -273,7 +274,8 @@ CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileRead
   const RecordingReader files(disk);
   calc::Diagnostics diagnostics;
   CommandOutcome outcome = converge(options, files, shows_progress, diagnostics);
-  if (outcome.code == kInterrupted) fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+  if (outcome.code == kInterrupted)
+    fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
   outcome.diagnostics = diagnostics.all();
   return outcome;
 }

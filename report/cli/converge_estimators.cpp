@@ -63,8 +63,9 @@ EstimatorRun run_paths(const EstimatorContext& context, std::uint64_t paths, std
     run.times.build_s = calc::now_s() - begin_s;
     for (const calc::PlaneTask& task : context.tasks) {
       if (interrupted()) return;
-      run.fields.push_back(calc::trace_from_points(tracer, task.plane_id, *task.grid,
-                                                   {paths, context.replicates, seed}));
+      run.fields.push_back(calc::trace_from_points(
+          tracer, task.plane_id, *task.grid,
+          {paths, context.replicates, seed, [] { return !interrupted(); }}));
     }
     run.seconds = calc::now_s() - begin_s;
     run.times.near_s = run.seconds - run.times.build_s;
@@ -80,7 +81,7 @@ constexpr std::array kEstimators{
     Entry{"core", "luxgate's core", run_core},
     Entry{"instant-radiosity", "instant radiosity", run_shared},
     Entry{"clamped-instant-radiosity", "instant radiosity, clamped", run_clamped},
-    Entry{"path-tracing", "path tracing from the points", run_paths}};
+    Entry{"path-tracing", "path tracing", run_paths}};
 
 const Entry& entry_of(std::string_view name) {
   return *std::find_if(kEstimators.begin(), kEstimators.end(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace cli {
@@ -56,19 +57,20 @@ double median_of(const std::vector<EstimatorRun>& runs, Get get) {
   return report::median(values);
 }
 
+// Times of the fastest run: what else the machine does only ever adds to them.
 report::ConvergeStep summarise(const std::vector<EstimatorRun>& runs, std::uint64_t paths,
                                std::size_t points) {
+  const EstimatorRun& fastest = *std::min_element(
+      runs.begin(), runs.end(),
+      [](const EstimatorRun& a, const EstimatorRun& b) { return a.seconds < b.seconds; });
+  const calc::SolveTimes& t = fastest.times;
   report::ConvergeStep step;
   step.paths = paths;
-  step.seconds = median_of(runs, [](const EstimatorRun& r) { return r.seconds; });
-  step.phases.build = median_of(runs, [](const EstimatorRun& r) { return r.times.build_s; });
-  step.phases.direct = median_of(runs, [](const EstimatorRun& r) { return r.times.direct_s; });
-  step.phases.pool = median_of(runs, [](const EstimatorRun& r) { return r.times.pool_s; });
-  step.phases.connect = median_of(runs, [](const EstimatorRun& r) { return r.times.connect_s; });
-  step.phases.near = median_of(runs, [](const EstimatorRun& r) { return r.times.near_s; });
+  step.seconds = fastest.seconds;
+  step.phases = {t.build_s, t.direct_s, t.pool_s, t.connect_s, t.near_s};
   step.light_rays = median_of(runs, [](const EstimatorRun& r) { return r.light_rays; });
-  step.rays_per_point = median_of(runs, [](const EstimatorRun& r) { return r.rays; }) /
-                        static_cast<double>(points);
+  step.rays_per_point =
+      median_of(runs, [](const EstimatorRun& r) { return r.rays; }) / static_cast<double>(points);
   return step;
 }
 
@@ -78,8 +80,7 @@ void add_step(const StepRuns& step, const std::vector<report::ConvergeTruth>& tr
     report::ConvergeCurve& curve = curves[p][method];
     auto& errors = curve.errors.emplace_back();
     for (std::size_t m = 0; m < errors.size(); ++m) {
-      errors[m] =
-          report::pool_errors(report::kAllConvergeMetrics[m], step.errors[p][m], truths[p]);
+      errors[m] = report::pool_errors(report::kAllConvergeMetrics[m], step.errors[p][m], truths[p]);
     }
     curve.coverage.push_back(step.coverage[p]);
     curve.average_coverage.push_back(step.average_coverage[p]);

@@ -45,14 +45,15 @@ ValueParser output_item(std::vector<ConvergeOutput>& target) {
   return [&target](const std::string& text) -> std::string {
     const std::size_t equals = text.find('=');
     ConvergeOutput output;
-    std::string problem = choice<ConvergeFormat>(output.kind, {{"text", ConvergeFormat::text},
-                                                               {"csv", ConvergeFormat::csv},
-                                                               {"json", ConvergeFormat::json},
-                                                               {"html", ConvergeFormat::html}})(
-        text.substr(0, equals));
+    std::string problem = choice<ConvergeFormat>(
+        output.kind, {{"text", ConvergeFormat::text},
+                      {"csv", ConvergeFormat::csv},
+                      {"json", ConvergeFormat::json},
+                      {"html", ConvergeFormat::html}})(text.substr(0, equals));
     if (!problem.empty()) return problem;
     if (equals != std::string::npos) output.file = text.substr(equals + 1);
-    if (equals != std::string::npos && output.file.empty()) return "a file name is missing after '='";
+    if (equals != std::string::npos && output.file.empty())
+      return "a file name is missing after '='";
     target.push_back(output);
     return "";
   };
@@ -83,8 +84,7 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
       {"--reference-paths", "N",
        "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
        power_of_two(options.reference_paths, 16, kMostPaths)},
-      {"--part", "NAME",
-       "total, or indirect: errors of the reflected light alone; default total",
+      {"--part", "NAME", "total, or indirect: errors of the reflected light alone; default total",
        choice<bool>(options.is_indirect, {{"total", false}, {"indirect", true}})},
       {"--min-paths", "N", "First step of the ladder, per replicate, a power of two; default 64",
        power_of_two(options.min_paths, 16, kMostPaths)},
@@ -96,8 +96,7 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
        whole_number(options.seeds, 1, 1000)},
       {"--seed", "N", "Seed of the first of them; default 1",
        whole_number(options.seed, 0, UINT64_MAX - 1000)},
-      {"--clamp", "B",
-       "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
+      {"--clamp", "B", "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
        positive_number(options.clamp_per_m2)},
       {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
       {"--plane", "ID", "Only this plane; may be repeated; default all of the space",

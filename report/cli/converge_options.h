@@ -17,16 +17,16 @@ struct ConvergeOutput {
 
 struct ConvergeOptions {
   std::string project;
-  std::string space;                               // "" = the only one
-  std::vector<std::string> planes;                 // ids; empty = all of the space
+  std::string space;                // "" = the only one
+  std::vector<std::string> planes;  // ids; empty = all of the space
   std::vector<std::string> methods{"core", "instant-radiosity"};
   std::string reference = "own";                   // or a CSV file
   std::uint64_t reference_paths = 0;               // of each of its 64 replicates; 0 = 2 max_paths
   bool is_indirect = false;                        // errors of the reflected part alone
   std::uint64_t min_paths = 64, max_paths = 8192;  // of one replicate, powers of two
   int replicates = 16;
-  int seeds = 5;           // runs at every number of paths
-  std::uint64_t seed = 1;  // the first of them
+  int seeds = 5;              // runs at every number of paths
+  std::uint64_t seed = 1;     // the first of them
   double clamp_per_m2 = 1.0;  // of clamped-instant-radiosity
   int jobs = 0;
   std::vector<ConvergeOutput> outputs;

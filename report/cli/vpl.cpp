@@ -40,12 +40,12 @@ double reflected_lm(const calc::VertexCache& cache) {
 
 std::string summary(const std::string& file, std::size_t bytes, const calc::VertexCache& cache) {
   return fmt::format(
-      "Wrote {}: {} light vertices of {} paths ({} replicates of {}), {:.1f} MB\n"
-      "space '{}', seed {}: {} of reflected flux\n",
+      "Wrote {}: {} light vertices of {} paths ({} replicates of {}), {:.3g} MB\n"
+      "space '{}', seed {}: {} lm of reflected flux\n",
       file, report::format_count(cache.vertices()),
-      report::format_count(cache.paths * static_cast<unsigned>(cache.replicates)),
-      cache.replicates, report::format_count(cache.paths), 1e-6 * static_cast<double>(bytes),
-      cache.space_id, cache.seed, report::format_lumens(reflected_lm(cache)));
+      report::format_count(cache.paths * static_cast<unsigned>(cache.replicates)), cache.replicates,
+      report::format_count(cache.paths), 1e-6 * static_cast<double>(bytes), cache.space_id,
+      cache.seed, report::format_lumens(reflected_lm(cache)));
 }
 
 // "" after an error.
@@ -80,7 +80,8 @@ std::string write_vertices(const VplOptions& options, const RecordingReader& fil
   traced.cache->space_id = space->id;
   if (calc::vertex_ply_bytes(*traced.cache) > kLargestFileBytes) {
     return output_problem(fmt::format(
-        "'{}' would have {:.0f} MB; at most {} MB can be read again: take fewer paths or replicates",
+        "'{}' would have {:.0f} MB; at most {} MB can be read again: take fewer paths or "
+        "replicates",
         options.output, 1e-6 * static_cast<double>(calc::vertex_ply_bytes(*traced.cache)),
         kLargestFileBytes / 1'000'000));
   }
@@ -136,10 +137,9 @@ bool has_space_of(const calc::VertexCache& cache, const calc::Project& project,
   for (const calc::Space& space : project.spaces) {
     if (space.id == cache.space_id) return true;
   }
-  diagnostics.report(
-      calc::DiagnosticId::vertex_cache_unfit, {options.vpl_file, 0, 0},
-      fmt::format("they are of the space '{}', which '{}' does not have", cache.space_id,
-                  project.path));
+  diagnostics.report(calc::DiagnosticId::vertex_cache_unfit, {options.vpl_file, 0, 0},
+                     fmt::format("they are of the space '{}', which '{}' does not have",
+                                 cache.space_id, project.path));
   return false;
 }
 

@@ -12,7 +12,7 @@ struct ValueOption;
 
 struct VplOptions {
   std::string project, output;
-  std::string space;  // "" = the only one
+  std::string space;                                     // "" = the only one
   calc::RadiositySettings radiosity = first_settings();  // max_paths: what is traced
 
   static calc::RadiositySettings first_settings() {

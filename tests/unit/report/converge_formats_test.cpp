@@ -81,18 +81,29 @@ TEST(ConvergeHtml, IsWellFormedAndLoadsNothing) {
   EXPECT_TRUE(tree.load_buffer(empty.data(), empty.size(), pugi::parse_full));
 }
 
+TEST(ConvergeHtml, LeadNamesWhatIsKnownOfBoth) {
+  ConvergeDocument document = sample();
+  EXPECT_THAT(render_converge_html(document), HasSubstr("To 2 % of RMS error"));
+  EXPECT_THAT(render_converge_html(document), Not(HasSubstr("Its last error")));
+  document.planes[0].curves[1].targets[1] = {};
+  EXPECT_THAT(render_converge_html(document), HasSubstr("To 5 % of RMS error"));
+  EXPECT_THAT(render_converge_html(document), HasSubstr("Its last error is 4.3 %."));
+}
+
 TEST(ConvergePlot, PlacesPointsByTheirLogarithms) {
   PlotSpec spec;
   spec.title = "t";
   spec.x_title = "x";
   // Powers of ten in steps: places must be evenly spaced.
-  spec.series.push_back({0, {{0.01, 0.1, 0.1, 0.1, false, "first"},
-                             {0.1, 0.01, 0.01, 0.01, true, "second"},
-                             {1.0, 0.001, 0.001, 0.001, false, "third"}}});
+  spec.series.push_back({0,
+                         {{0.01, 0.1, 0.1, 0.1, false, "first"},
+                          {0.1, 0.01, 0.01, 0.01, true, "second"},
+                          {1.0, 0.001, 0.001, 0.001, false, "third"}}});
   const std::string svg = log_log_plot(spec);
   pugi::xml_document tree;
   ASSERT_TRUE(tree.load_buffer(svg.data(), svg.size()));
-  const std::string curve = tree.select_node("//path[@class='curve']").node().attribute("d").value();
+  const std::string curve =
+      tree.select_node("//path[@class='curve']").node().attribute("d").value();
   double x[3], y[3];
   ASSERT_EQ(std::sscanf(curve.c_str(), "M%lf,%lfL%lf,%lfL%lf,%lf", &x[0], &y[0], &x[1], &y[1],
                         &x[2], &y[2]),

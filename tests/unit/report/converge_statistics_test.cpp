@@ -60,9 +60,15 @@ TEST(ConvergeTime, CountsFromWhereTheErrorStaysSmall) {
 }
 
 TEST(ConvergeTime, AFloorIsNeverReached) {
-  EXPECT_FALSE(find_crossing(std::vector<double>{1, 2, 4, 8},
-                             std::vector<double>{0.1, 0.1, 0.1, 0.1}, 0.05)
-                   .seconds);
+  const std::vector<double> x{1, 2, 4, 8, 16, 32, 64};
+  // A bias of 3 %: all steps together still seem to fall.
+  const std::vector<double> y{0.2, 0.1, 0.05, 0.03, 0.029, 0.031, 0.03};
+  ASSERT_LT(*fitted_exponent(x, y), -0.4);
+  EXPECT_FALSE(find_crossing(x, y, 0.02).seconds);
+  EXPECT_TRUE(find_crossing(x, y, 0.07).seconds);
+  EXPECT_FALSE(
+      find_crossing(std::vector<double>{1, 2, 4, 8}, std::vector<double>{0.1, 0.1, 0.1, 0.1}, 0.05)
+          .seconds);
 }
 
 TEST(ConvergeErrors, AreWhatTheySay) {
@@ -145,10 +151,10 @@ TEST(ConvergeCoverage, CountsWhatHolds) {
   const ConvergeTruth truth = truth_of(std::vector<double>(kPoints, 100.0), exact);
   EXPECT_EQ(average_coverage_of(replicates, truth, 0.95).tried, 1u);
   EXPECT_EQ(average_coverage_of(replicates, truth, 0.95).held, 1u);
-  EXPECT_EQ(average_coverage_of(replicates, truth_of(std::vector<double>(kPoints, 101.0), exact),
-                                0.95)
-                .held,
-            0u);
+  EXPECT_EQ(
+      average_coverage_of(replicates, truth_of(std::vector<double>(kPoints, 101.0), exact), 0.95)
+          .held,
+      0u);
 }
 
 TEST(ConvergeCoverage, LeavesOutWhatNeverVaries) {

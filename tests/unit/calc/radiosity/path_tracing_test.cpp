@@ -43,7 +43,7 @@ TEST(PathTracing, IntegratingSphere) {
   set_extent(scene);
   const calc::SensorGrid grid = facet_centres(scene, 2.0);
   const calc::Tracer tracer(scene);
-  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {16, 16, 3});
+  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {16, 16, 3, {}});
   ASSERT_EQ(field.problem, "");
   const calc::Estimate mean = calc::t_interval(indirect_averages(field), 0.999);
   const double closed = web.flux_lm() / surface_area_m2(scene) * 0.8 / 0.2;
@@ -71,7 +71,7 @@ TEST(PathTracing, OpenSphere) {
   set_extent(scene);
   const calc::SensorGrid grid = facet_centres(scene, 0.0);
   const calc::Tracer tracer(scene);
-  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {8, 16, 4});
+  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {8, 16, 4, {}});
   const calc::Estimate mean = calc::t_interval(indirect_averages(field), 0.999);
   const double direct_lx = web.flux_lm() / surface_area_m2(whole);
   EXPECT_NEAR(mean.value / (direct_lx * 0.8 * f / (1.0 - 0.8 * f)), 1.0, 0.02);  // facets: 1 %
@@ -98,7 +98,7 @@ TEST(PathTracing, FloorAlone) {
                 std::pow(glm::length(to_point), 4) * 4.0 / (kCells * kCells);
   }
   const calc::Tracer tracer(scene);
-  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {4096, 16, 5});
+  const calc::PlaneField field = calc::trace_from_points(tracer, "plane", grid, {4096, 16, 5, {}});
   const calc::Estimate found = calc::t_interval(indirect_averages(field), 0.999);
   EXPECT_NEAR(found.value / expected, 1.0, 5e-3);
   EXPECT_LT(found.half_width() / expected, 5e-3);
@@ -116,9 +116,8 @@ class PathTracingAndTheCore : public testing::TestWithParam<Comparison> {};
 TEST_P(PathTracingAndTheCore, AgreeWithinTheirIntervals) {
   const Comparison& what = GetParam();
   const calc::PhotometricWeb web =
-      what.is_extended
-          ? lambert_web(300.0, 36, {calc::OpeningShape::rectangle, 0.6, 0.6, 0.0})
-          : lambert_web(300.0, 36);
+      what.is_extended ? lambert_web(300.0, 36, {calc::OpeningShape::rectangle, 0.6, 0.6, 0.0})
+                       : lambert_web(300.0, 36);
   calc::PreparedScene scene;
   add_box(scene, {0, 0, 0}, {4, 3, 2.5}, 0.5);
   if (what.is_open) {  // without its lid
@@ -138,7 +137,7 @@ TEST_P(PathTracingAndTheCore, AgreeWithinTheirIntervals) {
     grid.normal.emplace_back(0, 0, 1);
   }
   const calc::Tracer tracer(scene);
-  const calc::PlaneField paths = calc::trace_from_points(tracer, "plane", grid, {1024, 16, 6});
+  const calc::PlaneField paths = calc::trace_from_points(tracer, "plane", grid, {1024, 16, 6, {}});
   ASSERT_EQ(paths.problem, "");
   const calc::PlaneField core = solve_with_paths(scene, grid, 7, 2048).fields[0];
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
@@ -170,10 +169,27 @@ TEST(PathTracing, SameBitsForAnyOrderAndOtherBitsForOtherSeeds) {
   grid.normal = {{0, 0, 1}, {0, 0, 1}};
   const calc::Tracer tracer(scene);
   const auto lx = [&](std::uint64_t seed) {
-    return calc::trace_from_points(tracer, "plane", grid, {32, 4, seed}).indirect_lx;
+    return calc::trace_from_points(tracer, "plane", grid, {32, 4, seed, {}}).indirect_lx;
   };
   EXPECT_EQ(lx(1), lx(1));
   EXPECT_NE(lx(1), lx(2));
+}
+
+TEST(PathTracing, StopsWhenAsked) {
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  calc::PreparedScene scene;
+  add_box(scene, {0, 0, 0}, {3, 3, 3}, 0.5);
+  add_luminaire(scene, web, {1, 1, 2});
+  set_extent(scene);
+  calc::SensorGrid grid;
+  grid.position_m = {{0.5, 0.5, 0.8}};
+  grid.normal = {{0, 0, 1}};
+  const calc::Tracer tracer(scene);
+  const calc::PlaneField field =
+      calc::trace_from_points(tracer, "plane", grid, {1u << 30, 64, 1, [] { return false; }});
+  EXPECT_EQ(field.stop, calc::StopReason::interrupted);
+  EXPECT_NE(field.problem, "");
+  EXPECT_EQ(field.counters.near_rays, 0u);
 }
 
 TEST(PathTracing, SaysWhenAPathNeverEnds) {
@@ -186,7 +202,7 @@ TEST(PathTracing, SaysWhenAPathNeverEnds) {
   grid.position_m = {{0.5, 0.5, 0.8}};
   grid.normal = {{0, 0, 1}};
   const calc::Tracer tracer(scene);
-  EXPECT_NE(calc::trace_from_points(tracer, "plane", grid, {1, 2, 1}).problem, "");
+  EXPECT_NE(calc::trace_from_points(tracer, "plane", grid, {1, 2, 1, {}}).problem, "");
 }
 
 }  // namespace

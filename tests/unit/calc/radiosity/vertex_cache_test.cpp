@@ -185,8 +185,9 @@ TEST_F(VertexCacheFile, RefusesWhatIsNotOne) {
                 b = "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n";
               }),
               HasSubstr("no light vertices of this version"));
-  EXPECT_THAT(problem_after([](std::string& b) { replace(b, "light vertices 1", "light vertices 2"); }),
-              HasSubstr("no light vertices of this version"));
+  EXPECT_THAT(
+      problem_after([](std::string& b) { replace(b, "light vertices 1", "light vertices 2"); }),
+      HasSubstr("no light vertices of this version"));
 }
 
 TEST_F(VertexCacheFile, RefusesAnotherLength) {
@@ -221,8 +222,9 @@ TEST_F(VertexCacheFile, RefusesEveryEdit) {
               HasSubstr("not what it should be"));
   EXPECT_THAT(problem_after([](std::string& b) { replace(b, "seed 9", "seed nine"); }),
               HasSubstr("'comment seed '"));
-  EXPECT_THAT(problem_after([](std::string& b) { replace(b, "property float nx", "property int nx"); }),
-              HasSubstr("'property float nx'"));
+  EXPECT_THAT(
+      problem_after([](std::string& b) { replace(b, "property float nx", "property int nx"); }),
+      HasSubstr("'property float nx'"));
 }
 
 TEST_F(VertexCacheFile, NamesCannotBreakTheHeader) {

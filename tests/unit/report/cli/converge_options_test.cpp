@@ -15,10 +15,14 @@ ParseResult parse(std::vector<const char*> words) {
 
 TEST(ConvergeOptions, AreRead) {
   const ParseResult result =
-      parse({"converge", "a.xml", "--methods", "path-tracing,core", "--reference", "r.csv",
-             "--part", "indirect", "--min-paths", "32", "--max-paths", "128", "--replicates", "8",
-             "--seeds", "3", "--seed", "7", "--clamp", "2.5", "--space", "s", "--plane", "p",
-             "--plane", "q", "--jobs", "2", "--format", "html=x.html", "--format", "csv"});
+      parse({"converge",     "a.xml",       "--methods",   "path-tracing,core",
+             "--reference",  "r.csv",       "--part",      "indirect",
+             "--min-paths",  "32",          "--max-paths", "128",
+             "--replicates", "8",           "--seeds",     "3",
+             "--seed",       "7",           "--clamp",     "2.5",
+             "--space",      "s",           "--plane",     "p",
+             "--plane",      "q",           "--jobs",      "2",
+             "--format",     "html=x.html", "--format",    "csv"});
   ASSERT_TRUE(result.options) << result.err;
   const ConvergeOptions& options = result.options->converge;
   EXPECT_EQ(result.options->command, Command::converge);
