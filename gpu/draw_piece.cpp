@@ -39,7 +39,8 @@ void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
 std::size_t DrawPacker::room_in(const DrawPiece& piece) const {
   const std::size_t used = piece.receivers.size();
   const std::size_t row = std::max<std::size_t>({piece.most_nodes, nodes_.size(), 1});
-  const std::size_t most = std::min(kMostPlaces / piece.places_per_receiver(), kMostWeights / row);
+  const std::size_t most =
+      std::min(limits_.places / piece.places_per_receiver(), limits_.weights / row);
   if (used == 0) return std::max<std::size_t>(most, 1);
   return most > used ? most - used : 0;
 }

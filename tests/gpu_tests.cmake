@@ -1,11 +1,15 @@
 # OpenGL, on Mesa's software renderer where there is no other; label gpu.
 luxgate_test(gpu_tests
   SOURCES
+    differential/gpu_draws_test.cpp
     differential/gpu_gatherer_test.cpp
     unit/gpu/bvh_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp
-  LIBRARIES gpu calc_radiosity TBB::tbb)
+    unit/gpu/exact_arithmetic_test.cpp
+    unit/gpu/program_cache_test.cpp
+  LIBRARIES gpu calc_radiosity TBB::tbb ${LUXGATE_EPOXY_LIBRARY})
+target_include_directories(gpu_tests SYSTEM PRIVATE ${LUXGATE_EPOXY_INCLUDE_DIR})
 
 # Differences and speed of both backends, project by project.
 add_executable(bench_gpu bench/bench_gpu.cpp)
