@@ -91,6 +91,14 @@ foreach(folder ${WORK}/programs off /proc/none)
     message(SEND_ERROR "LUXGATE_PROGRAM_CACHE=${folder} changes results")
   endif()
 endforeach()
+file(REMOVE_RECURSE ${WORK}/cache)
+run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE= XDG_CACHE_HOME=${WORK}/cache
+  ARGS check --quiet --max-paths 256 ${cornell} --backend gpu)
+file(GLOB programs_in_cache ${WORK}/cache/luxgate/programs/*)
+list(LENGTH programs kept)
+if(kept GREATER 0 AND programs_in_cache STREQUAL "")
+  message(SEND_ERROR "no compiled shaders in XDG_CACHE_HOME")
+endif()
 
 # What ran is written down; software is said to be software.
 run_luxgate(0 ARGS check ${cornell} --backend gpu --format json)
