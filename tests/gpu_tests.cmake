@@ -3,6 +3,7 @@ luxgate_test(gpu_tests
   SOURCES
     differential/gpu_draws_test.cpp
     differential/gpu_gatherer_test.cpp
+    differential/gpu_weights_test.cpp
     unit/gpu/bvh_test.cpp
     unit/gpu/device_test.cpp
     unit/gpu/egl_context_test.cpp
