@@ -68,7 +68,12 @@ void DeviceThread::live() {
   }
   changed_.notify_all();
   if (!context) return;
-  DeviceState state{*context, request_.fault, {}};
+  const Device& device = context->device();
+  DeviceState state{
+      *context,
+      request_.fault,
+      {request_.program_folder, device.vendor + "\n" + device.renderer + "\n" + device.version},
+      {}};
   while (Piece* piece = next()) {
     run_piece(state, *piece);
     {

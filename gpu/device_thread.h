@@ -3,9 +3,11 @@
 
 #include "gpu/device_scene.h"
 #include "gpu/egl_context.h"
+#include "gpu/program_cache.h"
 
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -17,12 +19,14 @@ namespace gpu {
 struct DeviceRequest {
   int device = -1;  // as in list_devices(); -1 = preferred_device()
   Fault fault = Fault::none;
+  std::filesystem::path program_folder = {};  // of ProgramCache, "" = none
 };
 
 // What work on the context's thread may use.
 struct DeviceState {
   const EglContext& context;
   Fault fault;
+  ProgramCache programs;
   DeviceScenes scenes;
 
   // Throws what the request's fault asks for, or that the context is lost.

@@ -35,11 +35,11 @@ void set_common(const GlProgram& program, const DrawPiece& piece) {
 
 }  // namespace
 
-DrawPrograms::DrawPrograms(const DeviceState&, const DrawShape& shape)
-    : weigh("weigh", draw_shader(DrawStage::weigh, shape)),
-      share("share", draw_shader(DrawStage::share, shape)),
-      trace("trace", draw_shader(DrawStage::trace, shape)),
-      add("add", draw_shader(DrawStage::add, shape)) {}
+DrawPrograms::DrawPrograms(const DeviceState& device, const DrawShape& shape)
+    : weigh("weigh", draw_shader(DrawStage::weigh, shape), device.programs),
+      share("share", draw_shader(DrawStage::share, shape), device.programs),
+      trace("trace", draw_shader(DrawStage::trace, shape), device.programs),
+      add("add", draw_shader(DrawStage::add, shape), device.programs) {}
 
 const DrawPrograms& DrawPass::programs(const DeviceState& device, const DrawShape& shape) {
   std::unique_ptr<DrawPrograms>& made = programs_[shape];

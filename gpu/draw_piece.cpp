@@ -11,6 +11,8 @@
 namespace gpu {
 namespace {
 
+constexpr std::size_t kMostReceivers = 65535;  // work groups in one direction, on any device
+
 DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& receiver, double shift,
                            std::size_t tile) {
   DrawReceiver result{};
@@ -39,7 +41,8 @@ void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
 std::size_t DrawPacker::room_in(const DrawPiece& piece) const {
   const std::size_t used = piece.receivers.size();
   const std::size_t row = std::max<std::size_t>({piece.most_nodes, nodes_.size(), 1});
-  const std::size_t most = std::min(kMostPlaces / piece.places_per_receiver(), kMostWeights / row);
+  const std::size_t most = std::min(
+      {limits_.places / piece.places_per_receiver(), limits_.weights / row, kMostReceivers});
   if (used == 0) return std::max<std::size_t>(most, 1);
   return most > used ? most - used : 0;
 }

@@ -71,21 +71,25 @@ struct DrawPiece {
   std::size_t words_per_answer() const { return 4 + 2 * std::size_t{most_ranges}; }
 };
 
+// Bounds of what a piece takes on the device, whose buffers may be no larger than 128 MiB. A
+// receiver with more draws makes a piece alone.
+struct DrawLimits {
+  std::size_t places = std::size_t{1} << 21;   // of draws: 12 bytes in the longest list
+  std::size_t weights = std::size_t{1} << 22;  // of groups: 8 bytes
+};
+
 // Cuts a batch into pieces that fit onto the device, chooses the nodes of each tile on the way, and
 // adds what comes back.
 class DrawPacker {
  public:
-  explicit DrawPacker(const calc::DrawBatch& batch) : batch_(batch) {}
+  DrawPacker(const calc::DrawBatch& batch, const DrawLimits& limits)
+      : batch_(batch), limits_(limits) {}
 
   // The next piece; false after the last, or past the deadline.
   bool next(DrawPiece& piece);
   // Adds the answers to the sums of that piece, the last that next() made; returns the rays. Throws
   // calc::BackendFailure if the device did not do its work.
   std::uint64_t add(const DrawPiece& piece) const;
-
-  // Bounds of what a piece takes on the device. A receiver with more draws makes a piece alone.
-  static constexpr std::size_t kMostPlaces = std::size_t{1} << 21;
-  static constexpr std::size_t kMostWeights = std::size_t{1} << 22;
 
  private:
   // Some receivers of one tile, in the piece one after the other.
@@ -100,6 +104,7 @@ class DrawPacker {
   void finish(DrawPiece& piece);
 
   const calc::DrawBatch& batch_;
+  const DrawLimits limits_;
   std::size_t tile_ = 0, receiver_ = 0;  // where the next piece begins
   bool has_nodes_ = false;               // of tile_
   std::vector<std::uint32_t> nodes_;

@@ -66,9 +66,10 @@ void GatherPass::dispatch(DeviceState& device, const GatherJob& job) {
   check_gl("tracing shadow rays");
 }
 
-const GlProgram& GatherPass::program(DeviceState&, bool has_shadows) {
+const GlProgram& GatherPass::program(DeviceState& device, bool has_shadows) {
   std::unique_ptr<GlProgram>& made = program_[has_shadows ? 1 : 0];
-  if (!made) made = std::make_unique<GlProgram>("gather", gather_shader(has_shadows));
+  if (!made)
+    made = std::make_unique<GlProgram>("gather", gather_shader(has_shadows), device.programs);
   return *made;
 }
 

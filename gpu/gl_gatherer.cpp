@@ -53,7 +53,8 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
 
 class GlGatherer : public calc::Gatherer {
  public:
-  explicit GlGatherer(std::shared_ptr<DeviceThread> thread) : thread_(std::move(thread)) {}
+  GlGatherer(std::shared_ptr<DeviceThread> thread, const DrawLimits& limits)
+      : thread_(std::move(thread)), limits_(limits) {}
   ~GlGatherer() override {
     thread_->clean_up([this](DeviceState&) {
       gather_pass_.reset();
@@ -88,7 +89,7 @@ class GlGatherer : public calc::Gatherer {
     PackedPool packed;
     const bool has_to_send = !pools_.holds(batch.tree.identity());
     if (has_to_send) packed = pack_pool(batch.tree);
-    DrawPacker packer(batch);
+    DrawPacker packer(batch, limits_);
     DrawPiece piece;
     std::uint64_t rays = 0;
     while (packer.next(piece)) {
@@ -120,6 +121,7 @@ class GlGatherer : public calc::Gatherer {
   }
 
   const std::shared_ptr<DeviceThread> thread_;
+  const DrawLimits limits_;
   DevicePools pools_;
   DrawQueue draws_;
   std::unique_ptr<GatherPass> gather_pass_;  // of the device's thread alone
@@ -127,8 +129,9 @@ class GlGatherer : public calc::Gatherer {
 
 }  // namespace
 
-std::unique_ptr<calc::Gatherer> make_gl_gatherer(std::shared_ptr<DeviceThread> thread) {
-  return std::make_unique<GlGatherer>(std::move(thread));
+std::unique_ptr<calc::Gatherer> make_gl_gatherer(std::shared_ptr<DeviceThread> thread,
+                                                 const DrawLimits& limits) {
+  return std::make_unique<GlGatherer>(std::move(thread), limits);
 }
 
 }  // namespace gpu

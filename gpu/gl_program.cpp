@@ -22,7 +22,49 @@ std::string log_of(GLuint name, const GetLength& get_length, const GetLog& get_l
 
 }  // namespace
 
-GlProgram::GlProgram(const std::string& what, const std::string& source) {
+GlProgram::GlProgram(const std::string& what, const std::string& source,
+                     const ProgramCache& cache) {
+  GLint formats = 0;
+  if (cache.is_on()) glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+  if (formats > 0) {
+    if (const auto binary = cache.find(source)) is_from_cache_ = load(*binary);
+  }
+  if (is_from_cache_) return;
+  compile(what, source);
+  if (formats > 0) cache.keep(source, binary());
+}
+
+// False if the driver does not take it: it may have been updated.
+bool GlProgram::load(const ProgramBinary& binary) {
+  name_ = glCreateProgram();
+  glProgramBinary(name_, binary.format, binary.bytes.data(),
+                  static_cast<GLsizei>(binary.bytes.size()));
+  GLint is_linked = GL_FALSE;
+  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return true;
+  glDeleteProgram(name_);
+  name_ = 0;
+  forget_gl_errors();  // of a format that the driver does not know
+  return false;
+}
+
+// Empty if the driver gives none.
+ProgramBinary GlProgram::binary() const {
+  GLint length = 0;
+  glGetProgramiv(name_, GL_PROGRAM_BINARY_LENGTH, &length);
+  if (length <= 0) return {};
+  ProgramBinary result;
+  result.bytes.resize(static_cast<std::size_t>(length));
+  GLenum format = 0;
+  GLsizei written = 0;
+  glGetProgramBinary(name_, length, &written, &format, result.bytes.data());
+  if (glGetError() != GL_NO_ERROR) return {};
+  result.format = format;
+  result.bytes.resize(static_cast<std::size_t>(written));
+  return result;
+}
+
+void GlProgram::compile(const std::string& what, const std::string& source) {
   const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
   const char* text = source.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -35,6 +77,7 @@ GlProgram::GlProgram(const std::string& what, const std::string& source) {
     throw GlError(fmt::format("the driver does not compile shader '{}': {}", what, log));
   }
   name_ = glCreateProgram();
+  glProgramParameteri(name_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
   glAttachShader(name_, shader);
   glLinkProgram(name_);
   glDeleteShader(shader);

@@ -27,4 +27,7 @@ std::string gather_shader(bool has_shadows);
 enum class DrawStage { weigh, share, trace, add };
 std::string draw_shader(DrawStage stage, const DrawShape& shape);
 
+// exact_quotient(a, b) and exact_root(a) with what a shader begins with: for their test.
+std::string exact_arithmetic();
+
 }  // namespace gpu

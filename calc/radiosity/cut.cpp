@@ -191,8 +191,7 @@ void Cut::visit_taken(const VertexTree& tree, std::vector<ChannelRange>& channel
 void Cut::select(const VertexTree& tree, const ReceiverTile& tile, const CutRequest& request,
                  std::vector<std::uint32_t>& nodes, std::vector<ChannelRange>& channels) {
   open_nodes(tree, tile, request.nodes, request.smallest_bound_per_m2, request.leave_out_hidden);
-  visit_taken(tree, channels,
-              [&](std::uint32_t n, const VertexNode&) { nodes.push_back(n); });
+  visit_taken(tree, channels, [&](std::uint32_t n, const VertexNode&) { nodes.push_back(n); });
 }
 
 void Cut::collect(const VertexTree& tree, float smallest_bound_per_m2) {

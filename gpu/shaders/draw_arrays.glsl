@@ -1,6 +1,6 @@
 // What the stages of drawn connections share, see draw_pass.h: weigh, share, trace, add.
 
-layout(local_size_x = GROUP_SIZE) in;
+layout(local_size_x = LOCAL_SIZE) in;
 
 layout(std430, binding = 4) readonly buffer Receivers { uvec4 receiver_word[]; };
 layout(std430, binding = 5) readonly buffer Tiles { uint tile_word[]; };

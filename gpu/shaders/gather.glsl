@@ -1,6 +1,6 @@
 // One connection of a receiver to a light vertex. results: what gather_pass.h says.
 
-layout(local_size_x = GROUP_SIZE) in;
+layout(local_size_x = LOCAL_SIZE) in;
 
 layout(std430, binding = 4) readonly buffer Receivers { vec4 receiver[]; };
 layout(std430, binding = 5) readonly buffer Connections { uint connection[]; };

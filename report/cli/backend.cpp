@@ -43,7 +43,26 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
                      calc::tracer_version(), fmt::join(gpu_stage_names(rest), ", "));
 }
 
+// None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to
+// share, so that the answer is the same for any number of threads.
+constexpr double kCores = 16.0;
+constexpr double kCpuConnection_ns = 170.0;    // of one core, as in calc/planner/cost_model.cpp
+constexpr double kOpen_s = 0.4;                // a context, programs; 0.15 to 0.5
+constexpr double kDeviceConnection_ns = 1.0;   // assumed
+constexpr double kBesideConnection_ns = 20.0;  // of one core: groups, packing [bench_gpu]
+constexpr double kVertex_ns = 15.0;            // some 90 bytes, by one thread
+constexpr double kTriangle_ns = 300.0;         // the tree
+
 }  // namespace
+
+BackendCost backend_cost(const GatherWork& work) {
+  BackendCost cost;
+  cost.cpu_s = 1e-9 * kCpuConnection_ns / kCores * work.connections;
+  cost.open_s = kOpen_s;
+  cost.send_s = 1e-9 * (kVertex_ns * work.vertices + kTriangle_ns * work.triangles);
+  cost.gather_s = 1e-9 * (kDeviceConnection_ns + kBesideConnection_ns / kCores) * work.connections;
+  return cost;
+}
 
 std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
   if (name.empty()) return gpu::Fault::none;
@@ -54,22 +73,27 @@ std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
 }
 
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
-                                   const std::function<double()>& connections) {
+                                   const std::function<GatherWork()>& work) {
   const std::optional<int> device = hardware_device(hardware);
   if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
   const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
-  const double count = connections();
-  const std::string amount =
-      fmt::format("{} connections in the first look",
-                  report::format_count(static_cast<std::uint64_t>(std::llround(count))));
-  if (count < kConnectionsWorthAGpu) {
-    return {Backend::cpu, -1, fmt::format("too little work for {}: {}", name, amount)};
-  }
-  return {Backend::gpu, *device, fmt::format("enough work for {}: {}", name, amount)};
+  const GatherWork amount = work();
+  const BackendCost cost = backend_cost(amount);
+  const bool is_worth_it = cost.gpu_s() < cost.cpu_s;
+  const std::string why = fmt::format(
+      "{} work for {}: {} connections in the first look take some {:.2g} s on {} processor cores, "
+      "{:.2g} s with it: {:.2g} s to open it, {:.2g} s to send scene and light vertices, {:.2g} s "
+      "to "
+      "gather",
+      is_worth_it ? "enough" : "too little", name,
+      report::format_count(static_cast<std::uint64_t>(std::llround(amount.connections))),
+      cost.cpu_s, kCores, cost.gpu_s(), cost.open_s, cost.send_s, cost.gather_s);
+  if (!is_worth_it) return {Backend::cpu, -1, why};
+  return {Backend::gpu, *device, why};
 }
 
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
-                             const std::function<double()>& connections) {
+                             const std::function<GatherWork()>& work) {
   if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
     return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL",
             options.gpu_stages.value_or(GpuStages{false, true, false}), texels};
@@ -78,7 +102,7 @@ BackendChoice choose_backend(const Options& options, gpu::Fault fault,
     return {options.backend, options.gl_device, "asked for with --backend",
             options.gpu_stages.value_or(GpuStages())};
   }
-  return choose_automatically(gpu::list_hardware(fault), connections);
+  return choose_automatically(gpu::list_hardware(fault), work);
 }
 
 std::string backend_line(const BackendChoice& choice) {
@@ -88,14 +112,15 @@ std::string backend_line(const BackendChoice& choice) {
 }
 
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
-                                        std::string& problem, std::string& warning) {
+                                        const std::string& program_folder, std::string& problem,
+                                        std::string& warning) {
   OpenBackend backend;
   if (choice.backend != Backend::gpu) {
     backend.gatherer = calc::make_cpu_gatherer();
     backend.description = backend.gatherer->description();
     return backend;
   }
-  const auto thread = gpu::DeviceThread::open({choice.device, fault}, problem);
+  const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
   if (!thread) return std::nullopt;
   if (thread->device().is_software) warning = thread->device().renderer;
   const GpuStages& stages = choice.stages;

@@ -27,19 +27,29 @@ struct BackendChoice {
   std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
 
-// Connections below which opening a context takes longer than the GPU saves: a device that needs no
-// time at all would save some 3 ns of 16 cores for each, and it takes a few tenths of a second to
-// open. [method 05; not measured on hardware]
-inline constexpr double kConnectionsWorthAGpu = 1.0e8;
+// Work that a GPU could take over, and what has to be sent for it.
+struct GatherWork {
+  double connections = 0, vertices = 0, triangles = 0;
+};
 
-// The answer to --backend auto: a GPU if there is one that is not software, and enough work for it.
-// connections: in the first look at all projects; only asked for if there is such a device. Does
-// not depend on --jobs.
+// Seconds on a machine of 16 cores, without and with a GPU of 1e9 rays a second.
+struct BackendCost {
+  double cpu_s = 0;  // connections on the CPU
+  double open_s = 0, send_s = 0,
+         gather_s = 0;  // context and programs; scene and vertices; the rest
+
+  double gpu_s() const { return open_s + send_s + gather_s; }
+};
+BackendCost backend_cost(const GatherWork& work);
+
+// The answer to --backend auto: a GPU if there is one that is not software, and it gains more than
+// it costs to open and to feed. work: of the first look at all projects; only asked for if there is
+// such a device. Does not depend on --jobs.
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
-                                   const std::function<double()>& connections);
+                                   const std::function<GatherWork()>& work);
 // What --backend means on this machine, whose devices are only looked for if that matters.
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
-                             const std::function<double()>& connections);
+                             const std::function<GatherWork()>& work);
 
 // "backend: cpu: this machine has no graphics device\n"; of a gpu also what runs on it.
 std::string backend_line(const BackendChoice& choice);
@@ -56,8 +66,9 @@ struct OpenBackend {
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
-// software, `warning` names its renderer.
+// software, `warning` names its renderer. program_folder: see Environment.
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
-                                        std::string& problem, std::string& warning);
+                                        const std::string& program_folder, std::string& problem,
+                                        std::string& warning);
 
 }  // namespace cli

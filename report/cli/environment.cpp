@@ -13,6 +13,16 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+std::string program_folder() {
+  const std::string own = variable("LUXGATE_PROGRAM_CACHE");
+  if (!own.empty()) return own == "off" ? "" : own;
+  // Relative paths are not allowed there. [XDG Base Directory Specification]
+  const std::string cache = variable("XDG_CACHE_HOME");
+  if (cache.starts_with('/')) return cache + "/luxgate/programs";
+  const std::string home = variable("HOME");
+  return home.starts_with('/') ? home + "/.cache/luxgate/programs" : "";
+}
+
 int columns_of(int descriptor) {
   winsize size{};
   return ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
@@ -27,6 +37,7 @@ Environment read_environment() {
   environment.clicolor_force = variable("CLICOLOR_FORCE");
   environment.term = variable("TERM");
   environment.gl_fault = variable("LUXGATE_GL_FAULT");
+  environment.program_folder = program_folder();
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
   if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);

@@ -10,6 +10,10 @@ namespace cli {
 struct Environment {
   std::string source_date_epoch, no_color, clicolor_force, term;  // "" = not set
   std::string gl_fault;  // LUXGATE_GL_FAULT, for tests; see find_gl_fault()
+  // Where compiled shaders are kept: LUXGATE_PROGRAM_CACHE, or luxgate/programs in XDG_CACHE_HOME
+  // or
+  // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
+  std::string program_folder;
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known

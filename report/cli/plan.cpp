@@ -58,11 +58,13 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   return plan;
 }
 
-double first_look_connections(const std::vector<ProjectPlan>& projects) {
-  double sum = 0.0;
+GatherWork first_look_work(const std::vector<ProjectPlan>& projects) {
+  GatherWork sum;
   for (const ProjectPlan& project : projects) {
     for (const SpacePlan& space : project.spaces) {
-      sum += space.plan.first_look.work.connection_rays;
+      sum.connections += space.plan.first_look.work.connection_rays;
+      sum.vertices += space.plan.first_look.work.pool_rays;  // one at the end of each, at most
+      sum.triangles += static_cast<double>(space.triangles);
     }
   }
   return sum;

@@ -32,8 +32,8 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings);
 
-// Connections that the first look at these projects makes, as far as they are planned.
-double first_look_connections(const std::vector<ProjectPlan>& projects);
+// What the first look at these projects gathers, as far as they are planned.
+GatherWork first_look_work(const std::vector<ProjectPlan>& projects);
 
 std::string render_plan_text(const std::vector<ProjectPlan>& projects,
                              const calc::RadiositySettings& settings, const BackendChoice& backend);

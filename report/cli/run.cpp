@@ -87,9 +87,10 @@ std::vector<ProjectPlan> plan_projects(const Options& options, const calc::FileR
 
 // Empty after an error, which has been printed. Another backend is never taken instead.
 std::optional<OpenBackend> open_or_complain(const BackendChoice& choice, gpu::Fault fault,
-                                            bool quiet) {
+                                            const std::string& program_folder, bool quiet) {
   std::string problem, software;
-  std::optional<OpenBackend> backend = open_backend(choice, fault, problem, software);
+  std::optional<OpenBackend> backend = 
+      open_backend(choice, fault, program_folder, problem, software);
   if (!backend) print_error(calc::DiagnosticId::backend_not_available, "gpu", problem);
   if (!software.empty()) {
     calc::Diagnostics diagnostics;
@@ -215,10 +216,10 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
   const std::optional<std::vector<rules::RulePack>> packs =
       load_rule_packs(options.rule_files, files);
   if (!packs) return kNotJudged;
-  const BackendChoice backend = choose_backend(options, fault, [&] {
-    return first_look_connections(plan_projects(options, files, *packs));
-  });
-  const std::optional<OpenBackend> opened = open_or_complain(backend, fault, options.quiet);
+  const BackendChoice backend = choose_backend(
+      options, fault, [&] { return first_look_work(plan_projects(options, files, *packs)); });
+  const std::optional<OpenBackend> opened =
+      open_or_complain(backend, fault, environment.program_folder, options.quiet);
   if (!opened) return kNotJudged;
 
   watch_for_interrupt();
@@ -288,8 +289,8 @@ ExitCode run_plan(const Options& options, gpu::Fault fault) {
     if (!plan.is_planned) code = kNotJudged;
   }
   const BackendChoice backend =
-      choose_backend(options, fault, [&] { return first_look_connections(plans); });
-  if (!open_or_complain(backend, fault, options.quiet)) code = kNotJudged;
+      choose_backend(options, fault, [&] { return first_look_work(plans); });
+  if (!open_or_complain(backend, fault, "", options.quiet)) code = kNotJudged;
   const std::string text = options.plan_as_json
                                ? render_plan_json(plans, options.radiosity, backend)
                                : render_plan_text(plans, options.radiosity, backend);

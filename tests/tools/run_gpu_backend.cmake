@@ -23,6 +23,10 @@ function(expect_in text part)
   endif()
 endfunction()
 
+# Compiled shaders of this test alone.
+file(REMOVE_RECURSE ${WORK}/programs)
+set(ENV{LUXGATE_PROGRAM_CACHE} ${WORK}/programs)
+
 execute_process(COMMAND ${LUXGATE} devices OUTPUT_VARIABLE devices RESULT_VARIABLE code)
 if(devices MATCHES "^no OpenGL device: (.*)\n")
   message("skipped: ${CMAKE_MATCH_1}")
@@ -57,6 +61,43 @@ execute_process(COMMAND ${COMPARE_CSV} ${WORK}/cpu.csv ${WORK}/gpu1.csv 1e-4
   RESULT_VARIABLE difference OUTPUT_VARIABLE report ERROR_VARIABLE report)
 if(NOT difference EQUAL 0)
   message(SEND_ERROR "cpu and gpu differ: ${report}")
+endif()
+
+# The same verdicts, whatever the project.
+file(GLOB projects ${EXAMPLES}/*/project.xml)
+foreach(backend cpu gpu)
+  execute_process(COMMAND ${LUXGATE} check --quiet --max-paths 256 ${projects} --backend ${backend} --format csv
+    OUTPUT_VARIABLE table RESULT_VARIABLE code_${backend})
+  string(REGEX MATCHALL ",(pass|fail|undecided)," verdicts_${backend} "${table}")
+endforeach()
+if(NOT verdicts_cpu MATCHES "pass.*fail" OR NOT verdicts_cpu STREQUAL verdicts_gpu OR
+   NOT code_cpu STREQUAL code_gpu)
+  message(SEND_ERROR "verdicts of examples: ${code_cpu} ${verdicts_cpu}, ${code_gpu} ${verdicts_gpu}")
+endif()
+
+# Shaders were kept, and damaged files do not matter.
+file(GLOB programs ${WORK}/programs/*)
+if(programs STREQUAL "" AND renderer MATCHES "llvmpipe")
+  message(SEND_ERROR "no compiled shaders in ${WORK}/programs")
+endif()
+foreach(program IN LISTS programs)
+  file(WRITE ${program} "damaged")
+endforeach()
+foreach(folder ${WORK}/programs off /proc/none)
+  run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE=${folder}
+    ARGS ${work} ${cornell} --backend gpu --format points-csv=${WORK}/cached.csv)
+  file(SHA256 ${WORK}/cached.csv hash)
+  if(NOT hash STREQUAL hash1)
+    message(SEND_ERROR "LUXGATE_PROGRAM_CACHE=${folder} changes results")
+  endif()
+endforeach()
+file(REMOVE_RECURSE ${WORK}/cache)
+run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE= XDG_CACHE_HOME=${WORK}/cache
+  ARGS check --quiet --max-paths 256 ${cornell} --backend gpu)
+file(GLOB programs_in_cache ${WORK}/cache/luxgate/programs/*)
+list(LENGTH programs kept)
+if(kept GREATER 0 AND programs_in_cache STREQUAL "")
+  message(SEND_ERROR "no compiled shaders in XDG_CACHE_HOME")
 endif()
 
 # What ran is written down; software is said to be software.

@@ -123,6 +123,26 @@ TEST(Cut, HoldsEveryVertexThatCanLightTheTile) {
 
 // Over many shifts every vertex that is not hidden is drawn 1 / weight times in the mean: the sum
 // of weights estimates their number.
+TEST(Cut, SelectsTheNodesItBuilds) {
+  const calc::VertexTree tree(some_vertices(3000), 2);
+  const std::vector<calc::Receiver> tile{{{0.3, 0.4, 0.8}, {0, 0, 1}},
+                                         {{0.7, 0.5, 0.8}, {0, 0, 1}}};
+  calc::Cut cut = cut_for(tree, tile, true);
+  std::vector<std::uint32_t> nodes{12345};  // of another tile: stays
+  std::vector<calc::Cut::ChannelRange> channels;
+  cut.select(tree, calc::tile_of(tile, 7.0), {64, 1.0f, true}, nodes, channels);
+  ASSERT_EQ(nodes.size(), cut.size() + 1);
+  for (std::size_t c = 0; c < cut.size(); ++c) {
+    EXPECT_EQ(tree.nodes()[nodes[c + 1]].first, cut.first(c));
+    EXPECT_EQ(tree.nodes()[nodes[c + 1]].size(), cut.count(c));
+  }
+  ASSERT_EQ(channels.size(), cut.channels().size());
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    EXPECT_EQ(channels[k].begin, cut.channels()[k].begin);
+    EXPECT_EQ(channels[k].end, cut.channels()[k].end);
+  }
+}
+
 TEST(Draws, WeightsAreTheInverseOfTheExpectedCount) {
   const calc::VertexTree tree(some_vertices(400), 2);
   const std::vector<calc::Receiver> tile{{{1.0, 2.0, 0.8}, {0, 0, 1}}};

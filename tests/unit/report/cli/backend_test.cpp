@@ -23,7 +23,10 @@ gpu::Device device(int index, const std::string& renderer, bool is_software,
 }
 
 cli::BackendChoice choose(const gpu::DeviceList& list, double connections) {
-  return cli::choose_automatically(list, [&] { return connections; });
+  // Five connections share a vertex.
+  return cli::choose_automatically(list, [&] {
+    return cli::GatherWork{connections, connections / 5.0, 1000.0};
+  });
 }
 
 TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
@@ -32,9 +35,23 @@ TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
   EXPECT_EQ(much.backend, cli::Backend::gpu);
   EXPECT_EQ(much.device, 0);
   EXPECT_THAT(cli::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 200"));
-  const cli::BackendChoice little = choose(list, 9.9e7);
+  EXPECT_THAT(much.why,
+              HasSubstr("take some 2.1 s on 16 processor cores, 1.5 s with it: 0.4 s to "
+                        "open it, 0.6 s to send scene and light vertices, 0.45 s to gather"));
+  const cli::BackendChoice little = choose(list, 6e7);
   EXPECT_EQ(little.backend, cli::Backend::cpu);
   EXPECT_THAT(little.why, HasSubstr("too little work for Card A"));
+}
+
+// What a context, the scene and the vertices cost must be won back.
+TEST(Backend, AutoCountsWhatHasToBeSent) {
+  const gpu::DeviceList list{{device(0, "Card A", false)}, ""};
+  const auto with = [&](const cli::GatherWork& work) {
+    return cli::choose_automatically(list, [&] { return work; }).backend;
+  };
+  EXPECT_EQ(with({1e8, 0.0, 0.0}), cli::Backend::gpu);
+  EXPECT_EQ(with({1e8, 5e7, 0.0}), cli::Backend::cpu);
+  EXPECT_EQ(with({1e8, 0.0, 5e6}), cli::Backend::cpu);
 }
 
 TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
@@ -53,7 +70,7 @@ TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
 TEST(Backend, AutoDoesNotCountWorkWithoutADevice) {
   const cli::BackendChoice choice = cli::choose_automatically({{}, "none"}, [] {
     ADD_FAILURE() << "planned for nothing";
-    return 0.0;
+    return cli::GatherWork{};
   });
   EXPECT_EQ(choice.backend, cli::Backend::cpu);
 }
@@ -63,7 +80,7 @@ TEST(Backend, WhatIsAskedForIsTaken) {
     cli::Options options;
     options.backend = backend;
     const cli::BackendChoice choice =
-        cli::choose_backend(options, gpu::Fault::no_egl, [] { return 0.0; });
+        cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork{}; });
     EXPECT_EQ(choice.backend, backend);
     EXPECT_EQ(choice.why, "asked for with --backend");
   }
@@ -71,7 +88,8 @@ TEST(Backend, WhatIsAskedForIsTaken) {
 
 TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
   std::string problem, warning;
-  EXPECT_FALSE(cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, problem, warning));
+  EXPECT_FALSE(
+      cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, "", problem, warning));
   EXPECT_EQ(problem, "there is no EGL library (libEGL.so.1)");
 }
 

@@ -1,0 +1,275 @@
+// Connections that the device draws itself, in random scenes: the CPU's draws, the CPU's sums.
+#include "calc/radiosity/random.h"
+#include "calc/radiosity/vertex_tree.h"
+#include "tests/support/opengl.h"
+#include "tests/support/same_sum.h"
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+
+// A room of some size with bodies in it, open or closed, up to three channels, and planes that
+// measure all that can be measured.
+struct RandomRoom {
+  calc::PhotometricWeb web = lambert_web(800.0, 18);
+  calc::PreparedScene scene;
+  std::vector<calc::SensorGrid> grids;
+  std::vector<calc::PlaneTask> tasks;
+
+  explicit RandomRoom(std::uint64_t seed) {
+    const calc::RandomKey key = calc::RandomKey(77).with(seed);
+    std::uint64_t number = 0;
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * key.with(number++).uniform();
+    };
+    const glm::dvec3 size(between(2.0, 12.0), between(2.0, 9.0), between(2.2, 5.0));
+    const double rho = between(0.2, 0.8);
+    if (seed % 3 == 0) {  // no ceiling, one wall
+      add_quad(scene, {0, 0, 0}, {size.x, 0, 0}, {0, size.y, 0}, rho);
+      add_quad(scene, {0, 0, 0}, {0, size.y, 0}, {0, 0, size.z}, rho);
+    } else {
+      add_box(scene, {0, 0, 0}, size, rho);
+    }
+    for (std::uint64_t k = 0; k < seed % 4; ++k) {
+      const glm::dvec3 part(between(0.05, 0.3), between(0.05, 0.3), between(0.1, 0.6));
+      add_box(scene, glm::dvec3(between(0.0, 0.7), between(0.0, 0.7), 0.0) * size, part * size,
+              between(0.0, 0.9));
+    }
+    const std::uint64_t channels = 1 + seed % 3;
+    for (std::uint64_t l = 0; l < 2 + channels; ++l) {
+      add_luminaire(scene, web, glm::dvec3(between(0.1, 0.9), between(0.1, 0.9), 0.98) * size);
+      scene.luminaires.back().channel = static_cast<std::uint32_t>(l % channels);
+    }
+    while (scene.channels.size() < channels) scene.channels.push_back({"further", 0.8});
+    set_extent(scene);
+    grids.resize(2);
+    for (std::size_t p = 0; p < grids.size(); ++p) {
+      grids[p].kernel =
+          p == 0 ? static_cast<calc::ReceiverKernel>(seed % 5) : calc::ReceiverKernel::planar;
+      for (int i = 0; i < 40; ++i) {
+        grids[p].position_m.push_back(
+            glm::dvec3(between(0.003, 0.997), between(0.003, 0.997), between(0.62, 0.95)) * size);
+        const bool is_upright = grids[p].kernel == calc::ReceiverKernel::cylindrical;
+        const double angle = is_upright ? 0.0 : between(0.0, 6.2);
+        grids[p].normal.emplace_back(grids[p].kernel == calc::ReceiverKernel::semicylindrical
+                                         ? glm::dvec3(std::cos(angle), std::sin(angle), 0.0)
+                                         : glm::dvec3(0, 0, 1));
+      }
+    }
+    for (const calc::SensorGrid& grid : grids) {
+      tasks.push_back({"plane " + std::to_string(tasks.size()), &grid});
+    }
+  }
+};
+
+calc::RadiositySettings settings_of(std::uint64_t paths, int jobs) {
+  calc::RadiositySettings settings;
+  settings.first_paths = paths / 2;
+  settings.max_paths = paths;
+  settings.replicates = 2;
+  settings.jobs = jobs;
+  return settings;
+}
+
+std::uint64_t rays_of(const std::vector<calc::PlaneField>& fields) {
+  std::uint64_t rays = 0;
+  for (const calc::PlaneField& field : fields) rays += field.counters.connection_rays;
+  return rays;
+}
+
+TEST(GlDraws, GiveTheSameSumInRandomRooms) {
+  LUXGATE_NEEDS_OPENGL();
+  const auto cpu = calc::make_cpu_gatherer();
+  const auto gl = gl_gatherer();
+  std::size_t values = 0, grazed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomRoom room(seed);
+    const auto a = solve_with(room.scene, room.tasks, settings_of(256, 2), *cpu);
+    const auto b = solve_with(room.scene, room.tasks, settings_of(256, 2), *gl);
+    // A single draw of another vertex would change the rays or a sum by far more than rounding.
+    EXPECT_EQ(rays_of(a), rays_of(b));
+    const SameSum same = compare_sums(a, b);
+    EXPECT_GT(same.sum_a_lx, 0.0);
+    EXPECT_LE(same.largest_grazed, 0.05);
+    if (same.grazed == 0) {
+      EXPECT_LE(same.mean_difference(), 1e-6);
+    }
+    values += same.values;
+    grazed += same.grazed;
+  }
+  RecordProperty("grazed", static_cast<int>(grazed));
+  EXPECT_GE(values, 6'000u);
+  EXPECT_LE(grazed, values / 1000) << "of " << values;
+}
+
+TEST(GlDraws, GiveTheSameBitsTenTimesOnAnyThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  const RandomRoom room(5);
+  const auto first = solve_with(room.scene, room.tasks, settings_of(128, 1), *gl_gatherer());
+  const auto gl = gl_gatherer();
+  for (int run = 0; run < 10; ++run) {
+    const auto again = solve_with(room.scene, room.tasks, settings_of(128, 1 + run % 4), *gl);
+    for (std::size_t p = 0; p < first.size(); ++p) {
+      EXPECT_EQ(first[p].indirect_lx, again[p].indirect_lx);
+      EXPECT_EQ(first[p].largest_share, again[p].largest_share);
+      EXPECT_EQ(first[p].counters.connection_rays, again[p].counters.connection_rays);
+    }
+  }
+}
+
+// --- one batch -----------------------------------------------------------------------------------
+
+// Vertices on floor and ceiling and receivers of all kinds, in tiles of unlike sizes.
+struct Batch {
+  RandomRoom room{4};
+  calc::Tracer tracer{room.scene};
+  std::unique_ptr<calc::VertexTree> tree;
+  std::vector<std::vector<calc::Receiver>> receivers;
+  std::vector<std::vector<double>> shifts;
+  calc::VertexBounds bounds;
+
+  explicit Batch(double most_per_m2, std::size_t vertex_count = 3000) : bounds(most_per_m2) {
+    const calc::RandomKey key(31);
+    const auto u = [&](std::uint64_t i, std::uint64_t k) { return key.with(i).with(k).uniform(); };
+    calc::LightVertices vertices;
+    for (std::size_t j = 0; j < vertex_count; ++j) {
+      const glm::dvec3 normal(0, 0, j % 2 == 0 ? 1 : -1);
+      const glm::dvec3 at(6 * u(j, 0), 5 * u(j, 1), j % 2 == 0 ? 0.0 : 2.5);
+      vertices.push_back({glm::vec3(tracer.lift(at, normal)), static_cast<float>(0.01 + u(j, 2)),
+                          glm::vec3(normal), static_cast<std::uint32_t>(j % 2)});
+    }
+    tree = std::make_unique<calc::VertexTree>(std::move(vertices), 2);
+    for (std::size_t t = 0; t < 5; ++t) {
+      auto& tile = receivers.emplace_back();
+      auto& shift = shifts.emplace_back();
+      for (std::uint64_t i = 0; i < 7 * t + 1; ++i) {
+        const std::uint64_t n = 10'000 + 100 * t + i;
+        tile.push_back({{2.0 + 2 * u(n, 0), 2.0 + u(n, 1), 0.05 + 2 * u(n, 2)},
+                        {0, 0, 1},
+                        static_cast<calc::ReceiverKernel>(t == 0 ? 0 : i % 5)});
+        if (tile.back().kernel == calc::ReceiverKernel::semicylindrical) {
+          tile.back().axis = {1, 0, 0};
+        }
+        shift.push_back(u(n, 3));
+      }
+    }
+  }
+};
+
+struct Sums {
+  std::vector<std::vector<double>> lx;
+  std::vector<std::vector<float>> largest_lx;
+  std::uint64_t rays = 0;
+  friend bool operator==(const Sums&, const Sums&) = default;
+};
+
+Sums gather(const Batch& batch, calc::Gatherer& gatherer, std::uint32_t draws,
+            bool has_shadows = true, double deadline_s = 0.0) {
+  Sums sums;
+  for (const auto& tile : batch.receivers) {
+    sums.lx.emplace_back(2 * tile.size(), 1.0);
+    sums.largest_lx.emplace_back(tile.size(), 0.0f);
+  }
+  std::vector<calc::DrawTile> tiles;
+  for (std::size_t t = 0; t < batch.receivers.size(); ++t) {
+    tiles.push_back({batch.receivers[t],
+                     batch.shifts[t],
+                     {sums.lx[t].data(), batch.receivers[t].size(), sums.largest_lx[t].data()}});
+  }
+  sums.rays = gatherer.draw_and_gather({batch.tracer,
+                                        *batch.tree,
+                                        batch.bounds,
+                                        {200, 0.5f, true},
+                                        draws,
+                                        has_shadows,
+                                        deadline_s,
+                                        tiles});
+  return sums;
+}
+
+TEST(GlDraws, GiveTheSameSumWithAndWithoutBoundsAndShadows) {
+  LUXGATE_NEEDS_OPENGL();
+  const auto gl = gl_gatherer();
+  const auto cpu = calc::make_cpu_gatherer();
+  // 0.02: nearly all draws are above the bound.
+  for (const double most : {0.02, 0.3, std::numeric_limits<double>::infinity()}) {
+    const Batch batch(most);
+    for (const bool has_shadows : {true, false}) {
+      // 1: fewer draws than a group of invocations; 1000: many blocks of them
+      for (const std::uint32_t draws : {1u, 64u, 1000u}) {
+        const Sums a = gather(batch, *cpu, draws, has_shadows);
+        const Sums b = gather(batch, *gl, draws, has_shadows);
+        EXPECT_EQ(a.rays, b.rays) << draws;
+        EXPECT_EQ(a.rays > 0, has_shadows);
+        std::size_t grazed = 0;
+        for (std::size_t t = 0; t < a.lx.size(); ++t) {
+          for (std::size_t k = 0; k < a.lx[t].size(); ++k) {
+            if (std::abs(b.lx[t][k] / a.lx[t][k] - 1.0) > 1e-5) ++grazed;
+          }
+          for (std::size_t k = 0; k < a.largest_lx[t].size(); ++k) {
+            EXPECT_NEAR(b.largest_lx[t][k], a.largest_lx[t][k], 1e-5f * a.largest_lx[t][k]);
+          }
+        }
+        EXPECT_LE(grazed, 1u) << most << " " << draws;
+      }
+    }
+  }
+}
+
+TEST(GlDraws, DoNotDependOnHowTheyAreCutIntoPieces) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  const Sums whole = gather(batch, *gl_gatherer(), 100);
+  // Places of 101, one receiver's, or fewer: each receiver goes alone.
+  for (const gpu::DrawLimits limits :
+       {gpu::DrawLimits{1500, 1u << 22}, {1u << 21, 1000}, {101, 1u << 22}, {10, 10}}) {
+    const auto gl = gpu::make_gl_gatherer(gl_device(), limits);
+    EXPECT_EQ(whole, gather(batch, *gl, 100)) << limits.places << " " << limits.weights;
+  }
+}
+
+// Many threads, some with pools that the device does not know yet.
+TEST(GlDraws, GiveTheSameBitsOnManyThreads) {
+  LUXGATE_NEEDS_OPENGL();
+  std::vector<std::unique_ptr<Batch>> batches;
+  for (std::size_t k = 0; k < 4; ++k)
+    batches.push_back(std::make_unique<Batch>(0.3, 500 + 200 * k));
+  const auto gl = gl_gatherer();
+  std::vector<Sums> alone, all(48);
+  for (const auto& batch : batches) alone.push_back(gather(*batch, *gl_gatherer(), 50));
+  tbb::parallel_for(std::size_t{0}, all.size(),
+                    [&](std::size_t k) { all[k] = gather(*batches[k % 4], *gl, 50); });
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k], alone[k % 4]) << k;
+}
+
+TEST(GlDraws, EndAtTheDeadline) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  const auto gl = gl_gatherer();
+  EXPECT_EQ(gather(batch, *gl, 1000, true, 1e-9).rays, 0u);
+  EXPECT_GT(gather(batch, *gl, 1000, true, 1e12).rays, 0u);
+}
+
+TEST(GlDraws, FailWithAReason) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  for (const gpu::Fault fault : {gpu::Fault::out_of_memory, gpu::Fault::context_lost}) {
+    const auto gl = gl_gatherer(fault);
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_THROW(gather(batch, *gl, 20), calc::BackendFailure);
+    }
+  }
+}
+
+}  // namespace
