@@ -127,7 +127,9 @@ TEST(GlPathTracer, KeepsToThePathsOfTheCpu) {
     // A ray carries its origin's rounding on to the next surface, divided by the cosine there: an
     // error grows and shrinks from reflection to reflection, and in the end some path leaves.
     EXPECT_LE(result.diverged(0, 32), 0.1 * static_cast<double>(result.paths));
-    if (reflectance < 0.7) EXPECT_EQ(result.diverged(0, kAll), 0u);
+    if (reflectance < 0.7) {
+      EXPECT_EQ(result.diverged(0, kAll), 0u);
+    }
   }
 }
 
@@ -164,7 +166,7 @@ TEST(GlPathTracer, StartsWhereTheCpuStarts) {
     const Source source(scene);
     const calc::TracedPaths a = source.cpu({11, 0, 0, 2048}), b = source.gl(*gl, {11, 0, 0, 2048});
     const PoolDifference difference =
-        compare_pools(a.vertices, b.vertices, {1e-6 * scene.extent_m});
+        compare_pools(a.vertices, b.vertices, {1e-5 * scene.extent_m});
     EXPECT_EQ(difference.unmatched, 0u) << k;
     EXPECT_GT(difference.same_bits, difference.matched / 2) << k;
     EXPECT_EQ(difference.largest_flux, 0.0);
@@ -221,7 +223,9 @@ TEST(GlPathTracer, ObeysItsLimits) {
   add_luminaire(white, web, {0, 0, 0});
   set_extent(white);
   const Source endless(white);
-  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16});
+  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16, 0.0, calc::kMostVertices, 3000});
+  std::printf("escaped %g of %g, on the CPU %g\n", never.escaped_lm, endless.emitter.flux_lm(),
+              endless.cpu({1, 0, 0, 16}).escaped_lm);
   EXPECT_TRUE(never.has_endless_path);
   EXPECT_TRUE(never.vertices.empty());
   const calc::TracedPaths full = endless.gl(*gl, {1, 0, 0, 16, 0.0, 10'000});

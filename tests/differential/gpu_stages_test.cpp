@@ -125,21 +125,4 @@ TEST(GlStages, EndWithTheReasonWhenTheDeviceFails) {
   }
 }
 
-TEST(GlStages, RefuseASpaceWithoutASteadyState) {
-  LUXGATE_NEEDS_OPENGL();
-  const Device device;
-  calc::PreparedScene white;
-  add_box(white, {-1, -1, -1}, {2, 2, 2}, 1.0);
-  const calc::PhotometricWeb web = isotropic_web(100.0);
-  add_luminaire(white, web, {0, 0, 0});
-  set_extent(white);
-  calc::SensorGrid grid;
-  grid.position_m = {{0.5, 0.5, 0.0}};
-  grid.normal = {{0, 0, 1}};
-  const auto fields = solve_with(white, {{"plane", &grid}}, settings_of(64, 2),
-                                 {*device.cpu, device.paths.get(), device.near.get()});
-  EXPECT_NE(fields[0].problem.find("did not end after 100000 reflections"), std::string::npos)
-      << fields[0].problem;
-}
-
 }  // namespace
