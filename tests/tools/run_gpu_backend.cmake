@@ -58,6 +58,20 @@ execute_process(COMMAND ${COMPARE_CSV} ${WORK}/cpu.csv ${WORK}/gpu1.csv 1e-4
 if(NOT difference EQUAL 0)
   message(SEND_ERROR "cpu and gpu differ: ${report}")
 endif()
+# Stage by stage.
+foreach(stages light-paths connections near-field)
+  execute_process(COMMAND ${LUXGATE} ${work} ${cornell} --backend gpu --gpu-stages ${stages} --format points-csv=${WORK}/${stages}.csv)
+  execute_process(COMMAND ${COMPARE_CSV} ${WORK}/cpu.csv ${WORK}/${stages}.csv 1e-4
+    RESULT_VARIABLE difference OUTPUT_VARIABLE report ERROR_VARIABLE report)
+  if(NOT difference EQUAL 0)
+    message(SEND_ERROR "cpu and gpu differ in ${stages}: ${report}")
+  endif()
+endforeach()
+run_luxgate(0 ARGS check ${cornell} --backend gpu --gpu-stages near-field,light-paths --format json)
+expect_in("${out}" "): light-paths, near-field; cpu (Embree")
+expect_in("${out}" "--backend gpu --gpu-stages light-paths,near-field")
+run_luxgate(0 ARGS plan ${cornell} --backend gpu --gpu-stages near-field)
+expect_in("${out}" "gpu stages: near-field")
 
 # What ran is written down; software is said to be software.
 run_luxgate(0 ARGS check ${cornell} --backend gpu --format json)
@@ -82,6 +96,10 @@ function(expect_failure part)
 endfunction()
 expect_failure("the backend failed: the device is out of memory" ENV LUXGATE_GL_FAULT=out-of-memory)
 expect_failure("the backend failed: the device was reset" ENV LUXGATE_GL_FAULT=context-lost)
+foreach(stages light-paths connections near-field)
+  expect_failure("the backend failed: the device was reset" ENV LUXGATE_GL_FAULT=context-lost
+    ARGS --gpu-stages ${stages})
+endforeach()
 expect_failure("04-office/project.xml: error[backend-failed]" ENV LUXGATE_GL_FAULT=context-lost
   ARGS ${EXAMPLES}/04-office/project.xml)
 expect_failure("'gpu' cannot be used: there is no EGL library" ENV LUXGATE_GL_FAULT=no-egl)
