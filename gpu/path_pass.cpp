@@ -30,9 +30,9 @@ enum PlacesBinding : unsigned { kChunks = 0, kPlaces, kPacked, kNextStates, kBal
 constexpr std::uint32_t kReflectionsPerRound = 8;
 constexpr std::uint32_t kMostReflectionsPerRound = 64;
 
-// Mesa's llvmpipe leaves all loops of an invocation after 65535 turns: reflections of one round that
-// stay below it even if a ray visits all boxes and triangles. More than the 65535 of a single ray
-// are told by the shader.
+// Mesa's llvmpipe leaves all loops of an invocation after 65535 turns: reflections of one round
+// that stay below it even if a ray visits all boxes and triangles. More than the 65535 of a single
+// ray are told by the shader.
 std::uint32_t reflections_of_software(std::uint32_t nodes) {
   constexpr std::uint32_t kMostTurns = 60000, kTurnsBesides = 100;
   return std::max(1u, kMostTurns / (3 * std::min(nodes, kMostTurns) + kTurnsBesides));

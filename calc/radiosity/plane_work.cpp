@@ -283,11 +283,11 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
     for (last = first + 1; last < requests.size(); ++last) {
       if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;
     }
-    batch.short_rays->cast(tracer_, static_cast<float>(tracer_.offset_m()),
-                           static_cast<float>(batch.near_bound->reach_m()),
-                           std::span(requests).subspan(first, last - first),
-                           std::span(result.hits)
-                               .subspan(first_ray[first], first_ray[last] - first_ray[first]));
+    batch.short_rays->cast(
+        tracer_, static_cast<float>(tracer_.offset_m()),
+        static_cast<float>(batch.near_bound->reach_m()),
+        std::span(requests).subspan(first, last - first),
+        std::span(result.hits).subspan(first_ray[first], first_ray[last] - first_ray[first]));
   }
   return result;
 }

@@ -319,9 +319,8 @@ class Solver {
   }
 
   TracedPaths trace(std::size_t replicate, std::uint64_t first, std::uint64_t last) {
-    TracedPaths traced =
-        trace_batch({settings_.seed, replicate, static_cast<std::uint32_t>(first),
-                     static_cast<std::uint32_t>(last), deadline_s_});
+    TracedPaths traced = trace_batch({settings_.seed, replicate, static_cast<std::uint32_t>(first),
+                                      static_cast<std::uint32_t>(last), deadline_s_});
     look_absorbed_lm_[replicate] = traced.absorbed_lm;
     look_escaped_lm_[replicate] = traced.escaped_lm;
     pool_rays_ += traced.rays;

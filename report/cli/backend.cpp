@@ -94,8 +94,7 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   if (!thread) return std::nullopt;
   if (thread->device().is_software) warning = thread->device().renderer;
   const GpuStages& stages = choice.stages;
-  backend.gatherer =
-      stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
+  backend.gatherer = stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
   if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
   if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
   backend.description = describe(thread->device(), stages);

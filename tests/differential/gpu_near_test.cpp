@@ -145,14 +145,13 @@ TEST(GlShortRays, GiveTheSameBitsAgainAndOnManyThreads) {
   EXPECT_NE(once, elsewhere);
   EXPECT_EQ(once, cast(*gl_short_rays(), tracer));
   std::vector<std::vector<std::uint32_t>> all(20);
-  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
-    all[k] = cast(*gl, k % 2 == 0 ? tracer : other_tracer);
-  });
+  tbb::parallel_for(std::size_t{0}, all.size(),
+                    [&](std::size_t k) { all[k] = cast(*gl, k % 2 == 0 ? tracer : other_tracer); });
   for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k], k % 2 == 0 ? once : elsewhere);
 }
 
-// A driver that leaves long loops early must not look like a free view: a pile of 40000 sheets, which
-// rays from above meet in the reverse of the tree's order.
+// A driver that leaves long loops early must not look like a free view: a pile of 40000 sheets,
+// which rays from above meet in the reverse of the tree's order.
 TEST(GlShortRays, DoNotTakeALoopCutShortForAnAnswer) {
   LUXGATE_NEEDS_OPENGL();
   calc::PreparedScene pile;

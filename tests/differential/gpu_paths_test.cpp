@@ -33,8 +33,7 @@ struct Source {
   calc::Tracer tracer;
   calc::Emitter emitter;
 
-  explicit Source(const calc::PreparedScene& from)
-      : scene(from), tracer(from), emitter(from) {}
+  explicit Source(const calc::PreparedScene& from) : scene(from), tracer(from), emitter(from) {}
   calc::TracedPaths cpu(const calc::PathBatch& batch) const {
     return calc::trace_light_paths(tracer, emitter, batch);
   }
@@ -54,13 +53,14 @@ void expect_same_pool(const Source& source, calc::PathTracer& gl, const calc::Pa
   const PoolDifference difference =
       compare_pools(a.vertices, b.vertices, {1e-5 * source.scene.extent_m});
   const std::uint32_t paths = batch.last - batch.first;
-  std::printf("%-22s %6u paths, %7zu vertices: %zu unmatched, same bits %.4f, within %.2g of the "
-              "extent, flux %.2g; %.2f us/path, %.2f on the CPU\n",
-              name.c_str(), paths, a.vertices.size(), difference.unmatched,
-              static_cast<double>(difference.same_bits) /
-                  std::max(1.0, static_cast<double>(difference.matched)),
-              difference.largest_m / source.scene.extent_m, difference.largest_flux,
-              1e6 * (end_s - middle_s) / paths, 1e6 * (middle_s - begin_s) / paths);
+  std::printf(
+      "%-22s %6u paths, %7zu vertices: %zu unmatched, same bits %.4f, within %.2g of the "
+      "extent, flux %.2g; %.2f us/path, %.2f on the CPU\n",
+      name.c_str(), paths, a.vertices.size(), difference.unmatched,
+      static_cast<double>(difference.same_bits) /
+          std::max(1.0, static_cast<double>(difference.matched)),
+      difference.largest_m / source.scene.extent_m, difference.largest_flux,
+      1e6 * (end_s - middle_s) / paths, 1e6 * (middle_s - begin_s) / paths);
   ASSERT_GT(a.vertices.size(), 0u);
   EXPECT_LE(difference.unmatched_share(), most_unmatched);
   const double balance = source.emitter.traced_flux_lm();
@@ -120,9 +120,10 @@ TEST(GlPathTracer, KeepsToThePathsOfTheCpu) {
   for (const double reflectance : {0.6, 0.9, 0.99}) {
     const LampHall hall(reflectance);
     const PathByPath result = compare_path_by_path(Source(hall.scene), *gl, 2000);
-    std::printf("rho %.2f: of %zu paths, diverged within 8, 16, 32, any reflections: %zu %zu %zu %zu\n",
-                reflectance, result.paths, result.diverged(0, 8), result.diverged(0, 16),
-                result.diverged(0, 32), result.diverged(0, kAll));
+    std::printf(
+        "rho %.2f: of %zu paths, diverged within 8, 16, 32, any reflections: %zu %zu %zu %zu\n",
+        reflectance, result.paths, result.diverged(0, 8), result.diverged(0, 16),
+        result.diverged(0, 32), result.diverged(0, kAll));
     EXPECT_LE(result.diverged(0, 8), kMostDiverged * static_cast<double>(result.paths));
     // A ray carries its origin's rounding on to the next surface, divided by the cosine there: an
     // error grows and shrinks from reflection to reflection, and in the end some path leaves.

@@ -79,10 +79,11 @@ TEST(GlStages, GiveTheSameSumEachAndTogether) {
     const auto gl = solve_with(hall.hall.scene, hall.tasks, settings, stages);
     const double took_s = calc::now_s() - start_s;
     const SameSum same = compare_sums(cpu, gl);
-    std::printf("%s: %zu of %zu values differ by more than rounding, the largest by %.2g; without "
-                "them %.2g; mean %.2g; %.2f s\n",
-                name, same.grazed, same.values, same.largest_grazed, same.largest,
-                same.mean_difference(), took_s);
+    std::printf(
+        "%s: %zu of %zu values differ by more than rounding, the largest by %.2g; without "
+        "them %.2g; mean %.2g; %.2f s\n",
+        name, same.grazed, same.values, same.largest_grazed, same.largest, same.mean_difference(),
+        took_s);
     EXPECT_GT(same.values, 1000u);
     EXPECT_LE(static_cast<double>(same.grazed), most_grazed * static_cast<double>(same.values));
     EXPECT_LE(same.mean_difference(), most_mean);

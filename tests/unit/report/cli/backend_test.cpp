@@ -71,7 +71,8 @@ TEST(Backend, WhatIsAskedForIsTaken) {
 
 TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
   std::string problem, warning;
-  EXPECT_FALSE(cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, problem, warning));
+  EXPECT_FALSE(
+      cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, problem, warning));
   EXPECT_EQ(problem, "there is no EGL library (libEGL.so.1)");
 }
 
