@@ -33,7 +33,8 @@ struct Source {
   calc::Tracer tracer;
   calc::Emitter emitter;
 
-  explicit Source(const calc::PreparedScene& from) : scene(from), tracer(from), emitter(from) {}
+  explicit Source(const calc::PreparedScene& from, std::vector<std::uint8_t> is_unlit = {})
+      : scene(from), tracer(from), emitter(from, is_unlit) {}
   calc::TracedPaths cpu(const calc::PathBatch& batch) const {
     return calc::trace_light_paths(tracer, emitter, batch);
   }
@@ -151,13 +152,20 @@ TEST(GlPathTracer, TracesThePoolsOfTheCpu) {
   const LampHall hall(0.5);
   expect_same_pool(Source(hall.scene), *gl, {7, 2, 1024, 1040}, "few", kMostDiverged);
   expect_same_pool(Source(hall.scene), *gl, {7, 2, 8192, 20000}, "many", kMostDiverged);
+  // Luminaires that no path starts from: the first, the last, two in a row.
+  expect_same_pool(Source(hall.scene, {1, 0, 0, 1, 1, 0, 0, 1}), *gl, {7, 2, 0, 4096}, "unlit",
+                   kMostDiverged);
 }
 
 // One lamp alone in a closed box: what leaves it, in which direction, from where.
 TEST(GlPathTracer, StartsWhereTheCpuStarts) {
   LUXGATE_NEEDS_OPENGL();
   const auto gl = gl_path_tracer();
-  const std::vector<calc::PhotometricWeb> webs = lamp_shop();
+  std::vector<calc::PhotometricWeb> webs = lamp_shop();
+  // Without thickness: an upright disk, a flat box, a line.
+  webs.push_back(crooked_web({calc::OpeningShape::cylinder_c0, 0.0, 0.3, 0.2}));
+  webs.push_back(crooked_web({calc::OpeningShape::box, 0.3, 0.2, 0.0}));
+  webs.push_back(lambert_web(100.0, 4, {calc::OpeningShape::rectangle, 0.9, 0.0, 0.0}));
   for (std::size_t k = 0; k < webs.size(); ++k) {
     calc::PreparedScene scene;
     add_box(scene, {-1, -1, -1}, {2, 2, 2}, 0.2);
