@@ -232,7 +232,7 @@ TEST(GlPathTracer, ObeysItsLimits) {
   add_luminaire(white, web, {0, 0, 0});
   set_extent(white);
   const Source endless(white);
-  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16, 0.0, calc::kMostVertices, 3000});
+  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16, 0.0, calc::kMostVertices, 600});
   std::printf("escaped %g of %g, on the CPU %g\n", never.escaped_lm, endless.emitter.flux_lm(),
               endless.cpu({1, 0, 0, 16}).escaped_lm);
   EXPECT_TRUE(never.has_endless_path);
@@ -248,9 +248,9 @@ TEST(GlPathTracer, ObeysItsLimits) {
 
   const LampHall hall(0.5);
   const Source source(hall.scene);
-  const std::size_t count = source.gl(*gl, {1, 0, 0, 20000}).vertices.size();
+  const std::size_t count = source.gl(*gl, {1, 0, 0, 9000}).vertices.size();
   for (const auto& [most, is_too_many] : {std::pair{count, false}, {count - 1, true}}) {
-    const calc::PathBatch batch{1, 0, 0, 20000, 0.0, most};
+    const calc::PathBatch batch{1, 0, 0, 9000, 0.0, most};
     EXPECT_EQ(source.gl(*gl, batch).has_too_many_vertices, is_too_many);
     EXPECT_EQ(source.cpu(batch).has_too_many_vertices, is_too_many);
   }
