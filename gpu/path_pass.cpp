@@ -82,7 +82,7 @@ PathPass::PathPass(std::uint32_t most_paths)
   vertices_.reserve(room);
   packed_.reserve(room);
   counts_.reserve(most_paths * sizeof(std::uint32_t));
-  balances_.reserve(most_paths * 2 * sizeof(double));
+  balances_.reserve(most_paths * sizeof(glm::dvec2));
   for (GlBuffer& states : states_) states.reserve(most_paths * kStateBytes);
 }
 
