@@ -9,7 +9,7 @@
 namespace gpu {
 namespace {
 
-constexpr double kMargin = 0.03;    // of the picture, on every side
+constexpr double kMargin = 0.03;     // of the picture, on every side
 constexpr double kElevation = 0.72;  // rad
 constexpr double kAside = 0.42;      // rad, from straight across the longer side
 constexpr double kDistance = 2.4;    // diagonals of the box, from its middle
@@ -42,9 +42,7 @@ void fit(Camera& camera, const Box& box) {
       scale * glm::translate(glm::dmat4(1.0), -middle) * camera.clip_from_local;
 }
 
-double diagonal_m(const Box& box) {
-  return std::max(glm::length(box.high_m - box.low_m), 1e-6);
-}
+double diagonal_m(const Box& box) { return std::max(glm::length(box.high_m - box.low_m), 1e-6); }
 
 }  // namespace
 
@@ -59,9 +57,8 @@ Camera corner_camera(const Box& box) {
   Camera camera;
   camera.eye_m = middle + distance * out;
   camera.towards = -out;
-  camera.clip_from_local =
-      glm::perspective(0.7, 1.0, 0.5 * distance, 1.5 * distance) *
-      glm::lookAt(camera.eye_m, middle, glm::dvec3(0, 0, 1));
+  camera.clip_from_local = glm::perspective(0.7, 1.0, 0.5 * distance, 1.5 * distance) *
+                           glm::lookAt(camera.eye_m, middle, glm::dvec3(0, 0, 1));
   fit(camera, box);
   return camera;
 }
@@ -71,8 +68,8 @@ Camera plan_camera(const Box& box) {
   const double d = diagonal_m(box);
   Camera camera;
   camera.eye_m = middle + glm::dvec3(0, 0, 1e5 * d);
-  camera.clip_from_local = glm::ortho(-d, d, -d, d, -d, d) *
-                           glm::translate(glm::dmat4(1.0), -middle);
+  camera.clip_from_local =
+      glm::ortho(-d, d, -d, d, -d, d) * glm::translate(glm::dmat4(1.0), -middle);
   fit(camera, box);
   return camera;
 }

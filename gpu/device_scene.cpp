@@ -46,9 +46,12 @@ const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
   }
   while (scenes_.size() >= kMostScenes) scenes_.pop_back();
   const Bvh bvh = build_bvh(tracer.scene());
-  DeviceScene scene{tracer.identity(), static_cast<std::uint32_t>(bvh.nodes.size()),
-                    GlBuffer("the scene's boxes"), GlBuffer("the scene's triangles"),
-                    GlBuffer("the scene's surfaces"), GlBuffer("the scene's triangle numbers")};
+  DeviceScene scene{tracer.identity(),
+                    static_cast<std::uint32_t>(bvh.nodes.size()),
+                    GlBuffer("the scene's boxes"),
+                    GlBuffer("the scene's triangles"),
+                    GlBuffer("the scene's surfaces"),
+                    GlBuffer("the scene's triangle numbers")};
   fill(scene.node, bvh.nodes);
   fill(scene.triangle, bvh.triangles);
   fill(scene.surface, surfaces_of(tracer, bvh));

@@ -28,7 +28,15 @@ enum PlacesBinding : unsigned { kChunks = 0, kPlaces, kPacked, kNextStates, kBal
 
 // Reflections of a path in one round: room for so many of every path, for more when fewer live.
 constexpr std::uint32_t kReflectionsPerRound = 8;
-constexpr std::uint32_t kMostReflectionsPerRound = 2048;  // of the last, long ones
+constexpr std::uint32_t kMostReflectionsPerRound = 64;
+
+// Mesa's llvmpipe leaves all loops of an invocation after 65535 turns: reflections of one round
+// that stay below it even if a ray visits all boxes and triangles. More than the 65535 of a single
+// ray are told by the shader.
+std::uint32_t reflections_of_software(std::uint32_t nodes) {
+  constexpr std::uint32_t kMostTurns = 60000, kTurnsBesides = 100;
+  return std::max(1u, kMostTurns / (3 * std::min(nodes, kMostTurns) + kTurnsBesides));
+}
 
 constexpr std::size_t kMostTables = 2;
 constexpr std::size_t kStateBytes = 64;
@@ -74,7 +82,7 @@ PathPass::PathPass(std::uint32_t most_paths)
   vertices_.reserve(room);
   packed_.reserve(room);
   counts_.reserve(most_paths * sizeof(std::uint32_t));
-  balances_.reserve(most_paths * 2 * sizeof(double));
+  balances_.reserve(most_paths * sizeof(glm::dvec2));
   for (GlBuffer& states : states_) states.reserve(most_paths * kStateBytes);
 }
 
@@ -82,9 +90,15 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   start(jobs);
   emit(jobs);
   while (slot_.back() > 0) {
-    const std::uint32_t left = calc::kMostReflections - reflection_;
+    std::uint32_t left = kMostReflectionsPerRound;
+    if (device.context.device().is_software) {
+      left = std::min(left, reflections_of_software(device.scenes.of(jobs.front()->tracer).nodes));
+    }
+    for (const PathJob* job : jobs) {
+      if (!job->is_useless()) left = std::min(left, reflections_left(*job));
+    }
     const std::uint32_t room = most_paths_ * kReflectionsPerRound / slot_.back();
-    const std::uint32_t reflections = std::min({left, room, kMostReflectionsPerRound});
+    const std::uint32_t reflections = std::min(left, room);
     for (PathJob* job : jobs) {
       if (calc::is_past(job->batch.deadline_s)) job->is_late = true;
     }
@@ -96,6 +110,11 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
   }
   fetch_balance(jobs);
   device.check("tracing light paths");
+}
+
+std::uint32_t PathPass::reflections_left(const PathJob& job) const {
+  const auto most = static_cast<std::uint32_t>(job.batch.most_reflections);
+  return most > reflection_ ? most - reflection_ : 0;
 }
 
 void PathPass::start(std::span<PathJob* const> jobs) {
@@ -196,7 +215,7 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     PathJob& job = *jobs[j];
     if (job.vertices > job.most_vertices) job.has_too_many_vertices = true;
-    if (reflection_ >= calc::kMostReflections && alive[j] > 0) job.has_endless_path = true;
+    if (reflections_left(job) == 0 && alive[j] > 0) job.has_endless_path = true;
     if (!job.is_useless()) job.rounds.emplace_back();
   }
 

@@ -71,6 +71,7 @@ class PathPass {
     std::uint32_t vertices, alive, rays, is_done;
   };
 
+  std::uint32_t reflections_left(const PathJob& job) const;
   void start(std::span<PathJob* const> jobs);
   void emit(std::span<PathJob* const> jobs);
   // The next reflections of all living paths.

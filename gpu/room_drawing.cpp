@@ -68,8 +68,8 @@ std::vector<glm::dvec3> rim_of(const calc::PlacedLuminaire& luminaire) {
   std::vector<glm::dvec3> rim;
   const calc::LuminousOpening& opening = luminaire.opening;
   const glm::dvec2 half(0.5 * opening.along_c0_m, 0.5 * opening.along_c90_m);
-  const bool is_rectangle = opening.shape == calc::OpeningShape::rectangle ||
-                            opening.shape == calc::OpeningShape::box;
+  const bool is_rectangle =
+      opening.shape == calc::OpeningShape::rectangle || opening.shape == calc::OpeningShape::box;
   const int corners = is_rectangle ? 4 : kRound;
   for (int k = 0; k < corners; ++k) {
     const double turn = 2.0 * calc::kPi * (k + (is_rectangle ? 0.5 : 0.0)) / corners;

@@ -62,7 +62,7 @@ class PathWave {
   void trace(const PathBatch& batch, std::atomic<std::uint64_t>& vertices,
              std::atomic<bool>& is_cancelled) {
     for (int reflection = 0; !paths_.empty(); ++reflection) {
-      if (reflection >= kMostReflections) {
+      if (reflection >= batch.most_reflections) {
         chunk_.has_endless_path = true;
         is_cancelled = true;
       }

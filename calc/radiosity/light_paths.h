@@ -40,7 +40,8 @@ struct PathBatch {
   std::uint32_t first = 0, last = 0;
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
   std::uint64_t most_vertices = kMostVertices;
-  bool keeps_origins = false;  // fills TracedPaths::origins
+  int most_reflections = kMostReflections;  // of one path
+  bool keeps_origins = false;               // fills TracedPaths::origins
 };
 
 // Where a light vertex comes from.
@@ -56,7 +57,7 @@ struct TracedPaths {
   double absorbed_lm = 0.0;           // mean over the batch's paths, like all of these
   double escaped_lm = 0.0;
   std::uint64_t rays = 0;
-  // A path did not end after kMostReflections: there is no steady state. vertices are then useless.
+  // A path did not end after most_reflections: there is no steady state. vertices are then useless.
   bool has_endless_path = false;
   bool has_too_many_vertices = false;  // more than most_vertices; they are then useless
 };

@@ -104,15 +104,13 @@ glm::dvec3 Tracer::point_on(std::uint32_t triangle, double u, double v) const {
 SurfaceHit Tracer::surface_hit(std::uint32_t triangle, double u, double v,
                                const glm::dvec3& direction) const {
   const glm::dvec3& normal = triangle_normal_[triangle];
-  return {triangle, point_on(triangle, u, v),
-          glm::dot(normal, direction) < 0.0 ? normal : -normal};
+  return {triangle, point_on(triangle, u, v), glm::dot(normal, direction) < 0.0 ? normal : -normal};
 }
 
 SurfaceHit Tracer::surface_hit(const FirstHit& first) const {
   const std::uint32_t triangle = first.triangle_and_side & ~FirstHit::kFromBehind;
   const glm::dvec3& normal = triangle_normal_[triangle];
-  return {triangle,
-          point_on(triangle, static_cast<double>(first.u), static_cast<double>(first.v)),
+  return {triangle, point_on(triangle, static_cast<double>(first.u), static_cast<double>(first.v)),
           (first.triangle_and_side & FirstHit::kFromBehind) == 0 ? normal : -normal};
 }
 

@@ -146,10 +146,13 @@ class Solver {
   std::size_t replicates() const { return static_cast<std::size_t>(settings_.replicates); }
 
   // A few paths tell whether a space absorbs next to nothing before a whole pool fills the memory.
+  // Few and long: nothing for a device.
   bool is_endless() {
     constexpr std::uint32_t kProbes = 16;
     return samples_indirect_ && may_be_endless_ &&
-           trace_batch({settings_.seed, replicates(), 0, kProbes, deadline_s_}).has_endless_path;
+           trace_light_paths(tracer_, emitter_,
+                             {settings_.seed, replicates(), 0, kProbes, deadline_s_})
+               .has_endless_path;
   }
 
   bool any_active() const {

@@ -61,6 +61,7 @@ bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint tria
     }
     ++at;
   }
+  if (at < node_count) is_cut = true;
   if (is_found) share = place_on(triangle, from, along);
   return is_found;
 }

@@ -19,7 +19,9 @@ uint gathered(uint i) {
                                       position_and_flux.xyz - at.xyz);
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
-  if (is_blocked(receiver[r + 2u].xyz, position_and_flux.xyz)) return ADDS_NOTHING;
+  bool is_cut;
+  if (is_blocked(receiver[r + 2u].xyz, position_and_flux.xyz, is_cut)) return ADDS_NOTHING;
+  if (is_cut) return NOT_DONE;
 #endif
   if (g > bounded_from_per_m2) return floatBitsToUint(-g);
   const float weight = uintBitsToFloat(connection[3u * i + 2u]);

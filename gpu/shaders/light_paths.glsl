@@ -50,5 +50,6 @@ void main() {
                                            path_sample(path.job, path.index, dimension + 1u)));
   }
   store(slot, path);
+  if (is_cut || (ending == PATH_LIVES && vertices != reflections)) return;  // not done
   count[slot] = vertices | ending;
 }

@@ -1,6 +1,10 @@
 // Scrambled Sobol' points and hashed random numbers: calc::ScrambledSobol and calc::RandomKey
 // again, to the last bit. 64-bit words are (low, high).
 
+// A loop ended before its time: Mesa's llvmpipe leaves all loops of an invocation after 65535 turns,
+// without a word. What follows is then worthless.
+bool is_cut = false;
+
 layout(std430, binding = 4) readonly buffer Words { uint word[]; };
 
 uvec2 product_of(uvec2 a, uvec2 b) {
@@ -31,9 +35,11 @@ double fraction_of(uvec2 key) {
 // directions: where the 32 direction numbers of the dimension begin.
 double sobol_sample(uint index, uint directions, uint scramble) {
   uint x = 0u;
-  for (uint rest = index; rest != 0u; rest >>= 1u) {
+  uint rest = index;
+  for (; rest != 0u; rest >>= 1u) {
     if ((rest & 1u) != 0u) x ^= word[directions];
     ++directions;
   }
+  if (rest != 0u) is_cut = true;
   return double(nested_scramble(x, scramble)) * DBL(2.3283064365386962890625e-10);
 }

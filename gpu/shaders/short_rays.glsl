@@ -37,7 +37,9 @@ void main() {
   const vec3 along = vec3(c.w != 0u ? cosine_direction(axis, u0, u1) : sphere_direction(u0, u1));
   uint triangle;
   vec2 share;
-  if (!closest_hit(from, along, least_m, most_m, triangle, share)) {
+  const bool is_met = closest_hit(from, along, least_m, most_m, triangle, share);
+  if (is_cut) return;  // not done
+  if (!is_met) {
     hit[3u * ray] = HIT_NOTHING;
     return;
   }

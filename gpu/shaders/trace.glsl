@@ -19,7 +19,9 @@ uint drawn(uint r, uint k) {
                                       position_and_flux.xyz - receiver_position(r));
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
-  if (is_blocked(receiver_lifted(r), position_and_flux.xyz)) return ADDS_NOTHING;
+  bool is_cut;
+  if (is_blocked(receiver_lifted(r), position_and_flux.xyz, is_cut)) return ADDS_NOTHING;
+  if (is_cut) return NOT_DONE;
 #endif
 #if HAS_BOUND
   if (g > bounded_from_per_m2) return floatBitsToUint(-g);

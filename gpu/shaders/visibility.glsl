@@ -39,7 +39,10 @@ float reciprocal(float component) {
   return 1.0 / (abs(component) > 1.0e-30 ? component : 1.0e-30);
 }
 
-bool is_blocked(vec3 from, vec3 to) {
+// is_cut: the driver left the loop early, so that the answer means nothing: llvmpipe does after
+// 65535 turns, without a word.
+bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
+  is_cut = false;
   const vec3 along = to - from;
   const float margin = offset_m / sqrt(dot(along, along));
   const float t_near = margin;
@@ -68,5 +71,6 @@ bool is_blocked(vec3 from, vec3 to) {
     }
     ++at;
   }
+  is_cut = at < node_count;
   return false;
 }

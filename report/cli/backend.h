@@ -23,7 +23,7 @@ struct BackendChoice {
   Backend backend = Backend::cpu;  // never automatic
   int device = -1;                 // for the gpu; -1 = the first that is usable
   std::string why;
-  GpuStages stages{};  // of the gpu
+  GpuStages stages{};                   // of the gpu
   std::uint32_t shadow_map_texels = 0;  // as in calc::RadiositySettings; > 0 only for the gpu
 };
 

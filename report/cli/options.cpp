@@ -165,10 +165,11 @@ void add_backend(CLI::App& app, Options& options) {
   add_value(app, "--gl-device", "N",
             "With --backend gpu: the OpenGL device to use; 'luxgate devices' lists them",
             whole_number(options.gl_device, 0, 1023));
-  add_value(app, "--gpu-stages", "LIST",
-            "With --backend gpu: what runs on it, of light-paths, connections and near-field, with\n"
-            "commas between; default all. The CPU does the rest",
-            gpu_stages(options.gpu_stages));
+  add_value(
+      app, "--gpu-stages", "LIST",
+      "With --backend gpu: what runs on it, of light-paths, connections and near-field, with\n"
+      "commas between; default all. The CPU does the rest",
+      gpu_stages(options.gpu_stages));
 }
 
 void add_photometry(CLI::App& app, Options& options) {
@@ -473,7 +474,8 @@ std::string reproducible_command(const Options& options) {
   command += no_skip_options(used.skips);
   if (options.backend == Backend::gpu) command += " --backend gpu";
   if (options.backend == Backend::gpu && options.gpu_stages.value_or(GpuStages()) != GpuStages()) {
-    command += fmt::format(" --gpu-stages {}", fmt::join(gpu_stage_names(*options.gpu_stages), ","));
+    command +=
+        fmt::format(" --gpu-stages {}", fmt::join(gpu_stage_names(*options.gpu_stages), ","));
   }
   if (options.backend == Backend::cpu) command += " --backend cpu";
   return command;

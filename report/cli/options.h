@@ -87,7 +87,7 @@ struct Options {
   double confidence = 0.95;  // in (0.5, 1)
   calc::RadiositySettings radiosity;
   Backend backend = Backend::automatic;
-  int gl_device = -1;  // as `luxgate devices` numbers them; -1 = not given
+  int gl_device = -1;                   // as `luxgate devices` numbers them; -1 = not given
   std::optional<GpuStages> gpu_stages;  // empty: not given, all
 
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none

@@ -1,5 +1,5 @@
-// Speed of light paths and short rays by CPU and by OpenGL, and the processor time that the device's
-// work costs outside the device: what a fast GPU would wait for.
+// Speed of light paths and short rays by CPU and by OpenGL, and the processor time that the
+// device's work costs outside the device: what a fast GPU would wait for.
 //   bench_gpu_stages [paths] [rays per point]
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/near_field.h"

@@ -145,10 +145,31 @@ TEST(GlShortRays, GiveTheSameBitsAgainAndOnManyThreads) {
   EXPECT_NE(once, elsewhere);
   EXPECT_EQ(once, cast(*gl_short_rays(), tracer));
   std::vector<std::vector<std::uint32_t>> all(20);
-  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
-    all[k] = cast(*gl, k % 2 == 0 ? tracer : other_tracer);
-  });
+  tbb::parallel_for(std::size_t{0}, all.size(),
+                    [&](std::size_t k) { all[k] = cast(*gl, k % 2 == 0 ? tracer : other_tracer); });
   for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k], k % 2 == 0 ? once : elsewhere);
+}
+
+// A driver that leaves long loops early must not look like a free view: a pile of 40000 sheets,
+// which rays from above meet in the reverse of the tree's order.
+TEST(GlShortRays, DoNotTakeALoopCutShortForAnAnswer) {
+  LUXGATE_NEEDS_OPENGL();
+  calc::PreparedScene pile;
+  for (int k = 0; k < 40'000; ++k) {
+    add_quad(pile, {-500, -500, 1e-3 * k}, {1000, 0, 0}, {0, 1000, 0}, 0.5);
+  }
+  set_extent(pile);
+  const calc::Tracer tracer(pile);
+  const std::vector<calc::NearFieldRequest> requests{
+      {{{0, 0, 60}, {0, 0, -1}, calc::ReceiverKernel::planar}, calc::RandomKey(1), 16}};
+  std::vector<calc::FirstHit> hits(16);
+  try {
+    gl_short_rays()->cast(tracer, 0.0f, 1e30f, requests, hits);
+  } catch (const calc::BackendFailure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did not finish"));
+    return;
+  }
+  for (const calc::FirstHit& hit : hits) EXPECT_GE(hit.triangle_and_side, 79'998u);
 }
 
 TEST(GlShortRays, FailWithAReason) {

@@ -33,8 +33,8 @@ struct Source {
   calc::Tracer tracer;
   calc::Emitter emitter;
 
-  explicit Source(const calc::PreparedScene& from)
-      : scene(from), tracer(from), emitter(from) {}
+  explicit Source(const calc::PreparedScene& from, std::vector<std::uint8_t> is_unlit = {})
+      : scene(from), tracer(from), emitter(from, is_unlit) {}
   calc::TracedPaths cpu(const calc::PathBatch& batch) const {
     return calc::trace_light_paths(tracer, emitter, batch);
   }
@@ -54,13 +54,14 @@ void expect_same_pool(const Source& source, calc::PathTracer& gl, const calc::Pa
   const PoolDifference difference =
       compare_pools(a.vertices, b.vertices, {1e-5 * source.scene.extent_m});
   const std::uint32_t paths = batch.last - batch.first;
-  std::printf("%-22s %6u paths, %7zu vertices: %zu unmatched, same bits %.4f, within %.2g of the "
-              "extent, flux %.2g; %.2f us/path, %.2f on the CPU\n",
-              name.c_str(), paths, a.vertices.size(), difference.unmatched,
-              static_cast<double>(difference.same_bits) /
-                  std::max(1.0, static_cast<double>(difference.matched)),
-              difference.largest_m / source.scene.extent_m, difference.largest_flux,
-              1e6 * (end_s - middle_s) / paths, 1e6 * (middle_s - begin_s) / paths);
+  std::printf(
+      "%-22s %6u paths, %7zu vertices: %zu unmatched, same bits %.4f, within %.2g of the "
+      "extent, flux %.2g; %.2f us/path, %.2f on the CPU\n",
+      name.c_str(), paths, a.vertices.size(), difference.unmatched,
+      static_cast<double>(difference.same_bits) /
+          std::max(1.0, static_cast<double>(difference.matched)),
+      difference.largest_m / source.scene.extent_m, difference.largest_flux,
+      1e6 * (end_s - middle_s) / paths, 1e6 * (middle_s - begin_s) / paths);
   ASSERT_GT(a.vertices.size(), 0u);
   EXPECT_LE(difference.unmatched_share(), most_unmatched);
   const double balance = source.emitter.traced_flux_lm();
@@ -120,14 +121,17 @@ TEST(GlPathTracer, KeepsToThePathsOfTheCpu) {
   for (const double reflectance : {0.6, 0.9, 0.99}) {
     const LampHall hall(reflectance);
     const PathByPath result = compare_path_by_path(Source(hall.scene), *gl, 2000);
-    std::printf("rho %.2f: of %zu paths, diverged within 8, 16, 32, any reflections: %zu %zu %zu %zu\n",
-                reflectance, result.paths, result.diverged(0, 8), result.diverged(0, 16),
-                result.diverged(0, 32), result.diverged(0, kAll));
+    std::printf(
+        "rho %.2f: of %zu paths, diverged within 8, 16, 32, any reflections: %zu %zu %zu %zu\n",
+        reflectance, result.paths, result.diverged(0, 8), result.diverged(0, 16),
+        result.diverged(0, 32), result.diverged(0, kAll));
     EXPECT_LE(result.diverged(0, 8), kMostDiverged * static_cast<double>(result.paths));
     // A ray carries its origin's rounding on to the next surface, divided by the cosine there: an
     // error grows and shrinks from reflection to reflection, and in the end some path leaves.
     EXPECT_LE(result.diverged(0, 32), 0.1 * static_cast<double>(result.paths));
-    if (reflectance < 0.7) EXPECT_EQ(result.diverged(0, kAll), 0u);
+    if (reflectance < 0.7) {
+      EXPECT_EQ(result.diverged(0, kAll), 0u);
+    }
   }
 }
 
@@ -148,13 +152,20 @@ TEST(GlPathTracer, TracesThePoolsOfTheCpu) {
   const LampHall hall(0.5);
   expect_same_pool(Source(hall.scene), *gl, {7, 2, 1024, 1040}, "few", kMostDiverged);
   expect_same_pool(Source(hall.scene), *gl, {7, 2, 8192, 20000}, "many", kMostDiverged);
+  // Luminaires that no path starts from: the first, the last, two in a row.
+  expect_same_pool(Source(hall.scene, {1, 0, 0, 1, 1, 0, 0, 1}), *gl, {7, 2, 0, 4096}, "unlit",
+                   kMostDiverged);
 }
 
 // One lamp alone in a closed box: what leaves it, in which direction, from where.
 TEST(GlPathTracer, StartsWhereTheCpuStarts) {
   LUXGATE_NEEDS_OPENGL();
   const auto gl = gl_path_tracer();
-  const std::vector<calc::PhotometricWeb> webs = lamp_shop();
+  std::vector<calc::PhotometricWeb> webs = lamp_shop();
+  // Without thickness: an upright disk, a flat box, a line.
+  webs.push_back(crooked_web({calc::OpeningShape::cylinder_c0, 0.0, 0.3, 0.2}));
+  webs.push_back(crooked_web({calc::OpeningShape::box, 0.3, 0.2, 0.0}));
+  webs.push_back(lambert_web(100.0, 4, {calc::OpeningShape::rectangle, 0.9, 0.0, 0.0}));
   for (std::size_t k = 0; k < webs.size(); ++k) {
     calc::PreparedScene scene;
     add_box(scene, {-1, -1, -1}, {2, 2, 2}, 0.2);
@@ -164,7 +175,7 @@ TEST(GlPathTracer, StartsWhereTheCpuStarts) {
     const Source source(scene);
     const calc::TracedPaths a = source.cpu({11, 0, 0, 2048}), b = source.gl(*gl, {11, 0, 0, 2048});
     const PoolDifference difference =
-        compare_pools(a.vertices, b.vertices, {1e-6 * scene.extent_m});
+        compare_pools(a.vertices, b.vertices, {1e-5 * scene.extent_m});
     EXPECT_EQ(difference.unmatched, 0u) << k;
     EXPECT_GT(difference.same_bits, difference.matched / 2) << k;
     EXPECT_EQ(difference.largest_flux, 0.0);
@@ -221,7 +232,9 @@ TEST(GlPathTracer, ObeysItsLimits) {
   add_luminaire(white, web, {0, 0, 0});
   set_extent(white);
   const Source endless(white);
-  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16});
+  const calc::TracedPaths never = endless.gl(*gl, {1, 0, 0, 16, 0.0, calc::kMostVertices, 600});
+  std::printf("escaped %g of %g, on the CPU %g\n", never.escaped_lm, endless.emitter.flux_lm(),
+              endless.cpu({1, 0, 0, 16}).escaped_lm);
   EXPECT_TRUE(never.has_endless_path);
   EXPECT_TRUE(never.vertices.empty());
   const calc::TracedPaths full = endless.gl(*gl, {1, 0, 0, 16, 0.0, 10'000});
@@ -235,9 +248,9 @@ TEST(GlPathTracer, ObeysItsLimits) {
 
   const LampHall hall(0.5);
   const Source source(hall.scene);
-  const std::size_t count = source.gl(*gl, {1, 0, 0, 20000}).vertices.size();
+  const std::size_t count = source.gl(*gl, {1, 0, 0, 9000}).vertices.size();
   for (const auto& [most, is_too_many] : {std::pair{count, false}, {count - 1, true}}) {
-    const calc::PathBatch batch{1, 0, 0, 20000, 0.0, most};
+    const calc::PathBatch batch{1, 0, 0, 9000, 0.0, most};
     EXPECT_EQ(source.gl(*gl, batch).has_too_many_vertices, is_too_many);
     EXPECT_EQ(source.cpu(batch).has_too_many_vertices, is_too_many);
   }

@@ -1,5 +1,6 @@
 // The whole calculation with some of its stages on the device.
 #include "calc/radiosity/phase_timer.h"
+#include "calc/scene/project_xml.h"
 #include "calc/statistics.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/opengl.h"
@@ -8,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -79,10 +84,11 @@ TEST(GlStages, GiveTheSameSumEachAndTogether) {
     const auto gl = solve_with(hall.hall.scene, hall.tasks, settings, stages);
     const double took_s = calc::now_s() - start_s;
     const SameSum same = compare_sums(cpu, gl);
-    std::printf("%s: %zu of %zu values differ by more than rounding, the largest by %.2g; without "
-                "them %.2g; mean %.2g; %.2f s\n",
-                name, same.grazed, same.values, same.largest_grazed, same.largest,
-                same.mean_difference(), took_s);
+    std::printf(
+        "%s: %zu of %zu values differ by more than rounding, the largest by %.2g; without "
+        "them %.2g; mean %.2g; %.2f s\n",
+        name, same.grazed, same.values, same.largest_grazed, same.largest, same.mean_difference(),
+        took_s);
     EXPECT_GT(same.values, 1000u);
     EXPECT_LE(static_cast<double>(same.grazed), most_grazed * static_cast<double>(same.values));
     EXPECT_LE(same.mean_difference(), most_mean);
@@ -96,6 +102,44 @@ TEST(GlStages, GiveTheSameSumEachAndTogether) {
   compare("near field", {*device.cpu, nullptr, device.near.get()}, 0.005, 1e-6);
   compare("light paths", {*device.cpu, device.paths.get()}, 0.2, 1e-4);
   compare("all", {*device.gatherer, device.paths.get(), device.near.get()}, 0.2, 1e-4);
+}
+
+// Photometry of all formats, as projects name it.
+TEST(GlStages, GiveTheSameSumForEveryExample) {
+  LUXGATE_NEEDS_OPENGL();
+  const Device device;
+  const calc::Stages stages{*device.gatherer, device.paths.get(), device.near.get()};
+  const std::filesystem::path folder = std::filesystem::path(LUXGATE_SOURCE_DIR) / "examples";
+  std::size_t values = 0, grazed = 0;
+  for (const std::filesystem::directory_entry& entry :
+       std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path file = entry.path() / "project.xml";
+    if (!std::filesystem::exists(file)) continue;
+    SCOPED_TRACE(file.string());
+    calc::Diagnostics diagnostics;
+    const auto project = calc::load_project(calc::DiskFileReader(), file.string(), diagnostics);
+    ASSERT_TRUE(project);
+    for (const calc::Space& space : project->spaces) {
+      std::vector<calc::SensorGrid> grids;
+      for (const calc::CalcPlane& plane : space.planes) {
+        auto grid = calc::make_sensor_grid(plane, space, diagnostics);
+        if (grid) grids.push_back(std::move(*grid));
+      }
+      std::vector<calc::PlaneTask> tasks;
+      for (std::size_t p = 0; p < grids.size(); ++p) {
+        tasks.push_back({"plane " + std::to_string(p), &grids[p]});
+      }
+      const calc::PreparedScene scene = calc::prepare_scene(*project, space);
+      const SameSum same = compare_sums(solve_with(scene, tasks, settings_of(128, 2), *device.cpu),
+                                        solve_with(scene, tasks, settings_of(128, 2), stages));
+      EXPECT_LE(same.mean_difference(), 1e-4);
+      values += same.values;
+      grazed += same.grazed;
+    }
+  }
+  std::printf("%zu of %zu values differ by more than rounding\n", grazed, values);
+  EXPECT_GT(values, 5000u);
+  EXPECT_LE(grazed, values / 100);
 }
 
 TEST(GlStages, GiveTheSameBitsForAnyNumberOfThreads) {
@@ -123,23 +167,6 @@ TEST(GlStages, EndWithTheReasonWhenTheDeviceFails) {
     EXPECT_THROW(solve_with(hall.hall.scene, hall.tasks, settings_of(64, 4), stages),
                  calc::BackendFailure);
   }
-}
-
-TEST(GlStages, RefuseASpaceWithoutASteadyState) {
-  LUXGATE_NEEDS_OPENGL();
-  const Device device;
-  calc::PreparedScene white;
-  add_box(white, {-1, -1, -1}, {2, 2, 2}, 1.0);
-  const calc::PhotometricWeb web = isotropic_web(100.0);
-  add_luminaire(white, web, {0, 0, 0});
-  set_extent(white);
-  calc::SensorGrid grid;
-  grid.position_m = {{0.5, 0.5, 0.0}};
-  grid.normal = {{0, 0, 1}};
-  const auto fields = solve_with(white, {{"plane", &grid}}, settings_of(64, 2),
-                                 {*device.cpu, device.paths.get(), device.near.get()});
-  EXPECT_NE(fields[0].problem.find("did not end after 100000 reflections"), std::string::npos)
-      << fields[0].problem;
 }
 
 }  // namespace

@@ -50,8 +50,10 @@ inline std::vector<calc::PhotometricWeb> lamp_shop() {
 
 // Turned about all axes.
 inline glm::dmat3 tilted_axes(double a, double b) {
-  const glm::dmat3 about_z{{std::cos(a), std::sin(a), 0}, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}};
-  const glm::dmat3 about_x{{1, 0, 0}, {0, std::cos(b), std::sin(b)}, {0, -std::sin(b), std::cos(b)}};
+  const glm::dmat3 about_z{
+      {std::cos(a), std::sin(a), 0}, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}};
+  const glm::dmat3 about_x{
+      {1, 0, 0}, {0, std::cos(b), std::sin(b)}, {0, -std::sin(b), std::cos(b)}};
   return about_z * about_x;
 }
 

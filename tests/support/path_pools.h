@@ -12,10 +12,10 @@
 namespace test_support {
 
 struct PoolDifference {
-  std::size_t matched = 0, unmatched = 0;   // unmatched: of both pools
-  double largest_m = 0.0;                   // distance of matched vertices
-  double largest_flux = 0.0;                // relative
-  std::size_t same_bits = 0;                // of the matched
+  std::size_t matched = 0, unmatched = 0;  // unmatched: of both pools
+  double largest_m = 0.0;                  // distance of matched vertices
+  double largest_flux = 0.0;               // relative
+  std::size_t same_bits = 0;               // of the matched
   double unmatched_share() const {
     return static_cast<double>(unmatched) / static_cast<double>(2 * matched + unmatched);
   }

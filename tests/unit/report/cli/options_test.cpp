@@ -79,9 +79,9 @@ TEST(Options, GpuStagesBelongToResults) {
     expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages", wrong},
                        "light-paths, connections or near-field");
   }
-  expect_usage_error({"check", "a.xml", "--backend", "gpu", "--gpu-stages",
-                      "near-field,near-field"},
-                     "near-field is named twice");
+  expect_usage_error(
+      {"check", "a.xml", "--backend", "gpu", "--gpu-stages", "near-field,near-field"},
+      "near-field is named twice");
   expect_usage_error({"check", "a.xml", "--gpu-stages", "near-field"},
                      "--gpu-stages needs --backend gpu");
 }
