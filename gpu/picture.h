@@ -47,8 +47,8 @@ struct Picture {
   static constexpr float kNothing = -1.0f;
 
   int width = 0, height = 0;
-  std::vector<float> value;          // of the surface seen; kNothing where there is none
-  std::vector<std::uint8_t> cover;   // RGBA of what is drawn over it, premultiplied
+  std::vector<float> value;         // of the surface seen; kNothing where there is none
+  std::vector<std::uint8_t> cover;  // RGBA of what is drawn over it, premultiplied
 };
 
 // width: pixels; the height follows from the camera. Sizes in pixels are those of this picture. The

@@ -1,5 +1,6 @@
 #pragma once
-// What pictures of a room show besides light: edges, luminaires, calculation planes, light vertices.
+// What pictures of a room show besides light: edges, luminaires, calculation planes, light
+// vertices.
 
 #include "calc/radiosity/cutaway.h"
 #include "calc/radiosity/light_vertex.h"

@@ -46,19 +46,18 @@ class ShadowMapGatherer : public calc::Gatherer {
     calc::SharedGather done;
     done.pairs.assign(batch.receivers.size(), 0);
     const std::vector<GpuReceiver> receivers = gpu_receivers(batch);
-    const ShadowMapJob job{
-        &batch.tracer,
-        batch.vertices,
-        receivers,
-        batch.bounds.lowest_per_m2(),
-        batch.has_shadows && !batch.tracer.scene().triangle.empty(),
-        [&](std::size_t first, std::size_t first_receiver, std::size_t count,
-            std::span<const std::uint32_t> results) {
-          for (std::size_t k = 0; k < results.size(); k += count) {
-            add_results(batch.vertices[first++].channel, first_receiver,
-                        results.subspan(k, count), sums, done.pairs);
-          }
-        }};
+    const ShadowMapJob job{&batch.tracer,
+                           batch.vertices,
+                           receivers,
+                           batch.bounds.lowest_per_m2(),
+                           batch.has_shadows && !batch.tracer.scene().triangle.empty(),
+                           [&](std::size_t first, std::size_t first_receiver, std::size_t count,
+                               std::span<const std::uint32_t> results) {
+                             for (std::size_t k = 0; k < results.size(); k += count) {
+                               add_results(batch.vertices[first++].channel, first_receiver,
+                                           results.subspan(k, count), sums, done.pairs);
+                             }
+                           }};
     thread_->run([&](DeviceState& device) {
       if (!pass_) pass_ = std::make_unique<ShadowMapPass>(texels_);
       const ShadowMapTimes times = pass_->run(device, job);

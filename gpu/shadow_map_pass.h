@@ -25,8 +25,8 @@ struct ShadowMapJob {
   std::span<const GpuReceiver> receivers;
   float most_per_m2 = 0.0f;  // larger geometry terms are cut off
   bool has_shadows = true;
-  // Told, in order of vertices: results [vertex - first][receiver - first_receiver] of some vertices
-  // and some receivers, as of GatherJob::results, all above 0 being lx.
+  // Told, in order of vertices: results [vertex - first][receiver - first_receiver] of some
+  // vertices and some receivers, as of GatherJob::results, all above 0 being lx.
   std::function<void(std::size_t first, std::size_t first_receiver, std::size_t receivers,
                      std::span<const std::uint32_t> results)>
       take;
@@ -60,7 +60,7 @@ class ShadowMapPass {
   GlProgram gather_;
   GlTarget atlas_;
   GlBuffer vertices_, receivers_, results_, corners_, triangles_;
-  unsigned layout_ = 0;              // of the vertex shader's inputs
+  unsigned layout_ = 0;               // of the vertex shader's inputs
   std::uint64_t scene_identity_ = 0;  // in corners_ and triangles_
   std::uint32_t indices_ = 0;
   float depth_unit_m_ = 1.0f;  // beyond every surface

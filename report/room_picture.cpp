@@ -56,8 +56,7 @@ void write_text(Raster& raster, int left, int top, const std::string& text) {
 double at_share(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const auto place =
-      values.begin() +
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
@@ -131,9 +130,9 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double>
     std::copy_if(room.lx.begin(), room.lx.end(), std::back_inserter(seen),
                  [](float lx) { return lx >= 0.0F; });
   }
-  ColourScale scale = make_colour_scale(
-      0.0, std::max(at_share(std::move(seen), kSeenShare),
-                    at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
+  ColourScale scale =
+      make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
+                                      at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
   // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
   const double power = std::pow(10.0, std::floor(std::log10(scale.step_lx) + 1e-9));
   if (scale.bands <= 6 && scale.step_lx < 2.5 * power) {
@@ -148,9 +147,8 @@ Raster with_legend(const Raster& picture, const ColourScale& scale) {
   Raster result;
   result.width = picture.width + 2 * kMargin;
   result.height = picture.height + 2 * kMargin + kLegendHeight;
-  result.rgba.assign(4 * static_cast<std::size_t>(result.width) *
-                         static_cast<std::size_t>(result.height),
-                     255);
+  result.rgba.assign(
+      4 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 255);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       const std::uint8_t* from = &picture.rgba[4 * at(x, y, picture.width)];

@@ -80,9 +80,9 @@ class SurfaceMesh {
       is_rim[edge.first] = is_rim[edge.second] = 1;
     }
     for (const glm::uvec3& t : triangle_) {
-      const glm::dvec3 middle_m =
-          (glm::dvec3(position_m_[t.x]) + glm::dvec3(position_m_[t.y]) +
-           glm::dvec3(position_m_[t.z])) / 3.0;
+      const glm::dvec3 middle_m = (glm::dvec3(position_m_[t.x]) + glm::dvec3(position_m_[t.y]) +
+                                   glm::dvec3(position_m_[t.z])) /
+                                  3.0;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t i = t[k];
         if (is_rim[i] == 0) continue;
@@ -127,10 +127,9 @@ class SurfaceMesh {
       return;
     }
     if (count == 3) {
-      triangle_.insert(triangle_.end(), {{t.x, m[0], m[2]},
-                                         {t.y, m[1], m[0]},
-                                         {t.z, m[2], m[1]},
-                                         {m[0], m[1], m[2]}});
+      triangle_.insert(
+          triangle_.end(),
+          {{t.x, m[0], m[2]}, {t.y, m[1], m[0]}, {t.z, m[2], m[1]}, {m[0], m[1], m[2]}});
       return;
     }
     // Turned so that edge 0 is the one of its kind.
@@ -192,7 +191,8 @@ class CornerLight {
       lx->resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
     }
     for (std::size_t i = known_; i < mesh.corners(); ++i) {
-      if (find_touching_luminaire(scene_, position_m[i], 2.0 * scene_.ray_offset_m()) >= 0) continue;
+      if (find_touching_luminaire(scene_, position_m[i], 2.0 * scene_.ray_offset_m()) >= 0)
+        continue;
       corner.push_back(i);
       grid.position_m.push_back(position_m[i] + scene_.origin_m);
       grid.normal.emplace_back(mesh.normal()[i]);
@@ -301,8 +301,8 @@ bool split_long_edges(SurfaceMesh& mesh, double most_m, std::size_t most_corners
 float bright_lx(std::vector<float> lx) {
   std::erase_if(lx, [](float value) { return std::isnan(value); });
   if (lx.empty()) return 0.0f;
-  const auto at = lx.begin() + static_cast<std::ptrdiff_t>(kBrightShare *
-                                                           static_cast<double>(lx.size() - 1));
+  const auto at =
+      lx.begin() + static_cast<std::ptrdiff_t>(kBrightShare * static_cast<double>(lx.size() - 1));
   std::nth_element(lx.begin(), at, lx.end());
   return *at;
 }
@@ -345,7 +345,8 @@ LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSi
   LitSurfaces result;
   SurfaceMesh mesh = mesh_of(scene, sides);
   const double most_m =
-      2.2 * std::sqrt(area_m2(mesh) / static_cast<double>(std::max<std::size_t>(1, settings.points)));
+      2.2 *
+      std::sqrt(area_m2(mesh) / static_cast<double>(std::max<std::size_t>(1, settings.points)));
   if (!split_long_edges(mesh, most_m, settings.most_points)) {
     result.problem = "the room has too many surfaces for a picture";
     return result;

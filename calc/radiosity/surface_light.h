@@ -23,8 +23,8 @@ struct SurfaceLightSettings {
   int replicates = 4;
   std::uint64_t paths = 512;  // per replicate, a power of two
   std::uint64_t seed = 1;
-  int jobs = 0;                   // never changes a result
-  std::function<bool()> go_on;    // may be empty; false stops with a problem
+  int jobs = 0;                 // never changes a result
+  std::function<bool()> go_on;  // may be empty; false stops with a problem
 };
 
 // Maintained, every luminaire at full output.
@@ -41,8 +41,9 @@ struct LitSurfaces {
 
 // The same estimators as for planes (solve_illuminance()), at points on the given sides. Edges are
 // split until they are short beside the room, then twice again where illuminance changes most along
-// them; edges of shadows are as sharp as the shortest edges. Indirect light, the noisier and smoother
-// part, is evened out with that of the corners next to each. A function of its arguments alone.
+// them; edges of shadows are as sharp as the shortest edges. Indirect light, the noisier and
+// smoother part, is evened out with that of the corners next to each. A function of its arguments
+// alone.
 LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSide> sides,
                            const SurfaceLightSettings& settings, Gatherer& gatherer);
 

@@ -22,7 +22,7 @@ struct CheckContext {
   calc::Gatherer& gatherer;
   Progress& progress;
   PictureMaker* pictures = nullptr;  // null: none are wanted
-  std::string* cost_log = nullptr;  // gets what --explain-cost prints; null: not wanted
+  std::string* cost_log = nullptr;   // gets what --explain-cost prints; null: not wanted
 };
 
 // Calculates and judges. Input errors end up in the part's diagnostics and leave it not judged; a

@@ -100,8 +100,8 @@ ValueParser visibility(std::uint32_t& target) {
     std::uint64_t texels = 0;
     if (text != "rays") {
       const std::string size = text.starts_with(kShadowMap) ? text.substr(kShadowMap.size()) : "";
-      if (!power_of_two(texels, calc::kFewestShadowMapTexels,
-                        calc::kMostShadowMapTexels)(size).empty()) {
+      if (!power_of_two(texels, calc::kFewestShadowMapTexels, calc::kMostShadowMapTexels)(size)
+               .empty()) {
         return fmt::format("rays or shadow-map:N is needed, N a power of two from {} to {}",
                            calc::kFewestShadowMapTexels, calc::kMostShadowMapTexels);
       }

@@ -19,7 +19,7 @@ namespace {
 constexpr int kCornerWidth = 1000, kPlanWidth = 640, kMostHeight = 720, kVertexWidth = 1400;
 constexpr int kMostRoomsOnSoftware = 24;
 constexpr std::size_t kMostTriangles = 60'000;
-constexpr double kLift = 2e-3;       // of the room's diagonal
+constexpr double kLift = 2e-3;  // of the room's diagonal
 constexpr double kDotRadius_px = 2.6, kFewestDotPixels = 0.9;
 constexpr double kScale = report::kOversampling;
 
@@ -103,9 +103,9 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
     const calc::SensorGrid& grid = plane.grid;
     const bool is_planar = plane.kernel == calc::ReceiverKernel::planar;
     // What it measures is on the side that the eye does not see.
-    const bool is_turned = is_planar && grid.columns > 0 &&
-                           glm::dot(glm::cross(grid.u, grid.v),
-                                    view.camera.eye_m + origin_m - grid.origin_m) < 0.0;
+    const bool is_turned =
+        is_planar && grid.columns > 0 &&
+        glm::dot(glm::cross(grid.u, grid.v), view.camera.eye_m + origin_m - grid.origin_m) < 0.0;
     const auto outline = [&](const std::vector<glm::dvec2>& corners) {
       std::vector<glm::dvec3> corner_m;
       for (const glm::dvec2& uv : corners) {
@@ -129,7 +129,8 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
   }
 }
 
-gpu::PictureScene surfaces_of(const calc::LitSurfaces& lit, const std::vector<std::uint8_t>& shown) {
+gpu::PictureScene surfaces_of(const calc::LitSurfaces& lit,
+                              const std::vector<std::uint8_t>& shown) {
   gpu::PictureScene picture;
   picture.position_m = lit.position_m;
   picture.value = lit.lx;
@@ -214,8 +215,8 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   std::vector<report::DrawnRoom> bare;
   for (std::size_t v = 0; v < views.size(); ++v) {
     const gpu::PictureScene picture = surfaces_of(lit, sides.is_shown[v]);
-    bare.push_back(drawn_room(
-        gpu::draw_picture(*device_, picture, views[v].camera, views[v].width / 4)));
+    bare.push_back(
+        drawn_room(gpu::draw_picture(*device_, picture, views[v].camera, views[v].width / 4)));
   }
   const report::ColourScale scale = report::room_scale(bare, point_values(part));
   report::RoomPictures pictures;

@@ -150,9 +150,8 @@ void print_timing(const report::ProjectPart& project) {
       "{}: {:.3f} s: load {:.3f}, prepare {:.3f}, direct {:.3f}, light paths {:.3f}, "
       "{}connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
       project.path, times.total_s, times.load_s, times.prepare_s, times.direct_s, times.pool_s,
-      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "",
-      times.connect_s, times.near_s, times.judge_s, rays,
-      rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
+      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "", times.connect_s,
+      times.near_s, times.judge_s, rays, rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
 }
 
 // The format for standard output: as asked for, else text unless --quiet.

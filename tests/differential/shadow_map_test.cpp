@@ -59,10 +59,10 @@ struct Furnished {
     }
     for (std::size_t i = 0; i < 150; ++i) {
       const auto u = [&](std::uint64_t k) { return key.with(900 + i).with(k).uniform() - 0.5; };
-      const glm::dvec3 at = is_empty ? glm::dvec3(3.8 * u(0), 3.8 * u(1), 0.0)
+      const glm::dvec3 at = is_empty ? glm::dvec3(2.4 * u(0), 2.4 * u(1), 0.0)
                                      : glm::dvec3(3.8 * u(0), 3.8 * u(1), 1.5 + 2.8 * u(2));
-      const glm::dvec3 axis = is_empty ? glm::dvec3(0, 0, 1)
-                                       : glm::normalize(glm::dvec3(u(3), u(4), 0.8 * u(5)));
+      const glm::dvec3 axis =
+          is_empty ? glm::dvec3(0, 0, 1) : glm::normalize(glm::dvec3(u(3), u(4), 0.8 * u(5)));
       receivers.push_back({at, axis, calc::ReceiverKernel::planar});
     }
   }
@@ -109,9 +109,9 @@ TEST(ShadowMaps, DisagreeLessWithRaysTheLargerTheyAre) {
     const double share = disagreement(room, *device, texels);
     RecordProperty("texels" + std::to_string(texels), std::to_string(share));
     EXPECT_GT(share, 0.0) << "a map cannot be exact";
-    EXPECT_LT(share, 0.8 / texels);
+    EXPECT_LT(share, 0.1 / std::sqrt(texels));
     if (before > 0.0) {
-      EXPECT_LT(share, 0.75 * before) << texels;
+      EXPECT_LT(share, 0.8 * before) << texels;
     }
     before = share;
   }
@@ -129,11 +129,11 @@ Sums gather_all(const Furnished& room, calc::Gatherer& gatherer, double most_per
   const std::size_t count = room.receivers.size();
   Sums sums{std::vector<double>(2 * count, 0.0), std::vector<float>(count, 0.0f), {}};
   const calc::VertexBounds bounds(most_per_m2);
-  sums.pairs = gatherer
-                   .gather_all({*room.tracer, room.vertices, bounds, room.receivers, {},
-                                has_shadows},
-                               {sums.lx.data(), count, sums.largest_lx.data()})
-                   .pairs;
+  sums.pairs =
+      gatherer
+          .gather_all({*room.tracer, room.vertices, bounds, room.receivers, {}, has_shadows},
+                      {sums.lx.data(), count, sums.largest_lx.data()})
+          .pairs;
   return sums;
 }
 
@@ -166,9 +166,9 @@ TEST(ShadowMaps, AddWhatConnectionsAdd) {
     std::vector<double> expected(sums.lx.size(), 0.0);
     std::vector<float> largest(sums.largest_lx.size(), 0.0f);
     const calc::VertexBounds bounds(most);
-    const std::uint64_t rays = cpu->gather(
-        {*room.tracer, room.vertices, bounds, room.receivers, connections},
-        {expected.data(), room.receivers.size(), largest.data()});
+    const std::uint64_t rays =
+        cpu->gather({*room.tracer, room.vertices, bounds, room.receivers, connections},
+                    {expected.data(), room.receivers.size(), largest.data()});
     std::uint64_t pairs = 0;
     for (const std::uint32_t count : sums.pairs) pairs += count;
     EXPECT_EQ(pairs, rays);

@@ -59,7 +59,7 @@ TEST(Picture, IsNotMirrored) {
     const auto y = static_cast<std::size_t>(y_share * picture.height);
     return picture.value[y * static_cast<std::size_t>(picture.width) + x];
   };
-  EXPECT_NEAR(static_cast<double>(picture.width) / picture.height, 1.5, 0.02);
+  EXPECT_NEAR(static_cast<double>(picture.width) / picture.height, 3.18 / 2.18, 0.02);
   EXPECT_EQ(at(0.9, 0.9), 1.0f);                    // the foot, at the lower right
   EXPECT_EQ(at(0.1, 0.1), 2.0f);                    // the stem, at the upper left
   EXPECT_EQ(at(0.9, 0.1), gpu::Picture::kNothing);  // nothing at the upper right
@@ -83,7 +83,7 @@ TEST(Picture, CornerViewHasXToTheRightAndZUp) {
 TEST(Picture, FitsAndDrawsNothingOutside) {
   LUXGATE_NEEDS_OPENGL();
   const auto device = gl_device();
-  for (const gpu::Box& box : {gpu::Box{{-3, 5, 1}, {17, 7, 4}}, gpu::Box{{0, 0, 0}, {1, 30, 2}}}) {
+  for (const gpu::Box& box : {gpu::Box{{-3, 5, 1}, {17, 7, 4}}, gpu::Box{{0, 0, 0}, {1, 6, 2}}}) {
     for (const gpu::Camera& camera : {gpu::corner_camera(box), gpu::plan_camera(box)}) {
       gpu::PictureScene scene;
       const glm::vec3 low(box.low_m), size(box.high_m - box.low_m);
@@ -97,8 +97,10 @@ TEST(Picture, FitsAndDrawsNothingOutside) {
                                 (k & 4u) != 0 ? box.high_m.z : box.low_m.z);
         reach = glm::max(reach, glm::abs(camera.project(corner)));
       }
-      EXPECT_NEAR(reach.x, 0.94, 1e-6);
-      EXPECT_NEAR(reach.y, 0.94, 1e-6);
+      const double longer_px = std::max(picture.width, picture.height);
+      const double margin_x_px = 0.5 * (1.0 - reach.x) * picture.width;
+      EXPECT_NEAR(margin_x_px, 0.028 * longer_px, 0.002 * longer_px);
+      EXPECT_NEAR(0.5 * (1.0 - reach.y) * picture.height, margin_x_px, 0.6);
       EXPECT_LT(reach.z, 1.0);
       std::size_t seen = 0;
       for (int y = 0; y < picture.height; ++y) {
@@ -106,8 +108,9 @@ TEST(Picture, FitsAndDrawsNothingOutside) {
           const auto i = static_cast<std::size_t>(y * picture.width + x);
           const bool is_there = picture.value[i] >= 0.0f || picture.cover[4 * i + 3] > 0;
           if (is_there) ++seen;
-          const bool is_margin = x < 0.02 * picture.width || x > 0.98 * picture.width ||
-                                 y < 0.02 * picture.height || y > 0.98 * picture.height;
+          const double margin_px = margin_x_px - 3.0;  // half the line's width, and its end
+          const bool is_margin = x < margin_px || x >= picture.width - margin_px || y < margin_px ||
+                                 y >= picture.height - margin_px;
           EXPECT_FALSE(is_margin && is_there) << x << " " << y;
         }
       }
@@ -169,9 +172,8 @@ TEST(Picture, DotsHaveTheirColourAndHideBehindSurfaces) {
 TEST(Picture, EndsWithTheReasonWhenTheDeviceFails) {
   LUXGATE_NEEDS_OPENGL();
   const auto device = gl_device(gpu::Fault::context_lost);
-  EXPECT_THROW(
-      gpu::draw_picture(*device, letter(), gpu::plan_camera(kLetterBox), 100),
-      calc::BackendFailure);
+  EXPECT_THROW(gpu::draw_picture(*device, letter(), gpu::plan_camera(kLetterBox), 100),
+               calc::BackendFailure);
 }
 
 TEST(VertexView, ShowsEachVertexByItsFlux) {
@@ -183,7 +185,9 @@ TEST(VertexView, ShowsEachVertexByItsFlux) {
   const std::vector<calc::LightVertex> vertices{{{1, 1, 0}, 4.0f, {0, 0, 1}, 0},
                                                 {{3, 2, 0}, 1.0f, {0, 0, 1}, 0}};
   gpu::VertexStyle style;
-  style.colour = [](double share) { return share == 1.0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1); };
+  style.colour = [](double share) {
+    return share == 1.0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1);
+  };
   const gpu::Picture picture =
       gpu::render_vertices(*gl_device(), tracer, vertices, style, true, 500, 1.0);
   const gpu::Camera camera = gpu::corner_camera(gpu::box_of(scene));

@@ -47,10 +47,9 @@ TEST(RoomPicture, ScaleBeginsAtZeroAndLeavesOutTheBrightestFew) {
 }
 
 TEST(RoomPicture, LegendIsBelow) {
-  const report::Raster plain =
-      report::paint_room({400, 200, std::vector<float>(80'000, 0.0F),
-                          std::vector<std::uint8_t>(320'000, 0)},
-                         {{{1, 2, 3}}, 1.0F});
+  const report::Raster plain = report::paint_room(
+      {400, 200, std::vector<float>(80'000, 0.0F), std::vector<std::uint8_t>(320'000, 0)},
+      {{{1, 2, 3}}, 1.0F});
   const report::Raster raster = report::with_legend(plain, {0.0, 100.0, 4});
   EXPECT_GT(raster.width, plain.width);
   EXPECT_GT(raster.height, plain.height + 30);
@@ -70,7 +69,8 @@ TEST(RoomPicture, ExrHoldsLux) {
   const std::string bytes =
       report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F});
   EXPECT_THAT(bytes, HasSubstr("luxgate.picture"));
-  EXPECT_EQ(bytes, report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F}));
+  EXPECT_EQ(bytes,
+            report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F}));
   EXPECT_THROW(report::render_room_exr("a.xml", "r", "t", 0, 0, {}), std::runtime_error);
 }
 

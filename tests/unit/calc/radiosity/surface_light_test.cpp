@@ -56,9 +56,9 @@ TEST(SurfaceLight, MeshIsWhole) {
   double area = 0.0;
   ASSERT_EQ(lit.side.size(), lit.triangle.size());
   for (const glm::uvec3& t : lit.triangle) {
-    area += 0.5 * static_cast<double>(glm::length(
-                      glm::cross(lit.position_m[t.y] - lit.position_m[t.x],
-                                 lit.position_m[t.z] - lit.position_m[t.x])));
+    area += 0.5 *
+            static_cast<double>(glm::length(glm::cross(lit.position_m[t.y] - lit.position_m[t.x],
+                                                       lit.position_m[t.z] - lit.position_m[t.x])));
     for (int k = 0; k < 3; ++k) ++edges[std::minmax(t[k], t[(k + 1) % 3])];
   }
   EXPECT_NEAR(area, 16.0 + 0.36, 1e-3);
