@@ -9,7 +9,7 @@
 namespace gpu {
 namespace {
 
-constexpr double kMargin = 0.03;     // of the picture, on every side
+constexpr double kMargin = 0.03;     // of the longer side, on every side
 constexpr double kElevation = 0.72;  // rad
 constexpr double kAside = 0.42;      // rad, from straight across the longer side
 constexpr double kDistance = 2.4;    // diagonals of the box, from its middle
@@ -34,10 +34,11 @@ void fit(Camera& camera, const Box& box) {
   }
   const glm::dvec3 size = glm::max(high - low, glm::dvec3(1e-9));
   const glm::dvec3 middle = 0.5 * (low + high);
-  camera.aspect *= size.x / size.y;
-  const double fill = 2.0 * (1.0 - 2.0 * kMargin);
+  const glm::dvec2 margin(2.0 * kMargin * std::max(size.x, size.y));
+  const glm::dvec2 whole = glm::dvec2(size) + margin;
+  camera.aspect *= whole.x / whole.y;
   const glm::dmat4 scale =
-      glm::scale(glm::dmat4(1.0), glm::dvec3(fill / size.x, fill / size.y, 1.9 / size.z));
+      glm::scale(glm::dmat4(1.0), glm::dvec3(2.0 / whole.x, 2.0 / whole.y, 1.9 / size.z));
   camera.clip_from_local =
       scale * glm::translate(glm::dmat4(1.0), -middle) * camera.clip_from_local;
 }

@@ -51,6 +51,20 @@ class CoverBuilder {
     return {glm::dvec2(place) + px / half_px_, place.z};
   }
 
+  // Along the axis that is seen longest.
+  double px_per_metre(const glm::dvec3& p_m) const {
+    const glm::dvec2 at(camera_.project(p_m));
+    double most = 1e-9;
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kStep_m = 1e-3;
+      glm::dvec3 beside_m = p_m;
+      beside_m[k] += kStep_m;
+      const glm::dvec2 moved = (glm::dvec2(camera_.project(beside_m)) - at) * half_px_;
+      most = std::max(most, glm::length(moved) / kStep_m);
+    }
+    return most;
+  }
+
   void add(const PictureLine& line) {
     const glm::dvec3 a = place(line.from_m), b = place(line.to_m);
     glm::dvec2 along = glm::dvec2(b - a) * half_px_;
@@ -70,7 +84,9 @@ class CoverBuilder {
   }
 
   void add(const PictureDot& dot) {
-    const glm::dvec3 centre = place(dot.centre_m);
+    // Twice its radius nearer, so that the surface that it lies on does not cut it in half.
+    const double lift_m = std::max(scene_.lift_m, 2.0 * dot.radius_px / px_per_metre(dot.centre_m));
+    const glm::dvec3 centre = camera_.project(camera_.nearer(dot.centre_m, lift_m));
     constexpr std::array<glm::dvec2, 4> kCorners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     for (const std::size_t k : {0u, 1u, 2u, 0u, 2u, 3u}) {
       const glm::dvec2 corner = kCorners[k];

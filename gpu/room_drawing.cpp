@@ -66,10 +66,15 @@ glm::vec3 normal_of(const calc::PreparedScene& scene, std::uint32_t triangle) {
 std::vector<glm::dvec3> rim_of(const calc::PlacedLuminaire& luminaire) {
   constexpr int kRound = 24;
   std::vector<glm::dvec3> rim;
+  if (luminaire.opening.shape == calc::OpeningShape::rectangle) {
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+      rim.push_back(calc::opening_point_m(luminaire, corner.x, corner.y));
+    }
+    return rim;
+  }
   const calc::LuminousOpening& opening = luminaire.opening;
   const glm::dvec2 half(0.5 * opening.along_c0_m, 0.5 * opening.along_c90_m);
-  const bool is_rectangle =
-      opening.shape == calc::OpeningShape::rectangle || opening.shape == calc::OpeningShape::box;
+  const bool is_rectangle = opening.shape == calc::OpeningShape::box;
   const int corners = is_rectangle ? 4 : kRound;
   for (int k = 0; k < corners; ++k) {
     const double turn = 2.0 * calc::kPi * (k + (is_rectangle ? 0.5 : 0.0)) / corners;
@@ -126,8 +131,10 @@ void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, dou
   }
 }
 
-void add_outline(PictureScene& picture, std::span<const glm::dvec3> corner_m, double scale) {
-  for (const auto& [colour, width] : {std::pair{kOutlineHalo, 3.4}, std::pair{kOutline, 1.6}}) {
+void add_outline(PictureScene& picture, std::span<const glm::dvec3> corner_m, double scale,
+                 bool is_faint) {
+  for (auto [colour, width] : {std::pair{kOutlineHalo, 3.4}, std::pair{kOutline, 1.6}}) {
+    if (is_faint) colour.a *= 0.3f;
     for (std::size_t k = 0; k < corner_m.size(); ++k) {
       picture.lines.push_back(
           {corner_m[k], corner_m[(k + 1) % corner_m.size()], colour, width * scale, 0.25});

@@ -27,8 +27,10 @@ void add_edges(PictureScene& picture, const calc::PreparedScene& scene,
 // The openings of luminaires, or dots where they have no size.
 void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale);
 
-// A closed line, drawn through surfaces faintly: the outline of a calculation plane.
-void add_outline(PictureScene& picture, std::span<const glm::dvec3> corner_m, double scale);
+// A closed line, drawn through surfaces faintly: the outline of a calculation plane. is_faint: all
+// of it, for planes that are seen from behind.
+void add_outline(PictureScene& picture, std::span<const glm::dvec3> corner_m, double scale,
+                 bool is_faint);
 
 // One for each vertex, its area in proportion to its flux; the largest is most_px across, none
 // below least_px. colour: of its share in the flux of the largest, in [0, 1].

@@ -16,7 +16,7 @@ namespace gpu {
 //
 // Not exact: a map knows the nearest surface in `texels` directions across each face, so that
 // shadows move by up to half a texel: by distance / texels, seen from the vertex. What lies behind
-// a surface by less than 1e-4 of its distance from the vertex and twice the ray offset counts as
+// a surface by less than 1e-3 of its distance from the vertex and twice the ray offset counts as
 // lying on it (the depth bias), and points without a plane (all kernels but planar) by less than
 // twice the distance over `texels`.
 //

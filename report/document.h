@@ -95,8 +95,8 @@ struct RoomPicture {
 };
 
 struct RoomPictures {
-  std::vector<RoomPicture> list;  // empty: not asked for, or there is a problem
-  std::string problem;            // why there are none; "" = no problem
+  std::vector<RoomPicture> list;   // empty: not asked for, or there is a problem
+  std::string problem;             // why there are none; "" = no problem
   double low_lx = 0, step_lx = 1;  // a ColourScale
   int bands = 1;
   double highest_lx = 0;   // seen; above the scale it is painted as the last band

@@ -74,7 +74,7 @@ void write_picture(const Imf::Header& header, int columns, int rows,
   for (std::size_t c = 0; c < names.size(); ++c) {
     char* first = reinterpret_cast<char*>(values[c].data());
     frame.insert(names[c], Imf::Slice(Imf::FLOAT, first, sizeof(float),
-                                       sizeof(float) * static_cast<std::size_t>(columns)));
+                                      sizeof(float) * static_cast<std::size_t>(columns)));
   }
   Imf::OutputFile file(stream, header, 0);
   file.setFrameBuffer(frame);

@@ -192,9 +192,10 @@ Json space_json(const SpacePart& space) {
 }
 
 Json times_json(const PhaseTimes& times) {
-  Json json = {{"load_s", times.load_s},   {"prepare_s", times.prepare_s}, {"direct_s", times.direct_s},
-          {"pool_s", times.pool_s},   {"connect_s", times.connect_s}, {"near_s", times.near_s},
-          {"judge_s", times.judge_s}, {"total_s", times.total_s}};
+  Json json = {{"load_s", times.load_s},       {"prepare_s", times.prepare_s},
+               {"direct_s", times.direct_s},   {"pool_s", times.pool_s},
+               {"connect_s", times.connect_s}, {"near_s", times.near_s},
+               {"judge_s", times.judge_s},     {"total_s", times.total_s}};
   if (times.maps_s > 0.0) json["maps_s"] = times.maps_s;
   return json;
 }

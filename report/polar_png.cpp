@@ -13,8 +13,8 @@
 namespace report {
 namespace {
 
-constexpr double kScale = 2.0;  // pixels per unit of the drawing
-constexpr int kDot = 3;         // pixels per dot of a letter
+constexpr double kScale = 2.0;             // pixels per unit of the drawing
+constexpr int kDot = 3;                    // pixels per dot of a letter
 constexpr double kDash = 9.0, kGap = 5.0;  // units of the drawing
 
 Rgb colour_of(PolarRole role) {

@@ -248,9 +248,17 @@ SpacePart space(const JsonCursor& at) {
 }
 
 PhaseTimes times(const JsonCursor& at) {
-  return {at["load_s"].finite(),  at["prepare_s"].finite(), at["direct_s"].finite(),
-          at["pool_s"].finite(),  at["connect_s"].finite(), at["near_s"].finite(),
-          at["judge_s"].finite(), at["total_s"].finite()};
+  PhaseTimes t;
+  t.load_s = at["load_s"].finite();
+  t.prepare_s = at["prepare_s"].finite();
+  t.direct_s = at["direct_s"].finite();
+  t.pool_s = at["pool_s"].finite();
+  t.connect_s = at["connect_s"].finite();
+  t.near_s = at["near_s"].finite();
+  if (const auto maps = at.find("maps_s")) t.maps_s = maps->finite();
+  t.judge_s = at["judge_s"].finite();
+  t.total_s = at["total_s"].finite();
+  return t;
 }
 
 ProjectPart project(const JsonCursor& at) {

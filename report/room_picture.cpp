@@ -9,11 +9,12 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace report {
 namespace {
 
-constexpr double kSeenShare = 0.99;
+constexpr double kSeenShare = 0.97, kValueShare = 0.9;
 constexpr int kMargin = 24, kBarHeight = 18, kDot = 2, kLetter = (kGlyphWidth + 1) * kDot;
 constexpr Rgb kInk{27, 31, 36};
 
@@ -51,36 +52,56 @@ void write_text(Raster& raster, int left, int top, const std::string& text) {
   }
 }
 
+// The value that this share of all is at most; 0 of none.
+double at_share(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 int text_width(const std::string& text) { return static_cast<int>(text.size()) * kLetter - kDot; }
 
 }  // namespace
 
-Raster paint_room(const DrawnRoom& drawn, const std::function<Rgb(float)>& colour) {
+Palette band_palette(const ColourScale& scale) {
+  Palette palette{{}, static_cast<float>(scale.step_lx)};
+  for (int band = 0; band < scale.bands; ++band) palette.colour.push_back(band_colour(scale, band));
+  return palette;
+}
+
+Raster paint_room(const DrawnRoom& drawn, const Palette& palette) {
+  constexpr std::uint32_t kSamples = kOversampling * kOversampling;
+  const float per_step = 1.0F / palette.step;
+  const auto last = static_cast<float>(palette.colour.size() - 1);
   Raster raster;
   raster.width = drawn.width / kOversampling;
   raster.height = drawn.height / kOversampling;
-  raster.rgba.reserve(4 * static_cast<std::size_t>(raster.width) *
-                      static_cast<std::size_t>(raster.height));
-  constexpr float kSamples = kOversampling * kOversampling;
+  raster.rgba.resize(4 * static_cast<std::size_t>(raster.width) *
+                     static_cast<std::size_t>(raster.height));
+  std::uint8_t* to = raster.rgba.data();
   for (int y = 0; y < raster.height; ++y) {
-    for (int x = 0; x < raster.width; ++x) {
-      std::array<float, 4> sum{};  // premultiplied
+    for (int x = 0; x < raster.width; ++x, to += 4) {
+      std::array<std::uint32_t, 4> sum{};  // premultiplied, 255 times
       for_each_sample(drawn, x, y, [&](std::size_t i) {
         const std::uint8_t* cover = &drawn.cover[4 * i];
-        const float through = 1.0F - static_cast<float>(cover[3]) / 255.0F;
-        for (std::size_t k = 0; k < 4; ++k) sum[k] += static_cast<float>(cover[k]);
-        if (drawn.lx[i] < 0.0F || through <= 0.0F) return;
-        const Rgb below = colour(drawn.lx[i]);
-        const std::array<std::uint8_t, 4> paint{below.r, below.g, below.b, 255};
-        for (std::size_t k = 0; k < 4; ++k) sum[k] += through * static_cast<float>(paint[k]);
+        const std::uint32_t through = 255U - cover[3];
+        for (std::size_t k = 0; k < 4; ++k) sum[k] += 255U * cover[k];
+        if (drawn.lx[i] < 0.0F || through == 0) return;
+        const Rgb below =
+            palette.colour[static_cast<std::size_t>(std::min(drawn.lx[i] * per_step, last))];
+        sum[0] += through * below.r;
+        sum[1] += through * below.g;
+        sum[2] += through * below.b;
+        sum[3] += through * 255U;
       });
-      const float opacity = sum[3] / (255.0F * kSamples);
+      if (sum[3] == 0) continue;
       for (std::size_t k = 0; k < 3; ++k) {
-        const float value = opacity > 0.0F ? sum[k] / (kSamples * opacity) : 0.0F;
-        raster.rgba.push_back(static_cast<std::uint8_t>(std::lround(std::min(value, 255.0F))));
+        to[k] = static_cast<std::uint8_t>(
+            std::min<std::uint32_t>(255U, (255U * sum[k] + sum[3] / 2) / sum[3]));
       }
-      raster.rgba.push_back(
-          static_cast<std::uint8_t>(std::lround(255.0F * std::min(opacity, 1.0F))));
+      to[3] = static_cast<std::uint8_t>((sum[3] + 255U * kSamples / 2) / (255U * kSamples));
     }
   }
   return raster;
@@ -104,20 +125,21 @@ std::vector<float> mean_values(const DrawnRoom& drawn) {
 }
 
 ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx) {
-  std::vector<float> seen;
+  std::vector<double> seen;
   for (const DrawnRoom& room : rooms) {
     std::copy_if(room.lx.begin(), room.lx.end(), std::back_inserter(seen),
                  [](float lx) { return lx >= 0.0F; });
   }
-  double highest = 0.0;
-  if (!seen.empty()) {
-    const auto place = seen.begin() + static_cast<std::ptrdiff_t>(
-                                          kSeenShare * static_cast<double>(seen.size() - 1));
-    std::nth_element(seen.begin(), place, seen.end());
-    highest = static_cast<double>(*place);
+  ColourScale scale =
+      make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
+                                      at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
+  // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
+  const double power = std::pow(10.0, std::floor(std::log10(scale.step_lx) + 1e-9));
+  if (scale.bands <= 6 && scale.step_lx < 2.5 * power) {
+    scale.step_lx /= 2.0;
+    scale.bands *= 2;
   }
-  for (const double lx : values_lx) highest = std::max(highest, lx);
-  return make_colour_scale(0.0, highest);
+  return scale;
 }
 
 Raster with_legend(const Raster& picture, const ColourScale& scale) {
@@ -125,9 +147,8 @@ Raster with_legend(const Raster& picture, const ColourScale& scale) {
   Raster result;
   result.width = picture.width + 2 * kMargin;
   result.height = picture.height + 2 * kMargin + kLegendHeight;
-  result.rgba.assign(4 * static_cast<std::size_t>(result.width) *
-                         static_cast<std::size_t>(result.height),
-                     255);
+  result.rgba.assign(
+      4 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 255);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       const std::uint8_t* from = &picture.rgba[4 * at(x, y, picture.width)];

@@ -4,7 +4,6 @@
 #include "report/heatmap.h"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,13 +17,21 @@ struct DrawnRoom {
 };
 inline constexpr int kOversampling = 2;
 
+// Colours of equal steps of a value from 0; what is beyond takes the last.
+struct Palette {
+  std::vector<Rgb> colour;  // at least one
+  float step = 1.0F;
+};
+Palette band_palette(const ColourScale& scale);  // low_lx = 0
+
 // Paints values and puts the cover over them; transparent where there is neither.
-Raster paint_room(const DrawnRoom& drawn, const std::function<Rgb(float)>& colour);
+Raster paint_room(const DrawnRoom& drawn, const Palette& palette);
 
 // The mean of what is seen in each pixel, < 0 where there is nothing.
 std::vector<float> mean_values(const DrawnRoom& drawn);
 
-// From 0 to what all but the brightest hundredth of the pixels have, and the given values.
+// From 0 to what all but the brightest few of the pixels, and of the values of calculation points,
+// have: a place close to a luminaire must not squeeze the colours of the room.
 ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx);
 
 // On white, with a colour bar below.

@@ -63,7 +63,7 @@ class BackendFailure : public std::runtime_error {
 
 // What gather_all() did.
 struct SharedGather {
-  std::vector<std::uint32_t> pairs;    // [receiver], with a vertex that it faces
+  std::vector<std::uint32_t> pairs;     // [receiver], with a vertex that it faces
   double maps_s = 0.0, gather_s = 0.0;  // without waiting for the device
 };
 

@@ -361,8 +361,7 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
   times.near_s += near_s;
 }
 
-void PlaneWork::take_shared(const VertexBatch& batch, const GatherSums& sums,
-                            std::uint64_t pairs) {
+void PlaneWork::take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs) {
   std::size_t first = 0;
   for (const ReceiverGroup& tile : tiles_) {
     const std::size_t count = tile.point.size();

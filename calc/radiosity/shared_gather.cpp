@@ -23,24 +23,22 @@ void gather_group(const Tracer& tracer, std::span<PlaneWork* const> planes,
   if (receivers.empty()) return;
   std::vector<double> lx(tracer.scene().channels.size() * receivers.size(), 0.0);
   std::vector<float> largest_lx(receivers.size(), 0.0f);
-  const SharedGather done =
-      gatherer.gather_all({tracer,
-                           batch.tree.vertices(),
-                           batch.bounds,
-                           receivers,
-                           {},
-                           planes.front()->has_shadows(),
-                           batch.tree.identity()},
-                          {lx.data(), receivers.size(), largest_lx.data()});
+  const SharedGather done = gatherer.gather_all({tracer,
+                                                 batch.tree.vertices(),
+                                                 batch.bounds,
+                                                 receivers,
+                                                 {},
+                                                 planes.front()->has_shadows(),
+                                                 batch.tree.identity()},
+                                                {lx.data(), receivers.size(), largest_lx.data()});
   times.maps_s += done.maps_s;
   times.connect_s += done.gather_s;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const std::size_t last = p + 1 < planes.size() ? first[p + 1] : receivers.size();
     std::uint64_t pairs = 0;
     for (std::size_t i = first[p]; i < last; ++i) pairs += done.pairs[i];
-    planes[p]->take_shared(batch,
-                           {lx.data() + first[p], receivers.size(), largest_lx.data() + first[p]},
-                           pairs);
+    planes[p]->take_shared(
+        batch, {lx.data() + first[p], receivers.size(), largest_lx.data() + first[p]}, pairs);
   }
 }
 

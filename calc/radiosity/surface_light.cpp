@@ -18,6 +18,7 @@ constexpr int kMostLevels = 12;
 constexpr int kRefinements = 2;
 // Where light changes by less than this share of what is bright along an edge, it is not split.
 constexpr double kSmoothShare = 0.04;
+constexpr int kSmoothings = 3;
 constexpr double kBrightShare = 0.95;  // of the points are darker
 // Corners on the rim of a surface are estimated a little inside, clear of the surface beside it.
 constexpr double kRimShare = 0.1;
@@ -79,9 +80,9 @@ class SurfaceMesh {
       is_rim[edge.first] = is_rim[edge.second] = 1;
     }
     for (const glm::uvec3& t : triangle_) {
-      const glm::dvec3 middle_m =
-          (glm::dvec3(position_m_[t.x]) + glm::dvec3(position_m_[t.y]) +
-           glm::dvec3(position_m_[t.z])) / 3.0;
+      const glm::dvec3 middle_m = (glm::dvec3(position_m_[t.x]) + glm::dvec3(position_m_[t.y]) +
+                                   glm::dvec3(position_m_[t.z])) /
+                                  3.0;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t i = t[k];
         if (is_rim[i] == 0) continue;
@@ -126,10 +127,9 @@ class SurfaceMesh {
       return;
     }
     if (count == 3) {
-      triangle_.insert(triangle_.end(), {{t.x, m[0], m[2]},
-                                         {t.y, m[1], m[0]},
-                                         {t.z, m[2], m[1]},
-                                         {m[0], m[1], m[2]}});
+      triangle_.insert(
+          triangle_.end(),
+          {{t.x, m[0], m[2]}, {t.y, m[1], m[0]}, {t.z, m[2], m[1]}, {m[0], m[1], m[2]}});
       return;
     }
     // Turned so that edge 0 is the one of its kind.
@@ -187,9 +187,12 @@ class CornerLight {
     SensorGrid grid;
     grid.rule = "corners of surfaces";
     std::vector<std::size_t> corner;
-    lx_.resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
+    for (std::vector<float>* lx : {&direct_lx_, &indirect_lx_}) {
+      lx->resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
+    }
     for (std::size_t i = known_; i < mesh.corners(); ++i) {
-      if (find_touching_luminaire(scene_, position_m[i], 2.0 * scene_.ray_offset_m()) >= 0) continue;
+      if (find_touching_luminaire(scene_, position_m[i], 2.0 * scene_.ray_offset_m()) >= 0)
+        continue;
       corner.push_back(i);
       grid.position_m.push_back(position_m[i] + scene_.origin_m);
       grid.normal.emplace_back(mesh.normal()[i]);
@@ -198,7 +201,29 @@ class CornerLight {
     return corner.empty() || solve(grid, corner);
   }
 
-  const std::vector<float>& lx() const { return lx_; }
+  // At all corners, with evened indirect light.
+  std::vector<float> lx(const SurfaceMesh& mesh) const {
+    std::vector<float> result = indirect_lx_;
+    const std::map<Edge, int> edges = mesh.edges();
+    for (int k = 0; k < kSmoothings; ++k) {
+      std::vector<float> sum(result.size(), 0.0f);
+      std::vector<float> count(result.size(), 0.0f);
+      const auto add = [&](std::uint32_t to, std::uint32_t from) {
+        if (std::isnan(result[from])) return;
+        sum[to] += result[from];
+        count[to] += 1.0f;
+      };
+      for (const auto& [edge, triangles] : edges) {
+        add(edge.first, edge.second);
+        add(edge.second, edge.first);
+      }
+      for (std::size_t i = 0; i < result.size(); ++i) {
+        if (count[i] > 0.0f) result[i] = 0.5f * (result[i] + sum[i] / count[i]);
+      }
+    }
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += direct_lx_[i];
+    return result;
+  }
   const std::string& problem() const { return problem_; }
   double error_share() const { return points_ > 0 ? std::sqrt(squares_ / points_) : 0.0; }
 
@@ -218,9 +243,15 @@ class CornerLight {
     if (!problem_.empty()) return false;
     std::vector<double> replicate(field.replicates);
     for (std::size_t i = 0; i < field.points; ++i) {
-      for (std::size_t r = 0; r < field.replicates; ++r) replicate[r] = maintained_lx(field, r, i);
+      double indirect_lx = 0.0;
+      for (std::size_t r = 0; r < field.replicates; ++r) {
+        const PartsOfLight parts = maintained_lx(field, r, i);
+        replicate[r] = parts.direct_lx + parts.indirect_lx;
+        indirect_lx += parts.indirect_lx / static_cast<double>(field.replicates);
+      }
       const ReplicateMean mean = replicate_mean(replicate);
-      lx_[corner[i]] = static_cast<float>(mean.mean);
+      direct_lx_[corner[i]] = static_cast<float>(mean.mean - indirect_lx);
+      indirect_lx_[corner[i]] = static_cast<float>(indirect_lx);
       if (!(mean.mean > 0.0)) continue;
       squares_ += std::pow(mean.standard_error / mean.mean, 2);
       points_ += 1.0;
@@ -228,15 +259,19 @@ class CornerLight {
     return true;
   }
 
-  static double maintained_lx(const PlaneField& field, std::size_t r, std::size_t i) {
-    double sum = 0.0;
+  struct PartsOfLight {
+    double direct_lx = 0.0, indirect_lx = 0.0;
+  };
+
+  static PartsOfLight maintained_lx(const PlaneField& field, std::size_t r, std::size_t i) {
+    PartsOfLight sum;
     const std::size_t channels = field.channels.size();
     for (std::size_t c = 0; c < channels; ++c) {
       const std::size_t k = (r * channels + c) * field.points + i;
-      double lx = field.direct_exact_lx[c * field.points + i];
-      if (!field.direct_sampled_lx.empty()) lx += field.direct_sampled_lx[k];
-      if (!field.indirect_lx.empty()) lx += field.indirect_lx[k];
-      sum += field.channels[c].maintenance_factor * lx;
+      const double factor = field.channels[c].maintenance_factor;
+      sum.direct_lx += factor * field.direct_exact_lx[c * field.points + i];
+      if (!field.direct_sampled_lx.empty()) sum.direct_lx += factor * field.direct_sampled_lx[k];
+      if (!field.indirect_lx.empty()) sum.indirect_lx += factor * field.indirect_lx[k];
     }
     return sum;
   }
@@ -244,7 +279,7 @@ class CornerLight {
   const PreparedScene& scene_;
   const SurfaceLightSettings& settings_;
   Gatherer& gatherer_;
-  std::vector<float> lx_;  // NaN: at a luminaire without size
+  std::vector<float> direct_lx_, indirect_lx_;  // NaN: at a luminaire without size
   std::size_t known_ = 0;
   std::string problem_;
   double squares_ = 0.0, points_ = 0.0;
@@ -266,8 +301,8 @@ bool split_long_edges(SurfaceMesh& mesh, double most_m, std::size_t most_corners
 float bright_lx(std::vector<float> lx) {
   std::erase_if(lx, [](float value) { return std::isnan(value); });
   if (lx.empty()) return 0.0f;
-  const auto at = lx.begin() + static_cast<std::ptrdiff_t>(kBrightShare *
-                                                           static_cast<double>(lx.size() - 1));
+  const auto at =
+      lx.begin() + static_cast<std::ptrdiff_t>(kBrightShare * static_cast<double>(lx.size() - 1));
   std::nth_element(lx.begin(), at, lx.end());
   return *at;
 }
@@ -310,7 +345,8 @@ LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSi
   LitSurfaces result;
   SurfaceMesh mesh = mesh_of(scene, sides);
   const double most_m =
-      1.5 * std::sqrt(area_m2(mesh) / static_cast<double>(std::max<std::size_t>(1, settings.points)));
+      2.2 *
+      std::sqrt(area_m2(mesh) / static_cast<double>(std::max<std::size_t>(1, settings.points)));
   if (!split_long_edges(mesh, most_m, settings.most_points)) {
     result.problem = "the room has too many surfaces for a picture";
     return result;
@@ -319,14 +355,14 @@ LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSi
   bool is_known = light.estimate(mesh);
   for (int k = 0; is_known && k < kRefinements; ++k) {
     const std::vector<Edge> edges =
-        uneven_edges(mesh, light.lx(), 0.2 * most_m, settings.points / kRefinements);
+        uneven_edges(mesh, light.lx(mesh), 0.2 * most_m, settings.points / kRefinements);
     if (edges.empty()) break;
     mesh.split(edges);
     is_known = light.estimate(mesh);
   }
   result.problem = light.problem();
   if (!is_known) return result;
-  result.lx = light.lx();
+  result.lx = light.lx(mesh);
   fill_gaps(mesh, result.lx);
   result.position_m = mesh.position_m();
   result.triangle = mesh.triangle();

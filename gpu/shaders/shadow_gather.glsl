@@ -13,8 +13,9 @@ uniform uint has_shadows;
 
 // Whether a surface of the map lies before the receiver. The map knows one depth per texel, that of
 // its centre; a plane through the receiver across its axis has a depth there, too, and is what is
-// compared: a surface that the receiver lies in does not hide it, however steep. Receivers without
-// such a plane are taken as near as a texel is wide.
+// compared: a surface that the receiver lies in does not hide it, however steep. But what is not
+// nearer than the receiver itself never hides it: in a corner that plane reaches behind the wall.
+// Receivers without such a plane are taken as near as a texel is wide.
 bool is_hidden(uint map, vec3 from_m, vec3 normal, vec3 to_m, uint kernel, vec3 axis) {
   const mat3 frame = frame_about(normal);
   const vec3 p = (to_m - from_m) * frame;
@@ -29,7 +30,7 @@ bool is_hidden(uint map, vec3 from_m, vec3 normal, vec3 to_m, uint kernel, vec3 
   if (kernel == KERNEL_PLANAR) {
     const vec3 plane = axis * frame;
     const float slope = dot(plane, towards);
-    depth_m = slope < 0.0 ? clamp(dot(plane, p) / slope, 0.5 * f.z, 2.0 * f.z) : f.z;
+    depth_m = slope < 0.0 ? min(dot(plane, p) / slope, f.z) : f.z;
   }
   const float nearest_m = depth_unit_m * texelFetch(atlas, ivec2(part.xy) + ivec2(texel), 0).r;
   return nearest_m < depth_m * (1.0 - DEPTH_BIAS) - 2.0 * offset_m;

@@ -203,8 +203,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
     planes.push_back(judge(job, field, loaded.project.scenes, context.options.confidence));
   }
   times.judge_s += judge_watch.seconds();
-  report::SpacePart part =
-      report::build_space(space, scene, solution.balance, std::move(planes));
+  report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }

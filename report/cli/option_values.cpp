@@ -108,8 +108,8 @@ ValueParser visibility(std::uint32_t& target) {
     std::uint64_t texels = 0;
     if (text != "rays") {
       const std::string size = text.starts_with(kShadowMap) ? text.substr(kShadowMap.size()) : "";
-      if (!power_of_two(texels, calc::kFewestShadowMapTexels,
-                        calc::kMostShadowMapTexels)(size).empty()) {
+      if (!power_of_two(texels, calc::kFewestShadowMapTexels, calc::kMostShadowMapTexels)(size)
+               .empty()) {
         return fmt::format("rays or shadow-map:N is needed, N a power of two from {} to {}",
                            calc::kFewestShadowMapTexels, calc::kMostShadowMapTexels);
       }
@@ -123,15 +123,6 @@ ValueParser some_text(std::string& target) {
   return [&target](const std::string& text) -> std::string {
     if (text.empty()) return "a name is needed";
     target = text;
-    return "";
-  };
-}
-
-ValueParser positive_number(double& target) {
-  return [&target](const std::string& text) -> std::string {
-    const std::optional<double> value = calc::parse_number(text);
-    if (!value || *value <= 0.0) return "a number above 0 is needed";
-    target = *value;
     return "";
   };
 }

@@ -41,8 +41,6 @@ ValueParser visibility(std::uint32_t& target);
 ValueParser some_text(std::string& target);
 // > 0
 ValueParser seconds(double& target);
-// > 0 and finite
-ValueParser positive_number(double& target);
 // "csv" or "csv=FILE", appended.
 ValueParser format_item(std::vector<OutputFormat>& target);
 // A name of calc::skip_name(), or "all"; forbidden besides those that are already.

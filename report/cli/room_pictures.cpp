@@ -16,10 +16,10 @@
 namespace cli {
 namespace {
 
-constexpr int kCornerWidth = 1200, kPlanWidth = 900, kMostHeight = 900, kVertexWidth = 1400;
+constexpr int kCornerWidth = 1000, kPlanWidth = 640, kMostHeight = 720, kVertexWidth = 1400;
 constexpr int kMostRoomsOnSoftware = 24;
 constexpr std::size_t kMostTriangles = 60'000;
-constexpr double kLift = 2e-3;       // of the room's diagonal
+constexpr double kLift = 2e-3;  // of the room's diagonal
 constexpr double kDotRadius_px = 2.6, kFewestDotPixels = 0.9;
 constexpr double kScale = report::kOversampling;
 
@@ -101,16 +101,21 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
   for (const report::PlanePart& plane : part.planes) {
     if (!plane.is_computed) continue;
     const calc::SensorGrid& grid = plane.grid;
+    const bool is_planar = plane.kernel == calc::ReceiverKernel::planar;
+    // What it measures is on the side that the eye does not see.
+    const bool is_turned =
+        is_planar && grid.columns > 0 &&
+        glm::dot(glm::cross(grid.u, grid.v), view.camera.eye_m + origin_m - grid.origin_m) < 0.0;
     const auto outline = [&](const std::vector<glm::dvec2>& corners) {
       std::vector<glm::dvec3> corner_m;
       for (const glm::dvec2& uv : corners) {
         corner_m.push_back(grid.origin_m + uv.x * grid.u + uv.y * grid.v - origin_m);
       }
-      gpu::add_outline(picture, corner_m, kScale);
+      gpu::add_outline(picture, corner_m, kScale, is_turned);
     };
     if (!plane.outline_m.empty()) outline(plane.outline_m);
     for (const auto& hole : plane.holes_m) outline(hole);
-    if (plane.kernel != calc::ReceiverKernel::planar) continue;
+    if (!is_planar || is_turned) continue;
     const double radius_px = std::min(
         kDotRadius_px * kScale,
         0.3 * spacing_px(plane, origin_m, view.camera, static_cast<int>(kScale) * view.width));
@@ -124,7 +129,8 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
   }
 }
 
-gpu::PictureScene surfaces_of(const calc::LitSurfaces& lit, const std::vector<std::uint8_t>& shown) {
+gpu::PictureScene surfaces_of(const calc::LitSurfaces& lit,
+                              const std::vector<std::uint8_t>& shown) {
   gpu::PictureScene picture;
   picture.position_m = lit.position_m;
   picture.value = lit.lx;
@@ -209,8 +215,8 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   std::vector<report::DrawnRoom> bare;
   for (std::size_t v = 0; v < views.size(); ++v) {
     const gpu::PictureScene picture = surfaces_of(lit, sides.is_shown[v]);
-    bare.push_back(drawn_room(
-        gpu::draw_picture(*device_, picture, views[v].camera, views[v].width / 4)));
+    bare.push_back(
+        drawn_room(gpu::draw_picture(*device_, picture, views[v].camera, views[v].width / 4)));
   }
   const report::ColourScale scale = report::room_scale(bare, point_values(part));
   report::RoomPictures pictures;
@@ -223,9 +229,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
     gpu::add_luminaires(picture, scene, kScale);
     const report::DrawnRoom drawn = cropped(
         drawn_room(gpu::draw_picture(*device_, picture, view.camera, drawn_width(view.width))));
-    const report::Raster raster = report::paint_room(drawn, [&](float lx) {
-      return report::band_colour(scale, report::band_of(scale, static_cast<double>(lx)));
-    });
+    const report::Raster raster = report::paint_room(drawn, report::band_palette(scale));
     report::RoomPicture& made = pictures.list.emplace_back();
     made.name = view.name;
     made.title = view.title;
@@ -256,10 +260,12 @@ report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& trac
   style.colour = [](double share) { return gl_colour(report::cividis(std::sqrt(share))); };
   const report::DrawnRoom drawn = cropped(drawn_room(gpu::render_vertices(
       device, tracer, vertices, style, opens_room, drawn_width(kVertexWidth), kScale)));
-  return report::paint_room(drawn, [](float shade) {
-    const auto grey = static_cast<std::uint8_t>(std::lround(255.0f * shade));
-    return report::Rgb{grey, grey, grey};
-  });
+  report::Palette greys{{}, 1.0f / 256.0f};
+  for (int shade = 0; shade < 256; ++shade) {
+    const auto grey = static_cast<std::uint8_t>(shade);
+    greys.colour.push_back({grey, grey, grey});
+  }
+  return report::paint_room(drawn, greys);
 }
 
 }  // namespace cli

@@ -9,7 +9,7 @@ foreach(file README.md project.xml expected_exit)
 endforeach()
 file(STRINGS ${EXAMPLE}/expected_exit expected)
 file(REMOVE_RECURSE ${WORK})
-execute_process(COMMAND ${LUXGATE} check project.xml --output ${WORK} --images
+execute_process(COMMAND ${LUXGATE} check project.xml --output ${WORK} --images --pictures off
   WORKING_DIRECTORY ${EXAMPLE} RESULT_VARIABLE exit_code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 message("${out}${err}")
 if(NOT exit_code STREQUAL expected)

@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 foreach(jobs 1 2 8)
   execute_process(COMMAND ${LUXGATE} check --quiet ${PROJECT} --jobs ${jobs} --output ${WORK}/${jobs}
+            --pictures off  # run_pictures.cmake has them
     RESULT_VARIABLE exit_code ERROR_VARIABLE err)
   if(NOT exit_code EQUAL 0)
     message(FATAL_ERROR "--jobs ${jobs}: exit code ${exit_code}\n${err}")

@@ -36,7 +36,7 @@ Document read_again(const Document& document) {
 Document rich_document() {
   Document document = sample_document();
   ProjectPart& project = document.projects[0];
-  project.times = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 2.8};
+  project.times = {0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.6, 0.7, 2.8};
   project.spaces[0].balance.untraced_lm = 12.5;
   project.spaces[0].floor_z_m = -3.25;
   PlanePart& plane = project.spaces[0].planes[0];

@@ -1,0 +1,80 @@
+# Pictures and shadow maps through the real binary: files, repeatable bytes, notes instead of failures, usage errors.
+#   cmake -DLUXGATE=<binary> -DEXAMPLES=<folder> -DWORK=<scratch> -P run_pictures.cmake
+# Says "skipped:" where EGL knows no device at all.
+cmake_minimum_required(VERSION 3.25)
+
+# run_luxgate(<exit code> [ENV NAME=VALUE...] ARGS argument...): sets out and err.
+function(run_luxgate expected)
+  cmake_parse_arguments(ARG "" "" "ENV;ARGS" ${ARGN})
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -E env --unset=LUXGATE_GL_FAULT ${ARG_ENV} ${LUXGATE} ${ARG_ARGS}
+    RESULT_VARIABLE code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+  if(NOT code STREQUAL expected)
+    message(SEND_ERROR "${ARG_ENV} ${ARG_ARGS}: exit code ${code}, expected ${expected}\n${stdout}\n${stderr}")
+  endif()
+  set(out "${stdout}" PARENT_SCOPE)
+  set(err "${stderr}" PARENT_SCOPE)
+endfunction()
+
+function(expect_in text part)
+  string(FIND "${text}" "${part}" place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "'${part}' is missing in\n${text}")
+  endif()
+endfunction()
+
+# Wrong combinations end before anything is read.
+set(cornell ${EXAMPLES}/03-cornell-box/project.xml)
+function(expect_usage_error part)
+  run_luxgate(2 ARGS check ${cornell} ${ARGN})
+  expect_in("${err}" "${part}")
+endfunction()
+expect_usage_error("needs --method instant-radiosity" --visibility shadow-map:64)
+expect_usage_error("needs --method instant-radiosity" --clamp 1)
+expect_usage_error("N a power of two from 16 to 2048" --method instant-radiosity --visibility shadow-map:100)
+expect_usage_error("N a power of two from 16 to 2048" --method instant-radiosity --visibility shadow-map)
+expect_usage_error("rays or shadow-map:N is needed" --visibility eyes)
+expect_usage_error("--backend auto and gpu are allowed" --method instant-radiosity --visibility shadow-map:64 --backend cpu)
+expect_usage_error("auto or off is needed" --pictures maybe)
+
+# Without a context: the same verdicts, and a sentence.
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run_luxgate(0 ENV LUXGATE_GL_FAULT=no-egl ARGS check -q ${cornell} --format html=${WORK}/none.html)
+file(READ ${WORK}/none.html html)
+expect_in("${html}" "No pictures of this room: there is no EGL library")
+run_luxgate(0 ARGS check -q ${cornell} --format html=${WORK}/off.html --pictures off)
+file(READ ${WORK}/off.html html)
+if(html MATCHES "No pictures|class=.room.")
+  message(SEND_ERROR "--pictures off leaves something about pictures")
+endif()
+
+execute_process(COMMAND ${LUXGATE} devices OUTPUT_VARIABLE devices)
+if(devices MATCHES "^no OpenGL device: (.*)\n")
+  message("skipped: ${CMAKE_MATCH_1}")
+  return()
+endif()
+foreach(jobs 1 2)
+  run_luxgate(0 ARGS check -q ${cornell} --jobs ${jobs} --output ${WORK}/${jobs} --images)
+endforeach()
+foreach(file report.html project-box-corner.png project-box-corner.exr project-box-plan.png project-box-plan.exr)
+  file(SHA256 ${WORK}/1/${file} one)
+  file(SHA256 ${WORK}/2/${file} two)
+  if(NOT one STREQUAL two)
+    message(SEND_ERROR "${file} is not the same again")
+  endif()
+endforeach()
+file(READ ${WORK}/1/report.html html)
+expect_in("${html}" "data:image/png;base64,iVBOR")
+expect_in("${html}" "seen from above a corner")
+
+# Instant radiosity with shadow maps says what ran, and fails in words.
+set(instant check -q ${cornell} --method instant-radiosity --visibility shadow-map:32 --max-paths 32)
+run_luxgate(0 ARGS ${instant} --format json --timing --goal accuracy)
+expect_in("${out}" "shadow maps of 32 texels")
+expect_in("${out}" "--visibility shadow-map:32")
+expect_in("${out}" "\"maps_s\"")
+run_luxgate(2 ENV LUXGATE_GL_FAULT=context-lost ARGS ${instant})
+expect_in("${err}" "the device was reset")
+run_luxgate(2 ENV LUXGATE_GL_FAULT=no-egl ARGS ${instant})
+expect_in("${err}" "'gpu' cannot be used: there is no EGL library")
