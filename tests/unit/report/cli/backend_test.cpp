@@ -98,7 +98,7 @@ TEST(Backend, StagesAreNamed) {
   options.backend = cli::Backend::gpu;
   options.gpu_stages = cli::GpuStages{true, false, true};
   const auto choose = [&] {
-    return cli::choose_backend(options, gpu::Fault::no_egl, [] { return 0.0; });
+    return cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork(); });
   };
   EXPECT_EQ(cli::backend_line(choose()),
             "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
