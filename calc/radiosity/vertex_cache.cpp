@@ -19,8 +19,9 @@ namespace {
 // "" or why the paths are useless.
 std::string trace_batch(const Tracer& tracer, const Emitter& emitter, std::uint64_t seed,
                         VertexCacheBatch& batch) {
-  TracedPaths traced = trace_light_paths(
-      tracer, emitter, {seed, batch.replicate, batch.first, batch.last, 0.0, true});
+  PathBatch paths{seed, batch.replicate, batch.first, batch.last};
+  paths.keeps_origins = true;
+  TracedPaths traced = trace_light_paths(tracer, emitter, paths);
   if (traced.has_endless_path) {
     return fmt::format("a light path did not end after {} reflections", kMostReflections);
   }

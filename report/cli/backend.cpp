@@ -132,7 +132,8 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
   if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
-  backend.description = describe(thread->device(), stages);
+  backend.description = choice.shadow_map_texels > 0 ? backend.gatherer->description()
+                                                     : describe(thread->device(), stages);
   return backend;
 }
 
