@@ -27,7 +27,9 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   if (!project.is_judged) count(rules::Verdict::not_judged, counts);
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) count(finding.verdict, counts);
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.requirement.severity == rules::Severity::shall) count(finding.verdict, counts);
+      }
     }
   }
   return counts;

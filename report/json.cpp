@@ -86,7 +86,7 @@ Json finding_json(const rules::Finding& finding) {
   Json json = {{"requirement", requirement.id},
                {"quantity", rules::metric_name(requirement.metric)},
                {"unit", rules::metric_unit(requirement.metric)},
-               {"comparison", comparison_name(requirement.comparison)},
+               {"comparison", comparison_key(requirement.comparison)},
                {"limit", requirement.limit},
                {"state", state_name(requirement.state)},
                {"scene", requirement.scene},
@@ -97,7 +97,12 @@ Json finding_json(const rules::Finding& finding) {
                {"margin", is_judged ? Json(finding.margin) : Json()},
                {"is_close", finding.is_close},
                {"place_m", is_judged && finding.place_m ? from(*finding.place_m) : Json()},
-               {"reason", finding.reason}};
+               {"reason", finding.reason},
+               {"note", note_words(finding)},
+               {"policy", rules::policy_text(requirement.policy)}};
+  if (!requirement.mask.id.empty()) {
+    json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};
+  }
   if (requirement.metric == rules::Metric::percentile) json["percent"] = requirement.percent;
   if (requirement.point_m) json["point_m"] = from(*requirement.point_m);
   return json;

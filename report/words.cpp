@@ -79,12 +79,51 @@ std::string quantity_words(const rules::Requirement& requirement, calc::Receiver
   return kernel == calc::ReceiverKernel::planar ? words : words + " of " + kernel_words(kernel);
 }
 
-const char* state_name(rules::LightState state) {
-  return state == rules::LightState::maintained ? "maintained" : "initial";
+const char* comparison_key(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "at_least";
+    case rules::Comparison::at_most:
+      return "at_most";
+    case rules::Comparison::more_than:
+      return "more_than";
+    case rules::Comparison::less_than:
+      return "less_than";
+  }
+  return "";
 }
 
-const char* comparison_name(rules::Comparison comparison) {
-  return comparison == rules::Comparison::at_least ? "at_least" : "at_most";
+const char* comparison_sign(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "≥";
+    case rules::Comparison::at_most:
+      return "≤";
+    case rules::Comparison::more_than:
+      return ">";
+    case rules::Comparison::less_than:
+      return "<";
+  }
+  return "";
+}
+
+std::string note_words(const rules::Finding& finding) {
+  std::string words;
+  const auto add = [&words](const std::string& text) {
+    if (!text.empty()) words += (words.empty() ? "" : "; ") + text;
+  };
+  const rules::Requirement& requirement = finding.requirement;
+  add(requirement.note);
+  if (requirement.severity == rules::Severity::advice) add("advice: does not count");
+  if (requirement.direct_only) add("direct light only");
+  if (!requirement.mask.id.empty()) {
+    add(finding.points_used == 0
+            ? "mask " + requirement.mask.id
+            : fmt::format("mask {}: {} points count", requirement.mask.id, finding.points_used));
+  }
+  if (!requirement.policy.is_default()) add(rules::policy_text(requirement.policy));
+  if (finding.by_tolerance) add("passes only with the tolerance");
+  return words;
 }
 
 std::string_view title_of(std::string_view name, std::string_view id) {

@@ -50,6 +50,32 @@ std::vector<std::string_view> metric_names() {
   return names;
 }
 
+const char* comparison_name(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::at_least:
+      return "at-least";
+    case Comparison::at_most:
+      return "at-most";
+    case Comparison::more_than:
+      return "more-than";
+    case Comparison::less_than:
+      return "less-than";
+  }
+  return "";
+}
+
+const char* state_name(LightState state) {
+  switch (state) {
+    case LightState::maintained:
+      return "maintained";
+    case LightState::initial:
+      return "initial";
+    case LightState::end_of_duration:
+      return "end-of-duration";
+  }
+  return "";
+}
+
 bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
 
 const char* metric_unit(Metric metric) { return is_ratio(metric) ? "" : "lx"; }

@@ -2,6 +2,8 @@
 // What a plane must meet: plain data.
 
 #include "calc/diagnostics.h"
+#include "rules/mask.h"
+#include "rules/policy.h"
 
 #include <glm/glm.hpp>
 
@@ -22,10 +24,14 @@ enum class Metric {
   value_at_point,      // lx
 };
 
-enum class Comparison { at_least, at_most };
+enum class Comparison { at_least, at_most, more_than, less_than };
 
-// maintained: times the maintenance factor; initial: new installation.
-enum class LightState { maintained, initial };
+// maintained: times the maintenance factor; initial: new installation; end_of_duration: as
+// maintained, with the scene's levels at the end of what a battery lasts.
+enum class LightState { maintained, initial, end_of_duration };
+
+// shall: counts for the exit code; advice is reported only.
+enum class Severity { shall, advice };
 
 struct Requirement {
   std::string plane_id;
@@ -38,6 +44,12 @@ struct Requirement {
   LightState state = LightState::maintained;
   std::string scene;   // "" = every luminaire at full output
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
+  std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
+  Severity severity = Severity::shall;
+  Mask mask;                 // which points of the plane count
+  bool direct_only = false;  // reflected light is left out
+  std::string problem;       // why it cannot be judged, whatever the light; "" = it can
+  DecisionPolicy policy;
   calc::SourceLocation where;
 };
 
@@ -46,6 +58,15 @@ struct Requirement {
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 std::vector<std::string_view> metric_names();
+
+// at_least, more_than
+constexpr bool is_lower_limit(Comparison comparison) {
+  return comparison == Comparison::at_least || comparison == Comparison::more_than;
+}
+// As written in projects and packs: "at-least", "at-most", "more-than", "less-than".
+const char* comparison_name(Comparison comparison);
+// "maintained", "initial", "end-of-duration"
+const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
 // "lx" or "" for ratios.

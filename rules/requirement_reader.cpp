@@ -1,8 +1,10 @@
 #include "rules/requirement_reader.h"
 
 #include "calc/text.h"
+#include "calc/xml_document.h"
 #include "calc/xml_reader.h"
 #include "rules/limit_text.h"
+#include "rules/rule_reference.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +27,7 @@ constexpr const char* kElement = "require";
 // A limit is written here, or a row of a rule pack has it.
 constexpr std::array<std::string_view, 10> kOwnAttributes{
     "id", "quantity", "at-least", "at-most", "percent", "at", "unit", "state", "scene", "clause"};
-constexpr std::array<std::string_view, 3> kRowAttributes{"pack", "row", "level"};
+constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
 
 constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
@@ -123,84 +125,13 @@ std::vector<Requirement> read_own(ElementReader& reader,
   return {requirement};
 }
 
-std::string list_of(const std::vector<const RulePack*>& packs) {
-  std::string text;
-  for (const RulePack* pack : packs) {
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", pack->full_id(), pack->file);
-  }
-  return text;
-}
-
-// By "id" or "id:edition". nullptr after an error.
-const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
-  const std::string name = reader.text("pack");
-  if (name.empty()) return nullptr;
-  std::vector<const RulePack*> all;
-  std::vector<const RulePack*> fitting;
-  Names names;
-  for (const RulePack& pack : packs) {
-    all.push_back(&pack);
-    names.emplace_back(pack.id);
-    if (name == pack.id || name == pack.full_id()) fitting.push_back(&pack);
-  }
-  if (fitting.size() == 1) return fitting.front();
-  if (fitting.empty()) {
-    report_unknown(reader, "pack", "rule pack", name, names, list_of(all));
-  } else {
-    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
-  }
-  return nullptr;
-}
-
-// nullptr after an error.
-const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
-  constexpr std::size_t kMostShown = 20;  // a whole standard would not fit on a line
-  const std::string ref = reader.text("row");
-  const RuleRow* row = pack.find_row(ref);
-  if (row != nullptr || ref.empty()) return row;
-  Names refs;
-  for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
-  const std::size_t shown = std::min(refs.size(), kMostShown);
-  std::string allowed =
-      calc::join_choices(Names(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(shown)));
-  if (shown < refs.size()) allowed += fmt::format(" and {} more", refs.size() - shown);
-  report_unknown(reader, "row", "row", ref, refs, allowed);
-  return nullptr;
-}
-
-std::vector<Requirement> requirements_of_row(const RulePack& pack, const RuleRow& row,
-                                             RowLevel level, const calc::SourceLocation& where) {
-  std::vector<Requirement> requirements;
-  for (const RowLimit& limit : row.limits) {
-    Requirement requirement;
-    requirement.metric = limit.metric;
-    requirement.comparison = limit.comparison;
-    requirement.limit = limit.at_level(level);
-    requirement.clause = pack.clause_text(limit, level);
-    requirement.where = where;
-    requirements.push_back(std::move(requirement));
-  }
-  return requirements;
-}
-
-std::vector<Requirement> read_row(ElementReader& reader, const std::vector<RulePack>& packs) {
+// The scene is the project's choice; everything else is the pack's.
+std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
   for (const std::string_view name : kOwnAttributes) {
-    if (reader.has(name)) report_unfit(reader, name, "pack");
+    if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
-  if (reader.has("level") && !reader.has("pack")) {
-    reader.report(DiagnosticId::missing_partner, reader.where("level"), kElement, "level", "pack");
-  }
-  const std::size_t level_index = reader.choice_or("level", {"required", "modified"}, 0);
-  const RowLevel level = level_index == 0 ? RowLevel::required : RowLevel::modified;
-  if (!reader.require_together("pack", "row") || !reader.has("pack")) return {};
-  const RulePack* pack = find_pack(reader, packs);
-  const RuleRow* row = pack == nullptr ? nullptr : find_row(reader, *pack);
-  if (row == nullptr) return {};
-  if (level == RowLevel::modified && !row->has_modified_level()) {
-    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref,
-                  pack->full_id());
-  }
-  return requirements_of_row(*pack, *row, level, reader.where());
+  const std::string scene = read_scene(reader, context.scenes);
+  return read_rule_reference(reader, context.packs, context.kernel, scene);
 }
 
 }  // namespace
@@ -214,7 +145,7 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   const bool is_row = std::any_of(kRowAttributes.begin(), kRowAttributes.end(),
                                   [&](std::string_view name) { return reader.has(name); });
   std::vector<Requirement> requirements =
-      is_row ? read_row(reader, context.packs) : read_own(reader, context.scenes);
+      is_row ? read_rule(reader, context) : read_own(reader, context.scenes);
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

@@ -1,7 +1,8 @@
 #pragma once
-// The command line as a value. options.cpp is the only file that includes CLI11.
+// The command line as a value. Only options.cpp and rules_options.cpp include CLI11.
 
 #include "calc/radiosity/settings.h"
+#include "report/cli/rules_options.h"
 #include "rules/goal.h"
 
 #include <optional>
@@ -10,7 +11,19 @@
 
 namespace cli {
 
-enum class Command { check, plan, validate, photometry, geometry, schema, init, devices, version };
+enum class Command {
+  check,
+  plan,
+  validate,
+  photometry,
+  geometry,
+  rules,
+  explain,
+  schema,
+  init,
+  devices,
+  version
+};
 // How results are written; see report/.
 enum class FormatKind { text, csv, points_csv, json, html };
 enum class Backend { automatic, cpu, gpu };
@@ -56,6 +69,7 @@ struct Options {
 
   bool plan_as_json = false;
   PhotometryOptions photometry;
+  RulesOptions rules_command;
   std::vector<std::string> geometry_files;
   std::string mesh_units, mesh_up;  // of mesh files that do not say; "" = not given
   bool geometry_as_json = false;

@@ -76,6 +76,23 @@ std::vector<std::string> messages_of(const Attributes& attributes) {
   return bound.messages;
 }
 
+RulePack small_pack(const std::string& id, const std::string& edition, std::size_t rows,
+                    const std::string& more = "") {
+  std::string xml = "<rule-pack id='" + id + "' edition='" + edition +
+                    "' title='Own' version='1' kind='company' status='published' "
+                    "licence='internal' role='desk'><parameter id='E' unit='lx' meaning='m'/>";
+  for (std::size_t i = 1; i <= rows; ++i) {
+    xml += "<row ref='r" + std::to_string(i) +
+           "' name='n' trust='confirmed'><value of='E' required='1'/></row>";
+  }
+  xml += "<check id='min' role='desk' quantity='planar' statistic='minimum' at-least='row(E)'/>" +
+         more + "</rule-pack>";
+  calc::Diagnostics diagnostics;
+  std::optional<RulePack> pack = parse_rule_pack(xml, edition + ".xml", diagnostics);
+  EXPECT_TRUE(pack.has_value()) << xml;
+  return pack.value_or(RulePack{});
+}
+
 TEST(BindRequirements, ReadsAPlainLimit) {
   const Requirement r = bound_requirement({{"quantity", "average"}, {"at-least", "500"}});
   EXPECT_EQ(r.plane_id, "desk");
@@ -164,6 +181,79 @@ TEST(BindRequirements, TakesTheModifiedLevelWhereTheRowHasOne) {
   EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2021 34.2");
 }
 
+TEST(BindRequirements, ABareIdMeansTheEditionInForce) {
+  EXPECT_EQ(bind_one({{"pack", "en12464-1"}, {"row", "34.2"}}).requirements.at(0).clause,
+            "EN 12464-1:2021 34.2");
+  EXPECT_EQ(bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}}).requirements.at(0).clause,
+            "EN 12464-1:2011 5.26.2");
+}
+
+TEST(BindRequirements, TakesTheChecksOfTheRole) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "background"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_DOUBLE_EQ(bound.requirements[0].limit, 100.0);  // a third of the surround's 300 lx
+  EXPECT_EQ(bound.requirements[0].mask.id, "wall-zone");
+  EXPECT_EQ(bound.requirements[1].limit, 0.1);
+}
+
+TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
+  const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].note, "");
+  EXPECT_EQ(bound.requirements[1].note, "unverified requirement");
+  EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2011 5.26.2 [unverified requirement]");
+}
+
+TEST(BindRequirements, CannotJudgeAValueThatThePackDoesNotKnow) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "26.6"}, {"role", "wall"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].problem, "row 26.6: Ewall is unknown");
+  EXPECT_EQ(bound.requirements[1].problem, "");
+}
+
+TEST(BindRequirements, LeavesOutWhatTheRowDoesNotSpecify) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "14.1"}, {"role", "ceiling"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_EQ(bound.requirements[0].metric, Metric::uniformity_min_avg);
+}
+
+TEST(BindRequirements, JudgesEmergencyLightInItsScene) {
+  const Bound bound = bind_one({{"pack", "en1838"}, {"scene", "night"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].scene, "night");
+  EXPECT_EQ(bound.requirements[0].state, LightState::end_of_duration);
+  EXPECT_TRUE(bound.requirements[0].direct_only);
+  EXPECT_EQ(bound.requirements[0].mask.id, "width");
+  EXPECT_EQ(bound.requirements[1].limit, 0.025);
+}
+
+TEST(BindRequirements, TakesFactsFromTheProject) {
+  const auto limit_with = [](const std::string& facts) {
+    return bind_one(
+               {{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}, {"facts", facts}})
+        .requirements.at(0)
+        .limit;
+  };
+  EXPECT_EQ(limit_with("task-illuminance=500 lx"), 50.0);
+  EXPECT_EQ(limit_with(" task-illuminance = 100 lx ; "), 15.0);
+}
+
+TEST(BindRequirements, CannotJudgeWithoutTheFact) {
+  const Bound bound = bind_one({{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].problem, "fact 'task-illuminance' is not stated");
+}
+
+TEST(BindRequirements, CannotYetPutOutOneUnitAfterTheOther) {
+  const Bound bound =
+      bind_one({{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}});
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_THAT(bound.requirements[0].problem, testing::HasSubstr("one luminaire after the other"));
+}
+
 TEST(RequirementsOfPlane, AreItsOwnInOrder) {
   const Attributes average{{"quantity", "average"}, {"at-least", "1"}};
   const Attributes uo{{"quantity", "Uo"}, {"at-least", "0.5"}};
@@ -182,8 +272,8 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
                           "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
-                          "unit, state, scene, clause, pack, row or level; did you mean "
-                          "'at-least'?"));
+                          "unit, state, scene, clause, pack, row, level, role or facts; did you "
+                          "mean 'at-least'?"));
 }
 
 TEST(BindRequirementsMessage, MissingQuantity) {
@@ -344,32 +434,20 @@ TEST(BindRequirementsMessage, UnknownLevel) {
 }
 
 TEST(BindRequirementsMessage, UnknownPack) {
-  EXPECT_THAT(messages_of({{"pack", "en12464"}, {"row", "34.2"}}),
+  const Bound bound =
+      bind_project(project_of({plane_of("desk", {{{"pack", "owm"}, {"row", "r1"}}})}),
+                   {small_pack("own", "1", 1)});
+  EXPECT_THAT(bound.messages,
               ElementsAre("project.xml:7:10: error[unknown-reference]: attribute 'pack' of "
-                          "<require>: there is no rule pack 'en12464'; allowed: en12464-1:2021 "
-                          "(built in); did you mean 'en12464-1'?"));
+                          "<require>: there is no rule pack 'owm'; allowed: own:1 (1.xml); did you "
+                          "mean 'own'?"));
 }
 
 TEST(BindRequirementsMessage, UnknownRow) {
   EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.9"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
                           "<require>: there is no row '34.9'; allowed: 9.4, 10.4, 10.6, 10.7, "
-                          "14.1, 15.2, 34.2 or 34.7; did you mean '34.2'?"));
-}
-
-RulePack small_pack(const std::string& id, const std::string& edition, std::size_t rows) {
-  RulePack pack;
-  pack.id = id;
-  pack.edition = edition;
-  pack.title = "Own";
-  pack.file = edition + ".xml";
-  for (std::size_t i = 1; i <= rows; ++i) {
-    RuleRow row;
-    row.ref = "r" + std::to_string(i);
-    row.limits = {RowLimit{Metric::minimum, Comparison::at_least, 1.0, std::nullopt, row.ref}};
-    pack.rows.push_back(row);
-  }
-  return pack;
+                          "13.5, 13.7, 14.1, 15.2, 26.6, 34.2 or 34.7; did you mean '34.2'?"));
 }
 
 TEST(BindRequirementsMessage, AmbiguousPack) {
@@ -383,6 +461,57 @@ TEST(BindRequirementsMessage, AmbiguousPack) {
                           "load each edition once"));
   EXPECT_THAT(bind_project(project("own:2"), packs).messages, IsEmpty());
   EXPECT_EQ(bind_project(project("own:2"), packs).requirements.at(0).clause, "Own:2 r1");
+}
+
+TEST(BindRequirementsMessage, UnknownRole) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
+              ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
+                          "<require>: there is no role 'rout'; allowed: route, open-area, "
+                          "high-risk or safety-item; did you mean 'route'?"));
+}
+
+TEST(BindRequirementsMessage, EmergencyWithoutScene) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}}),
+              ElementsAre("project.xml:7:5: error[rule-needs-scene]: role 'route' of rule pack "
+                          "'en1838:2024' is judged with emergency luminaires alone: name the scene "
+                          "in which only they are lit, scene=\"...\""));
+}
+
+TEST(BindRequirementsMessage, PlaneThatMeasuresSomethingElse) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "cylinder"}}),
+              ElementsAre("project.xml:7:5: error[rule-wrong-quantity]: role 'cylinder' of rule "
+                          "pack 'en12464-1:2021' is about the quantity 'cylindrical'; this plane "
+                          "measures 'planar'"));
+}
+
+TEST(BindRequirementsMessage, FactsThatAreNone) {
+  const auto message = [](const std::string& facts) {
+    return messages_of(
+        {{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}, {"facts", facts}});
+  };
+  const std::string head = "project.xml:7:40: error[rule-fact]: attribute 'facts' of <require>: ";
+  const std::string tail =
+      ": 'task-illuminance' is an illuminance (lx, fc), once; expected "
+      "'task-illuminance=NUMBER lx'";
+  EXPECT_THAT(message("task-illuminance=500"), ElementsAre(head + "'task-illuminance=500'" + tail));
+  EXPECT_THAT(message("task-illuminance"), ElementsAre(head + "'task-illuminance'" + tail));
+  EXPECT_THAT(message("task-illuminance=5 lx; task-illuminance=6 lx"),
+              ElementsAre(head + "'task-illuminance=6 lx'" + tail));
+  EXPECT_THAT(message("area=5 m"),
+              ElementsAre("project.xml:7:40: error[unknown-reference]: attribute 'facts' of "
+                          "<require>: there is no fact 'area'; allowed: task-illuminance"));
+}
+
+TEST(BindRequirementsMessage, RoleForWhichTheRowHasNothing) {
+  const RulePack pack = small_pack(
+      "own", "1", 1,
+      "<parameter id='W' unit='lx' meaning='m'/>"
+      "<check id='w' role='wall' quantity='planar' statistic='minimum' at-least='row(W)'/>");
+  const Bound bound = bind_project(
+      project_of({plane_of("desk", {{{"pack", "own"}, {"row", "r1"}, {"role", "wall"}}})}), {pack});
+  EXPECT_THAT(bound.messages,
+              ElementsAre("project.xml:7:5: error[rule-requires-nothing]: rule pack 'own:1' row "
+                          "'r1' requires nothing of the role 'wall'"));
 }
 
 TEST(BindRequirementsMessage, NoModifiedLevel) {
