@@ -28,7 +28,12 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
       for (const rules::Finding& finding : plane.findings) {
-        if (finding.requirement.severity == rules::Severity::shall) count(finding.verdict, counts);
+        if (finding.requirement.severity != rules::Severity::shall) continue;
+        if (finding.is_waived) {
+          ++counts.waived;
+        } else {
+          count(finding.verdict, counts);
+        }
       }
     }
   }
@@ -43,6 +48,7 @@ VerdictCounts count_verdicts(const Document& document) {
     sum.fail += counts.fail;
     sum.undecided += counts.undecided;
     sum.not_judged += counts.not_judged;
+    sum.waived += counts.waived;
   }
   return sum;
 }

@@ -196,11 +196,13 @@ std::string attention_of(const Document& document, rules::Verdict verdict) {
 std::string html_verdict_banner(const Document& document) {
   const VerdictCounts counts = count_verdicts(document);
   const rules::Verdict overall = overall_verdict(document);
-  const bool is_empty = counts.pass + counts.fail + counts.undecided + counts.not_judged == 0;
+  const bool is_empty =
+      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived == 0;
   const char* sentence = "Nothing was judged";
   switch (overall) {
     case rules::Verdict::pass:
-      sentence = "All requirements are met";
+      sentence =
+          counts.waived > 0 ? "All requirements are met or waived" : "All requirements are met";
       break;
     case rules::Verdict::fail:
       sentence = "Not all requirements are met";

@@ -3,6 +3,7 @@
 #include "report/json_layout.h"
 #include "report/words.h"
 
+#include <cmath>
 #include <utility>
 
 namespace report {
@@ -18,7 +19,8 @@ Json from(const VerdictCounts& counts) {
   return {{"pass", counts.pass},
           {"fail", counts.fail},
           {"undecided", counts.undecided},
-          {"not_judged", counts.not_judged}};
+          {"not_judged", counts.not_judged},
+          {"waived", counts.waived}};
 }
 Json from(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
@@ -100,6 +102,16 @@ Json finding_json(const rules::Finding& finding) {
                {"reason", finding.reason},
                {"note", note_words(finding)},
                {"policy", rules::policy_text(requirement.policy)}};
+  if (requirement.waiver) {
+    json["waiver"] = {{"reason", requirement.waiver->reason},
+                      {"owner", requirement.waiver->owner},
+                      {"until", requirement.waiver->until},
+                      {"applies", finding.is_waived}};
+  }
+  if (requirement.metric == rules::Metric::share) {
+    json["from_lx"] = requirement.range.from;
+    json["to_lx"] = std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
+  }
   if (!requirement.mask.id.empty()) {
     json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};
   }

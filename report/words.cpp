@@ -17,6 +17,14 @@ std::string plural(int count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+// "share of points from 300 to 500 lx"
+std::string range_words(const rules::ValueRange& range) {
+  std::string words = "share of points";
+  if (range.from > 0.0) words += " from " + format_shortest(range.from);
+  if (std::isfinite(range.to)) words += " to " + format_shortest(range.to);
+  return words + " lx";
+}
+
 }  // namespace
 
 const char* verdict_symbol(rules::Verdict verdict) {
@@ -67,6 +75,8 @@ std::string quantity_words(const rules::Requirement& requirement) {
       return "Ud (min/max)";
     case rules::Metric::percentile:
       return format_shortest(requirement.percent) + " % percentile";
+    case rules::Metric::share:
+      return range_words(requirement.range);
     case rules::Metric::value_at_point:
       break;
   }
@@ -209,7 +219,8 @@ std::string summary_words(const Document& document) {
       std::count_if(document.projects.begin(), document.projects.end(),
                     [](const ProjectPart& project) { return !project.is_judged; }));
   counts.not_judged -= not_judged_projects;
-  const int total = counts.pass + counts.fail + counts.undecided + counts.not_judged;
+  const int total =
+      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived;
   std::string text = plural(total, "requirement");
   const char* separator = ": ";
   const auto add = [&](int count, const char* word) {
@@ -221,6 +232,7 @@ std::string summary_words(const Document& document) {
   add(counts.fail, "fail");
   add(counts.undecided, "undecided");
   add(counts.not_judged, "not judged");
+  add(counts.waived, "waived");
   if (not_judged_projects > 0)
     text += "; " + plural(not_judged_projects, "project") + " not judged";
   return text;
@@ -231,7 +243,7 @@ rules::Verdict overall_verdict(const Document& document) {
   if (counts.not_judged > 0 || has_uncomputed_plane(document)) return rules::Verdict::not_judged;
   if (counts.fail > 0) return rules::Verdict::fail;
   if (counts.undecided > 0) return rules::Verdict::undecided;
-  return counts.pass > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
+  return counts.pass + counts.waived > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
 }
 
 std::string looks_words(const PlanePart& plane) {

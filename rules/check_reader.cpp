@@ -47,6 +47,29 @@ void read_limit(ElementReader& reader, RuleCheck& check) {
   check.limit = std::move(*parsed.expression);
 }
 
+// An end of the range: a number with the unit of the quantity.
+double read_end(ElementReader& reader, const char* name, const RuleCheck& check) {
+  const std::string text = reader.text(name);
+  const ParsedExpression parsed = parse_expression(text);
+  const bool is_number = parsed.expression && parsed.expression->kind == ExpressionKind::number &&
+                         parsed.expression->dimension == check.quantity->dimension;
+  if (is_number) return parsed.expression->number;
+  reader.report(DiagnosticId::rule_units, reader.where(name), name, "check", text,
+                fmt::format("expected {}", dimension_name(check.quantity->dimension)));
+  return 0.0;
+}
+
+void read_range(ElementReader& reader, RuleCheck& check) {
+  if (!reader.has("from") && !reader.has("to")) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "check", "'from' or 'to', or both");
+  }
+  if (reader.has("from")) check.range.from = read_end(reader, "from", check);
+  if (reader.has("to")) check.range.to = read_end(reader, "to", check);
+  if (check.range.to < check.range.from && reader.ok()) {
+    reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", "check", "'from'");
+  }
+}
+
 // By "mask"; all points without it.
 Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
   if (!reader.has("mask")) return {};
@@ -68,9 +91,10 @@ Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
 RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
                      calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "role", "clause", "severity", "quantity", "statistic", "percent",
-                           "mask", "state", "sources", "light", "outage", "at-least", "at-most",
-                           "more-than", "less-than", "trust", "note"});
+  reader.allow_attributes({"id",        "role",      "clause",    "severity", "quantity",
+                           "statistic", "percent",   "from",      "to",       "mask",
+                           "state",     "sources",   "light",     "outage",   "at-least",
+                           "at-most",   "more-than", "less-than", "trust",    "note"});
   reader.allow_children({});
   RuleCheck check;
   check.where = element.where;
@@ -88,6 +112,15 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   } else if (reader.has("percent")) {
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("percent"), "check",
                   "percent", fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+  }
+  if (check.metric == Metric::share) {
+    read_range(reader, check);
+  } else {
+    for (const char* end : {"from", "to"}) {
+      if (!reader.has(end)) continue;
+      reader.report(DiagnosticId::attribute_without_meaning, reader.where(end), "check", end,
+                    fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+    }
   }
   check.mask = read_mask_name(reader, pack);
   check.state = static_cast<LightState>(

@@ -2,6 +2,7 @@
 
 #include "rules/candidates.h"
 #include "rules/mask.h"
+#include "rules/share.h"
 
 #include <fmt/format.h>
 
@@ -102,6 +103,12 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   Measurement result;
   result.points_used = values.points;
   const Metric metric = requirement.metric;
+  if (metric == Metric::share) {
+    const ShareEstimate share = compute_share(values, requirement.range, confidence);
+    result.metric = MetricEstimate{share.estimate, std::nullopt};
+    result.active = spread_marks(share.open, masked.points, grid.position_m.size());
+    return result;
+  }
   result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
   if (!result.metric) {
     result.reason = undefined_text(metric);

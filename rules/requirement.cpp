@@ -19,6 +19,7 @@ constexpr std::array kMetrics{
     MetricEntry{Metric::uniformity_min_max, "Ud", true},
     MetricEntry{Metric::percentile, "percentile", false},
     MetricEntry{Metric::value_at_point, "value", false},
+    MetricEntry{Metric::share, "share", true},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }

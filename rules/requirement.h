@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,13 @@ enum class Metric {
   uniformity_min_max,  // Ud = minimum / maximum
   percentile,          // illuminance that the given share of points does not exceed, lx
   value_at_point,      // lx
+  share,               // of the points whose value lies in a range
+};
+
+// Both ends belong to it.
+struct ValueRange {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
 };
 
 enum class Comparison { at_least, at_most, more_than, less_than };
@@ -33,12 +41,18 @@ enum class LightState { maintained, initial, end_of_duration };
 // shall: counts for the exit code; advice is reported only.
 enum class Severity { shall, advice };
 
+// Somebody has decided to live without a requirement, up to the last day ("2027-06-30").
+struct Waiver {
+  std::string reason, owner, until;
+};
+
 struct Requirement {
   std::string plane_id;
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
   Metric metric = Metric::average;
   double percent = 0.0;               // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
+  ValueRange range;                   // of Metric::share, lx
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // lx, or a ratio for uniformities
   LightState state = LightState::maintained;
@@ -50,6 +64,7 @@ struct Requirement {
   bool direct_only = false;  // reflected light is left out
   std::string problem;       // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
+  std::optional<Waiver> waiver;
   calc::SourceLocation where;
 };
 

@@ -5,6 +5,7 @@
 #include "calc/xml_reader.h"
 #include "rules/limit_text.h"
 #include "rules/rule_reference.h"
+#include "rules/waiver.h"
 
 #include <fmt/format.h>
 
@@ -25,9 +26,13 @@ using calc::Names;
 constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
-constexpr std::array<std::string_view, 10> kOwnAttributes{
-    "id", "quantity", "at-least", "at-most", "percent", "at", "unit", "state", "scene", "clause"};
+constexpr std::array<std::string_view, 12> kOwnAttributes{
+    "id",   "quantity", "at-least", "at-most", "percent", "at",
+    "from", "to",       "unit",     "state",   "scene",   "clause"};
 constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
+// Beside either.
+constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
+                                                            "waived-until"};
 
 constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
@@ -45,6 +50,7 @@ calc::XmlElement element_of(const calc::RequirementText& text) {
 void allow_known_attributes(ElementReader& reader) {
   Names names(kOwnAttributes.begin(), kOwnAttributes.end());
   names.insert(names.end(), kRowAttributes.begin(), kRowAttributes.end());
+  names.insert(names.end(), kWaiverAttributes.begin(), kWaiverAttributes.end());
   reader.allow_attributes(names);
 }
 
@@ -92,6 +98,22 @@ std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene
   return scene;
 }
 
+// Of a share: from, to or both.
+void read_range(ElementReader& reader, Metric metric, ValueRange& range) {
+  constexpr calc::NumberRange kEnd{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
+  const bool has_from = is_given_for(reader, "from", Metric::share, metric) && reader.has("from");
+  const bool has_to = is_given_for(reader, "to", Metric::share, metric) && reader.has("to");
+  if (metric != Metric::share) return;
+  if (!has_from && !has_to) {
+    reader.report(DiagnosticId::missing_form, reader.where(), kElement, "'from' or 'to', or both");
+  }
+  if (has_from) range.from = reader.number("from", kEnd);
+  if (has_to) range.to = reader.number("to", kEnd);
+  if (range.to < range.from) {
+    reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", kElement, "'from'");
+  }
+}
+
 void read_quantity(ElementReader& reader, Requirement& requirement) {
   const std::optional<Metric> metric = read_metric(reader, metric_names());
   if (!metric) return;
@@ -104,6 +126,7 @@ void read_quantity(ElementReader& reader, Requirement& requirement) {
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
     requirement.percent = reader.number("percent", kPercent);
   }
+  read_range(reader, *metric, requirement.range);
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at =
         reader.numbers("at", 3, "3 numbers (x y z) in metres, in world coordinates");
@@ -146,6 +169,8 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
                                   [&](std::string_view name) { return reader.has(name); });
   std::vector<Requirement> requirements =
       is_row ? read_rule(reader, context) : read_own(reader, context.scenes);
+  const std::optional<Waiver> waiver = read_waiver(reader);
+  for (Requirement& requirement : requirements) requirement.waiver = waiver;
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

@@ -112,6 +112,7 @@ struct RuleCheck {
   const Quantity* quantity = nullptr;
   Metric metric = Metric::average;
   double percent = 0.0;  // of Metric::percentile
+  ValueRange range;      // of Metric::share, base units
   Mask mask;
   LightState state = LightState::maintained;
   LightSources sources = LightSources::all;

@@ -117,6 +117,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   Requirement requirement;
   requirement.metric = check.metric;
   requirement.percent = check.percent;
+  requirement.range = check.range;
   requirement.comparison = check.comparison;
   requirement.limit = limit.value.value;
   requirement.state = check.state;
@@ -238,6 +239,7 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   if (pack == nullptr) return {};
   const RuleRow* row = find_row(reader, *pack);
   const std::string role = find_role(reader, *pack);
+  if (reader.has("level")) reader.require_together("level", "row");
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -254,6 +255,32 @@ TEST(BindRequirements, CannotYetPutOutOneUnitAfterTheOther) {
   EXPECT_THAT(bound.requirements[0].problem, testing::HasSubstr("one luminaire after the other"));
 }
 
+TEST(BindRequirements, ReadsAShareAndItsRange) {
+  const Requirement r =
+      bound_requirement({{"quantity", "share"}, {"from", "300"}, {"at-least", "0.9"}});
+  EXPECT_EQ(r.metric, Metric::share);
+  EXPECT_EQ(r.range.from, 300);
+  EXPECT_FALSE(std::isfinite(r.range.to));
+  EXPECT_EQ(r.limit, 0.9);
+}
+
+TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
+  const Attributes waiver{
+      {"waived-because", "r"}, {"waived-by", "o"}, {"waived-until", "2028-02-29"}};
+  Attributes own{{"quantity", "average"}, {"at-least", "5"}};
+  own.insert(own.end(), waiver.begin(), waiver.end());
+  const Requirement r = bound_requirement(own);
+  ASSERT_TRUE(r.waiver.has_value());
+  EXPECT_EQ(r.waiver->reason, "r");
+  EXPECT_EQ(r.waiver->owner, "o");
+  EXPECT_EQ(r.waiver->until, "2028-02-29");
+  Attributes row{{"pack", "en12464-1"}, {"row", "34.2"}};
+  row.insert(row.end(), waiver.begin(), waiver.end());
+  const Bound bound = bind_one(row);
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_TRUE(bound.requirements[1].waiver.has_value());
+}
+
 TEST(RequirementsOfPlane, AreItsOwnInOrder) {
   const Attributes average{{"quantity", "average"}, {"at-least", "1"}};
   const Attributes uo{{"quantity", "Uo"}, {"at-least", "0.5"}};
@@ -272,8 +299,8 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
                           "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
-                          "unit, state, scene, clause, pack, row, level, role or facts; did you "
-                          "mean 'at-least'?"));
+                          "from, to, unit, state, scene, clause, pack, row, level, role, facts, "
+                          "waived-because, waived-by or waived-until; did you mean 'at-least'?"));
 }
 
 TEST(BindRequirementsMessage, MissingQuantity) {
@@ -286,7 +313,7 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
   EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
-                          "Uo, Ud, percentile or value; did you mean 'average'?"));
+                          "Uo, Ud, percentile, value or share; did you mean 'average'?"));
 }
 
 TEST(BindRequirementsMessage, NoLimit) {
@@ -463,11 +490,47 @@ TEST(BindRequirementsMessage, AmbiguousPack) {
   EXPECT_EQ(bind_project(project("own:2"), packs).requirements.at(0).clause, "Own:2 r1");
 }
 
+TEST(BindRequirementsMessage, WaiversThatAreNone) {
+  const auto message = [](const std::string& until) {
+    return messages_of({{"quantity", "average"},
+                        {"at-least", "5"},
+                        {"waived-because", "r"},
+                        {"waived-by", "o"},
+                        {"waived-until", until}});
+  };
+  for (const char* until : {"2027-02-29", "2027-13-01", "2027-1-1", "soon", "2027-00-10"}) {
+    EXPECT_THAT(message(until),
+                ElementsAre("project.xml:7:50: error[waiver-incomplete]: attribute "
+                            "'waived-until' of <require>: '" +
+                            std::string(until) + "' is not a date; expected YYYY-MM-DD"));
+  }
+  EXPECT_THAT(
+      messages_of({{"quantity", "average"}, {"at-least", "5"}, {"waived-because", "r"}}),
+      ElementsAre(testing::HasSubstr("<require> has 'waived-because' without 'waived-by'")));
+}
+
+TEST(BindRequirementsMessage, SharesThatAreNone) {
+  EXPECT_THAT(messages_of({{"quantity", "share"}, {"at-least", "0.9"}}),
+              ElementsAre(testing::HasSubstr("<require> needs 'from' or 'to', or both")));
+  EXPECT_THAT(
+      messages_of({{"quantity", "share"}, {"at-least", "0.9"}, {"from", "5"}, {"to", "4"}}),
+      ElementsAre(testing::HasSubstr("attribute 'to' of <require>: must be larger than 'from'")));
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "9"}, {"from", "5"}}),
+              ElementsAre(testing::HasSubstr("'from' has no meaning together with "
+                                             "'quantity=\"average\"'")));
+}
+
 TEST(BindRequirementsMessage, UnknownRole) {
   EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
                           "<require>: there is no role 'rout'; allowed: route, open-area, "
                           "high-risk or safety-item; did you mean 'route'?"));
+}
+
+TEST(BindRequirementsMessage, LevelWithoutRow) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}, {"scene", "night"}, {"level", "modified"}}),
+              ElementsAre("project.xml:7:30: error[missing-partner]: <require> has 'level' without "
+                          "'row'; the two belong together"));
 }
 
 TEST(BindRequirementsMessage, EmergencyWithoutScene) {

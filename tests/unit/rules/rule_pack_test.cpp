@@ -106,6 +106,18 @@ TEST(RulePack, ReadsMasks) {
   EXPECT_EQ(pack.checks[0].mask.operations[1].step, MaskStep::centre_line);
 }
 
+TEST(RulePack, ReadsTheRangeOfAShare) {
+  const std::string check = "<check id='c' role='desk' quantity='planar' statistic='share' ";
+  const RulePack pack = pack_of(pack_with(check + "from='1 fc' to='500 lx' at-least='0.9'/>"));
+  EXPECT_DOUBLE_EQ(pack.checks.at(0).range.from, 10.763910416709722);
+  EXPECT_EQ(pack.checks[0].range.to, 500.0);
+  EXPECT_EQ(pack.checks[0].dimension(), Dimension::plain);
+  EXPECT_THAT(messages_of(pack_with(check + "at-least='0.9'/>")),
+              ElementsAre(HasSubstr("<check> needs 'from' or 'to', or both")));
+  EXPECT_THAT(messages_of(pack_with(check + "from='0.3' at-least='0.9'/>")),
+              ElementsAre(HasSubstr("the units of '0.3' do not fit: expected an illuminance")));
+}
+
 TEST(RulePackMessage, OtherRootElement) {
   EXPECT_THAT(messages_of("<rules/>"),
               ElementsAre("own.xml:1:1: error[wrong-root-element]: the root element is <rules>; "
