@@ -110,7 +110,8 @@ std::string render_gitlab(const Document& document) {
     issues.push_back(gitlab_issue(
         "luxgate/" + entry.rule,
         fmt::format("{}: {}: {}", rules::verdict_name(entry.verdict), entry.place, entry.message),
-        unique_fingerprint(entry.fingerprint, taken), gitlab_severity(entry.verdict), entry.where));
+        unique_fingerprint(entry.fingerprint, taken),
+        entry.counts ? gitlab_severity(entry.verdict) : "info", entry.where));
   }
   for (const ProjectPart& project : document.projects) {
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {

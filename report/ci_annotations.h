@@ -8,12 +8,12 @@
 namespace report {
 
 // A line per problem: "::error file=office.xml,line=12,title=...::..." for what failed or could not
-// be judged and for errors, "::warning ..." for undecided and warnings. Passes are left out; the
-// last line is the summary.  [GitHub: workflow commands]
+// be judged and for errors, "::warning ..." for undecided and warnings, "::notice ..." for what is
+// waived or advice. Passes are left out; the last line is the summary.  [GitHub: workflow commands]
 std::string render_github(const Document& document);
 
 // A JSON array of problems with fingerprint, severity (blocker: not judged; critical: fail; major:
-// undecided; info: warnings) and line.  [GitLab: code quality report format]
+// undecided; info: warnings, waived, advice) and line.  [GitLab: code quality report format]
 std::string render_gitlab(const Document& document);
 
 }  // namespace report

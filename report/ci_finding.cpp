@@ -5,6 +5,8 @@
 #include "report/plain_text.h"
 #include "report/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -19,12 +21,15 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   if (is_judged) text += " " + format_measured(finding.measured, unit, threshold);
   text += ", required " + format_required(threshold, unit);
-  if (requirement.state == rules::LightState::initial) text += " (initial)";
+  if (requirement.state != rules::LightState::maintained) {
+    text += fmt::format(" ({})", rules::state_name(requirement.state));
+  }
   if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
   if (is_judged) text += ", margin " + format_margin(finding.margin);
   if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
   if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (const std::string note = note_words(finding); !note.empty()) text += " (" + note + ")";
   if (finding.is_close) text += " (close: usual rounding would change the verdict)";
   return printable(text);
 }
@@ -64,6 +69,7 @@ CiFinding of_plane(const ProjectPart& project, const SpacePart& space, const Pla
 CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
   entry.finding = &finding;
   entry.verdict = finding.verdict;
+  entry.counts = !finding.is_waived && finding.requirement.severity == rules::Severity::shall;
   entry.rule = rules::metric_name(finding.requirement.metric);
   entry.key += "/" + printable(finding.requirement.id);
   if (!finding.requirement.where.file.empty()) entry.where = finding.requirement.where;

@@ -15,6 +15,7 @@ struct CiFinding {
   const PlanePart* plane = nullptr;         // null: the whole project
   const rules::Finding* finding = nullptr;  // null: nothing of the plane or project was judged
   rules::Verdict verdict = rules::Verdict::not_judged;
+  bool counts = true;  // false: waived, or advice: it does not decide the exit code
 
   // "average", "Uo", ...; "plane" or "project" without a finding.
   std::string rule;

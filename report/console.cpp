@@ -64,7 +64,9 @@ std::string place_cell(const SpacePart& space, const PlanePart& plane) {
 
 std::string scene_words(const rules::Requirement& requirement) {
   std::string text;
-  if (requirement.state == rules::LightState::initial) text += ", initial";
+  if (requirement.state != rules::LightState::maintained) {
+    text += std::string(", ") + state_name(requirement.state);
+  }
   if (!requirement.scene.empty()) text += ", scene " + printable(requirement.scene);
   return text;
 }
@@ -88,6 +90,7 @@ void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Fi
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   if (!finding.reason.empty()) note(printable(finding.reason));
+  if (const std::string words = note_words(finding); !words.empty()) note(printable(words));
   if (finding.is_close) note("close: usual rounding would change the verdict");
 }
 

@@ -27,7 +27,14 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   if (!project.is_judged) count(rules::Verdict::not_judged, counts);
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) count(finding.verdict, counts);
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.requirement.severity != rules::Severity::shall) continue;
+        if (finding.is_waived) {
+          ++counts.waived;
+        } else {
+          count(finding.verdict, counts);
+        }
+      }
     }
   }
   return counts;
@@ -41,6 +48,7 @@ VerdictCounts count_verdicts(const Document& document) {
     sum.fail += counts.fail;
     sum.undecided += counts.undecided;
     sum.not_judged += counts.not_judged;
+    sum.waived += counts.waived;
   }
   return sum;
 }

@@ -128,6 +128,7 @@ struct ProjectPart {
 
 struct VerdictCounts {
   int pass = 0, fail = 0, undecided = 0, not_judged = 0;
+  int waived = 0;  // fail or undecided, but do not count
 };
 
 struct Document {

@@ -50,15 +50,17 @@ std::string gauge(const rules::Finding& finding) {
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
-std::string requirement_html(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
+std::string requirement_html(const rules::Finding& finding, calc::ReceiverKernel kernel) {
+  const rules::Requirement& requirement = finding.requirement;
   std::string html = escape_html(quantity_words(requirement, kernel));
   std::string notes;
   const auto note = [&notes](const std::string& text) {
     notes += (notes.empty() ? "" : " · ") + text;
   };
   if (!requirement.clause.empty()) note(escape_html(requirement.clause));
-  if (requirement.state == rules::LightState::initial) note("initial");
+  if (requirement.state != rules::LightState::maintained) note(state_name(requirement.state));
   if (!requirement.scene.empty()) note("scene " + escape_html(requirement.scene));
+  if (const std::string words = note_words(finding); !words.empty()) note(escape_html(words));
   if (!notes.empty()) html += "<span class=\"note\">" + notes + "</span>";
   return html;
 }
@@ -68,7 +70,7 @@ Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::metric_unit(requirement.metric);
   Cells cells;
-  cells.requirement = requirement_html(requirement, plane.kernel);
+  cells.requirement = requirement_html(finding, plane.kernel);
   cells.required = format_required(threshold, unit);
   if (finding.verdict == rules::Verdict::not_judged) return cells;
   cells.measured = format_measured(finding.measured, unit, threshold);
@@ -194,11 +196,13 @@ std::string attention_of(const Document& document, rules::Verdict verdict) {
 std::string html_verdict_banner(const Document& document) {
   const VerdictCounts counts = count_verdicts(document);
   const rules::Verdict overall = overall_verdict(document);
-  const bool is_empty = counts.pass + counts.fail + counts.undecided + counts.not_judged == 0;
+  const bool is_empty =
+      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived == 0;
   const char* sentence = "Nothing was judged";
   switch (overall) {
     case rules::Verdict::pass:
-      sentence = "All requirements are met";
+      sentence =
+          counts.waived > 0 ? "All requirements are met or waived" : "All requirements are met";
       break;
     case rules::Verdict::fail:
       sentence = "Not all requirements are met";

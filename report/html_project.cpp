@@ -216,6 +216,8 @@ std::string html_provenance(const Document& document) {
                            : "accuracy");
   rows += fact("Aimed half width",
                format_percent(provenance.tolerance) + " of the value, where accuracy is the goal");
+  rows += fact("Comparison with limits",
+               policy_text(rules::DecisionPolicy{}) + ", unless a requirement says otherwise");
   rows += fact("Most light paths", format_count(provenance.max_paths) + " per plane and replicate");
   rows += fact("Replicates", fmt::format("{}", provenance.replicates));
   return "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">Provenance</h2>\n"

@@ -3,6 +3,7 @@
 #include "report/json_layout.h"
 #include "report/words.h"
 
+#include <cmath>
 #include <utility>
 
 namespace report {
@@ -18,7 +19,8 @@ Json from(const VerdictCounts& counts) {
   return {{"pass", counts.pass},
           {"fail", counts.fail},
           {"undecided", counts.undecided},
-          {"not_judged", counts.not_judged}};
+          {"not_judged", counts.not_judged},
+          {"waived", counts.waived}};
 }
 Json from(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
@@ -81,13 +83,24 @@ Json luminaire_json(const LuminaireRow& row) {
             {"rsmf", from(row.maintenance.rsmf)}}}};
 }
 
+Json decision_json(const rules::DecisionPolicy& policy) {
+  return {{"compares_rounded", policy.compares_rounded},
+          {"rounding", rules::rounding_name(policy.rounding)},
+          {"illuminance_digits", policy.illuminance_digits},
+          {"ratio_digits", policy.ratio_digits},
+          {"other_digits", policy.other_digits},
+          {"tolerance", policy.tolerance},
+          {"tolerance_reason", policy.tolerance_reason},
+          {"guard", policy.guard}};
+}
+
 Json finding_json(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   Json json = {{"requirement", requirement.id},
                {"quantity", rules::metric_name(requirement.metric)},
                {"unit", rules::metric_unit(requirement.metric)},
-               {"comparison", comparison_name(requirement.comparison)},
+               {"comparison", comparison_key(requirement.comparison)},
                {"limit", requirement.limit},
                {"state", state_name(requirement.state)},
                {"scene", requirement.scene},
@@ -98,7 +111,27 @@ Json finding_json(const rules::Finding& finding) {
                {"margin", is_judged ? Json(finding.margin) : Json()},
                {"is_close", finding.is_close},
                {"place_m", is_judged && finding.place_m ? from(*finding.place_m) : Json()},
-               {"reason", finding.reason}};
+               {"reason", finding.reason},
+               {"note", note_words(finding)},
+               {"policy", rules::policy_text(requirement.policy)},
+               {"decision", decision_json(requirement.policy)},
+               {"requirement_note", requirement.note},
+               {"severity", severity_key(requirement.severity)},
+               {"direct_only", requirement.direct_only},
+               {"by_tolerance", finding.by_tolerance}};
+  if (requirement.waiver) {
+    json["waiver"] = {{"reason", requirement.waiver->reason},
+                      {"owner", requirement.waiver->owner},
+                      {"until", requirement.waiver->until},
+                      {"applies", finding.is_waived}};
+  }
+  if (requirement.metric == rules::Metric::share) {
+    json["from_lx"] = requirement.range.from;
+    json["to_lx"] = std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
+  }
+  if (!requirement.mask.id.empty()) {
+    json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};
+  }
   if (requirement.metric == rules::Metric::percentile) json["percent"] = requirement.percent;
   if (requirement.point_m) json["point_m"] = from(*requirement.point_m);
   return json;

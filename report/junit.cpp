@@ -13,18 +13,18 @@ namespace report {
 namespace {
 
 struct Counts {
-  int tests = 0, failures = 0, errors = 0;
+  int tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(rules::Verdict verdict) {
+  void add(const CiFinding& entry) {
     ++tests;
-    if (verdict == rules::Verdict::not_judged) ++errors;
-    if (verdict == rules::Verdict::fail || verdict == rules::Verdict::undecided) ++failures;
+    if (entry.verdict == rules::Verdict::pass) return;
+    ++(!entry.counts ? skipped : entry.verdict == rules::Verdict::not_judged ? errors : failures);
   }
   void write_to(pugi::xml_node node) const {
     node.append_attribute("tests") = tests;
     node.append_attribute("failures") = failures;
     node.append_attribute("errors") = errors;
-    node.append_attribute("skipped") = 0;
+    node.append_attribute("skipped") = skipped;
   }
 };
 
@@ -55,6 +55,10 @@ void add_case(pugi::xml_node suite, const CiFinding& entry) {
     test.append_child("system-out").text() = words.c_str();
     return;
   }
+  if (!entry.counts) {
+    set(test.append_child("skipped"), "message", words);
+    return;
+  }
   const bool is_error = entry.verdict == rules::Verdict::not_judged;
   pugi::xml_node problem = test.append_child(is_error ? "error" : "failure");
   set(problem, "type", verdict_key(entry.verdict));
@@ -73,14 +77,14 @@ std::string render_junit(const Document& document) {
   pugi::xml_node root = xml.append_child("testsuites");
   set(root, "name", "luxgate");
   Counts all;
-  for (const CiFinding& entry : findings) all.add(entry.verdict);
+  for (const CiFinding& entry : findings) all.add(entry);
   all.write_to(root);
   for (const ProjectPart& project : document.projects) {
     pugi::xml_node suite = root.append_child("testsuite");
     set(suite, "name", printable(project.path));
     Counts counts;
     for (const CiFinding& entry : findings) {
-      if (entry.project == &project) counts.add(entry.verdict);
+      if (entry.project == &project) counts.add(entry);
     }
     counts.write_to(suite);
     for (const CiFinding& entry : findings) {

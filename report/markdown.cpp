@@ -46,6 +46,12 @@ std::string cells(const CiFinding& entry) {
                      is_judged ? format_margin(finding->margin) : "");
 }
 
+std::string verdict_words(const CiFinding& entry) {
+  const std::string words = rules::verdict_name(entry.verdict);
+  if (entry.counts) return words;
+  return words + (entry.finding->is_waived ? ", waived" : ", advice");
+}
+
 std::string table(const std::vector<CiFinding>& findings) {
   std::string text =
       "| verdict | where | quantity | required | measured | margin |\n"
@@ -53,9 +59,8 @@ std::string table(const std::vector<CiFinding>& findings) {
   std::size_t rows = 0;
   for (const CiFinding& entry : findings) {
     if (++rows > kMostRows) break;
-    text +=
-        fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
-                    rules::verdict_name(entry.verdict), escape_markdown(entry.place), cells(entry));
+    text += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
+                        verdict_words(entry), escape_markdown(entry.place), cells(entry));
   }
   if (findings.size() > kMostRows) {
     text += fmt::format("\n{} more are left out here.\n", findings.size() - kMostRows);

@@ -1,5 +1,6 @@
 #include "report/number_format.h"
 
+#include "report/words.h"
 #include "rules/compare.h"
 
 #include <algorithm>
@@ -153,8 +154,7 @@ std::string format_limit(double limit, std::string_view unit) {
 }
 
 std::string format_required(const Threshold& threshold, std::string_view unit) {
-  const bool is_minimum = threshold.comparison == rules::Comparison::at_least;
-  return (is_minimum ? "≥ " : "≤ ") + format_limit(threshold.limit, unit);
+  return comparison_sign(threshold.comparison) + (" " + format_limit(threshold.limit, unit));
 }
 
 std::string format_margin(double margin) {

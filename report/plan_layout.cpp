@@ -38,7 +38,8 @@ Box plane_box(const PlanePart& plane) {
 }
 
 bool is_about_points(const rules::Requirement& requirement) {
-  return requirement.state == rules::LightState::maintained && requirement.scene.empty();
+  return requirement.state == rules::LightState::maintained && requirement.scene.empty() &&
+         requirement.mask.operations.empty() && !requirement.direct_only;
 }
 
 }  // namespace

@@ -88,6 +88,20 @@ LuminaireRow luminaire(const JsonCursor& at) {
   return row;
 }
 
+rules::DecisionPolicy policy(const JsonCursor& at) {
+  using enum rules::Rounding;
+  rules::DecisionPolicy p;
+  p.compares_rounded = at["compares_rounded"].flag();
+  p.rounding = at["rounding"].one_of(std::array{half_up, half_even, down}, rules::rounding_name);
+  p.illuminance_digits = whole(at["illuminance_digits"]);
+  p.ratio_digits = whole(at["ratio_digits"]);
+  p.other_digits = whole(at["other_digits"]);
+  p.tolerance = at["tolerance"].finite();
+  p.tolerance_reason = at["tolerance_reason"].text();
+  p.guard = at["guard"].finite();
+  return p;
+}
+
 rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id) {
   rules::Requirement r;
   r.plane_id = plane_id;
@@ -97,13 +111,28 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
   if (!metric) quantity.refuse("no quantity has that name");
   r.metric = *metric;
   r.comparison = at["comparison"].one_of(
-      std::array{rules::Comparison::at_least, rules::Comparison::at_most}, comparison_name);
+      std::array{rules::Comparison::at_least, rules::Comparison::at_most,
+                 rules::Comparison::more_than, rules::Comparison::less_than},
+      comparison_key);
   r.limit = at["limit"].finite();
-  r.state = at["state"].one_of(
-      std::array{rules::LightState::maintained, rules::LightState::initial}, state_name);
+  r.state = at["state"].one_of(std::array{rules::LightState::maintained, rules::LightState::initial,
+                                          rules::LightState::end_of_duration},
+                               rules::state_name);
   r.scene = at["scene"].text();
   r.clause = at["clause"].text();
   r.where = location(at["where"]);
+  r.note = at["requirement_note"].text();
+  r.severity = at["severity"].one_of(std::array{rules::Severity::shall, rules::Severity::advice},
+                                     severity_key);
+  r.direct_only = at["direct_only"].flag();
+  r.policy = policy(at["decision"]);
+  if (const auto waiver = at.find("waiver")) {
+    r.waiver = rules::Waiver{(*waiver)["reason"].text(), (*waiver)["owner"].text(),
+                             (*waiver)["until"].text()};
+  }
+  if (const auto mask = at.find("mask")) r.mask.id = (*mask)["id"].text();
+  if (const auto from = at.find("from_lx")) r.range.from = from->finite();
+  if (const auto to = at.find("to_lx"); to && !to->is_null()) r.range.to = to->finite();
   if (const auto percent = at.find("percent")) r.percent = percent->finite();
   if (const auto point = at.find("point_m")) r.point_m = vec3(*point);
   return r;
@@ -122,6 +151,9 @@ rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
     if (!at["place_m"].is_null()) f.place_m = vec3(at["place_m"]);
   }
   f.is_close = at["is_close"].flag();
+  f.by_tolerance = at["by_tolerance"].flag();
+  if (const auto waiver = at.find("waiver")) f.is_waived = (*waiver)["applies"].flag();
+  if (const auto mask = at.find("mask")) f.points_used = size((*mask)["points_used"]);
   f.reason = at["reason"].text();
   return f;
 }

@@ -5,7 +5,8 @@
 
 namespace report {
 
-// JSON Schema (draft 7) of render_json(): result.schema.json, embedded when the build is configured.
+// JSON Schema (draft 7) of render_json(): result.schema.json, embedded when the build is
+// configured.
 std::string_view result_schema();
 
 }  // namespace report

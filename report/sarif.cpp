@@ -74,6 +74,10 @@ Json rules_json(const std::vector<CiFinding>& findings, std::map<std::string, st
   return array;
 }
 
+bool is_waived(const CiFinding& entry) {
+  return entry.finding != nullptr && entry.finding->is_waived && entry.finding->requirement.waiver;
+}
+
 Json result_json(const CiFinding& entry, std::size_t rule_index) {
   const bool is_fail = entry.verdict == rules::Verdict::fail;
   Json location = {{"physicalLocation", physical_location(entry.where)}};
@@ -81,14 +85,24 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
     location["logicalLocations"] =
         Json::array({{{"fullyQualifiedName", entry.key}, {"kind", "object"}}});
   }
-  return {{"ruleId", entry.rule},
-          {"ruleIndex", rule_index},
-          {"kind", kind_of(entry.verdict)},
-          // Only what fails may have another level.  [SARIF 3.27.10]
-          {"level", is_fail ? "error" : "none"},
-          {"message", {{"text", entry.place + ": " + entry.message}}},
-          {"locations", Json::array({location})},
-          {"partialFingerprints", {{"luxgate/v1", entry.fingerprint}}}};
+  // Only what fails may have a level.  [SARIF 3.27.10]
+  const char* level = !is_fail ? "none" : entry.counts || is_waived(entry) ? "error" : "note";
+  Json result = {{"ruleId", entry.rule},
+                 {"ruleIndex", rule_index},
+                 {"kind", kind_of(entry.verdict)},
+                 {"level", level},
+                 {"message", {{"text", entry.place + ": " + entry.message}}},
+                 {"locations", Json::array({location})},
+                 {"partialFingerprints", {{"luxgate/v1", entry.fingerprint}}}};
+  if (is_waived(entry)) {
+    const rules::Waiver& waiver = *entry.finding->requirement.waiver;
+    result["suppressions"] =
+        Json::array({{{"kind", "external"},
+                      {"status", "accepted"},
+                      {"justification", printable(fmt::format("{} (by {} until {})", waiver.reason,
+                                                              waiver.owner, waiver.until))}}});
+  }
+  return result;
 }
 
 Json artifacts_json(const Document& document) {

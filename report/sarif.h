@@ -13,7 +13,8 @@ enum class SarifContent {
 };
 
 // One run. Results have kind "fail" (level error), "review" (undecided) or "open" (not judged,
-// level error where the program must be asked again); ruleId is the quantity, the location is the
+// or advice: level note); what is waived
+// is suppressed, with its reason; ruleId is the quantity, the location is the
 // requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
 // diagnostics are notifications of the invocation.  [OASIS SARIF 2.1.0]
 std::string render_sarif(const Document& document, SarifContent content);

@@ -17,6 +17,14 @@ std::string plural(int count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+// "share of points from 300 to 500 lx"
+std::string range_words(const rules::ValueRange& range) {
+  std::string words = "share of points";
+  if (range.from > 0.0) words += " from " + format_shortest(range.from);
+  if (std::isfinite(range.to)) words += " to " + format_shortest(range.to);
+  return words + " lx";
+}
+
 }  // namespace
 
 const char* verdict_symbol(rules::Verdict verdict) {
@@ -67,6 +75,8 @@ std::string quantity_words(const rules::Requirement& requirement) {
       return "Ud (min/max)";
     case rules::Metric::percentile:
       return format_shortest(requirement.percent) + " % percentile";
+    case rules::Metric::share:
+      return range_words(requirement.range);
     case rules::Metric::value_at_point:
       break;
   }
@@ -79,12 +89,55 @@ std::string quantity_words(const rules::Requirement& requirement, calc::Receiver
   return kernel == calc::ReceiverKernel::planar ? words : words + " of " + kernel_words(kernel);
 }
 
-const char* state_name(rules::LightState state) {
-  return state == rules::LightState::maintained ? "maintained" : "initial";
+const char* comparison_key(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "at_least";
+    case rules::Comparison::at_most:
+      return "at_most";
+    case rules::Comparison::more_than:
+      return "more_than";
+    case rules::Comparison::less_than:
+      return "less_than";
+  }
+  return "";
 }
 
-const char* comparison_name(rules::Comparison comparison) {
-  return comparison == rules::Comparison::at_least ? "at_least" : "at_most";
+const char* comparison_sign(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "≥";
+    case rules::Comparison::at_most:
+      return "≤";
+    case rules::Comparison::more_than:
+      return ">";
+    case rules::Comparison::less_than:
+      return "<";
+  }
+  return "";
+}
+
+const char* severity_key(rules::Severity severity) {
+  return severity == rules::Severity::shall ? "shall" : "advice";
+}
+
+std::string note_words(const rules::Finding& finding) {
+  std::string words;
+  const auto add = [&words](const std::string& text) {
+    if (!text.empty()) words += (words.empty() ? "" : "; ") + text;
+  };
+  const rules::Requirement& requirement = finding.requirement;
+  add(requirement.note);
+  if (requirement.severity == rules::Severity::advice) add("advice: does not count");
+  if (requirement.direct_only) add("direct light only");
+  if (!requirement.mask.id.empty()) {
+    add(finding.points_used == 0
+            ? "mask " + requirement.mask.id
+            : fmt::format("mask {}: {} points count", requirement.mask.id, finding.points_used));
+  }
+  if (!requirement.policy.is_default()) add(rules::policy_text(requirement.policy));
+  if (finding.by_tolerance) add("passes only with the tolerance");
+  return words;
 }
 
 std::string_view title_of(std::string_view name, std::string_view id) {
@@ -170,7 +223,8 @@ std::string summary_words(const Document& document) {
       std::count_if(document.projects.begin(), document.projects.end(),
                     [](const ProjectPart& project) { return !project.is_judged; }));
   counts.not_judged -= not_judged_projects;
-  const int total = counts.pass + counts.fail + counts.undecided + counts.not_judged;
+  const int total =
+      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived;
   std::string text = plural(total, "requirement");
   const char* separator = ": ";
   const auto add = [&](int count, const char* word) {
@@ -182,6 +236,7 @@ std::string summary_words(const Document& document) {
   add(counts.fail, "fail");
   add(counts.undecided, "undecided");
   add(counts.not_judged, "not judged");
+  add(counts.waived, "waived");
   if (not_judged_projects > 0)
     text += "; " + plural(not_judged_projects, "project") + " not judged";
   return text;
@@ -192,7 +247,7 @@ rules::Verdict overall_verdict(const Document& document) {
   if (counts.not_judged > 0 || has_uncomputed_plane(document)) return rules::Verdict::not_judged;
   if (counts.fail > 0) return rules::Verdict::fail;
   if (counts.undecided > 0) return rules::Verdict::undecided;
-  return counts.pass > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
+  return counts.pass + counts.waived > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
 }
 
 std::string looks_words(const PlanePart& plane) {

@@ -24,10 +24,15 @@ std::string quantity_words(const rules::Requirement& requirement);
 // still "average" if it is planar.
 std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel);
 
-// "maintained" or "initial".
-const char* state_name(rules::LightState state);
-// "at_least" or "at_most".
-const char* comparison_name(rules::Comparison comparison);
+// "at_least", "at_most", "more_than" or "less_than".
+const char* comparison_key(rules::Comparison comparison);
+// "≥", "≤", ">" or "<".
+const char* comparison_sign(rules::Comparison comparison);
+// "shall" or "advice".
+const char* severity_key(rules::Severity severity);
+// What must be read with a finding: trust in the requirement, its mask, its decision policy; "" if
+// there is nothing to say.
+std::string note_words(const rules::Finding& finding);
 
 // Name as given, else the id.
 std::string_view title_of(std::string_view name, std::string_view id);

@@ -58,11 +58,10 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
 std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            const std::vector<RulePack>& packs,
                                            calc::Diagnostics& diagnostics) {
-  const RequirementContext context{project.scenes, packs};
   std::vector<Requirement> bound;
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, context, diagnostics, bound);
+      bind_plane(plane, {plane.kernel, project.scenes, packs}, diagnostics, bound);
     }
   }
   return bound;

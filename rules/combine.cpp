@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace rules {
 namespace {
@@ -11,7 +12,7 @@ double weight_of(const calc::LightChannel& channel, LightState state,
   const auto named = std::find_if(level_of_group.begin(), level_of_group.end(),
                                   [&](const auto& level) { return level.first == channel.group; });
   const double level = named == level_of_group.end() ? 1.0 : named->second;
-  return state == LightState::maintained ? level * channel.maintenance_factor : level;
+  return state == LightState::initial ? level : level * channel.maintenance_factor;
 }
 
 // to[i] += weight * from[i]; a part that was not computed is empty and adds nothing.
@@ -74,10 +75,45 @@ std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector
   return shares;
 }
 
+// Mean over the replicates of what all channels give at one point, at full output.
+double mean_lx(const std::vector<double>& part, std::size_t point, std::size_t points,
+               std::size_t replicates) {
+  double sum_lx = 0.0;
+  for (std::size_t k = point; k < part.size(); k += points) sum_lx += part[k];
+  return sum_lx / static_cast<double>(replicates);
+}
+
+// The field as it would be without reflections. A point that no sample of direct light reached is
+// unseen, whatever reflected light did. Shares grow as their light gets less.
+calc::PlaneField direct_part(calc::PlaneField field) {
+  const std::vector<double> indirect_lx = std::move(field.indirect_lx);
+  field.indirect_lx.clear();
+  if (field.direct_sampled_lx.empty()) {
+    field.replicates = 1;
+    field.unseen.clear();
+    field.largest_share.clear();
+    return field;
+  }
+  field.unseen.assign(field.points, 1);
+  for (std::size_t i = 0; i < field.largest_share.size(); ++i) {
+    const double direct_lx = mean_lx(field.direct_exact_lx, i, field.points, 1) +
+                             mean_lx(field.direct_sampled_lx, i, field.points, field.replicates);
+    const double reflected_lx = mean_lx(indirect_lx, i, field.points, field.replicates);
+    if (direct_lx > 0.0) {
+      field.largest_share[i] *= static_cast<float>((direct_lx + reflected_lx) / direct_lx);
+    }
+  }
+  return field;
+}
+
 }  // namespace
 
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
-                             const std::vector<std::pair<std::string, double>>& level_of_group) {
+                             const std::vector<std::pair<std::string, double>>& level_of_group,
+                             LightParts parts) {
+  if (parts == LightParts::direct && !field.indirect_lx.empty()) {
+    return combine_channels(direct_part(field), state, level_of_group);
+  }
   PointValues values;
   values.points = field.points;
   const std::vector<double> weights = weights_of(field, state, level_of_group);
@@ -99,6 +135,23 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
     }
   }
   return values;
+}
+
+PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points) {
+  if (points.size() == values.points) return values;
+  PointValues selected;
+  selected.points = points.size();
+  selected.replicates = values.replicates;
+  for (std::size_t r = 0; r < values.replicates; ++r) {
+    for (const std::size_t point : points) selected.value_lx.push_back(values.at(r, point));
+  }
+  for (const std::size_t point : points) {
+    if (!values.unseen.empty()) selected.unseen.push_back(values.unseen[point]);
+    if (!values.largest_share.empty()) {
+      selected.largest_share.push_back(values.largest_share[point]);
+    }
+  }
+  return selected;
 }
 
 }  // namespace rules

@@ -8,6 +8,27 @@ namespace {
 constexpr double kBinaryNoise =
     1e-9;  // relative; far above rounding in sums of 1e5 points, far below any meaning
 
+double loosened(double limit, Comparison comparison, double tolerance) {
+  return limit * (is_lower_limit(comparison) ? 1.0 - tolerance : 1.0 + tolerance);
+}
+
+// Rounding keeps the order of numbers, so that the ends of an interval may be rounded one by one.
+Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double tolerance) {
+  const auto is_met = [&](double value, double limit) {
+    const double compared =
+        policy.compares_rounded ? round_to(value, comparand.digits, policy.rounding) : value;
+    return meets(compared, comparand.comparison, loosened(limit, comparand.comparison, tolerance));
+  };
+  int met = 0;
+  for (const double value : {comparand.measured.low * (1.0 - policy.guard),
+                             comparand.measured.high * (1.0 + policy.guard)}) {
+    for (const double limit : {comparand.limit.low, comparand.limit.high}) {
+      if (is_met(value, limit)) ++met;
+    }
+  }
+  return met == 4 ? Verdict::pass : (met == 0 ? Verdict::fail : Verdict::undecided);
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
@@ -26,32 +47,56 @@ const char* verdict_name(Verdict verdict) {
 
 bool meets(double value, Comparison comparison, double limit) {
   const double noise = kBinaryNoise * std::abs(limit);
-  return comparison == Comparison::at_least ? value >= limit - noise : value <= limit + noise;
+  switch (comparison) {
+    case Comparison::at_least:
+      return value >= limit - noise;
+    case Comparison::at_most:
+      return value <= limit + noise;
+    case Comparison::more_than:
+      return value > limit + noise;
+    case Comparison::less_than:
+      return value < limit - noise;
+  }
+  return false;
 }
 
-Verdict compare(const calc::Estimate& estimate, Comparison comparison, double limit) {
-  const bool low_meets = meets(estimate.low, comparison, limit);
-  const bool high_meets = meets(estimate.high, comparison, limit);
-  if (low_meets && high_meets) return Verdict::pass;
-  if (!low_meets && !high_meets) return Verdict::fail;
-  return Verdict::undecided;
+Decision decide(const Comparand& comparand, const DecisionPolicy& policy) {
+  Decision decision;
+  decision.verdict = compare(comparand, policy, policy.tolerance);
+  decision.by_tolerance = policy.tolerance > 0.0 && decision.verdict == Verdict::pass &&
+                          compare(comparand, policy, 0.0) != Verdict::pass;
+  const double value = comparand.measured.value;
+  const double limit = loosened(comparand.limit.value, comparand.comparison, policy.tolerance);
+  const double printed = round_to(value, comparand.digits, policy.rounding);
+  decision.is_close =
+      meets(printed, comparand.comparison, limit) != meets(value, comparand.comparison, limit);
+  return decision;
 }
 
 double margin(double value, Comparison comparison, double limit) {
   if (limit == 0.0) return 0.0;
   const double above = (value - limit) / limit;
-  return comparison == Comparison::at_least ? above : -above;
+  return is_lower_limit(comparison) ? above : -above;
 }
 
-double round_as_printed(double value, Metric metric) {
-  const double scale = is_ratio(metric) ? 100.0 : 1.0;
-  return std::floor(value * scale * (1.0 + kBinaryNoise) + 0.5) /
-         scale;  // 0.595 is a bit less in binary
-}
-
-bool is_close_call(double value, Metric metric, Comparison comparison, double limit) {
-  return meets(round_as_printed(value, metric), comparison, limit) !=
-         meets(value, comparison, limit);
+double round_to(double value, int digits, Rounding rounding) {
+  const double scale = std::pow(10.0, digits);
+  const double scaled = value * scale;
+  const double exact = scaled * (1.0 + kBinaryNoise);
+  switch (rounding) {
+    case Rounding::down:
+      return std::floor(exact) / scale;
+    case Rounding::half_even:
+      // A tie, give or take binary noise, goes to the even neighbour.
+      if (std::abs(scaled - std::floor(scaled) - 0.5) <= kBinaryNoise * std::abs(scaled)) {
+        const double below = std::floor(scaled);
+        return (std::fmod(below, 2.0) == 0.0 ? below : below + 1.0) / scale;
+      }
+      return std::floor(scaled + 0.5) / scale;
+    case Rounding::half_up:
+      break;
+  }
+  return std::floor(exact + 0.5) / scale;
 }
 
 }  // namespace rules

@@ -50,6 +50,11 @@ std::string single_sample_text(std::size_t doubtful, std::size_t points) {
       doubtful, points);
 }
 
+int digits_of(const Requirement& requirement) {
+  const bool is_plain = is_ratio(requirement.metric);
+  return requirement.policy.digits(is_plain ? Dimension::plain : Dimension::illuminance, is_plain);
+}
+
 }  // namespace
 
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
@@ -66,12 +71,16 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     finding.reason = "the result is not a finite number";
     return finding;
   }
-  const Comparison comparison = requirement.comparison;
   const double limit = requirement.limit;
   finding.measured = estimate;
-  finding.verdict = compare(finding.measured, comparison, limit);
-  finding.margin = margin(finding.measured.value, comparison, limit);
-  finding.is_close = is_close_call(finding.measured.value, requirement.metric, comparison, limit);
+  const Decision decision =
+      decide({estimate, requirement.comparison, {limit, limit, limit}, digits_of(requirement)},
+             requirement.policy);
+  finding.verdict = decision.verdict;
+  finding.is_close = decision.is_close;
+  finding.by_tolerance = decision.by_tolerance;
+  finding.margin = margin(estimate.value, requirement.comparison, limit);
+  finding.points_used = measurement.points_used;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
   const std::size_t points = grid.position_m.size();
   const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
@@ -86,6 +95,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   }
   finding.verdict = Verdict::undecided;
   finding.is_close = false;
+  finding.by_tolerance = false;
   return finding;
 }
 

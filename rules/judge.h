@@ -23,6 +23,9 @@ struct Finding {
   double margin = 0.0;      // (measured - limit) / limit, sign turned for at_most: > 0 is good
   bool is_close =
       false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
+  bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
+  bool by_tolerance = false;    // passes only with the tolerance of the policy
+  std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
   std::optional<glm::dvec3>
       place_m;         // of the minimum (of uniformities, too), the maximum or the value
   std::string reason;  // for undecided and not_judged, in words

@@ -34,8 +34,4 @@ std::optional<Comparison> read_comparison(calc::ElementReader& reader) {
   return std::nullopt;
 }
 
-const char* comparison_name(Comparison comparison) {
-  return comparison == Comparison::at_least ? "at-least" : "at-most";
-}
-
 }  // namespace rules

@@ -20,6 +20,5 @@ double read_limit(calc::ElementReader& reader, std::string_view name, Metric met
 
 // Which of "at-least" and "at-most" the element has; having both or neither is an error: empty.
 std::optional<Comparison> read_comparison(calc::ElementReader& reader);
-const char* comparison_name(Comparison comparison);  // "at-least", "at-most"
 
 }  // namespace rules

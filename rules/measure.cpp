@@ -1,6 +1,8 @@
 #include "rules/measure.h"
 
 #include "rules/candidates.h"
+#include "rules/mask.h"
+#include "rules/share.h"
 
 #include <fmt/format.h>
 
@@ -57,6 +59,14 @@ std::string undefined_text(Metric metric) {
                      metric == Metric::uniformity_min_max ? "maximum" : "average");
 }
 
+// Marks of selected points as marks of all.
+std::vector<std::uint8_t> spread_marks(const std::vector<std::uint8_t>& marks,
+                                       const std::vector<std::size_t>& points, std::size_t all) {
+  std::vector<std::uint8_t> spread(all, 0);
+  for (std::size_t i = 0; i < marks.size(); ++i) spread[points[i]] = marks[i];
+  return spread;
+}
+
 Measurement nothing_to_measure(const std::string& reason) {
   Measurement result;
   result.reason = reason;
@@ -68,6 +78,7 @@ Measurement nothing_to_measure(const std::string& reason) {
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
                     double confidence, Goal goal) {
+  if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
     return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
@@ -83,9 +94,21 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                       point_text(wanted_m), point_text(nearest_m)));
     }
   }
-  const PointValues values = combine_channels(field, requirement.state, *levels);
+  const MaskedPoints masked = apply_mask(requirement.mask, grid);
+  if (!masked.problem.empty()) return nothing_to_measure(masked.problem);
+  const PointValues values = select_points(
+      combine_channels(field, requirement.state, *levels,
+                       requirement.direct_only ? LightParts::direct : LightParts::all),
+      masked.points);
   Measurement result;
+  result.points_used = values.points;
   const Metric metric = requirement.metric;
+  if (metric == Metric::share) {
+    const ShareEstimate share = compute_share(values, requirement.range, confidence);
+    result.metric = MetricEstimate{share.estimate, std::nullopt};
+    result.active = spread_marks(share.open, masked.points, grid.position_m.size());
+    return result;
+  }
   result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
   if (!result.metric) {
     result.reason = undefined_text(metric);
@@ -100,7 +123,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
   result.unseen_points = doubtful.unseen;
   result.single_sample_points = doubtful.single_sample;
-  result.active = std::move(candidates.active);
+  result.active = spread_marks(candidates.active, masked.points, grid.position_m.size());
+  if (result.metric->point) result.metric->point = masked.points[*result.metric->point];
   return result;
 }
 

@@ -20,11 +20,12 @@ namespace rules {
 struct Measurement {
   std::optional<MetricEstimate> metric;
   std::string reason;
+  std::size_t points_used = 0;  // that the requirement's mask leaves
   // Points whose value is not known to be what was measured, only as far as they matter for this
   // quantity. While there are any, neither pass nor fail is proved.
   std::size_t unseen_points = 0;         // no sampled light has reached them, although some may
   std::size_t single_sample_points = 0;  // a single sample is too large a share of their value
-  // [point]: 1 where more samples would serve the goal; empty: everywhere.
+  // [point of the grid]: 1 where more samples would serve the goal; empty: everywhere.
   std::vector<std::uint8_t> active;
 };
 

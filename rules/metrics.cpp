@@ -184,6 +184,8 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
       return MetricEstimate{percentile(values, percent, alpha), std::nullopt};
     case Metric::value_at_point:
       return MetricEstimate{value_at(values, point.value(), confidence), point};
+    case Metric::share:  // see share.h
+      break;
   }
   return std::nullopt;
 }

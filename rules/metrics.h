@@ -32,10 +32,17 @@ struct PointValues {
   }
 };
 
+// direct: without reflected light.
+enum class LightParts { all, direct };
+
 // Weighted sum over the field's channels. level_of_group: dimming levels; groups not named are
 // at 1.
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
-                             const std::vector<std::pair<std::string, double>>& level_of_group);
+                             const std::vector<std::pair<std::string, double>>& level_of_group,
+                             LightParts parts = LightParts::all);
+
+// The values of these points only, in their order.
+PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points);
 
 // confidence = 1 - alpha in (0, 1), e.g. 0.95: two-sided level of every interval below. The
 // intervals assume that replicates are independent and normally distributed; points may be

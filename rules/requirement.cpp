@@ -19,6 +19,7 @@ constexpr std::array kMetrics{
     MetricEntry{Metric::uniformity_min_max, "Ud", true},
     MetricEntry{Metric::percentile, "percentile", false},
     MetricEntry{Metric::value_at_point, "value", false},
+    MetricEntry{Metric::share, "share", true},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
@@ -48,6 +49,32 @@ std::vector<std::string_view> metric_names() {
   names.reserve(kMetrics.size());
   for (const MetricEntry& candidate : kMetrics) names.emplace_back(candidate.name);
   return names;
+}
+
+const char* comparison_name(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::at_least:
+      return "at-least";
+    case Comparison::at_most:
+      return "at-most";
+    case Comparison::more_than:
+      return "more-than";
+    case Comparison::less_than:
+      return "less-than";
+  }
+  return "";
+}
+
+const char* state_name(LightState state) {
+  switch (state) {
+    case LightState::maintained:
+      return "maintained";
+    case LightState::initial:
+      return "initial";
+    case LightState::end_of_duration:
+      return "end-of-duration";
+  }
+  return "";
 }
 
 bool is_ratio(Metric metric) { return entry(metric).is_ratio; }

@@ -2,9 +2,12 @@
 // What a plane must meet: plain data.
 
 #include "calc/diagnostics.h"
+#include "rules/mask.h"
+#include "rules/policy.h"
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,12 +23,28 @@ enum class Metric {
   uniformity_min_max,  // Ud = minimum / maximum
   percentile,          // illuminance that the given share of points does not exceed, lx
   value_at_point,      // lx
+  share,               // of the points whose value lies in a range
 };
 
-enum class Comparison { at_least, at_most };
+// Both ends belong to it.
+struct ValueRange {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+};
 
-// maintained: times the maintenance factor; initial: new installation.
-enum class LightState { maintained, initial };
+enum class Comparison { at_least, at_most, more_than, less_than };
+
+// maintained: times the maintenance factor; initial: new installation; end_of_duration: as
+// maintained, with the scene's levels at the end of what a battery lasts.
+enum class LightState { maintained, initial, end_of_duration };
+
+// shall: counts for the exit code; advice is reported only.
+enum class Severity { shall, advice };
+
+// Somebody has decided to live without a requirement, up to the last day ("2027-06-30").
+struct Waiver {
+  std::string reason, owner, until;
+};
 
 struct Requirement {
   std::string plane_id;
@@ -33,11 +52,19 @@ struct Requirement {
   Metric metric = Metric::average;
   double percent = 0.0;               // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
+  ValueRange range;                   // of Metric::share, lx
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // lx, or a ratio for uniformities
   LightState state = LightState::maintained;
   std::string scene;   // "" = every luminaire at full output
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
+  std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
+  Severity severity = Severity::shall;
+  Mask mask;                 // which points of the plane count
+  bool direct_only = false;  // reflected light is left out
+  std::string problem;       // why it cannot be judged, whatever the light; "" = it can
+  DecisionPolicy policy;
+  std::optional<Waiver> waiver;
   calc::SourceLocation where;
 };
 
@@ -46,6 +73,15 @@ struct Requirement {
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 std::vector<std::string_view> metric_names();
+
+// at_least, more_than
+constexpr bool is_lower_limit(Comparison comparison) {
+  return comparison == Comparison::at_least || comparison == Comparison::more_than;
+}
+// As written in projects and packs: "at-least", "at-most", "more-than", "less-than".
+const char* comparison_name(Comparison comparison);
+// "maintained", "initial", "end-of-duration"
+const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
 // "lx" or "" for ratios.

@@ -1,8 +1,11 @@
 #include "rules/requirement_reader.h"
 
 #include "calc/text.h"
+#include "calc/xml_document.h"
 #include "calc/xml_reader.h"
 #include "rules/limit_text.h"
+#include "rules/rule_reference.h"
+#include "rules/waiver.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +26,13 @@ using calc::Names;
 constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
-constexpr std::array<std::string_view, 10> kOwnAttributes{
-    "id", "quantity", "at-least", "at-most", "percent", "at", "unit", "state", "scene", "clause"};
-constexpr std::array<std::string_view, 3> kRowAttributes{"pack", "row", "level"};
+constexpr std::array<std::string_view, 12> kOwnAttributes{
+    "id",   "quantity", "at-least", "at-most", "percent", "at",
+    "from", "to",       "unit",     "state",   "scene",   "clause"};
+constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
+// Beside either.
+constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
+                                                            "waived-until"};
 
 constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
@@ -43,6 +50,7 @@ calc::XmlElement element_of(const calc::RequirementText& text) {
 void allow_known_attributes(ElementReader& reader) {
   Names names(kOwnAttributes.begin(), kOwnAttributes.end());
   names.insert(names.end(), kRowAttributes.begin(), kRowAttributes.end());
+  names.insert(names.end(), kWaiverAttributes.begin(), kWaiverAttributes.end());
   reader.allow_attributes(names);
 }
 
@@ -90,6 +98,22 @@ std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene
   return scene;
 }
 
+// Of a share: from, to or both.
+void read_range(ElementReader& reader, Metric metric, ValueRange& range) {
+  constexpr calc::NumberRange kEnd{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
+  const bool has_from = is_given_for(reader, "from", Metric::share, metric) && reader.has("from");
+  const bool has_to = is_given_for(reader, "to", Metric::share, metric) && reader.has("to");
+  if (metric != Metric::share) return;
+  if (!has_from && !has_to) {
+    reader.report(DiagnosticId::missing_form, reader.where(), kElement, "'from' or 'to', or both");
+  }
+  if (has_from) range.from = reader.number("from", kEnd);
+  if (has_to) range.to = reader.number("to", kEnd);
+  if (range.to < range.from) {
+    reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", kElement, "'from'");
+  }
+}
+
 void read_quantity(ElementReader& reader, Requirement& requirement) {
   const std::optional<Metric> metric = read_metric(reader, metric_names());
   if (!metric) return;
@@ -102,6 +126,7 @@ void read_quantity(ElementReader& reader, Requirement& requirement) {
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
     requirement.percent = reader.number("percent", kPercent);
   }
+  read_range(reader, *metric, requirement.range);
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at =
         reader.numbers("at", 3, "3 numbers (x y z) in metres, in world coordinates");
@@ -123,84 +148,13 @@ std::vector<Requirement> read_own(ElementReader& reader,
   return {requirement};
 }
 
-std::string list_of(const std::vector<const RulePack*>& packs) {
-  std::string text;
-  for (const RulePack* pack : packs) {
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", pack->full_id(), pack->file);
-  }
-  return text;
-}
-
-// By "id" or "id:edition". nullptr after an error.
-const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
-  const std::string name = reader.text("pack");
-  if (name.empty()) return nullptr;
-  std::vector<const RulePack*> all;
-  std::vector<const RulePack*> fitting;
-  Names names;
-  for (const RulePack& pack : packs) {
-    all.push_back(&pack);
-    names.emplace_back(pack.id);
-    if (name == pack.id || name == pack.full_id()) fitting.push_back(&pack);
-  }
-  if (fitting.size() == 1) return fitting.front();
-  if (fitting.empty()) {
-    report_unknown(reader, "pack", "rule pack", name, names, list_of(all));
-  } else {
-    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
-  }
-  return nullptr;
-}
-
-// nullptr after an error.
-const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
-  constexpr std::size_t kMostShown = 20;  // a whole standard would not fit on a line
-  const std::string ref = reader.text("row");
-  const RuleRow* row = pack.find_row(ref);
-  if (row != nullptr || ref.empty()) return row;
-  Names refs;
-  for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
-  const std::size_t shown = std::min(refs.size(), kMostShown);
-  std::string allowed =
-      calc::join_choices(Names(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(shown)));
-  if (shown < refs.size()) allowed += fmt::format(" and {} more", refs.size() - shown);
-  report_unknown(reader, "row", "row", ref, refs, allowed);
-  return nullptr;
-}
-
-std::vector<Requirement> requirements_of_row(const RulePack& pack, const RuleRow& row,
-                                             RowLevel level, const calc::SourceLocation& where) {
-  std::vector<Requirement> requirements;
-  for (const RowLimit& limit : row.limits) {
-    Requirement requirement;
-    requirement.metric = limit.metric;
-    requirement.comparison = limit.comparison;
-    requirement.limit = limit.at_level(level);
-    requirement.clause = pack.clause_text(limit, level);
-    requirement.where = where;
-    requirements.push_back(std::move(requirement));
-  }
-  return requirements;
-}
-
-std::vector<Requirement> read_row(ElementReader& reader, const std::vector<RulePack>& packs) {
+// The scene is the project's choice; everything else is the pack's.
+std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
   for (const std::string_view name : kOwnAttributes) {
-    if (reader.has(name)) report_unfit(reader, name, "pack");
+    if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
-  if (reader.has("level") && !reader.has("pack")) {
-    reader.report(DiagnosticId::missing_partner, reader.where("level"), kElement, "level", "pack");
-  }
-  const std::size_t level_index = reader.choice_or("level", {"required", "modified"}, 0);
-  const RowLevel level = level_index == 0 ? RowLevel::required : RowLevel::modified;
-  if (!reader.require_together("pack", "row") || !reader.has("pack")) return {};
-  const RulePack* pack = find_pack(reader, packs);
-  const RuleRow* row = pack == nullptr ? nullptr : find_row(reader, *pack);
-  if (row == nullptr) return {};
-  if (level == RowLevel::modified && !row->has_modified_level()) {
-    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref,
-                  pack->full_id());
-  }
-  return requirements_of_row(*pack, *row, level, reader.where());
+  const std::string scene = read_scene(reader, context.scenes);
+  return read_rule_reference(reader, context.packs, context.kernel, scene);
 }
 
 }  // namespace
@@ -214,7 +168,9 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   const bool is_row = std::any_of(kRowAttributes.begin(), kRowAttributes.end(),
                                   [&](std::string_view name) { return reader.has(name); });
   std::vector<Requirement> requirements =
-      is_row ? read_row(reader, context.packs) : read_own(reader, context.scenes);
+      is_row ? read_rule(reader, context) : read_own(reader, context.scenes);
+  const std::optional<Waiver> waiver = read_waiver(reader);
+  for (Requirement& requirement : requirements) requirement.waiver = waiver;
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

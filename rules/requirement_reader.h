@@ -12,6 +12,7 @@ namespace rules {
 
 // What the attributes may refer to.
 struct RequirementContext {
+  calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
 };

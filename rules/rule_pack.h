@@ -1,9 +1,14 @@
 #pragma once
-// Requirements of a standard as data: rows by use of a space, each with limits. Loaded from XML,
-// see README.md.
+// A standard as data: what its rows require of which part of a room. README.md describes the file;
+// everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/diagnostics.h"
+#include "calc/scene/receiver_kernel.h"
+#include "rules/expression.h"
+#include "rules/mask.h"
+#include "rules/policy.h"
 #include "rules/requirement.h"
+#include "rules/unit.h"
 
 #include <optional>
 #include <string>
@@ -14,52 +19,182 @@ namespace rules {
 
 enum class RowLevel { required, modified };
 
-// One quantity of a row. `modified` is the limit at level "modified" where it differs.
-struct RowLimit {
-  Metric metric = Metric::average;  // no percentile, no value at a point
-  Comparison comparison = Comparison::at_least;
-  double required = 0.0;  // lx, or a ratio
-  std::optional<double> modified;
-  std::string clause;  // within the standard; the row's ref unless given
-
-  double at_level(RowLevel level) const {
-    return level == RowLevel::modified ? modified.value_or(required) : required;
-  }
+// How well a number is known, best first.
+enum class Trust {
+  confirmed,      // two or more independent public sources, or public law as printed
+  single_source,  // one public source
+  unverified,     // from memory, or doubtful
 };
+const char* trust_name(Trust trust);  // "confirmed", "single-source", "unverified"
+const char* trust_remark(
+    Trust trust);  // for reports: "" , "one public source", "unverified requirement"
 
-struct RuleRow {
-  std::string ref;    // "34.2", unique in the pack
-  std::string name;   // use of the space, in own words
-  std::string trust;  // where the numbers come from, in words
-  std::vector<RowLimit> limits;
-  calc::SourceLocation where;
-
-  bool has_modified_level() const;
+// Why a row has no value of a parameter.
+enum class NoValue {
+  not_specified,   // the row requires nothing
+  not_applicable,  // it makes no sense there
+  unknown,         // the standard has a value, this pack does not
 };
+const char* no_value_name(NoValue why);  // "not-specified", "not-applicable", "unknown"
 
 // A place where numbers were found.
 struct RuleSource {
-  std::string id, note;
+  std::string id, note, address;
+};
+
+// A column of the rows, or a fact that the project states.
+struct RuleName {
+  std::string id;
+  Unit unit{"none", Dimension::plain, 1.0};
+  std::string meaning;
+  calc::SourceLocation where;
+};
+
+struct RuleValue {
+  std::string parameter;
+  std::optional<double> required;  // empty: none, see why
+  std::optional<double> modified;  // at level "modified", where it differs
+  NoValue why = NoValue::not_specified;
+  Trust trust = Trust::confirmed;
+};
+
+struct RuleRow {
+  std::string ref;   // "34.2", unique in the pack
+  std::string name;  // use of the space, in own words
+  Trust trust = Trust::confirmed;
+  std::vector<std::string> sources;
+  std::string note;
+  std::vector<RuleValue> values;
+  calc::SourceLocation where;
+
+  const RuleValue* find_value(std::string_view parameter) const;
+  bool has_modified_level() const;
+};
+
+enum class TableMatch { exact, next_lower, next_higher, linear };
+struct RuleTable {
+  struct Entry {
+    double key = 0.0;
+    std::optional<double> value;  // empty: the key itself
+  };
+  std::string id;
+  Unit key_unit{"none", Dimension::plain, 1.0}, value_unit{"none", Dimension::plain, 1.0};
+  TableMatch match = TableMatch::exact;
+  Trust trust = Trust::confirmed;
+  std::vector<Entry> entries;  // keys ascending
+  calc::SourceLocation where;
+};
+
+// Preferred values, ascending.
+struct RuleScale {
+  std::string id;
+  Unit unit{"none", Dimension::plain, 1.0};
+  std::vector<double> values;
+  calc::SourceLocation where;
+};
+
+// What a check is about. The first five are what the points of a plane can measure.
+struct Quantity {
+  const char* name;
+  Dimension dimension;
+  std::optional<calc::ReceiverKernel> kernel;  // empty: not measured on planes
+};
+const Quantity* quantity_from_name(std::string_view name);  // nullptr if there is none
+calc::Names quantity_names();
+
+enum class LightSources { all, electric, emergency, daylight };
+
+struct RuleCheck {
+  std::string id;      // unique in the pack
+  std::string role;    // part of the room: "task", "surround", "route", ...
+  std::string clause;  // within the standard; "" = the row's ref
+  Severity severity = Severity::shall;
+  const Quantity* quantity = nullptr;
+  Metric metric = Metric::average;
+  double percent = 0.0;  // of Metric::percentile
+  ValueRange range;      // of Metric::share, base units
+  Mask mask;
+  LightState state = LightState::maintained;
+  LightSources sources = LightSources::all;
+  bool direct_only = false;
+  bool any_one_unit_out = false;
+  Comparison comparison = Comparison::at_least;
+  Expression limit;
+  std::string limit_text;
+  calc::SourceLocation limit_where;
+  Trust trust = Trust::confirmed;  // of what the check says itself, row values and tables apart
+  std::string note;
+  calc::SourceLocation where;
+
+  Dimension dimension() const { return is_ratio(metric) ? Dimension::plain : quantity->dimension; }
+};
+
+// Verdicts of several checks or places as one.
+enum class AggregateRule { all, any, at_least, share };
+struct RuleAggregate {
+  std::string id;
+  AggregateRule rule = AggregateRule::all;
+  int count = 0;       // of at_least
+  double share = 0.0;  // of share, (0, 1]
+  std::vector<std::string> checks;
+  calc::SourceLocation where;
+};
+
+// Rows as classes, the best first; a class is reached if all of its checks pass.
+struct RuleClass {
+  std::string id;
+  std::vector<std::string> rows, checks;
+  calc::SourceLocation where;
+};
+
+// Where points go: not made by luxgate yet, shown by `luxgate explain`.
+struct RuleGrid {
+  std::string id, method, count, note;
+};
+struct RulePlane {
+  std::string role, orientation, grid, mask, note;
+  double lowest_m = 0.0, highest_m = 0.0;  // above the floor
 };
 
 struct RulePack {
-  std::string id;       // "en12464-1"
-  std::string edition;  // "2021"
-  std::string title;    // "EN 12464-1"
-  std::string version;  // of the pack itself
-  std::string file;     // as named by the user; "built in"
+  std::string id;            // "en12464-1"
+  std::string edition;       // "2021"
+  std::string title;         // "EN 12464-1"
+  std::string version;       // of the pack itself
+  std::string kind;          // "standard", "law", ...
+  std::string status;        // "published", ...
+  std::string jurisdiction;  // "EU"
+  std::string licence;       // "public", "internal", "user-supplied"
+  std::string licence_note;
+  std::string role;  // of a plane that names none
+  std::string file;  // as named by the user; "built in"
   std::vector<RuleSource> sources;
+  std::vector<RuleName> parameters, facts;
+  DecisionPolicy policy;
+  std::vector<RuleTable> tables;
+  std::vector<RuleScale> scales;
+  std::vector<Mask> masks;
+  std::vector<RuleGrid> grids;
+  std::vector<RulePlane> planes;
   std::vector<RuleRow> rows;
+  std::vector<RuleCheck> checks;
+  std::vector<RuleAggregate> aggregates;
+  std::vector<RuleClass> classes;
 
   std::string full_id() const { return id + ":" + edition; }
   // nullptr if there is none.
   const RuleRow* find_row(std::string_view ref) const;
-  // "EN 12464-1:2021 34.2", with " (modified)" where the level has a value of its own
-  std::string clause_text(const RowLimit& limit, RowLevel level) const;
+  const RuleCheck* find_check(std::string_view check_id) const;
+  const RuleTable* find_table(std::string_view table_id) const;
+  const RuleScale* find_scale(std::string_view scale_id) const;
+  const RuleName* find_parameter(std::string_view parameter_id) const;
+  const RuleName* find_fact(std::string_view fact_id) const;
+  std::vector<std::string> roles() const;  // in order of the checks, each once
 };
 
 // Reads a pack from XML text. `file` is used in messages. Anything unknown, repeated or out of
-// range is an error; all are reported, and the result is empty if and only if there was one.
+// range is an error, and so are formulas whose units do not fit or that go round in a circle; all
+// are reported, and the result is empty if and only if there was one.
 std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string& file,
                                         calc::Diagnostics& diagnostics);
 

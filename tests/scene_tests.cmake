@@ -38,7 +38,16 @@ luxgate_test(scene_tests
 find_program(LUXGATE_XMLLINT xmllint)
 if(LUXGATE_XMLLINT)
   add_test(NAME project_schema
-    COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${CMAKE_SOURCE_DIR} -D XMLLINT=${LUXGATE_XMLLINT}
+    COMMAND ${CMAKE_COMMAND} -D XMLLINT=${LUXGATE_XMLLINT}
+            -D SCHEMA=${CMAKE_SOURCE_DIR}/calc/scene/luxgate-project-1.xsd
+            -D CORPUS=${CMAKE_CURRENT_SOURCE_DIR}/schema/corpus
+            -D VALID=${CMAKE_SOURCE_DIR}/examples/*/project.xml
+            -P ${CMAKE_CURRENT_SOURCE_DIR}/schema/check_schema.cmake)
+  add_test(NAME rule_pack_schema
+    COMMAND ${CMAKE_COMMAND} -D XMLLINT=${LUXGATE_XMLLINT}
+            -D SCHEMA=${CMAKE_SOURCE_DIR}/rules/luxgate-rules-1.xsd
+            -D CORPUS=${CMAKE_CURRENT_SOURCE_DIR}/schema/rule_packs
+            -D VALID=${CMAKE_SOURCE_DIR}/rules/packs/*.xml
             -P ${CMAKE_CURRENT_SOURCE_DIR}/schema/check_schema.cmake)
 else()
   add_test(NAME project_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: xmllint is not installed")

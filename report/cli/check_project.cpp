@@ -11,10 +11,14 @@
 #include "rules/bind.h"
 #include "rules/judge.h"
 #include "rules/stop_rule.h"
+#include "rules/waiver.h"
+
+#include <fmt/chrono.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <optional>
 #include <utility>
 
@@ -153,15 +157,25 @@ void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneFie
   }
 }
 
+// "2026-05-31": of the report if it has a date, else of the clock, UTC.
+std::string today(const Options& options) {
+  constexpr std::size_t kDateLength = 10;
+  if (!options.timestamp.empty()) return options.timestamp.substr(0, kDateLength);
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
 report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
-                        const std::vector<calc::LightScene>& scenes, double confidence) {
+                        const std::vector<calc::LightScene>& scenes, const Options& options) {
   if (field == nullptr || !job.reason.empty()) {
     return report::build_uncomputed_plane(*job.plane, job.reason,
                                           rules::not_judged_plane(job.requirements, job.reason));
   }
-  return report::build_plane(
-      *job.plane, *job.grid, *field,
-      rules::judge_plane(job.requirements, *job.grid, *field, scenes, confidence), confidence);
+  std::vector<rules::Finding> findings =
+      rules::judge_plane(job.requirements, *job.grid, *field, scenes, options.confidence);
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(options));
+  return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
+                             options.confidence);
 }
 
 void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
@@ -200,7 +214,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   std::size_t task = 0;
   for (const PlaneJob& job : jobs) {
     const calc::PlaneField* field = job.grid ? &solution.fields[task++] : nullptr;
-    planes.push_back(judge(job, field, loaded.project.scenes, context.options.confidence));
+    planes.push_back(judge(job, field, loaded.project.scenes, context.options));
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));

@@ -55,9 +55,11 @@ void add_projects(CLI::App& app, Options& options) {
   app.add_option("projects", options.projects, "Project files")
       ->required()
       ->type_name("PROJECT.xml");
-  allow_repeats(app.add_option("--rules", options.rule_files,
-                               "Rule pack to know besides those delivered; may be repeated")
-                    ->type_name("FILE"));
+  allow_repeats(
+      app.add_option("--rules", options.rule_files,
+                     "Rule pack, or folder of rule packs, to know besides those delivered;\n"
+                     "may be repeated")
+          ->type_name("FILE|DIR"));
 }
 
 void add_color(CLI::App& app, Options& options) {
@@ -393,6 +395,12 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   CLI::App& geometry = *app.add_subcommand(
       "geometry", "Say what is in mesh files and projects, and whether rooms are closed");
   add_geometry(geometry, options);
+  CLI::App& rule_packs =
+      *app.add_subcommand("rules", "List, show, check and import rule packs (standards as data)");
+  add_rules_options(rule_packs, options.rules_command, options.rule_files);
+  CLI::App& explain =
+      *app.add_subcommand("explain", "Say what a rule requires, or what a message means");
+  add_explain_options(explain, options.rules_command, options.rule_files);
   CLI::App& schema = *app.add_subcommand("schema", "Print the XML schema of project files");
   schema.add_flag("--result", options.result_schema,
                   "Print the JSON schema of 'check --format json' instead");
@@ -421,6 +429,8 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (converge.parsed()) options.command = Command::converge;
   if (photometry.parsed()) options.command = Command::photometry;
   if (geometry.parsed()) options.command = Command::geometry;
+  if (rule_packs.parsed()) options.command = Command::rules;
+  if (explain.parsed()) options.command = Command::explain;
   if (schema.parsed()) options.command = Command::schema;
   if (init.parsed()) options.command = Command::init;
   if (devices.parsed()) options.command = Command::devices;

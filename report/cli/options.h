@@ -1,8 +1,9 @@
 #pragma once
-// The command line as a value. options.cpp is the only file that includes CLI11.
+// The command line as a value. Only options.cpp and rules_options.cpp include CLI11.
 
 #include "calc/radiosity/settings.h"
 #include "report/cli/converge_options.h"
+#include "report/cli/rules_options.h"
 #include "report/cli/vpl_options.h"
 #include "rules/goal.h"
 
@@ -21,6 +22,8 @@ enum class Command {
   converge,
   photometry,
   geometry,
+  rules,
+  explain,
   schema,
   init,
   devices,
@@ -96,6 +99,7 @@ struct Options {
   ConvergeOptions converge;
   bool plan_as_json = false;
   PhotometryOptions photometry;
+  RulesOptions rules_command;
   std::vector<std::string> geometry_files;
   std::string mesh_units, mesh_up;  // of mesh files that do not say; "" = not given
   bool geometry_as_json = false;

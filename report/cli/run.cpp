@@ -9,11 +9,13 @@
 #include "report/cli/geometry.h"
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
+#include "report/cli/load_rules.h"
 #include "report/cli/outputs.h"
 #include "report/cli/photometry.h"
 #include "report/cli/plan.h"
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
+#include "report/cli/rules.h"
 #include "report/cli/version.h"
 #include "report/cli/vpl.h"
 #include "report/read_json.h"
@@ -51,26 +53,11 @@ bool print_result(const std::string& text) {
   return std::fflush(stdout) == 0 && written;
 }
 
-// Built-in packs and those of --rules; empty after an error, which has been printed.
-std::optional<std::vector<rules::RulePack>> load_rule_packs(const std::vector<std::string>& paths,
-                                                            const calc::FileReader& files) {
+// Empty after an error, which has been printed.
+std::optional<std::vector<rules::RulePack>> load_packs_or_print(
+    const std::vector<std::string>& paths, const calc::FileReader& files) {
   calc::Diagnostics diagnostics;
-  std::vector<rules::RulePack> packs = rules::builtin_rule_packs();
-  for (const std::string& path : paths) {
-    const calc::FileContent content = files.read(path);
-    if (!content.ok()) {
-      diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
-      continue;
-    }
-    std::optional<rules::RulePack> pack = rules::parse_rule_pack(content.bytes, path, diagnostics);
-    if (!pack) continue;
-    for (const rules::RulePack& known : packs) {
-      if (known.full_id() != pack->full_id()) continue;
-      diagnostics.report(calc::DiagnosticId::rule_pack_loaded_twice, {path, 0, 0}, pack->full_id(),
-                         known.file);
-    }
-    packs.push_back(std::move(*pack));
-  }
+  std::vector<rules::RulePack> packs = load_rule_packs(paths, files, diagnostics);
   print_diagnostics(diagnostics.all(), false);
   if (diagnostics.has_errors()) return std::nullopt;
   return packs;
@@ -213,7 +200,7 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
     return kNotJudged;
   }
   const std::optional<std::vector<rules::RulePack>> packs =
-      load_rule_packs(options.rule_files, files);
+      load_packs_or_print(options.rule_files, files);
   if (!packs) return kNotJudged;
   const BackendChoice backend = choose_backend(
       options, fault, [&] { return first_look_work(plan_projects(options, files, *packs)); });
@@ -279,7 +266,7 @@ ExitCode run_report(const Options& options, const Environment& environment) {
 ExitCode run_plan(const Options& options, gpu::Fault fault) {
   const calc::DiskFileReader files;
   const std::optional<std::vector<rules::RulePack>> packs =
-      load_rule_packs(options.rule_files, files);
+      load_packs_or_print(options.rule_files, files);
   if (!packs) return kNotJudged;
   ExitCode code = kAllMet;
   const std::vector<ProjectPlan> plans = plan_projects(options, files, *packs);
@@ -299,7 +286,7 @@ ExitCode run_plan(const Options& options, gpu::Fault fault) {
 ExitCode run_validate(const Options& options) {
   const calc::DiskFileReader files;
   const std::optional<std::vector<rules::RulePack>> packs =
-      load_rule_packs(options.rule_files, files);
+      load_packs_or_print(options.rule_files, files);
   if (!packs) return kNotJudged;
   ExitCode code = kAllMet;
   for (const std::string& path : options.projects) {
@@ -357,6 +344,11 @@ ExitCode run_devices(const Options& options, gpu::Fault fault) {
   return print_result(text) && gpu::preferred_device(list) >= 0 ? kAllMet : kNotJudged;
 }
 
+ExitCode print_run(const RulesRun& run) {
+  fmt::print(stderr, "{}", run.err);
+  return print_result(run.out) ? static_cast<ExitCode>(run.exit_code) : kNotJudged;
+}
+
 ExitCode print_or_fail(const std::string& text) {
   return print_result(text) ? kAllMet : kNotJudged;
 }
@@ -390,6 +382,10 @@ ExitCode run(const Options& options, const Environment& environment) {
       return run_photometry(options, environment);
     case Command::geometry:
       return run_geometry(options);
+    case Command::rules:
+      return print_run(run_rules(options, calc::DiskFileReader()));
+    case Command::explain:
+      return print_run(run_explain(options, calc::DiskFileReader()));
     case Command::schema:
       return print_or_fail(
           std::string(options.result_schema ? report::result_schema() : calc::project_schema()));

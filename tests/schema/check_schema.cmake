@@ -1,10 +1,9 @@
-# cmake -D SOURCE_DIR=... -D XMLLINT=... -P check_schema.cmake: every example is valid by the schema, and the corpus is what its
-# file names say (the reader has the same test in schema_test.cpp).
+# cmake -D SCHEMA=<xsd> -D CORPUS=<folder> -D VALID=<files, may have *> -D XMLLINT=... -P check_schema.cmake: these files are
+# valid by the schema, and the corpus is what its file names say (the readers have the same test).
 cmake_minimum_required(VERSION 3.25)
 
-set(schema ${SOURCE_DIR}/calc/scene/luxgate-project-1.xsd)
-file(GLOB must_pass ${SOURCE_DIR}/examples/*/project.xml ${SOURCE_DIR}/tests/schema/corpus/valid-*.xml)
-file(GLOB must_fail ${SOURCE_DIR}/tests/schema/corpus/invalid-*.xml)
+file(GLOB must_pass ${VALID} ${CORPUS}/valid-*.xml)
+file(GLOB must_fail ${CORPUS}/invalid-*.xml)
 list(LENGTH must_pass pass_count)
 list(LENGTH must_fail fail_count)
 if(pass_count LESS 5 OR fail_count LESS 15)
@@ -12,7 +11,7 @@ if(pass_count LESS 5 OR fail_count LESS 15)
 endif()
 
 foreach(file IN LISTS must_pass must_fail)
-  execute_process(COMMAND ${XMLLINT} --noout --nonet --schema ${schema} ${file}
+  execute_process(COMMAND ${XMLLINT} --noout --nonet --schema ${SCHEMA} ${file}
                   RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(file IN_LIST must_pass AND NOT result EQUAL 0)
     message(SEND_ERROR "${file} should be valid:\n${text}")

@@ -15,7 +15,7 @@ set(owned_libraries
   "embree3/|calc/radiosity/rays\\."
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
-  "CLI/|report/cli/options\\.cpp"
+  "CLI/|report/cli/(rules_)?options\\.cpp"
   "tiny_obj_loader|calc/scene/mesh_obj"
   "tiny_gltf|calc/scene/mesh_gltf"
   "png\\.h|report/"

@@ -26,8 +26,8 @@ using testing::Not;
 
 calc::SourceLocation at(int line) { return {"office.xml", line, 7}; }
 
-// A pass, a fail, an undecided and a not judged requirement, a plane and a project without result,
-// a warning.
+// A pass, a fail, an undecided, a not judged, a waived requirement and advice, a plane and a
+// project without result, a warning.
 Document every_verdict() {
   Document document = small_document();
   ProjectPart& project = document.projects[0];
@@ -47,8 +47,20 @@ Document every_verdict() {
   unjudged.requirement.scene = "night";
   unjudged.verdict = rules::Verdict::not_judged;
   unjudged.reason = "no such light";
+  rules::Finding waived =
+      sample_finding(rules::Metric::uniformity_min_max, 0.8, plane.uniformity_min_max);
+  waived.requirement.where = at(25);
+  waived.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
+  waived.is_waived = true;
+  waived.reason = "waived by A. Client until 2030-12-31: old hall";
+  rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum_lx);
+  advice.requirement.percent = 5;
+  advice.requirement.severity = rules::Severity::advice;
+  advice.requirement.where = at(26);
   plane.findings.push_back(undecided);
   plane.findings.push_back(unjudged);
+  plane.findings.push_back(waived);
+  plane.findings.push_back(advice);
   PlanePart dark;
   dark.id = "stairs";
   dark.where = at(30);
@@ -122,13 +134,15 @@ TEST(Junit, CountsWhatItLists) {
   pugi::xml_document xml;
   ASSERT_TRUE(xml.load_string(render_junit(every_verdict()).c_str()));
   const pugi::xml_node all = xml.child("testsuites");
-  EXPECT_EQ(all.attribute("tests").as_int(), 6);
+  EXPECT_EQ(all.attribute("tests").as_int(), 8);
   EXPECT_EQ(all.attribute("failures").as_int(), 2);
   EXPECT_EQ(all.attribute("errors").as_int(), 3);
-  EXPECT_EQ(all.select_nodes("testsuite/testcase").size(), 6u);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase").size(), 8u);
   EXPECT_EQ(all.select_nodes("testsuite/testcase/failure").size(), 2u);
   EXPECT_EQ(all.select_nodes("testsuite/testcase/error").size(), 3u);
   EXPECT_EQ(all.select_nodes("testsuite").size(), 2u);
+  EXPECT_EQ(all.attribute("skipped").as_int(), 2);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase/skipped").size(), 2u);
 }
 
 TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
@@ -138,7 +152,9 @@ TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
     const std::size_t index = result["ruleIndex"];
     EXPECT_EQ(run["tool"]["driver"]["rules"][index]["id"], result["ruleId"]);
     kinds.insert(result["kind"]);
-    EXPECT_EQ(result["level"], result["kind"] == "fail" ? "error" : "none");
+    const bool is_advice = result["ruleId"] == "percentile";
+    EXPECT_EQ(result["level"], result["kind"] != "fail" ? "none" : is_advice ? "note" : "error");
+    EXPECT_EQ(result.contains("suppressions"), result["ruleId"] == "Ud");
   }
   EXPECT_EQ(kinds, (std::set<std::string>{"pass", "fail", "review", "open"}));
   for (const json& result :
@@ -160,7 +176,7 @@ TEST(CiFormats, NamesStayText) {
   std::istringstream lines(github);
   int commands = 0;
   for (std::string line; std::getline(lines, line);) commands += line.starts_with("::") ? 1 : 0;
-  EXPECT_EQ(commands, 7);  // two diagnostics, five findings that did not pass
+  EXPECT_EQ(commands, 9);  // two diagnostics, seven findings that did not pass
   EXPECT_THAT(github, HasSubstr("no %250A"));
   const std::string markdown = render_markdown(document);
   EXPECT_THAT(markdown, Not(HasSubstr("<script>")));

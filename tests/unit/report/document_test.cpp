@@ -49,6 +49,40 @@ TEST(Document, OverallVerdictCountsAPlaneWithoutResult) {
   EXPECT_EQ(overall_verdict(document), rules::Verdict::not_judged);
 }
 
+TEST(Document, AdviceDoesNotCount) {
+  Document document = with_verdicts({rules::Verdict::pass, rules::Verdict::fail});
+  rules::Finding& advice = document.projects[0].spaces[0].planes[0].findings[1];
+  advice.requirement.severity = rules::Severity::advice;
+  EXPECT_EQ(overall_verdict(document), rules::Verdict::pass);
+  EXPECT_EQ(summary_words(document), "1 requirement: 1 pass");
+  EXPECT_EQ(note_words(advice), "advice: does not count");
+}
+
+TEST(Document, WaivedFindingsAreCountedApart) {
+  Document document = with_verdicts({rules::Verdict::fail, rules::Verdict::undecided});
+  std::vector<rules::Finding>& findings = document.projects[0].spaces[0].planes[0].findings;
+  findings[0].is_waived = true;
+  EXPECT_EQ(overall_verdict(document), rules::Verdict::undecided);
+  EXPECT_EQ(summary_words(document), "2 requirements: 1 undecided, 1 waived");
+  findings[1].is_waived = true;
+  EXPECT_EQ(overall_verdict(document), rules::Verdict::pass);
+}
+
+TEST(NoteWords, SayWhatMustBeReadWithAFinding) {
+  rules::Finding finding;
+  EXPECT_EQ(note_words(finding), "");
+  finding.requirement.note = "unverified requirement";
+  finding.requirement.direct_only = true;
+  finding.requirement.mask.id = "width";
+  finding.requirement.policy.tolerance = 0.01;
+  finding.requirement.policy.tolerance_reason = "contract";
+  finding.points_used = 12;
+  finding.by_tolerance = true;
+  EXPECT_EQ(note_words(finding),
+            "unverified requirement; direct light only; mask width: 12 points count; unrounded "
+            "values, tolerance 1 % of the limit (contract); passes only with the tolerance");
+}
+
 TEST(Document, NothingJudgedDoesNotPass) {
   EXPECT_EQ(overall_verdict({}), rules::Verdict::not_judged);
 }

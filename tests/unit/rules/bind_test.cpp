@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,23 @@ std::vector<std::string> messages_of(const Attributes& attributes) {
   const Bound bound = bind_one(attributes);
   EXPECT_THAT(bound.requirements, IsEmpty());
   return bound.messages;
+}
+
+RulePack small_pack(const std::string& id, const std::string& edition, std::size_t rows,
+                    const std::string& more = "") {
+  std::string xml = "<rule-pack id='" + id + "' edition='" + edition +
+                    "' title='Own' version='1' kind='company' status='published' "
+                    "licence='internal' role='desk'><parameter id='E' unit='lx' meaning='m'/>";
+  for (std::size_t i = 1; i <= rows; ++i) {
+    xml += "<row ref='r" + std::to_string(i) +
+           "' name='n' trust='confirmed'><value of='E' required='1'/></row>";
+  }
+  xml += "<check id='min' role='desk' quantity='planar' statistic='minimum' at-least='row(E)'/>" +
+         more + "</rule-pack>";
+  calc::Diagnostics diagnostics;
+  std::optional<RulePack> pack = parse_rule_pack(xml, edition + ".xml", diagnostics);
+  EXPECT_TRUE(pack.has_value()) << xml;
+  return pack.value_or(RulePack{});
 }
 
 TEST(BindRequirements, ReadsAPlainLimit) {
@@ -164,6 +182,105 @@ TEST(BindRequirements, TakesTheModifiedLevelWhereTheRowHasOne) {
   EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2021 34.2");
 }
 
+TEST(BindRequirements, ABareIdMeansTheEditionInForce) {
+  EXPECT_EQ(bind_one({{"pack", "en12464-1"}, {"row", "34.2"}}).requirements.at(0).clause,
+            "EN 12464-1:2021 34.2");
+  EXPECT_EQ(bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}}).requirements.at(0).clause,
+            "EN 12464-1:2011 5.26.2");
+}
+
+TEST(BindRequirements, TakesTheChecksOfTheRole) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "background"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_DOUBLE_EQ(bound.requirements[0].limit, 100.0);  // a third of the surround's 300 lx
+  EXPECT_EQ(bound.requirements[0].mask.id, "wall-zone");
+  EXPECT_EQ(bound.requirements[1].limit, 0.1);
+}
+
+TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
+  const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].note, "");
+  EXPECT_EQ(bound.requirements[1].note, "unverified requirement");
+  EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2011 5.26.2 [unverified requirement]");
+}
+
+TEST(BindRequirements, CannotJudgeAValueThatThePackDoesNotKnow) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "26.6"}, {"role", "wall"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].problem, "row 26.6: Ewall is unknown");
+  EXPECT_EQ(bound.requirements[1].problem, "");
+}
+
+TEST(BindRequirements, LeavesOutWhatTheRowDoesNotSpecify) {
+  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "14.1"}, {"role", "ceiling"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_EQ(bound.requirements[0].metric, Metric::uniformity_min_avg);
+}
+
+TEST(BindRequirements, JudgesEmergencyLightInItsScene) {
+  const Bound bound = bind_one({{"pack", "en1838"}, {"scene", "night"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].scene, "night");
+  EXPECT_EQ(bound.requirements[0].state, LightState::end_of_duration);
+  EXPECT_TRUE(bound.requirements[0].direct_only);
+  EXPECT_EQ(bound.requirements[0].mask.id, "width");
+  EXPECT_EQ(bound.requirements[1].limit, 0.025);
+}
+
+TEST(BindRequirements, TakesFactsFromTheProject) {
+  const auto limit_with = [](const std::string& facts) {
+    return bind_one(
+               {{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}, {"facts", facts}})
+        .requirements.at(0)
+        .limit;
+  };
+  EXPECT_EQ(limit_with("task-illuminance=500 lx"), 50.0);
+  EXPECT_EQ(limit_with(" task-illuminance = 100 lx ; "), 15.0);
+}
+
+TEST(BindRequirements, CannotJudgeWithoutTheFact) {
+  const Bound bound = bind_one({{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}});
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_EQ(bound.requirements[0].problem, "fact 'task-illuminance' is not stated");
+}
+
+TEST(BindRequirements, CannotYetPutOutOneUnitAfterTheOther) {
+  const Bound bound =
+      bind_one({{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}});
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_THAT(bound.requirements[0].problem, testing::HasSubstr("one luminaire after the other"));
+}
+
+TEST(BindRequirements, ReadsAShareAndItsRange) {
+  const Requirement r =
+      bound_requirement({{"quantity", "share"}, {"from", "300"}, {"at-least", "0.9"}});
+  EXPECT_EQ(r.metric, Metric::share);
+  EXPECT_EQ(r.range.from, 300);
+  EXPECT_FALSE(std::isfinite(r.range.to));
+  EXPECT_EQ(r.limit, 0.9);
+}
+
+TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
+  const Attributes waiver{
+      {"waived-because", "r"}, {"waived-by", "o"}, {"waived-until", "2028-02-29"}};
+  Attributes own{{"quantity", "average"}, {"at-least", "5"}};
+  own.insert(own.end(), waiver.begin(), waiver.end());
+  const Requirement r = bound_requirement(own);
+  ASSERT_TRUE(r.waiver.has_value());
+  EXPECT_EQ(r.waiver->reason, "r");
+  EXPECT_EQ(r.waiver->owner, "o");
+  EXPECT_EQ(r.waiver->until, "2028-02-29");
+  Attributes row{{"pack", "en12464-1"}, {"row", "34.2"}};
+  row.insert(row.end(), waiver.begin(), waiver.end());
+  const Bound bound = bind_one(row);
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  EXPECT_TRUE(bound.requirements[1].waiver.has_value());
+}
+
 TEST(RequirementsOfPlane, AreItsOwnInOrder) {
   const Attributes average{{"quantity", "average"}, {"at-least", "1"}};
   const Attributes uo{{"quantity", "Uo"}, {"at-least", "0.5"}};
@@ -182,8 +299,8 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
                           "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
-                          "unit, state, scene, clause, pack, row or level; did you mean "
-                          "'at-least'?"));
+                          "from, to, unit, state, scene, clause, pack, row, level, role, facts, "
+                          "waived-because, waived-by or waived-until; did you mean 'at-least'?"));
 }
 
 TEST(BindRequirementsMessage, MissingQuantity) {
@@ -196,7 +313,7 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
   EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
-                          "Uo, Ud, percentile or value; did you mean 'average'?"));
+                          "Uo, Ud, percentile, value or share; did you mean 'average'?"));
 }
 
 TEST(BindRequirementsMessage, NoLimit) {
@@ -344,32 +461,20 @@ TEST(BindRequirementsMessage, UnknownLevel) {
 }
 
 TEST(BindRequirementsMessage, UnknownPack) {
-  EXPECT_THAT(messages_of({{"pack", "en12464"}, {"row", "34.2"}}),
+  const Bound bound =
+      bind_project(project_of({plane_of("desk", {{{"pack", "owm"}, {"row", "r1"}}})}),
+                   {small_pack("own", "1", 1)});
+  EXPECT_THAT(bound.messages,
               ElementsAre("project.xml:7:10: error[unknown-reference]: attribute 'pack' of "
-                          "<require>: there is no rule pack 'en12464'; allowed: en12464-1:2021 "
-                          "(built in); did you mean 'en12464-1'?"));
+                          "<require>: there is no rule pack 'owm'; allowed: own:1 (1.xml); did you "
+                          "mean 'own'?"));
 }
 
 TEST(BindRequirementsMessage, UnknownRow) {
   EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.9"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
                           "<require>: there is no row '34.9'; allowed: 9.4, 10.4, 10.6, 10.7, "
-                          "14.1, 15.2, 34.2 or 34.7; did you mean '34.2'?"));
-}
-
-RulePack small_pack(const std::string& id, const std::string& edition, std::size_t rows) {
-  RulePack pack;
-  pack.id = id;
-  pack.edition = edition;
-  pack.title = "Own";
-  pack.file = edition + ".xml";
-  for (std::size_t i = 1; i <= rows; ++i) {
-    RuleRow row;
-    row.ref = "r" + std::to_string(i);
-    row.limits = {RowLimit{Metric::minimum, Comparison::at_least, 1.0, std::nullopt, row.ref}};
-    pack.rows.push_back(row);
-  }
-  return pack;
+                          "13.5, 13.7, 14.1, 15.2, 26.6, 34.2 or 34.7; did you mean '34.2'?"));
 }
 
 TEST(BindRequirementsMessage, AmbiguousPack) {
@@ -383,6 +488,93 @@ TEST(BindRequirementsMessage, AmbiguousPack) {
                           "load each edition once"));
   EXPECT_THAT(bind_project(project("own:2"), packs).messages, IsEmpty());
   EXPECT_EQ(bind_project(project("own:2"), packs).requirements.at(0).clause, "Own:2 r1");
+}
+
+TEST(BindRequirementsMessage, WaiversThatAreNone) {
+  const auto message = [](const std::string& until) {
+    return messages_of({{"quantity", "average"},
+                        {"at-least", "5"},
+                        {"waived-because", "r"},
+                        {"waived-by", "o"},
+                        {"waived-until", until}});
+  };
+  for (const char* until : {"2027-02-29", "2027-13-01", "2027-1-1", "soon", "2027-00-10"}) {
+    EXPECT_THAT(message(until),
+                ElementsAre("project.xml:7:50: error[waiver-incomplete]: attribute "
+                            "'waived-until' of <require>: '" +
+                            std::string(until) + "' is not a date; expected YYYY-MM-DD"));
+  }
+  EXPECT_THAT(
+      messages_of({{"quantity", "average"}, {"at-least", "5"}, {"waived-because", "r"}}),
+      ElementsAre(testing::HasSubstr("<require> has 'waived-because' without 'waived-by'")));
+}
+
+TEST(BindRequirementsMessage, SharesThatAreNone) {
+  EXPECT_THAT(messages_of({{"quantity", "share"}, {"at-least", "0.9"}}),
+              ElementsAre(testing::HasSubstr("<require> needs 'from' or 'to', or both")));
+  EXPECT_THAT(
+      messages_of({{"quantity", "share"}, {"at-least", "0.9"}, {"from", "5"}, {"to", "4"}}),
+      ElementsAre(testing::HasSubstr("attribute 'to' of <require>: must be larger than 'from'")));
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "9"}, {"from", "5"}}),
+              ElementsAre(testing::HasSubstr("'from' has no meaning together with "
+                                             "'quantity=\"average\"'")));
+}
+
+TEST(BindRequirementsMessage, UnknownRole) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
+              ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
+                          "<require>: there is no role 'rout'; allowed: route, open-area, "
+                          "high-risk or safety-item; did you mean 'route'?"));
+}
+
+TEST(BindRequirementsMessage, LevelWithoutRow) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}, {"scene", "night"}, {"level", "modified"}}),
+              ElementsAre("project.xml:7:30: error[missing-partner]: <require> has 'level' without "
+                          "'row'; the two belong together"));
+}
+
+TEST(BindRequirementsMessage, EmergencyWithoutScene) {
+  EXPECT_THAT(messages_of({{"pack", "en1838"}}),
+              ElementsAre("project.xml:7:5: error[rule-needs-scene]: role 'route' of rule pack "
+                          "'en1838:2024' is judged with emergency luminaires alone: name the scene "
+                          "in which only they are lit, scene=\"...\""));
+}
+
+TEST(BindRequirementsMessage, PlaneThatMeasuresSomethingElse) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "cylinder"}}),
+              ElementsAre("project.xml:7:5: error[rule-wrong-quantity]: role 'cylinder' of rule "
+                          "pack 'en12464-1:2021' is about the quantity 'cylindrical'; this plane "
+                          "measures 'planar'"));
+}
+
+TEST(BindRequirementsMessage, FactsThatAreNone) {
+  const auto message = [](const std::string& facts) {
+    return messages_of(
+        {{"pack", "en1838"}, {"role", "high-risk"}, {"scene", "night"}, {"facts", facts}});
+  };
+  const std::string head = "project.xml:7:40: error[rule-fact]: attribute 'facts' of <require>: ";
+  const std::string tail =
+      ": 'task-illuminance' is an illuminance (lx, fc), once; expected "
+      "'task-illuminance=NUMBER lx'";
+  EXPECT_THAT(message("task-illuminance=500"), ElementsAre(head + "'task-illuminance=500'" + tail));
+  EXPECT_THAT(message("task-illuminance"), ElementsAre(head + "'task-illuminance'" + tail));
+  EXPECT_THAT(message("task-illuminance=5 lx; task-illuminance=6 lx"),
+              ElementsAre(head + "'task-illuminance=6 lx'" + tail));
+  EXPECT_THAT(message("area=5 m"),
+              ElementsAre("project.xml:7:40: error[unknown-reference]: attribute 'facts' of "
+                          "<require>: there is no fact 'area'; allowed: task-illuminance"));
+}
+
+TEST(BindRequirementsMessage, RoleForWhichTheRowHasNothing) {
+  const RulePack pack = small_pack(
+      "own", "1", 1,
+      "<parameter id='W' unit='lx' meaning='m'/>"
+      "<check id='w' role='wall' quantity='planar' statistic='minimum' at-least='row(W)'/>");
+  const Bound bound = bind_project(
+      project_of({plane_of("desk", {{{"pack", "own"}, {"row", "r1"}, {"role", "wall"}}})}), {pack});
+  EXPECT_THAT(bound.messages,
+              ElementsAre("project.xml:7:5: error[rule-requires-nothing]: rule pack 'own:1' row "
+                          "'r1' requires nothing of the role 'wall'"));
 }
 
 TEST(BindRequirementsMessage, NoModifiedLevel) {

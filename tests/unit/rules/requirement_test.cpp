@@ -9,7 +9,7 @@ namespace {
 
 TEST(MetricNames, AreThoseOfProjectFiles) {
   const std::vector<std::string_view> expected{"average", "minimum",    "maximum", "Uo",
-                                               "Ud",      "percentile", "value"};
+                                               "Ud",      "percentile", "value",   "share"};
   EXPECT_EQ(metric_names(), expected);
   EXPECT_STREQ(metric_name(Metric::uniformity_min_max), "Ud");
 }
@@ -26,9 +26,9 @@ TEST(MetricNames, AreReadBack) {
 TEST(MetricUnits, AreLuxExceptForRatios) {
   for (const std::string_view name : metric_names()) {
     const Metric metric = *metric_from_name(name);
-    const bool is_uniformity = name == "Uo" || name == "Ud";
-    EXPECT_EQ(is_ratio(metric), is_uniformity) << name;
-    EXPECT_STREQ(metric_unit(metric), is_uniformity ? "" : "lx") << name;
+    const bool is_plain = name == "Uo" || name == "Ud" || name == "share";
+    EXPECT_EQ(is_ratio(metric), is_plain) << name;
+    EXPECT_STREQ(metric_unit(metric), is_plain ? "" : "lx") << name;
   }
 }
 

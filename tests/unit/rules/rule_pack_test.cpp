@@ -1,8 +1,13 @@
 #include "rules/rule_pack.h"
 
+#include "rules/builtin_packs.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,14 +15,23 @@ namespace rules {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kHead = "<rule-pack id='own' edition='2024' title='Own rules' version='3'>\n";
-const std::string kGoodRow =
-    "<row ref='1.1' name='shop' trust='our contract'>"
-    "<limit quantity='average' at-least='300' modified='500'/></row>\n";
+const std::string kHead =
+    "<rule-pack id='own' edition='2024' title='Own rules' version='3' kind='company' "
+    "status='published' licence='internal' role='desk'>\n";
+const std::string kParameter = "<parameter id='E' unit='lx' meaning='average'/>\n";
+const std::string kCheck =
+    "<check id='desk.E' role='desk' quantity='planar' statistic='average' at-least='row(E)'/>\n";
 
-std::string pack_with(const std::string& rows) { return kHead + rows + "</rule-pack>\n"; }
+std::string pack_with(const std::string& parts) { return kHead + parts + "</rule-pack>\n"; }
+
+// A check with this limit for an average, after the parts.
+std::string pack_with_limit(const std::string& limit, const std::string& parts = "") {
+  return pack_with(parts + "\n<check id='x' role='desk' quantity='planar' statistic='average'\n" +
+                   "at-least='" + limit + "'/>");
+}
 
 std::vector<std::string> messages_of(const std::string& xml) {
   calc::Diagnostics diagnostics;
@@ -29,44 +43,79 @@ std::vector<std::string> messages_of(const std::string& xml) {
   return messages;
 }
 
-TEST(RulePack, ReadsEverything) {
+RulePack pack_of(const std::string& xml) {
   calc::Diagnostics diagnostics;
-  const auto pack =
-      parse_rule_pack(pack_with("<source id='s' note='signed copy'/>\n" + kGoodRow +
-                                "<row ref='1.2' name='store' trust='s'>\n"
-                                "<limit quantity='Ud' at-least='0.025' clause='7.3'/>\n"
-                                "<limit quantity='maximum' at-most='2000'/>\n"
-                                "<limit quantity='maximum' at-least='100'/></row>\n"),
-                      "own.xml", diagnostics);
-  EXPECT_THAT(diagnostics.all(), IsEmpty());
-  ASSERT_TRUE(pack.has_value());
-  EXPECT_EQ(pack->id, "own");
-  EXPECT_EQ(pack->full_id(), "own:2024");
-  EXPECT_EQ(pack->title, "Own rules");
-  EXPECT_EQ(pack->version, "3");
-  EXPECT_EQ(pack->file, "own.xml");
-  ASSERT_EQ(pack->sources.size(), 1u);
-  EXPECT_EQ(pack->sources[0].note, "signed copy");
+  std::optional<RulePack> pack = parse_rule_pack(xml, "own.xml", diagnostics);
+  for (const calc::Diagnostic& d : diagnostics.all()) ADD_FAILURE() << format_diagnostic(d);
+  return pack.value_or(RulePack{});
+}
 
-  const RuleRow* shop = pack->find_row("1.1");
-  ASSERT_NE(shop, nullptr);
-  EXPECT_TRUE(shop->has_modified_level());
-  EXPECT_EQ(shop->name, "shop");
-  EXPECT_EQ(shop->trust, "our contract");
-  EXPECT_EQ(shop->limits.at(0).at_level(RowLevel::required), 300);
-  EXPECT_EQ(shop->limits.at(0).at_level(RowLevel::modified), 500);
-  EXPECT_EQ(pack->clause_text(shop->limits[0], RowLevel::modified),
-            "Own rules:2024 1.1 (modified)");
+TEST(RulePack, ReadsItsHeadSourcesAndPolicy) {
+  const RulePack pack = pack_of(
+      pack_with("<source id='s' note='signed copy' address='https://example.org'/>"
+                "<policy compare='rounded' rounding='down' digits-illuminance='1' tolerance='0.01' "
+                "tolerance-reason='contract 4' guard='0.05'/>" +
+                kParameter + kCheck));
+  EXPECT_EQ(pack.full_id(), "own:2024");
+  EXPECT_EQ(pack.title, "Own rules");
+  EXPECT_EQ(pack.version, "3");
+  EXPECT_EQ(pack.kind, "company");
+  EXPECT_EQ(pack.status, "published");
+  EXPECT_EQ(pack.licence, "internal");
+  EXPECT_EQ(pack.file, "own.xml");
+  ASSERT_EQ(pack.sources.size(), 1u);
+  EXPECT_EQ(pack.sources[0].note, "signed copy");
+  EXPECT_EQ(pack.sources[0].address, "https://example.org");
+  EXPECT_TRUE(pack.policy.compares_rounded);
+  EXPECT_EQ(pack.policy.rounding, Rounding::down);
+  EXPECT_EQ(pack.policy.illuminance_digits, 1);
+  EXPECT_EQ(pack.policy.ratio_digits, 2);
+  EXPECT_EQ(pack.policy.tolerance, 0.01);
+  EXPECT_EQ(pack.policy.guard, 0.05);
+}
 
-  const RuleRow* store = pack->find_row("1.2");
-  ASSERT_NE(store, nullptr);
-  EXPECT_FALSE(store->has_modified_level());
-  ASSERT_EQ(store->limits.size(), 3u);
-  EXPECT_EQ(store->limits[0].metric, Metric::uniformity_min_max);
-  EXPECT_EQ(store->limits[0].required, 0.025);
-  EXPECT_EQ(pack->clause_text(store->limits[0], RowLevel::required), "Own rules:2024 7.3");
-  EXPECT_EQ(store->limits[1].comparison, Comparison::at_most);
-  EXPECT_EQ(pack->find_row("1.3"), nullptr);
+TEST(RulePack, ReadsRowsInTheUnitsOfTheirParameters) {
+  const RulePack pack = pack_of(
+      pack_with("<row ref='1.1' name='shop' trust='single-source'>"
+                "<value of='E' required='2' modified='3'/><value of='U' none='unknown'/></row>"
+                "<parameter id='E' unit='fc' meaning='average'/>"
+                "<parameter id='U' unit='none' meaning='uniformity'/>" +
+                kCheck));
+  const RuleRow* row = pack.find_row("1.1");
+  ASSERT_NE(row, nullptr);
+  EXPECT_TRUE(row->has_modified_level());
+  EXPECT_DOUBLE_EQ(row->find_value("E")->required.value(), 21.527820833419444);
+  EXPECT_DOUBLE_EQ(row->find_value("E")->modified.value(), 32.291731250129166);
+  EXPECT_EQ(row->find_value("E")->trust, Trust::single_source);
+  EXPECT_FALSE(row->find_value("U")->required.has_value());
+  EXPECT_EQ(row->find_value("U")->why, NoValue::unknown);
+  EXPECT_EQ(row->find_value("X"), nullptr);
+  EXPECT_EQ(pack.find_row("1.2"), nullptr);
+}
+
+TEST(RulePack, ReadsMasks) {
+  const RulePack pack = pack_of(pack_with(
+      "<mask id='m'><across metres='0.5' share='0.25' up-to-width='2'/><centre-line/></mask>" +
+      kParameter +
+      "<check id='c' role='desk' quantity='planar' statistic='minimum' mask='m' at-least='1 "
+      "lx'/>"));
+  ASSERT_EQ(pack.checks.at(0).mask.operations.size(), 2u);
+  EXPECT_EQ(pack.checks[0].mask.operations[0].step, MaskStep::across);
+  EXPECT_EQ(pack.checks[0].mask.operations[0].share, 0.25);
+  EXPECT_EQ(pack.checks[0].mask.operations[0].up_to_width_m, 2.0);
+  EXPECT_EQ(pack.checks[0].mask.operations[1].step, MaskStep::centre_line);
+}
+
+TEST(RulePack, ReadsTheRangeOfAShare) {
+  const std::string check = "<check id='c' role='desk' quantity='planar' statistic='share' ";
+  const RulePack pack = pack_of(pack_with(check + "from='1 fc' to='500 lx' at-least='0.9'/>"));
+  EXPECT_DOUBLE_EQ(pack.checks.at(0).range.from, 10.763910416709722);
+  EXPECT_EQ(pack.checks[0].range.to, 500.0);
+  EXPECT_EQ(pack.checks[0].dimension(), Dimension::plain);
+  EXPECT_THAT(messages_of(pack_with(check + "at-least='0.9'/>")),
+              ElementsAre(HasSubstr("<check> needs 'from' or 'to', or both")));
+  EXPECT_THAT(messages_of(pack_with(check + "from='0.3' at-least='0.9'/>")),
+              ElementsAre(HasSubstr("the units of '0.3' do not fit: expected an illuminance")));
 }
 
 TEST(RulePackMessage, OtherRootElement) {
@@ -77,94 +126,170 @@ TEST(RulePackMessage, OtherRootElement) {
 
 TEST(RulePackMessage, NotXml) { EXPECT_EQ(messages_of("<rule-pack").size(), 1u); }
 
-TEST(RulePackMessage, NoRows) {
+TEST(RulePackMessage, NoChecks) {
   EXPECT_THAT(
       messages_of(pack_with("")),
-      ElementsAre("own.xml:1:1: error[missing-form]: <rule-pack> needs at least one <row>"));
+      ElementsAre("own.xml:1:1: error[missing-form]: <rule-pack> needs at least one <check>"));
 }
 
-TEST(RulePackMessage, RowWithoutLimits) {
-  EXPECT_THAT(messages_of(pack_with("<row ref='1' name='a' trust='b'/>")),
-              ElementsAre("own.xml:2:1: error[missing-form]: <row> needs at least one <limit>"));
-}
-
-TEST(RulePackMessage, RepeatedRow) {
-  EXPECT_THAT(messages_of(pack_with(kGoodRow + kGoodRow)),
-              ElementsAre("own.xml:3:6: error[duplicate-id]: the row '1.1' is given twice, also "
-                          "in line 2"));
-}
-
-TEST(RulePackMessage, RepeatedLimit) {
-  const std::string limit = "<limit quantity='Uo' at-least='0.4'/>\n";
-  EXPECT_THAT(
-      messages_of(pack_with("<row ref='1' name='a' trust='b'>\n" + limit + limit + "</row>")),
-      ElementsAre("own.xml:4:1: error[repeated-row-limit]: row '1' already has a limit 'at-least' "
-                  "for 'Uo'"));
+TEST(RulePackMessage, RepeatedNames) {
+  EXPECT_THAT(messages_of(pack_with(kParameter + kCheck + kCheck)),
+              ElementsAre("own.xml:4:8: error[rule-name-twice]: the pack has two of <check> "
+                          "'desk.E'; names are given once"));
+  EXPECT_THAT(messages_of(pack_with(kParameter +
+                                    "<row ref='1' name='a' trust='confirmed'>\n"
+                                    "<value of='E' required='4'/><value of='E' required='5'/>"
+                                    "</row>" +
+                                    kCheck)),
+              ElementsAre("own.xml:4:29: error[rule-value-twice]: row '1' has two values of 'E'"));
 }
 
 TEST(RulePackMessage, UnknownThings) {
-  EXPECT_THAT(messages_of(pack_with("<row ref='1' nam='a' name='a' trust='b'><limits/>\n"
-                                    "<limit quantity='Uo' at-least='0.4' unit='lx'/></row>")),
-              ElementsAre("own.xml:2:14: error[unknown-attribute]: unknown attribute 'nam' of "
-                          "<row>; allowed: ref, name or trust; did you mean 'name'?",
-                          "own.xml:2:41: error[unknown-element]: unknown element <limits> in "
-                          "<row>; allowed: limit; did you mean 'limit'?",
-                          "own.xml:3:37: error[unknown-attribute]: unknown attribute 'unit' of "
-                          "<limit>; allowed: quantity, at-least, at-most, modified or clause"));
+  EXPECT_THAT(
+      messages_of(pack_with(kParameter + kCheck +
+                            "<row ref='1' nam='a' name='a' trust='confirmed'>"
+                            "<value of='F' required='1'/></row>")),
+      ElementsAre("own.xml:4:14: error[unknown-attribute]: unknown attribute 'nam' of <row>; "
+                  "allowed: ref, name, trust, sources or note; did you mean 'name'?",
+                  "own.xml:4:56: error[unknown-reference]: attribute 'of' of <value>: there is no "
+                  "parameter 'F'; allowed: E; did you mean 'E'?"));
 }
 
-TEST(RulePackMessage, QuantityThatNeedsMoreThanARow) {
-  EXPECT_THAT(messages_of(pack_with("<row ref='1' name='a' trust='b'>\n"
-                                    "<limit quantity='percentile' at-least='4'/></row>")),
-              ElementsAre("own.xml:3:8: error[unknown-value]: attribute 'quantity' of <limit>: "
-                          "unknown value 'percentile'; allowed: average, minimum, maximum, Uo or "
-                          "Ud"));
+TEST(RulePackMessage, CheckWithoutOrWithTwoLimits) {
+  const std::string check = "<check id='c' role='desk' quantity='planar' statistic='minimum' ";
+  EXPECT_THAT(messages_of(pack_with(check + "/>")),
+              ElementsAre("own.xml:2:1: error[missing-form]: <check> needs 'at-least', 'at-most', "
+                          "'more-than' or 'less-than'"));
+  EXPECT_THAT(messages_of(pack_with(check + "at-least='1 lx' at-most='2 lx'/>")),
+              ElementsAre(HasSubstr("<check> has both 'at-least' and 'at-most'")));
 }
 
-TEST(RulePackMessage, LimitsOutOfRange) {
-  EXPECT_THAT(messages_of(pack_with("<row ref='1' name='a' trust='b'>\n"
-                                    "<limit quantity='Uo' at-least='40' modified='50'/></row>")),
-              ElementsAre("own.xml:3:22: error[number-out-of-range]: attribute 'at-least' of "
-                          "<limit>: 40 is not allowed; expected a ratio from 0 to 1",
-                          "own.xml:3:36: error[number-out-of-range]: attribute 'modified' of "
-                          "<limit>: 50 is not allowed; expected a ratio from 0 to 1"));
+TEST(RulePackMessage, ToleranceWithoutReason) {
+  EXPECT_THAT(messages_of(pack_with("<policy tolerance='0.05'/>" + kParameter + kCheck)),
+              ElementsAre(HasSubstr("<policy> has 'tolerance' without 'tolerance-reason'")));
 }
 
-TEST(RulePackMessage, NoLimitValue) {
-  EXPECT_THAT(messages_of(pack_with("<row ref='1' name='a' trust='b'>\n"
-                                    "<limit quantity='Uo' modified='0.5'/></row>")),
-              ElementsAre("own.xml:3:1: error[missing-form]: <limit> needs 'at-least' or "
-                          "'at-most'"));
+TEST(RulePackMessage, FormulaThatIsNone) {
+  EXPECT_THAT(messages_of(pack_with_limit("2 * (3 lx")),
+              ElementsAre("own.xml:4:1: error[rule-formula]: attribute 'at-least' of <check>: "
+                          "'2 * (3 lx', at character 10: expected ')'"));
 }
 
-// Ref, required and modified average, Uo: the whole of the shipped pack.
-TEST(BuiltinRulePacks, HaveTheConfirmedRows) {
-  const std::vector<RulePack> packs = builtin_rule_packs();
-  ASSERT_EQ(packs.size(), 1u);
-  EXPECT_EQ(packs[0].full_id(), "en12464-1:2021");
-  EXPECT_EQ(packs[0].file, "built in");
-  struct Row {
-    const char* ref;
-    double required, modified, uo;
+TEST(RulePackMessage, FormulaWithUnknownNames) {
+  EXPECT_THAT(messages_of(pack_with_limit("row(Ee)", kParameter)),
+              ElementsAre("own.xml:5:1: error[unknown-reference]: attribute 'at-least' of <check>: "
+                          "there is no parameter 'Ee'; allowed: E; did you mean 'E'?"));
+  EXPECT_THAT(messages_of(pack_with_limit("limit(y)")),
+              ElementsAre(HasSubstr("there is no check 'y'; allowed: x")));
+  EXPECT_THAT(messages_of(pack_with_limit("fact(y)")),
+              ElementsAre(HasSubstr("there is no fact 'y'; no fact is defined")));
+  EXPECT_THAT(messages_of(pack_with_limit("table(t, 3 lx)")),
+              ElementsAre(HasSubstr("there is no table 't'; no table is defined")));
+  EXPECT_THAT(messages_of(pack_with_limit("step(20 lx, +1, s)")),
+              ElementsAre(HasSubstr("there is no scale 's'; no scale is defined")));
+}
+
+TEST(RulePackMessage, FormulaWithUnitsThatDoNotFit) {
+  const auto problem = [](const std::string& limit) {
+    const std::vector<std::string> messages = messages_of(pack_with_limit(
+        limit,
+        "<scale id='s' unit='none' values='1 2'/>"
+        "<table id='t' key-unit='m' value-unit='lx' match='exact'><entry key='1' value='2'/>"
+        "</table>"));
+    if (messages.size() != 1) return std::string("no single message");
+    const std::size_t at = messages[0].find("do not fit: ");
+    return at == std::string::npos ? messages[0] : messages[0].substr(at + 12);
   };
-  const std::vector<Row> expected{{"9.4", 200, 300, 0.4},   {"10.4", 200, 300, 0.4},
-                                  {"10.6", 500, 750, 0.6},  {"10.7", 500, 1000, 0.6},
-                                  {"14.1", 200, 300, 0.4},  {"15.2", 500, 750, 0.7},
-                                  {"34.2", 500, 1000, 0.6}, {"34.7", 200, 300, 0.4}};
-  ASSERT_EQ(packs[0].rows.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    const RuleRow& row = packs[0].rows[i];
-    SCOPED_TRACE(row.ref);
-    EXPECT_EQ(row.ref, expected[i].ref);
-    ASSERT_EQ(row.limits.size(), 2u);
-    EXPECT_EQ(row.limits[0].metric, Metric::average);
-    EXPECT_EQ(row.limits[0].comparison, Comparison::at_least);
-    EXPECT_EQ(row.limits[0].required, expected[i].required);
-    EXPECT_EQ(row.limits[0].modified, expected[i].modified);
-    EXPECT_EQ(row.limits[1].metric, Metric::uniformity_min_avg);
-    EXPECT_EQ(row.limits[1].required, expected[i].uo);
-    EXPECT_FALSE(row.limits[1].modified.has_value());
+  EXPECT_EQ(problem("0.5"),
+            "the check limits an illuminance (lx, fc), the formula gives a plain "
+            "number");
+  EXPECT_EQ(problem("1 lx + 2"),
+            "an illuminance (lx, fc) and a plain number cannot be added or "
+            "compared");
+  EXPECT_EQ(problem("max(1 lx, 2 m)"),
+            "an illuminance (lx, fc) and a length (m, ft) cannot be added or compared");
+  EXPECT_EQ(problem("1 lx * 2 lx"),
+            "an illuminance (lx, fc) times an illuminance (lx, fc) has no "
+            "unit that luxgate knows");
+  EXPECT_EQ(problem("1 lx / 2 m"),
+            "an illuminance (lx, fc) divided by a length (m, ft) has no "
+            "unit that luxgate knows");
+  EXPECT_EQ(problem("table(t, 1 lx)"),
+            "table 't' is keyed by a length (m, ft), not by an illuminance (lx, fc)");
+  EXPECT_EQ(problem("step(1 lx, +1, s)"),
+            "scale 's' is of a plain number, not of an illuminance (lx, fc)");
+}
+
+std::string check_named(const std::string& id, const std::string& limit) {
+  return "<check id='" + id + "' role='desk' quantity='planar' statistic='average' at-least='" +
+         limit + "'/>\n";
+}
+
+TEST(RulePackMessage, Circles) {
+  const auto circle = [](const std::string& checks) { return messages_of(pack_with(checks)); };
+  EXPECT_THAT(circle(check_named("a", "limit(b)") + check_named("b", "2 * result(c)") +
+                     check_named("c", "limit(a) + 1 lx")),
+              ElementsAre(HasSubstr("own.xml:2:65: error[rule-circle]: check 'a' hangs on its own "
+                                    "limit or result: a -> b -> c -> a; ")));
+  EXPECT_THAT(circle(check_named("a", "limit(a)")), ElementsAre(HasSubstr("a -> a")));
+}
+
+// Written out, every check is twice as long as the one before.
+TEST(RulePackMessage, FormulaThatGrowsBeyondAllBounds) {
+  std::string checks = check_named("c0", "1 lx");
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "limit(c" + std::to_string(i - 1) + ")";
+    checks += check_named("c" + std::to_string(i), before + " + " + before);
   }
+  EXPECT_THAT(messages_of(pack_with(checks)),
+              testing::Contains(HasSubstr("error[rule-too-long]: the formula of check 'c")));
+}
+
+TEST(RulePackMessage, ScaleAndTableOutOfOrder) {
+  EXPECT_THAT(
+      messages_of(pack_with("<scale id='s' unit='lx' values='1 3 3'/>" + kParameter + kCheck)),
+      ElementsAre(HasSubstr("attribute 'values' of <scale>: must be larger than the number "
+                            "before")));
+  EXPECT_THAT(messages_of(pack_with("<table id='t' key-unit='lx' value-unit='lx' match='exact'>"
+                                    "<entry key='2' value='2'/><entry key='1' value='2'/></table>" +
+                                    kParameter + kCheck)),
+              ElementsAre(HasSubstr("attribute 'key' of <entry>: must be larger than the entry "
+                                    "before")));
+}
+
+// The reader and the published schema agree about these files; xmllint checks the other half.
+TEST(RulePackSchema, HasACorpusThatTheReaderAgreesWith) {
+  int valid = 0, invalid = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LUXGATE_RULE_PACK_FILES)) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const bool is_valid = entry.path().filename().string().starts_with("valid-");
+    calc::Diagnostics diagnostics;
+    EXPECT_EQ(parse_rule_pack(bytes, "pack.xml", diagnostics).has_value(), is_valid)
+        << entry.path();
+    ++(is_valid ? valid : invalid);
+  }
+  EXPECT_GE(valid, 3);
+  EXPECT_GE(invalid, 15);
+}
+
+TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
+  std::vector<std::string> ids;
+  for (const RulePack& pack : builtin_rule_packs()) {
+    ids.push_back(pack.full_id());
+    EXPECT_EQ(pack.file, "built in");
+    EXPECT_FALSE(pack.sources.empty()) << pack.full_id();
+    for (const RuleRow& row : pack.rows) {
+      EXPECT_FALSE(row.sources.empty()) << pack.full_id() << " " << row.ref;
+      // "confirmed" needs two sources, unless it is law.
+      if (row.trust == Trust::confirmed && pack.kind != "law") {
+        EXPECT_GE(row.sources.size(), 2u) << pack.full_id() << " " << row.ref;
+      }
+    }
+  }
+  EXPECT_THAT(ids, ElementsAre("ashrae90-1:2019", "egress-us:7.9", "en12464-1:2011",
+                               "en12464-1:2021", "en12464-2:2014", "en13201-2:2015", "en1838:2013",
+                               "en1838:2024", "osha-1926-56:1926.56", "rp-20:1998", "rp-8:2014"));
 }
 
 }  // namespace

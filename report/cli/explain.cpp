@@ -1,0 +1,240 @@
+#include "report/cli/explain.h"
+
+#include "calc/diagnostics.h"
+#include "rules/limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+using rules::RuleCheck;
+using rules::RulePack;
+using rules::RuleRow;
+
+std::string with_unit(double value, const char* unit) {
+  const std::string number = fmt::format("{:.6g}", value);
+  return *unit == '\0' ? number : number + " " + unit;
+}
+
+std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
+  const rules::Unit unit = pack.find_parameter(value.parameter)->unit;
+  const char* name = unit.dimension == rules::Dimension::plain ? "" : unit.name.data();
+  if (!value.required) return fmt::format("{} {}", value.parameter, no_value_name(value.why));
+  std::string text =
+      fmt::format("{} {}", value.parameter, with_unit(*value.required / unit.factor, name));
+  if (value.modified) {
+    text += fmt::format(" (modified {})", with_unit(*value.modified / unit.factor, name));
+  }
+  if (value.trust != rules::Trust::confirmed) {
+    text += fmt::format(" [{}]", trust_remark(value.trust));
+  }
+  return text;
+}
+
+std::string row_text(const RulePack& pack, const RuleRow& row) {
+  std::string text = fmt::format("{}  {} ({})\n    ", row.ref, row.name, trust_name(row.trust));
+  for (const rules::RuleValue& value : row.values) {
+    text += (&value == &row.values.front() ? "" : ", ") + value_text(pack, value);
+  }
+  text += "\n";
+  if (!row.note.empty()) text += "    " + row.note + "\n";
+  return text;
+}
+
+std::string light_text(const RuleCheck& check) {
+  constexpr std::array kSources{"", ", electric light", ", emergency luminaires alone",
+                                ", daylight"};
+  std::string text = state_name(check.state);
+  text += kSources[static_cast<std::size_t>(check.sources)];
+  if (check.direct_only) text += ", direct light only";
+  if (check.any_one_unit_out) text += ", any one unit out";
+  return text;
+}
+
+std::string check_text(const RulePack& pack, const RuleCheck& check) {
+  std::string text =
+      fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, metric_name(check.metric),
+                  check.quantity->name, check.role, comparison_name(check.comparison),
+                  check.limit_text, light_text(check));
+  if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
+  if (check.severity == rules::Severity::advice) text += ", advice";
+  if (check.trust != rules::Trust::confirmed)
+    text += fmt::format(" [{}]", trust_remark(check.trust));
+  if (!check.clause.empty()) text += fmt::format("\n    {}: {}", pack.title, check.clause);
+  if (!check.note.empty()) text += "\n    " + check.note;
+  return text + "\n";
+}
+
+std::string plane_text(const rules::RulePlane& plane) {
+  std::string text = fmt::format("plane for role {}: {}", plane.role, plane.orientation);
+  if (plane.highest_m > 0.0 || plane.orientation == "horizontal-up") {
+    text += plane.lowest_m == plane.highest_m
+                ? fmt::format(", {:g} m above the floor", plane.lowest_m)
+                : fmt::format(", {:g} to {:g} m above the floor", plane.lowest_m, plane.highest_m);
+  }
+  if (!plane.grid.empty()) text += ", grid " + plane.grid;
+  if (!plane.mask.empty()) text += ", mask " + plane.mask;
+  if (!plane.note.empty()) text += " (" + plane.note + ")";
+  return text + "\n";
+}
+
+std::string mask_text(const rules::Mask& mask) {
+  std::string text = fmt::format("mask {}:", mask.id);
+  for (const rules::MaskOperation& operation : mask.operations) {
+    if (operation.step == rules::MaskStep::centre_line) {
+      text += " the points along the middle line";
+      continue;
+    }
+    text += operation.step == rules::MaskStep::inset ? " without a strip along all sides of"
+                                                     : " without a strip along the long sides of";
+    if (operation.up_to_width_m > 0.0) {
+      text += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
+                          operation.up_to_width_m);
+    }
+    text += fmt::format(" {:g} m", operation.metres);
+  }
+  return text + "\n";
+}
+
+std::string head_text(const RulePack& pack) {
+  std::string text = fmt::format("{}  {}:{}, {} ({})", pack.full_id(), pack.title, pack.edition,
+                                 pack.kind, pack.status);
+  if (!pack.jurisdiction.empty()) text += ", " + pack.jurisdiction;
+  text += fmt::format("; version {} of the pack, {}\n", pack.version, pack.file);
+  text += fmt::format("licence: {}{}{}\n", pack.licence, pack.licence_note.empty() ? "" : "; ",
+                      pack.licence_note);
+  return text + "decision: " + policy_text(pack.policy) + "\n";
+}
+
+std::string sources_text(const RulePack& pack, const std::vector<std::string>& ids) {
+  std::string text;
+  for (const rules::RuleSource& source : pack.sources) {
+    if (!ids.empty() && std::find(ids.begin(), ids.end(), source.id) == ids.end()) continue;
+    text += fmt::format("source {}: {}{}\n", source.id, source.note,
+                        source.address.empty() ? "" : ", " + source.address);
+  }
+  return text;
+}
+
+// The limit of a check for a row, at the levels that differ.
+std::string limits_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row) {
+  const auto limit_at = [&](rules::RowLevel level) {
+    const rules::Limit limit = evaluate_limit(check, {pack, row, level});
+    if (limit.status != rules::LimitStatus::known) return limit.reason;
+    std::string text = with_unit(limit.value.value, base_unit(check.dimension()));
+    if (limit.trust != rules::Trust::confirmed) {
+      text += fmt::format(" [{}]", trust_remark(limit.trust));
+    }
+    return text;
+  };
+  const std::string required = limit_at(rules::RowLevel::required);
+  const std::string modified = limit_at(rules::RowLevel::modified);
+  return "    here: " + required +
+         (modified == required ? "\n" : "; level modified: " + modified + "\n");
+}
+
+std::string explain_row(const RulePack& pack, const RuleRow& row) {
+  std::string text = head_text(pack) + "\n" + row_text(pack, row);
+  for (const std::string& role : pack.roles()) {
+    text += fmt::format("\nrole {}\n", role);
+    for (const rules::RulePlane& plane : pack.planes) {
+      if (plane.role == role) text += plane_text(plane);
+    }
+    for (const RuleCheck& check : pack.checks) {
+      if (check.role == role) text += check_text(pack, check) + limits_text(pack, check, &row);
+    }
+  }
+  return text + "\n" + sources_text(pack, row.sources);
+}
+
+std::string explain_checks(const RulePack& pack, const std::vector<const RuleCheck*>& checks) {
+  std::string text = head_text(pack) + "\n";
+  for (const rules::RulePlane& plane : pack.planes) {
+    if (plane.role == checks.front()->role) text += plane_text(plane);
+  }
+  for (const RuleCheck* check : checks) {
+    text += check_text(pack, *check) + limits_text(pack, *check, nullptr);
+    if (!check->mask.id.empty()) text += "    " + mask_text(check->mask);
+  }
+  return text + "\n" + sources_text(pack, {});
+}
+
+std::optional<std::string> explain_rule(const RulePack& pack, const std::string& name) {
+  if (const RuleRow* row = pack.find_row(name)) return explain_row(pack, *row);
+  std::vector<const RuleCheck*> checks;
+  for (const RuleCheck& check : pack.checks) {
+    if (check.role == name || check.id == name) checks.push_back(&check);
+  }
+  if (checks.empty()) return std::nullopt;
+  return explain_checks(pack, checks);
+}
+
+constexpr calc::DiagnosticId kMessages[] = {
+#define LUXGATE_DIAGNOSTIC(id, severity, text) calc::DiagnosticId::id,
+#include "calc/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+};
+
+std::optional<std::string> explain_message(const std::string& name) {
+  for (const calc::DiagnosticId id : kMessages) {
+    if (calc::diagnostic_name(id) != name) continue;
+    const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
+    return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
+                       is_error ? "error" : "warning", calc::diagnostic_template(id),
+                       is_error
+                           ? "The file is not judged, and the exit code is 2."
+                           : "Everything is judged all the same; the exit code does not change.");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string list_rule_packs(const std::vector<RulePack>& packs) {
+  std::string text;
+  for (const RulePack& pack : packs) {
+    text += fmt::format("{:24} {:28} {:11} {:3} rows {:3} checks  {}\n", pack.full_id(), pack.title,
+                        pack.status, pack.rows.size(), pack.checks.size(), pack.file);
+  }
+  return text;
+}
+
+const RulePack* find_rule_pack(const std::vector<RulePack>& packs, const std::string& name) {
+  const RulePack* found = nullptr;
+  for (const RulePack& pack : packs) {
+    if (pack.full_id() == name) return &pack;
+    if (pack.id == name && (found == nullptr || pack.status == "published")) found = &pack;
+  }
+  return found;
+}
+
+std::string show_rule_pack(const RulePack& pack) {
+  std::string text = head_text(pack) + sources_text(pack, {}) + "\n";
+  for (const rules::RuleName& name : pack.parameters) {
+    text += fmt::format("{} ({}): {}\n", name.id, name.unit.name, name.meaning);
+  }
+  for (const rules::RuleName& name : pack.facts) {
+    text += fmt::format("fact {} ({}): {}\n", name.id, name.unit.name, name.meaning);
+  }
+  for (const rules::RulePlane& plane : pack.planes) text += plane_text(plane);
+  for (const rules::Mask& mask : pack.masks) text += mask_text(mask);
+  text += "\n";
+  for (const RuleRow& row : pack.rows) text += row_text(pack, row);
+  text += pack.rows.empty() ? "" : "\n";
+  for (const RuleCheck& check : pack.checks) text += check_text(pack, check);
+  return text;
+}
+
+std::optional<std::string> explain(const std::string& what, const std::vector<RulePack>& packs) {
+  const std::size_t slash = what.find('/');
+  if (slash == std::string::npos) return explain_message(what);
+  const RulePack* pack = find_rule_pack(packs, what.substr(0, slash));
+  return pack == nullptr ? std::nullopt : explain_rule(*pack, what.substr(slash + 1));
+}
+
+}  // namespace cli

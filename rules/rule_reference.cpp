@@ -1,0 +1,250 @@
+#include "rules/rule_reference.h"
+
+#include "calc/text.h"
+#include "rules/limit.h"
+#include "rules/pack_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+
+constexpr const char* kElement = "require";
+
+std::string list_of(const std::vector<const RulePack*>& packs) {
+  std::string text;
+  for (const RulePack* pack : packs) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", pack->full_id(), pack->file);
+  }
+  return text;
+}
+
+// By "id" or "id:edition". nullptr after an error.
+const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
+  const std::string name = reader.text("pack");
+  if (name.empty()) return nullptr;
+  std::vector<const RulePack*> all;
+  std::vector<const RulePack*> fitting;
+  calc::Names names;
+  for (const RulePack& pack : packs) {
+    all.push_back(&pack);
+    names.emplace_back(pack.id);
+    if (name == pack.id || name == pack.full_id()) fitting.push_back(&pack);
+  }
+  // A bare id means the edition in force.
+  if (fitting.size() > 1) {
+    const auto is_old = [](const RulePack* pack) { return pack->status != "published"; };
+    if (std::count_if(fitting.begin(), fitting.end(), std::not_fn(is_old)) == 1) {
+      std::erase_if(fitting, is_old);
+    }
+  }
+  if (fitting.size() == 1) return fitting.front();
+  if (fitting.empty()) {
+    reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack", kElement,
+                  "rule pack", name, "allowed: " + list_of(all), calc::suggestion(name, names));
+  } else {
+    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
+  }
+  return nullptr;
+}
+
+// nullptr if none is named, or after an error.
+const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
+  if (!reader.has("row")) return nullptr;
+  const std::string ref = reader.text("row");
+  const RuleRow* row = pack.find_row(ref);
+  if (row != nullptr || ref.empty()) return row;
+  calc::Names refs;
+  for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
+  report_unknown_name(reader.diagnostics(), reader.where("row"), "row", kElement, "row", ref, refs);
+  return nullptr;
+}
+
+// The pack's own role unless another is named; "" after an error.
+std::string find_role(ElementReader& reader, const RulePack& pack) {
+  if (!reader.has("role")) return pack.role;
+  std::string role = reader.text("role");
+  const std::vector<std::string> roles = pack.roles();
+  if (role.empty() || std::find(roles.begin(), roles.end(), role) != roles.end()) return role;
+  report_unknown_name(reader.diagnostics(), reader.where("role"), "role", kElement, "role", role,
+                      calc::Names(roles.begin(), roles.end()));
+  return {};
+}
+
+bool needs_row(const Expression& expression, const RulePack& pack) {
+  if (expression.kind == ExpressionKind::row_value) return true;
+  if (expression.kind == ExpressionKind::limit_of) {
+    return needs_row(pack.find_check(expression.name)->limit, pack);
+  }
+  return std::any_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return needs_row(operand, pack); });
+}
+
+// Light that luxgate does not calculate; "" = it does.
+std::string uncalculated_light(const RuleCheck& check) {
+  if (check.any_one_unit_out) return "luxgate does not yet put out one luminaire after the other";
+  if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
+  if (check.metric == Metric::value_at_point) {
+    return fmt::format("check '{}' is about a single value, not about a plane", check.id);
+  }
+  return {};
+}
+
+std::string note_of(const RuleCheck& check, Trust trust) {
+  std::string note = trust_remark(trust);
+  if (!check.note.empty()) note += (note.empty() ? "" : "; ") + check.note;
+  return note;
+}
+
+struct Reference {
+  const RulePack& pack;
+  const RuleRow* row;
+  LimitScope scope;
+  calc::ReceiverKernel kernel;
+  std::string scene;
+};
+
+Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
+                           const calc::SourceLocation& where) {
+  Requirement requirement;
+  requirement.metric = check.metric;
+  requirement.percent = check.percent;
+  requirement.range = check.range;
+  requirement.comparison = check.comparison;
+  requirement.limit = limit.value.value;
+  requirement.state = check.state;
+  requirement.scene = reference.scene;
+  requirement.clause =
+      clause_text(reference.pack, check, reference.row, limit.is_modified, limit.trust);
+  requirement.note = note_of(check, limit.trust);
+  requirement.severity = check.severity;
+  requirement.mask = check.mask;
+  requirement.direct_only = check.direct_only;
+  requirement.policy = reference.pack.policy;
+  requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
+  if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
+  requirement.where = where;
+  return requirement;
+}
+
+// False after an error.
+bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
+  if (check.quantity->kernel != reference.kernel) {
+    reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
+                  reference.pack.full_id(), check.quantity->name,
+                  calc::kernel_name(reference.kernel));
+    return false;
+  }
+  if (check.sources == LightSources::emergency && reference.scene.empty()) {
+    reader.report(DiagnosticId::rule_needs_scene, reader.where(), check.role,
+                  reference.pack.full_id());
+    return false;
+  }
+  if (reference.row == nullptr && needs_row(check.limit, reference.pack)) {
+    reader.report(DiagnosticId::missing_partner, reader.where("pack"), kElement, "pack", "row");
+    return false;
+  }
+  return true;
+}
+
+std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::string& role,
+                                              const Reference& reference) {
+  std::vector<Requirement> requirements;
+  for (const RuleCheck& check : reference.pack.checks) {
+    if (check.role != role) continue;
+    if (!fits_plane(reader, check, reference)) return {};
+    const Limit limit = evaluate_limit(check, reference.scope);
+    if (limit.status == LimitStatus::not_applicable) continue;
+    requirements.push_back(requirement_of(check, limit, reference, reader.where()));
+  }
+  if (requirements.empty()) {
+    reader.report(DiagnosticId::rule_requires_nothing, reader.where(), reference.pack.full_id(),
+                  reference.row == nullptr ? "" : fmt::format(" row '{}'", reference.row->ref),
+                  role);
+  }
+  return requirements;
+}
+
+RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
+  if (reader.choice_or("level", {"required", "modified"}, 0) == 0) return RowLevel::required;
+  if (row != nullptr && !row->has_modified_level()) {
+    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());
+  }
+  return RowLevel::modified;
+}
+
+}  // namespace
+
+std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
+                        bool is_modified, Trust trust) {
+  std::string text = fmt::format("{}:{}", pack.title, pack.edition);
+  if (!check.clause.empty()) {
+    text += " " + check.clause;
+  } else if (row != nullptr) {
+    text += " " + row->ref;
+  }
+  if (is_modified) text += " (modified)";
+  if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
+  return text;
+}
+
+std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& pack) {
+  std::map<std::string, double> facts;
+  if (!reader.has("facts")) return facts;
+  const std::string text = reader.text("facts");
+  calc::Names names;
+  for (const RuleName& fact : pack.facts) names.push_back(fact.id);
+  std::string_view rest = text;
+  while (!calc::trim(rest).empty()) {
+    const std::string_view part = calc::trim(rest.substr(0, rest.find(';')));
+    rest = rest.find(';') == std::string_view::npos ? "" : rest.substr(rest.find(';') + 1);
+    const std::size_t equals = part.find('=');
+    const std::string id(calc::trim(part.substr(0, equals)));
+    const RuleName* fact = pack.find_fact(id);
+    if (fact == nullptr) {
+      report_unknown_name(reader.diagnostics(), reader.where("facts"), "facts", kElement, "fact",
+                          id, names);
+      continue;
+    }
+    const ParsedExpression value = parse_expression(
+        equals == std::string_view::npos ? "" : calc::trim(part.substr(equals + 1)));
+    const bool fits = value.expression && value.expression->kind == ExpressionKind::number &&
+                      value.expression->dimension == fact->unit.dimension;
+    if (!fits || !facts.emplace(id, value.expression->number).second) {
+      reader.report(DiagnosticId::rule_fact, reader.where("facts"), part, id,
+                    dimension_name(fact->unit.dimension), id, fact->unit.name);
+    }
+  }
+  return facts;
+}
+
+std::vector<Requirement> read_rule_reference(ElementReader& reader,
+                                             const std::vector<RulePack>& packs,
+                                             calc::ReceiverKernel kernel,
+                                             const std::string& scene) {
+  for (const char* name : {"row", "level", "role", "facts"}) {
+    if (!reader.has(name) || reader.has("pack")) continue;
+    reader.report(DiagnosticId::missing_partner, reader.where(name), kElement, name, "pack");
+    return {};
+  }
+  const RulePack* pack = find_pack(reader, packs);
+  if (pack == nullptr) return {};
+  const RuleRow* row = find_row(reader, *pack);
+  const std::string role = find_role(reader, *pack);
+  if (reader.has("level")) reader.require_together("level", "row");
+  const RowLevel level = read_level(reader, *pack, row);
+  std::map<std::string, double> facts = read_facts(reader, *pack);
+  if (!reader.ok() || role.empty()) return {};
+  return requirements_of_role(
+      reader, role, {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel, scene});
+}
+
+}  // namespace rules

@@ -1,0 +1,108 @@
+#include "rules/measure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+
+// A plane of 4 m x 3 m with a point in the middle of every square metre.
+calc::SensorGrid grid_of_twelve() {
+  calc::SensorGrid grid;
+  grid.columns = 4;
+  grid.rows = 3;
+  grid.spacing_u_m = grid.spacing_v_m = 1.0;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      grid.position_m.emplace_back(column + 0.5, row + 0.5, 0.0);
+    }
+  }
+  return grid;
+}
+
+// Exact direct light of 1, 2, ... 12 lx, and reflected light in two replicates.
+calc::PlaneField field_of_twelve() {
+  calc::PlaneField field;
+  field.points = 12;
+  field.replicates = 2;
+  field.channels = {{"", 0.5}};
+  for (int i = 1; i <= 12; ++i) field.direct_exact_lx.push_back(i);
+  for (int i = 0; i < 24; ++i) field.indirect_lx.push_back(i < 12 ? 99.0 : 101.0);
+  return field;
+}
+
+Requirement minimum_at_least(double limit) {
+  Requirement requirement;
+  requirement.metric = Metric::minimum;
+  requirement.state = LightState::initial;
+  requirement.limit = limit;
+  return requirement;
+}
+
+TEST(Measure, CountsThePointsOfTheMaskOnly) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.value, 6.0);  // points 5 and 6 of 0 ... 11
+  EXPECT_EQ(result.metric->point, 5u);
+  EXPECT_EQ(result.points_used, 2u);
+}
+
+TEST(Measure, LeavesReflectedLightOut) {
+  Requirement requirement = minimum_at_least(1);
+  EXPECT_EQ(
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate.value,
+      101.0);
+  requirement.direct_only = true;
+  const Measurement direct = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_EQ(direct.metric->estimate.low, 1.0);  // exact
+  EXPECT_EQ(direct.metric->estimate.high, 1.0);
+  requirement.state = LightState::end_of_duration;  // times the maintenance factor
+  EXPECT_EQ(
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate.value,
+      0.5);
+}
+
+TEST(Measure, OfDirectLightDoubtsWhatNoDirectSampleReached) {
+  calc::PlaneField field = field_of_twelve();
+  field.direct_exact_lx.assign(12, 0.0);
+  field.direct_sampled_lx.assign(24, 5.0);
+  field.direct_sampled_lx[3] = field.direct_sampled_lx[15] = 0.0;
+  field.largest_share.assign(12, 0.09F);
+  Requirement requirement = minimum_at_least(1);
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field, {}, 0.95);
+  EXPECT_EQ(result.unseen_points, 1u);
+}
+
+TEST(Measure, WorksOnAtPointsOfTheMask) {
+  Requirement requirement = minimum_at_least(105.5);
+  requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_THAT(result.active, ElementsAre(0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0));
+}
+
+TEST(Measure, DoesNothingForWhatCannotBeJudged) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.problem = "no daylight";
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_FALSE(result.metric.has_value());
+  EXPECT_EQ(result.reason, "no daylight");
+}
+
+TEST(Measure, SharesOfPoints) {
+  Requirement requirement = minimum_at_least(0.5);
+  requirement.metric = Metric::share;
+  requirement.range.from = 7.0;
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_EQ(result.metric->estimate.value, 0.5);
+  EXPECT_EQ(result.metric->estimate.low, 0.5);
+}
+
+}  // namespace
+}  // namespace rules
