@@ -80,6 +80,11 @@ Json gitlab_issue(const std::string& check, const std::string& description,
        {{"path", printable(where.file)}, {"lines", {{"begin", where.line > 0 ? where.line : 1}}}}}};
 }
 
+const char* command_for(const CiFinding& entry) {
+  if (!entry.counts) return "notice";
+  return entry.verdict == rules::Verdict::undecided ? "warning" : "error";
+}
+
 }  // namespace
 
 std::string render_github(const Document& document) {
@@ -93,9 +98,8 @@ std::string render_github(const Document& document) {
   }
   for (const CiFinding& entry : ci_findings(document)) {
     if (entry.verdict == rules::Verdict::pass) continue;
-    const bool is_undecided = entry.verdict == rules::Verdict::undecided;
     text +=
-        github_line(is_undecided ? "warning" : "error", entry.where,
+        github_line(command_for(entry), entry.where,
                     fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
                     entry.message);
   }
