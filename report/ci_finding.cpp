@@ -86,10 +86,12 @@ std::vector<CiFinding> ci_findings(const Document& document) {
     for (const SpacePart& space : project.spaces) {
       for (const PlanePart& plane : space.planes) {
         const CiFinding entry = of_plane(project, space, plane);
+        bool is_told = plane.is_computed;
         for (const rules::Finding& finding : plane.findings) {
           list.push_back(of_finding(entry, finding));
+          is_told = is_told || list.back().counts;
         }
-        if (plane.findings.empty() && !plane.is_computed) list.push_back(entry);
+        if (!is_told) list.push_back(entry);  // it decides the exit code all the same
       }
     }
   }

@@ -29,9 +29,9 @@ struct CiFinding {
   std::string fingerprint;
 };
 
-// In document order: every requirement, every plane that was not computed although nothing is
-// required of it, and every project that could not be judged. Text is printable(). Valid as long as
-// the document.
+// In document order: every requirement, every plane that was not computed although nothing
+// that counts is required of it, and every project that could not be judged. Text is printable().
+// Valid as long as the document.
 std::vector<CiFinding> ci_findings(const Document& document);
 
 }  // namespace report

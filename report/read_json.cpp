@@ -152,7 +152,14 @@ rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
   }
   f.is_close = at["is_close"].flag();
   f.by_tolerance = at["by_tolerance"].flag();
-  if (const auto waiver = at.find("waiver")) f.is_waived = (*waiver)["applies"].flag();
+  if (const auto waiver = at.find("waiver")) {
+    const bool may_be_waived =
+        f.verdict == rules::Verdict::fail || f.verdict == rules::Verdict::undecided;
+    f.is_waived = (*waiver)["applies"].flag();
+    if (f.is_waived && !may_be_waived) {
+      (*waiver)["applies"].refuse("only 'fail' and 'undecided' can be waived");
+    }
+  }
   if (const auto mask = at.find("mask")) f.points_used = size((*mask)["points_used"]);
   f.reason = at["reason"].text();
   return f;

@@ -133,7 +133,12 @@ Limit joined(ExpressionKind kind, const Limit& a, const Limit& b) {
   if (kind == ExpressionKind::divide && !(b.value.low > 0.0)) {
     return unknown("the limit divides by a value that may be 0");
   }
-  Limit limit = known(combined(kind, a.value, b.value), std::max(a.trust, b.trust));
+  const calc::Estimate value = combined(kind, a.value, b.value);
+  // At once: the smaller of a NaN and a number would be the number.
+  if (!std::isfinite(value.value) || !std::isfinite(value.low) || !std::isfinite(value.high)) {
+    return unknown("the limit is not a finite number");
+  }
+  Limit limit = known(value, std::max(a.trust, b.trust));
   limit.is_modified = a.is_modified || b.is_modified;
   return limit;
 }

@@ -68,6 +68,12 @@ bool counts(const MaskOperation& operation, const Rectangle& rectangle, const Pl
          0.5 * rectangle.spacing_across_m + kTolerance_m;
 }
 
+// Of a wide hall a line says nothing: it must be judged strip by strip.
+bool is_too_wide(const MaskOperation& operation, const Rectangle& rectangle) {
+  return operation.step == MaskStep::centre_line && operation.up_to_width_m > 0.0 &&
+         rectangle.width_m > operation.up_to_width_m + kTolerance_m;
+}
+
 }  // namespace
 
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
@@ -82,6 +88,14 @@ MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
     return result;
   }
   const Rectangle rectangle = rectangle_of(grid);
+  for (const MaskOperation& operation : mask.operations) {
+    if (!is_too_wide(operation, rectangle)) continue;
+    result.problem = fmt::format(
+        "mask '{}' needs a plane at most {:.6g} m wide, this one is {:.6g} m: divide it into "
+        "strips",
+        mask.id, operation.up_to_width_m, rectangle.width_m);
+    return result;
+  }
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
     const Place place = rectangle.place(grid, i);
     const bool is_in = std::all_of(

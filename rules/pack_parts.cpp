@@ -226,8 +226,9 @@ Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics) 
     MaskOperation operation;
     step.allow_children({});
     if (child.name == "centre-line") {
-      step.allow_attributes({});
+      step.allow_attributes({"up-to-width"});
       operation.step = MaskStep::centre_line;
+      operation.up_to_width_m = step.number_or("up-to-width", calc::kPositive, 0.0);
     } else {
       step.allow_attributes({"metres", "share", "up-to-width"});
       operation.step = child.name == "across" ? MaskStep::across : MaskStep::inset;

@@ -154,7 +154,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  return read_rule_reference(reader, context.packs, context.kernel, scene);
+  return read_rule_reference(reader, context.packs, context.kernel, scene, context.plane);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ struct RequirementContext {
   calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
+  const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id

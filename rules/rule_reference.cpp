@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -110,7 +112,41 @@ struct Reference {
   LimitScope scope;
   calc::ReceiverKernel kernel;
   std::string scene;
+  const calc::CalcPlane* plane;
 };
+
+// Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
+constexpr double kHorizontal = 0.966;
+constexpr double kUpright = 0.259;
+
+bool faces(const std::string& orientation, const glm::dvec3& normal) {
+  if (orientation == "horizontal-up") return normal.z >= kHorizontal;
+  if (orientation == "horizontal-down") return normal.z <= -kHorizontal;
+  if (orientation == "vertical") return std::abs(normal.z) <= kUpright;
+  return true;  // surface, free
+}
+
+// What keeps a plane from being one of the role's; "" = nothing. Only planar points face a way of
+// their own.
+std::string wrong_orientation(const RuleCheck& check, const Reference& reference) {
+  if (reference.plane == nullptr || reference.kernel != calc::ReceiverKernel::planar) return {};
+  std::vector<glm::dvec3> normals;
+  if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
+    normals = {area->normal()};
+  } else {
+    normals = std::get<calc::PointList>(reference.plane->area).normal;
+  }
+  for (const RulePlane& plane : reference.pack.planes) {
+    if (plane.role != check.role) continue;
+    const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
+      return faces(plane.orientation, normal);
+    });
+    if (fits) continue;
+    return fmt::format("role '{}' of {} is about a plane that is {}, and this one is not",
+                       check.role, reference.pack.full_id(), plane.orientation);
+  }
+  return {};
+}
 
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
@@ -131,6 +167,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.policy = reference.pack.policy;
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
+  if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);
   requirement.where = where;
   return requirement;
 }
@@ -228,8 +265,8 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
 
 std::vector<Requirement> read_rule_reference(ElementReader& reader,
                                              const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel,
-                                             const std::string& scene) {
+                                             calc::ReceiverKernel kernel, const std::string& scene,
+                                             const calc::CalcPlane* plane) {
   for (const char* name : {"row", "level", "role", "facts"}) {
     if (!reader.has(name) || reader.has("pack")) continue;
     reader.report(DiagnosticId::missing_partner, reader.where(name), kElement, name, "pack");
@@ -244,7 +281,8 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
   return requirements_of_role(
-      reader, role, {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel, scene});
+      reader, role,
+      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel, scene, plane});
 }
 
 }  // namespace rules

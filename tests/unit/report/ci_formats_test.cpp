@@ -130,6 +130,22 @@ TEST(CiFindings, FingerprintsFollowIdsAlone) {
   EXPECT_NE(ci_findings(changed)[0].fingerprint, before[0].fingerprint);
 }
 
+// Its exit code is 2: no format may look green.
+TEST(CiFindings, APlaneWithoutResultIsToldBesideAdvice) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.is_computed = false;
+  plane.findings.resize(1);
+  plane.findings[0].verdict = rules::Verdict::not_judged;
+  EXPECT_EQ(ci_findings(document).size(), 1u);
+  plane.findings[0].requirement.severity = rules::Severity::advice;
+  const auto list = ci_findings(document);
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[1].rule, "plane");
+  EXPECT_TRUE(list[1].counts);
+  EXPECT_THAT(render_junit(document), HasSubstr("errors=\"1\""));
+}
+
 TEST(Junit, CountsWhatItLists) {
   pugi::xml_document xml;
   ASSERT_TRUE(xml.load_string(render_junit(every_verdict()).c_str()));

@@ -136,6 +136,10 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
       << "with one row";
   EXPECT_EQ(with("/projects/0/spaces/0/planes/0/counters/paths", -1),
             "/projects/0/spaces/0/planes/0/counters/paths: a whole number of at least 0 is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/waiver",
+                 {{"reason", "r"}, {"owner", "o"}, {"until", "2030-01-01"}, {"applies", true}}),
+            "/projects/0/spaces/0/planes/0/findings/0/waiver/applies: only 'fail' and 'undecided' "
+            "can be waived");
   json without = good;
   without["provenance"].erase("seed");
   EXPECT_EQ(problem_with(without), "/provenance: the key 'seed' is missing");

@@ -198,6 +198,27 @@ TEST(BindRequirements, TakesTheChecksOfTheRole) {
   EXPECT_EQ(bound.requirements[1].limit, 0.1);
 }
 
+// A limit for walls is not met by a floor.
+TEST(BindRequirements, CannotJudgeAPlaneThatFacesAnotherWay) {
+  const Attributes rule{{"pack", "rp-8"}, {"row", "medium"}, {"role", "vertical"}};
+  const auto problem_facing = [&](const glm::dvec3& u, const glm::dvec3& v) {
+    calc::CalcPlane plane = plane_of("walk", {rule});
+    calc::PlanarArea area;
+    area.u = u;
+    area.v = v;
+    plane.area = area;
+    const Bound bound = bind_project(project_of({plane}));
+    EXPECT_THAT(bound.messages, IsEmpty());
+    return bound.requirements.empty() ? "nothing" : bound.requirements[0].problem;
+  };
+  EXPECT_EQ(problem_facing({1, 0, 0}, {0, 0, 1}), "");
+  EXPECT_EQ(problem_facing({1, 0, 0}, {0, 1, 0}),
+            "role 'vertical' of rp-8:2014 is about a plane that is vertical, and this one is not");
+  calc::CalcPlane list = plane_of("walk", {rule});
+  list.area = calc::PointList{"", {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}, {}};
+  EXPECT_NE(bind_project(project_of({list})).requirements.at(0).problem, "");
+}
+
 TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
   const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
   ASSERT_EQ(bound.requirements.size(), 2u);

@@ -79,6 +79,16 @@ TEST(Mask, CentreLineIsTheMiddleRowOrTheTwoBesideTheMiddle) {
   EXPECT_THAT(rows_of(apply_mask(mask, even), even), ElementsAre(2, 3));
 }
 
+TEST(Mask, CentreLineMayBeForNarrowPlanesOnly) {
+  const Mask mask = mask_of(MaskStep::centre_line, 0, 0, 2.0);
+  const calc::SensorGrid narrow = grid_of(10, 2, 10, 5);
+  EXPECT_THAT(rows_of(apply_mask(mask, narrow), narrow), ElementsAre(2));
+  const MaskedPoints wide = apply_mask(mask, grid_of(12, 8, 12, 9));
+  EXPECT_TRUE(wide.points.empty());
+  EXPECT_EQ(wide.problem,
+            "mask 'm' needs a plane at most 2 m wide, this one is 8 m: divide it into strips");
+}
+
 TEST(Mask, MeasuresFromTheOutlineNotFromTheGrid) {
   const calc::SensorGrid grid = grid_of(10, 4, 10, 3, 0.5);  // rows at 1, 2 and 3 m
   EXPECT_THAT(rows_of(apply_mask(mask_of(MaskStep::across, 0.9), grid), grid),
