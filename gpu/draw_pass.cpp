@@ -141,7 +141,8 @@ void DrawPass::trace(const GlProgram& program, DeviceState& device, Slot& slot, 
 
 void DrawPass::finish(DeviceState& device, std::size_t slot_number, DrawPiece& piece) {
   Slot& slot = slot_[slot_number];
-  piece.answers.resize(piece.receivers.size() * piece.words_per_answer());
+  // "Not done" also if reading back does nothing.
+  piece.answers.assign(piece.receivers.size() * piece.words_per_answer(), kNotDone);
   slot.sums.read(0, std::as_writable_bytes(std::span(piece.answers)));
   device.check("gathering light");
   const double each_s = (calc::now_s() - slot.started_s) /

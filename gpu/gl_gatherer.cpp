@@ -76,7 +76,7 @@ class GlGatherer : public calc::Gatherer {
     for (std::size_t first = 0; first < batch.connections.size();) {
       const auto connections = batch.connections.subspan(
           first, std::min(GatherPass::kMostConnections, batch.connections.size() - first));
-      results.resize(connections.size());
+      results.assign(connections.size(), kNotDone);  // also if reading back does nothing
       run({&batch.tracer, batch.vertices, batch.vertices_identity, receivers, connections,
            batch.bounds.lowest_per_m2(), batch.has_shadows, results});
       rays += add_results(batch, connections, results, sums);

@@ -156,7 +156,7 @@ void ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size
   std::vector<std::uint32_t> results;
   for (std::size_t begin = 0; begin < job.receivers.size(); begin += most) {
     const std::size_t receivers = std::min(most, job.receivers.size() - begin);
-    results.resize(count * receivers);
+    results.assign(count * receivers, kNotDone);  // also if reading back does nothing
     results_.reserve(results.size() * sizeof(std::uint32_t));
     results_.fill(results.size() * sizeof(std::uint32_t), kNotDone);
     results_.bind(kResults);

@@ -295,7 +295,7 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
       first_ray.push_back(first_ray.back() + request.rays);
     }
   }
-  result.hits.resize(first_ray.back());
+  result.hits.assign(first_ray.back(), {FirstHit::kNotDone});
   for (std::size_t first = 0, last = 0; first < requests.size(); first = last) {
     for (last = first + 1; last < requests.size(); ++last) {
       if (first_ray[last + 1] - first_ray[first] > kShortRaysPerCast) break;

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
-#include <set>
+#include <map>
 
 namespace calc {
 namespace {
@@ -25,16 +25,17 @@ void add_web(Fingerprint& print, const PhotometricWeb& web) {
 }
 
 void add_luminaire(Fingerprint& print, const PlacedLuminaire& luminaire,
-                   std::set<const PhotometricWeb*>& known) {
+                   std::map<const PhotometricWeb*, std::size_t>& known) {
   add_vector(print, luminaire.position_m);
   for (int i = 0; i < 3; ++i) add_vector(print, luminaire.world_from_luminaire[i]);
   print.add(luminaire.flux_scale);
   print.add(static_cast<std::uint64_t>(luminaire.opening.shape));
   add_vector(print, luminaire.opening.size_m());
   print.add(static_cast<std::uint64_t>(luminaire.channel));
-  // Luminaires of a type share a web; its flux tells which one this is.
-  print.add(luminaire.web->flux_lm());
-  if (known.insert(luminaire.web).second) add_web(print, *luminaire.web);
+  // Luminaires of a type share a web, which goes in once; its place tells which one this is.
+  const auto [web, is_new] = known.emplace(luminaire.web, known.size());
+  print.add(static_cast<std::uint64_t>(web->second));
+  if (is_new) add_web(print, *luminaire.web);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ std::uint64_t scene_fingerprint(const PreparedScene& scene,
     print.add(scene.reflectance[t]);
   }
   print.add(static_cast<std::uint64_t>(scene.luminaires.size()));
-  std::set<const PhotometricWeb*> known;
+  std::map<const PhotometricWeb*, std::size_t> known;
   for (const PlacedLuminaire& luminaire : scene.luminaires) add_luminaire(print, luminaire, known);
   for (const LightChannel& channel : scene.channels) {
     print.add(std::string_view(channel.group));

@@ -264,6 +264,14 @@ TEST_F(VertexCacheFile, FingerprintFollowsWhatPathsDependOn) {
   expect_other(scene.origin_m.x, 0.0, "origin");
   EXPECT_NE(calc::scene_fingerprint(scene, std::vector<std::uint8_t>{0, 1}), before);
   EXPECT_EQ(print(), before);
+
+  // Webs of equal flux are told apart.
+  const calc::PhotometricWeb twin = isotropic_web(15.0);
+  add_luminaire(scene, twin, {0, 0, 2});
+  add_luminaire(scene, twin, {0, 1, 2});
+  const std::uint64_t with_twin = print();
+  scene.luminaires.back().web = &weak;
+  EXPECT_NE(print(), with_twin);
 }
 
 }  // namespace
