@@ -148,13 +148,30 @@ std::vector<Requirement> read_own(ElementReader& reader,
   return {requirement};
 }
 
+bool dims_nothing(const std::string& scene, const std::vector<calc::LightScene>& scenes) {
+  return std::any_of(scenes.begin(), scenes.end(), [&](const calc::LightScene& candidate) {
+    const auto& levels = candidate.level_of_group;
+    return candidate.id == scene &&
+           std::all_of(levels.begin(), levels.end(),
+                       [](const auto& level) { return level.second >= 1.0; });
+  });
+}
+
 // The scene is the project's choice; everything else is the pack's.
 std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
   for (const std::string_view name : kOwnAttributes) {
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  return read_rule_reference(reader, context.packs, context.kernel, scene, context.plane);
+  std::vector<Requirement> requirements =
+      read_rule_reference(reader, context.packs, context.kernel, scene, context.plane);
+  if (!dims_nothing(scene, context.scenes)) return requirements;
+  // Right for a project of emergency luminaires alone, and a false pass for any other.
+  for (Requirement& requirement : requirements) {
+    requirement.note += fmt::format("{}scene {} dims nothing: every luminaire is at full output",
+                                    requirement.note.empty() ? "" : "; ", scene);
+  }
+  return requirements;
 }
 
 }  // namespace

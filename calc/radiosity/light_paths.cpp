@@ -131,8 +131,7 @@ class PathWave {
 }  // namespace
 
 ScrambledSobol path_samples(const PathBatch& batch) {
-  return ScrambledSobol(stage_key(batch.seed, RandomStage::light_paths).with(batch.replicate),
-                        kSobolDimensions);
+  return ScrambledSobol(sequence_key(batch.seed, batch.replicate), kSobolDimensions);
 }
 
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter,

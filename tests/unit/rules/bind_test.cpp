@@ -252,6 +252,18 @@ TEST(BindRequirements, JudgesEmergencyLightInItsScene) {
   EXPECT_EQ(bound.requirements[1].limit, 0.025);
 }
 
+TEST(BindRequirements, SaysWhenASceneDimsNothing) {
+  const auto note_with = [](std::vector<std::pair<std::string, double>> levels) {
+    calc::Project project = project_of({plane_of("p", {{{"pack", "en1838"}, {"scene", "night"}}})});
+    project.scenes.back().level_of_group = std::move(levels);
+    return bind_project(project).requirements.at(0).note;
+  };
+  const std::string words = "scene night dims nothing: every luminaire is at full output";
+  EXPECT_EQ(note_with({}), words);
+  EXPECT_EQ(note_with({{"exit", 1.0}}), words);
+  EXPECT_EQ(note_with({{"exit", 1.0}, {"normal", 0.0}}), "");
+}
+
 TEST(BindRequirements, TakesFactsFromTheProject) {
   const auto limit_with = [](const std::string& facts) {
     return bind_one(
