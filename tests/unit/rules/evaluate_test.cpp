@@ -81,6 +81,9 @@ TEST(EvaluateLimit, SaysWhatIsMissing) {
   std::string huge = "1 lx";
   for (int i = 0; i < 40; ++i) huge += " * 1000000000";
   EXPECT_EQ(limit_of(huge), "the limit is not a finite number");
+  EXPECT_EQ(limit_of("min(5 lx, 0 * (" + huge + "))"), "the limit is not a finite number");
+  EXPECT_EQ(limit_of("max(5 lx, 1 lx * (1 lx / (" + huge + ")))"),
+            "the limit is not a finite number");
   EXPECT_EQ(limit_of("row(E) / 0"), "the limit divides by a value that may be 0");
 }
 
