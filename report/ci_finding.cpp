@@ -30,7 +30,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
   if (const std::string note = note_words(finding); !note.empty()) text += " (" + note + ")";
-  if (finding.is_close) text += " (close: usual rounding would change the verdict)";
+  if (finding.is_close) text += " (" + close_words(finding) + ")";
   return printable(text);
 }
 

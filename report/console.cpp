@@ -91,7 +91,7 @@ void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Fi
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   if (!finding.reason.empty()) note(printable(finding.reason));
   if (const std::string words = note_words(finding); !words.empty()) note(printable(words));
-  if (finding.is_close) note("close: usual rounding would change the verdict");
+  if (finding.is_close) note(close_words(finding));
 }
 
 void add_doubt(const PlanePart& plane, std::vector<Line>& lines) {

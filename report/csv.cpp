@@ -4,6 +4,7 @@
 #include "report/number_format.h"
 #include "report/words.h"
 
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 
@@ -43,7 +44,8 @@ void add_finding(const std::string& place, const rules::Finding& finding, std::s
   add_row({place, field(requirement.id), rules::metric_name(requirement.metric),
            has_percent ? number(requirement.percent) : "", rules::metric_unit(requirement.metric),
            field(requirement.scene), state_name(requirement.state), field(requirement.clause),
-           comparison_key(requirement.comparison), number(requirement.limit),
+           comparison_key(requirement.comparison),
+           std::isnan(requirement.limit) ? "" : number(requirement.limit),
            measured(finding.measured.value), measured(finding.measured.low),
            measured(finding.measured.high), measured(finding.margin),
            rules::verdict_name(finding.verdict), field(finding.reason), coordinate(0),

@@ -87,8 +87,9 @@ std::string remarks(const rules::Finding& finding) {
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
   if (!text.empty() && text.back() != '.') text += '.';
   if (finding.is_close) {
-    text +=
-        (text.empty() ? "" : " ") + std::string("Close: usual rounding would change the verdict.");
+    std::string words = close_words(finding);
+    words[0] = 'C';
+    text += (text.empty() ? "" : " ") + words + ".";
   }
   return escape_html(text);
 }
@@ -203,6 +204,7 @@ std::string html_verdict_banner(const Document& document) {
     case rules::Verdict::pass:
       sentence =
           counts.waived > 0 ? "All requirements are met or waived" : "All requirements are met";
+      if (counts.pass == 0) sentence = "No requirement is judged: all are waived";
       break;
     case rules::Verdict::fail:
       sentence = "Not all requirements are met";

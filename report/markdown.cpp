@@ -77,7 +77,7 @@ std::string render_markdown(const Document& document) {
   }
   const rules::Verdict overall = overall_verdict(document);
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", verdict_symbol(overall),
-                                 rules::verdict_name(overall), summary_words(document));
+                                 outcome_words(document), summary_words(document));
   if (!others.empty()) text += "\n" + table(others);
   if (!passed.empty()) {
     text += fmt::format("\n<details>\n<summary>{} passed</summary>\n\n{}\n</details>\n",

@@ -143,7 +143,10 @@ std::string format_cell_lx(double value_lx, const std::optional<Threshold>& thre
 
 std::string format_limit(double limit, std::string_view unit) {
   if (!std::isfinite(limit)) return kNoNumber;
+  // A limit in foot-candles has no end in lx.
+  constexpr std::size_t kMostCharacters = 10;
   std::string text = format_shortest(limit);
+  if (text.size() > kMostCharacters) text = fmt::format("{:.9g}", limit);
   const bool is_plain = text.find('e') == std::string::npos;
   if (unit.empty() && is_plain) {
     const std::size_t point = text.find('.');
@@ -154,6 +157,7 @@ std::string format_limit(double limit, std::string_view unit) {
 }
 
 std::string format_required(const Threshold& threshold, std::string_view unit) {
+  if (std::isnan(threshold.limit)) return "unknown limit";
   return comparison_sign(threshold.comparison) + (" " + format_limit(threshold.limit, unit));
 }
 

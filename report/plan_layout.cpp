@@ -82,7 +82,7 @@ std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& requirement = finding.requirement;
     const bool is_lx = *rules::metric_unit(requirement.metric) != '\0';
-    if (!is_lx || !is_about_points(requirement)) continue;
+    if (!is_lx || !is_about_points(requirement) || std::isnan(requirement.limit)) continue;
     limits.push_back({quantity_words(requirement) + " " +
                           format_required({requirement.limit, requirement.comparison}, "lx"),
                       requirement.limit});
@@ -97,6 +97,7 @@ std::optional<Threshold> point_threshold(const PlanePart& plane, rules::Comparis
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& r = finding.requirement;
     if (r.metric != metric || r.comparison != comparison || !is_about_points(r)) continue;
+    if (std::isnan(r.limit)) continue;
     const bool is_stricter =
         !strictest || (is_minimum ? r.limit > strictest->limit : r.limit < strictest->limit);
     if (is_stricter) strictest = Threshold{r.limit, comparison};

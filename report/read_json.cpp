@@ -114,7 +114,7 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
       std::array{rules::Comparison::at_least, rules::Comparison::at_most,
                  rules::Comparison::more_than, rules::Comparison::less_than},
       comparison_key);
-  r.limit = at["limit"].finite();
+  r.limit = at["limit"].number();
   r.state = at["state"].one_of(std::array{rules::LightState::maintained, rules::LightState::initial,
                                           rules::LightState::end_of_duration},
                                rules::state_name);
@@ -146,6 +146,7 @@ rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
                                       rules::Verdict::undecided, rules::Verdict::not_judged},
                            verdict_key);
   if (f.verdict != rules::Verdict::not_judged) {
+    at["limit"].finite();  // only what is not judged may lack one
     f.measured = estimate(at["measured"]);
     f.margin = at["margin"].number();
     if (!at["place_m"].is_null()) f.place_m = vec3(at["place_m"]);

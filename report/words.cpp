@@ -250,6 +250,19 @@ rules::Verdict overall_verdict(const Document& document) {
   return counts.pass + counts.waived > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
 }
 
+std::string close_words(const rules::Finding& finding) {
+  if (!finding.is_close) return {};
+  return finding.requirement.policy.compares_rounded
+             ? "close: without rounding the verdict would be another"
+             : "close: usual rounding would change the verdict";
+}
+
+const char* outcome_words(const Document& document) {
+  const rules::Verdict overall = overall_verdict(document);
+  const bool is_met = overall == rules::Verdict::pass && count_verdicts(document).pass > 0;
+  return overall == rules::Verdict::pass && !is_met ? "waived" : rules::verdict_name(overall);
+}
+
 std::string looks_words(const PlanePart& plane) {
   const std::size_t taken = plane.counters.active_points.size();
   return taken == 0 ? "" : fmt::format("{} of {} planned", taken, plane.looks_planned);

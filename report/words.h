@@ -33,6 +33,8 @@ const char* severity_key(rules::Severity severity);
 // What must be read with a finding: trust in the requirement, its mask, its decision policy; "" if
 // there is nothing to say.
 std::string note_words(const rules::Finding& finding);
+// Of a finding that is close; "" for others.
+std::string close_words(const rules::Finding& finding);
 
 // Name as given, else the id.
 std::string_view title_of(std::string_view name, std::string_view id);
@@ -49,6 +51,8 @@ std::string summary_words(const Document& document);
 // The gravest verdict, in the order of the exit codes: not_judged (also for a plane without
 // result), then fail, then undecided, then pass. Nothing judged: not_judged.
 rules::Verdict overall_verdict(const Document& document);
+// Its name; "waived" where it is a pass of which every requirement is waived.
+const char* outcome_words(const Document& document);
 
 // "3 of 9 planned"; "" where nothing was sampled.
 std::string looks_words(const PlanePart& plane);

@@ -130,6 +130,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.direct_only = reader.choice_or("light", {"all", "direct"}, 0) == 1;
   check.any_one_unit_out = reader.choice_or("outage", {"none", "any-one-unit"}, 0) == 1;
   check.trust = read_trust(reader);
+  check.has_trust = reader.has("trust");
   check.note = reader.text_or("note", "");
   read_limit(reader, check);
   return check;

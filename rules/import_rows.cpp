@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -58,19 +57,29 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-void write_element(const XmlElement& element, int depth, std::string& out) {
+// XML text, and for each of its lines the line of the table that it was made of; 0 = none.
+struct WrittenPack {
+  std::string text;
+  std::vector<int> table_line;
+
+  void add(const std::string& line, int of_table) {
+    text += line + "\n";
+    table_line.push_back(of_table);
+  }
+};
+
+void write_element(const XmlElement& element, int depth, int table_line, WrittenPack& out) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
-  out += indent + "<" + element.name;
+  std::string line = indent + "<" + element.name;
   for (const calc::XmlAttribute& attribute : element.attributes) {
-    out += fmt::format(" {}=\"{}\"", attribute.name, escaped(attribute.value));
+    line += fmt::format(" {}=\"{}\"", attribute.name, escaped(attribute.value));
   }
-  if (element.children.empty()) {
-    out += "/>\n";
-    return;
+  if (element.children.empty()) return out.add(line + "/>", table_line);
+  out.add(line + ">", table_line);
+  for (const XmlElement& child : element.children) {
+    write_element(child, depth + 1, table_line, out);
   }
-  out += ">\n";
-  for (const XmlElement& child : element.children) write_element(child, depth + 1, out);
-  out += indent + "</" + element.name + ">\n";
+  out.add(indent + "</" + element.name + ">", table_line);
 }
 
 XmlElement element_of(std::string name,
@@ -199,27 +208,48 @@ class Importer {
   std::size_t width_ = 0;
 };
 
+struct ImportedRow {
+  XmlElement element;
+  int table_line = 0;
+};
+
 // Everything of `like` but its sources and rows, with new ones before the first check.
-std::string assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
-                      std::vector<XmlElement> rows) {
+WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
+                      const std::vector<ImportedRow>& rows) {
   set_attribute(like, "id", pack_id);
   set_attribute(like, "version", "1");
   set_attribute(like, "licence", "user-supplied");
   set_attribute(like, "licence-note", "imported from " + csv_file + "; not for redistribution");
-  std::vector<XmlElement> children{
-      element_of("source", {{"id", "table"}, {"note", "table of the user: " + csv_file}})};
-  for (XmlElement& child : like.children) {
+  WrittenPack pack;
+  pack.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0);
+  const std::vector<XmlElement> children = std::exchange(like.children, {});
+  write_element(like, 0, 0, pack);  // <rule-pack .../>, to be opened
+  pack.text.replace(pack.text.size() - 3, 2, ">");
+  write_element(element_of("source", {{"id", "table"}, {"note", "table of the user: " + csv_file}}),
+                1, 0, pack);
+  bool has_rows = false;
+  for (const XmlElement& child : children) {
     if (child.name == "source" || child.name == "row") continue;
-    if (child.name == "check" && !rows.empty()) {
-      std::move(rows.begin(), rows.end(), std::back_inserter(children));
-      rows.clear();
+    if (child.name == "check" && !has_rows) {
+      for (const ImportedRow& row : rows) write_element(row.element, 1, row.table_line, pack);
+      has_rows = true;
     }
-    children.push_back(std::move(child));
+    write_element(child, 1, 0, pack);
   }
-  like.children = std::move(children);
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  write_element(like, 0, text);
-  return text;
+  pack.add("</rule-pack>", 0);
+  return pack;
+}
+
+// What is wrong with the pack is wrong with the table: there it can be mended.
+void report_for_table(const calc::Diagnostics& of_pack, const std::vector<int>& table_line,
+                      const std::string& csv_file, calc::Diagnostics& diagnostics) {
+  for (const calc::Diagnostic& diagnostic : of_pack.all()) {
+    if (diagnostic.severity() != calc::Severity::error) continue;
+    const auto line = static_cast<std::size_t>(diagnostic.where.line);
+    const bool is_known = line >= 1 && line <= table_line.size();
+    diagnostics.report(DiagnosticId::rule_import,
+                       {csv_file, is_known ? table_line[line - 1] : 0, 0}, diagnostic.message);
+  }
 }
 
 }  // namespace
@@ -237,18 +267,22 @@ std::optional<std::string> import_rows(std::string_view csv, const std::string& 
   }
   Importer importer(csv_file, diagnostics);
   if (!importer.read_header(records->front())) return std::nullopt;
-  std::vector<XmlElement> rows;
+  std::vector<ImportedRow> rows;
   for (std::size_t i = 1; i < records->size(); ++i) {
     if (std::optional<XmlElement> row = importer.read_row((*records)[i])) {
-      rows.push_back(std::move(*row));
+      rows.push_back({std::move(*row), (*records)[i].line});
     }
   }
   const std::optional<XmlElement> like =
       calc::parse_xml(std::string(like_xml), "built in", diagnostics);
   if (!like || diagnostics.error_count() > errors_before) return std::nullopt;
-  std::string text = assembled(*like, pack_id, csv_file, std::move(rows));
-  if (!parse_rule_pack(text, pack_id + ".xml", diagnostics)) return std::nullopt;
-  return text;
+  WrittenPack pack = assembled(*like, pack_id, csv_file, rows);
+  calc::Diagnostics of_pack;
+  if (!parse_rule_pack(pack.text, pack_id + ".xml", of_pack)) {
+    report_for_table(of_pack, pack.table_line, csv_file, diagnostics);
+    return std::nullopt;
+  }
+  return std::move(pack.text);
 }
 
 }  // namespace rules

@@ -189,6 +189,7 @@ RuleTable read_table(const calc::XmlElement& element, calc::Diagnostics& diagnos
   table.match = static_cast<TableMatch>(
       reader.choice("match", {"exact", "next-lower", "next-higher", "linear"}));
   table.trust = read_trust(reader);
+  table.has_trust = reader.has("trust");
   for (const calc::XmlElement& child : element.children) {
     if (child.name == "entry") read_key_or_number(child, table, diagnostics);
   }

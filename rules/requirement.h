@@ -54,7 +54,7 @@ struct Requirement {
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   ValueRange range;                   // of Metric::share, lx
   Comparison comparison = Comparison::at_least;
-  double limit = 0.0;  // lx, or a ratio for uniformities
+  double limit = 0.0;  // lx, or a ratio for uniformities; NaN: not known, see `problem`
   LightState state = LightState::maintained;
   std::string scene;   // "" = every luminaire at full output
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement

@@ -157,6 +157,30 @@ bool dims_nothing(const std::string& scene, const std::vector<calc::LightScene>&
   });
 }
 
+// Luminaires that a scene does not name are at full output, which in an emergency must be said, not
+// forgotten. "" = all are named.
+std::string unnamed_luminaires(const std::string& scene, const RequirementContext& context) {
+  if (scene.empty() || context.space == nullptr) return {};
+  const auto is_named = [&](const std::string& group) {
+    return std::any_of(context.scenes.begin(), context.scenes.end(), [&](const auto& candidate) {
+      return candidate.id == scene &&
+             std::any_of(candidate.level_of_group.begin(), candidate.level_of_group.end(),
+                         [&](const auto& level) { return level.first == group; });
+    });
+  };
+  std::size_t unnamed = 0;
+  std::string first;
+  for (const calc::Luminaire& luminaire : context.space->luminaires) {
+    if (!luminaire.group.empty() && is_named(luminaire.group)) continue;
+    if (++unnamed == 1) first = luminaire.id;
+  }
+  if (unnamed == 0) return {};
+  return fmt::format(
+      "scene '{}' does not say what {} luminaires do in an emergency, the first is '{}': give each "
+      "a group, and each group a <dim> in the scene",
+      scene, unnamed, first);
+}
+
 // The scene is the project's choice; everything else is the pack's.
 std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
   for (const std::string_view name : kOwnAttributes) {
@@ -164,7 +188,8 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
   }
   const std::string scene = read_scene(reader, context.scenes);
   std::vector<Requirement> requirements =
-      read_rule_reference(reader, context.packs, context.kernel, scene, context.plane);
+      read_rule_reference(reader, context.packs, context.kernel,
+                          {scene, unnamed_luminaires(scene, context)}, context.plane);
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {

@@ -16,6 +16,7 @@ struct RequirementContext {
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
   const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
+  const calc::Space* space = nullptr;      // whose luminaires light it; null: not known
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id

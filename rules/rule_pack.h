@@ -81,6 +81,7 @@ struct RuleTable {
   Unit key_unit{"none", Dimension::plain, 1.0}, value_unit{"none", Dimension::plain, 1.0};
   TableMatch match = TableMatch::exact;
   Trust trust = Trust::confirmed;
+  bool has_trust = false;      // stated in the pack
   std::vector<Entry> entries;  // keys ascending
   calc::SourceLocation where;
 };
@@ -123,6 +124,7 @@ struct RuleCheck {
   std::string limit_text;
   calc::SourceLocation limit_where;
   Trust trust = Trust::confirmed;  // of what the check says itself, row values and tables apart
+  bool has_trust = false;          // stated in the pack
   std::string note;
   calc::SourceLocation where;
 

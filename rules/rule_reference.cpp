@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -100,9 +101,13 @@ std::string uncalculated_light(const RuleCheck& check) {
   return {};
 }
 
-std::string note_of(const RuleCheck& check, Trust trust) {
+std::string note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
   std::string note = trust_remark(trust);
-  if (!check.note.empty()) note += (note.empty() ? "" : "; ") + check.note;
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (pack.status != "published") {
+    add(fmt::format("{} is marked {} in its rule pack", pack.full_id(), pack.status));
+  }
+  if (!check.note.empty()) add(check.note);
   return note;
 }
 
@@ -111,7 +116,7 @@ struct Reference {
   const RuleRow* row;
   LimitScope scope;
   calc::ReceiverKernel kernel;
-  std::string scene;
+  ChosenScene scene;
   const calc::CalcPlane* plane;
 };
 
@@ -155,12 +160,13 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;
-  requirement.limit = limit.value.value;
+  requirement.limit = limit.status == LimitStatus::known ? limit.value.value
+                                                         : std::numeric_limits<double>::quiet_NaN();
   requirement.state = check.state;
-  requirement.scene = reference.scene;
+  requirement.scene = reference.scene.id;
   requirement.clause =
       clause_text(reference.pack, check, reference.row, limit.is_modified, limit.trust);
-  requirement.note = note_of(check, limit.trust);
+  requirement.note = note_of(reference.pack, check, limit.trust);
   requirement.severity = check.severity;
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
@@ -168,6 +174,9 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);
+  if (requirement.problem.empty() && check.sources == LightSources::emergency) {
+    requirement.problem = reference.scene.problem;
+  }
   requirement.where = where;
   return requirement;
 }
@@ -180,7 +189,7 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
                   calc::kernel_name(reference.kernel));
     return false;
   }
-  if (check.sources == LightSources::emergency && reference.scene.empty()) {
+  if (check.sources == LightSources::emergency && reference.scene.id.empty()) {
     reader.report(DiagnosticId::rule_needs_scene, reader.where(), check.role,
                   reference.pack.full_id());
     return false;
@@ -265,7 +274,7 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
 
 std::vector<Requirement> read_rule_reference(ElementReader& reader,
                                              const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel, const std::string& scene,
+                                             calc::ReceiverKernel kernel, const ChosenScene& scene,
                                              const calc::CalcPlane* plane) {
   for (const char* name : {"row", "level", "role", "facts"}) {
     if (!reader.has(name) || reader.has("pack")) continue;

@@ -13,6 +13,12 @@
 
 namespace rules {
 
+// The scene that a requirement names, and why it does not do for emergency lighting; "" = it does.
+struct ChosenScene {
+  std::string id;
+  std::string problem;
+};
+
 // One requirement for each check of the pack with the role, in order, without those for which the
 // row specifies nothing. What cannot be judged (a value that the pack does not know, a fact that is
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
@@ -21,7 +27,7 @@ namespace rules {
 // which is reported.
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
                                              const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel, const std::string& scene,
+                                             calc::ReceiverKernel kernel, const ChosenScene& scene,
                                              const calc::CalcPlane* plane = nullptr);
 
 // "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with "(modified)"

@@ -49,7 +49,10 @@ std::optional<LoadedProject> load(const std::string& path, const calc::FileReade
   LoadedProject loaded{std::move(*project), {}};
   loaded.requirements = rules::bind_requirements(loaded.project, packs, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  if (loaded.requirements.empty()) {
+  const bool counts = std::any_of(
+      loaded.requirements.begin(), loaded.requirements.end(),
+      [](const auto& requirement) { return requirement.severity == rules::Severity::shall; });
+  if (!counts) {
     diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
   }
   return loaded;

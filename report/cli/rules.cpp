@@ -5,19 +5,32 @@
 #include "report/cli/exit_code.h"
 #include "report/cli/explain.h"
 #include "report/cli/load_rules.h"
+#include "report/plain_text.h"
+#include "report/write.h"
 #include "rules/builtin_packs.h"
 #include "rules/import_rows.h"
 #include "rules/rule_lint.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <system_error>
 
 namespace cli {
 namespace {
+
+// What a pack says may hold anything.
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    result += report::printable(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
+}
 
 RulesRun finished(std::string out, const calc::Diagnostics& diagnostics) {
   RulesRun run;
@@ -66,13 +79,6 @@ std::string lint(const Options& options, const calc::FileReader& files,
   return out;
 }
 
-// "" or what went wrong.
-std::string write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  return file ? "" : fmt::format("cannot write '{}'", path);
-}
-
 std::string import_table(const Options& options, const calc::FileReader& files,
                          calc::Diagnostics& diagnostics) {
   constexpr const char* kLike = "en12464-1:2021";
@@ -102,9 +108,10 @@ std::string import_table(const Options& options, const calc::FileReader& files,
     const std::optional<std::string> pack =
         rules::import_rows(csv.bytes, name, text, rules_options.pack_id, diagnostics);
     if (!pack || rules_options.output.empty()) return pack.value_or("");
-    const std::string problem = write_file(rules_options.output, *pack);
+    const std::string problem = report::write_file_atomically(rules_options.output, *pack);
     if (!problem.empty()) {
-      diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
+      diagnostics.report(calc::DiagnosticId::output_not_possible, {},
+                         fmt::format("cannot write '{}': {}", rules_options.output, problem));
       return {};
     }
     return fmt::format("Wrote {}. Next: luxgate rules lint {}\n", rules_options.output,
@@ -120,13 +127,15 @@ RulesRun run_rules(const Options& options, const calc::FileReader& files) {
   std::string out;
   switch (options.rules_command.action) {
     case RulesAction::list:
-      out = list_rule_packs(load_rule_packs(options.rule_files, files, diagnostics));
+      out =
+          printable_lines(list_rule_packs(load_rule_packs(options.rule_files, files, diagnostics)));
       break;
     case RulesAction::show:
-      out = show(options, load_rule_packs(options.rule_files, files, diagnostics), diagnostics);
+      out = printable_lines(
+          show(options, load_rule_packs(options.rule_files, files, diagnostics), diagnostics));
       break;
     case RulesAction::lint:
-      out = lint(options, files, diagnostics);
+      out = printable_lines(lint(options, files, diagnostics));
       break;
     case RulesAction::import_rows:
       out = import_table(options, files, diagnostics);
@@ -147,7 +156,7 @@ RulesRun run_explain(const Options& options, const calc::FileReader& files) {
     diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, options.rules_command.explained,
                        "packs: ", joined_ids(packs));
   }
-  return finished(text.value_or(""), diagnostics);
+  return finished(printable_lines(text.value_or("")), diagnostics);
 }
 
 }  // namespace cli

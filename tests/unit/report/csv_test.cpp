@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace report {
 namespace {
@@ -63,6 +64,14 @@ TEST(Csv, UnjudgedThingsAreRowsWithoutNumbers) {
       csv,
       HasSubstr("\r\nyard.xml,,,,,,,,,,,,,,,,not judged,could not be read or calculated,,,\r\n"));
   EXPECT_THAT(csv, HasSubstr("at_least,200,,,,,not judged,the plane was not computed,,,\r\n"));
+}
+
+TEST(Csv, UnknownLimitIsEmpty) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.verdict = rules::Verdict::not_judged;
+  finding.requirement.limit = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(render_results_csv(document), HasSubstr(",at_least,,,,,,not judged,"));
 }
 
 TEST(Csv, PercentileNamesItsShare) {

@@ -66,6 +66,18 @@ TEST(Document, WaivedFindingsAreCountedApart) {
   EXPECT_EQ(summary_words(document), "2 requirements: 1 undecided, 1 waived");
   findings[1].is_waived = true;
   EXPECT_EQ(overall_verdict(document), rules::Verdict::pass);
+  EXPECT_STREQ(outcome_words(document), "waived");
+  findings.emplace_back().verdict = rules::Verdict::pass;
+  EXPECT_STREQ(outcome_words(document), "pass");
+}
+
+TEST(CloseWords, GoByThePolicy) {
+  rules::Finding finding;
+  EXPECT_EQ(close_words(finding), "");
+  finding.is_close = true;
+  EXPECT_EQ(close_words(finding), "close: usual rounding would change the verdict");
+  finding.requirement.policy.compares_rounded = true;
+  EXPECT_EQ(close_words(finding), "close: without rounding the verdict would be another");
 }
 
 TEST(NoteWords, SayWhatMustBeReadWithAFinding) {

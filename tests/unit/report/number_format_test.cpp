@@ -102,6 +102,11 @@ TEST(NumberFormat, LimitsKeepTheirDigits) {
   EXPECT_EQ(format_required(at_least(1), ""), "≥ 1.00");
 }
 
+TEST(NumberFormat, LimitsInFootCandlesAndUnknownOnes) {
+  EXPECT_EQ(format_limit(10.763910416709722, "lx"), "10.7639104 lx");
+  EXPECT_EQ(format_required({kNan, rules::Comparison::at_least}, "lx"), "unknown limit");
+}
+
 TEST(NumberFormat, MarginIsNeverRoundedToZero) {
   EXPECT_EQ(format_margin(0.0246), "+2.5 %");
   EXPECT_EQ(format_margin(-0.0008), "-0.1 %");

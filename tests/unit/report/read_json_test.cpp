@@ -103,6 +103,18 @@ TEST(ReadJson, WhatIsNotFiniteStaysSo) {
   EXPECT_FALSE(std::isfinite(again.projects[0].spaces[0].planes[0].findings[0].measured.high));
 }
 
+TEST(ReadJson, OnlyWhatIsNotJudgedMayLackItsLimit) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.requirement.limit = std::numeric_limits<double>::quiet_NaN();
+  std::string problem;
+  EXPECT_FALSE(read_json(render_json(document), problem));
+  EXPECT_EQ(problem, "/projects/0/spaces/0/planes/0/findings/0/limit: a number is needed");
+  finding.verdict = rules::Verdict::not_judged;
+  const Document again = read_again(document);
+  EXPECT_TRUE(std::isnan(again.projects[0].spaces[0].planes[0].findings[0].requirement.limit));
+}
+
 std::string problem_with(const json& changed) {
   std::string problem;
   EXPECT_FALSE(read_json(changed.dump(), problem));

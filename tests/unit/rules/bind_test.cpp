@@ -222,8 +222,9 @@ TEST(BindRequirements, CannotJudgeAPlaneThatFacesAnotherWay) {
 TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
   const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
-  EXPECT_EQ(bound.requirements[0].note, "");
-  EXPECT_EQ(bound.requirements[1].note, "unverified requirement");
+  EXPECT_EQ(bound.requirements[0].note, "en12464-1:2011 is marked superseded in its rule pack");
+  EXPECT_EQ(bound.requirements[1].note,
+            "unverified requirement; en12464-1:2011 is marked superseded in its rule pack");
   EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2011 5.26.2 [unverified requirement]");
 }
 
@@ -231,6 +232,7 @@ TEST(BindRequirements, CannotJudgeAValueThatThePackDoesNotKnow) {
   const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "26.6"}, {"role", "wall"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
   EXPECT_EQ(bound.requirements[0].problem, "row 26.6: Ewall is unknown");
+  EXPECT_TRUE(std::isnan(bound.requirements[0].limit));
   EXPECT_EQ(bound.requirements[1].problem, "");
 }
 
@@ -262,6 +264,29 @@ TEST(BindRequirements, SaysWhenASceneDimsNothing) {
   EXPECT_EQ(note_with({}), words);
   EXPECT_EQ(note_with({{"exit", 1.0}}), words);
   EXPECT_EQ(note_with({{"exit", 1.0}, {"normal", 0.0}}), "");
+}
+
+// What a scene does not name is at full output: a normal luminaire would light the route.
+TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
+  const auto problem_with = [](const std::string& group, const char* role) {
+    calc::Project project =
+        project_of({plane_of("p", {{{"pack", "egress-us"}, {"role", role}, {"scene", "night"}}})});
+    project.scenes.back().level_of_group = {{"exit", 0.2}};
+    calc::Luminaire exit;
+    exit.id = "E";
+    exit.group = "exit";
+    calc::Luminaire other;
+    other.id = "N";
+    other.group = group;
+    project.spaces[0].luminaires = {exit, other};
+    return bind_project(project).requirements.at(0).problem;
+  };
+  EXPECT_EQ(problem_with("exit", "route-start"), "");
+  EXPECT_EQ(problem_with("normal", "route-start"),
+            "scene 'night' does not say what 1 luminaires do in an emergency, the first is 'N': "
+            "give each a group, and each group a <dim> in the scene");
+  EXPECT_NE(problem_with("", "route-start"), "");
+  EXPECT_EQ(problem_with("normal", "route-normal"), "");
 }
 
 TEST(BindRequirements, TakesFactsFromTheProject) {

@@ -14,7 +14,6 @@ namespace rules {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string kHeader =
     "final_ref,final_ref_confidence,group,activity,Em_required_lx,Em_modified_lx,Uo_min,Ra_min,"
@@ -93,8 +92,11 @@ TEST(ImportRowsMessage, SaysWhatIsWrongAndWhere) {
   const Imported twice =
       imported(kHeader + "1,d,G,a,5,,0.6,80,19,,,,,A,,\n1,d,G,b,5,,0.6,80,19,,,,,A,,\n");
   EXPECT_FALSE(twice.text.has_value());
-  EXPECT_THAT(twice.messages, ElementsAre(HasSubstr("error[rule-name-twice]: the pack has two of "
-                                                    "<row> '1'")));
+  EXPECT_THAT(twice.messages, ElementsAre("rows.csv:3: error[rule-import]: the pack has two of "
+                                          "<row> '1'; names are given once"));
+  EXPECT_THAT(
+      imported(kHeader + "1,d,G,a,5,,0.6,80,19,,,,,A,,\n2,d,G,b,-5,,0.6,80,19,,,,,A,,\n").messages,
+      ElementsAre(testing::StartsWith("rows.csv:3: error[rule-import]: ")));
 }
 
 }  // namespace
