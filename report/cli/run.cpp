@@ -376,8 +376,7 @@ ExitCode run(const Options& options, const Environment& environment) {
     case Command::converge:
       watch_for_interrupt();
       return print_outcome(
-          run_converge(options.converge, calc::DiskFileReader(), environment.stderr_is_terminal),
-          false);
+          run_converge(options.converge, calc::DiskFileReader(), environment, *fault), false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:
