@@ -86,6 +86,13 @@ TEST(VplOptions, AreReadAndChecked) {
   EXPECT_THAT(parse({"vpl", "a.xml"}).err, HasSubstr("-o FILE.ply is needed"));
   EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--paths", "65"}).err, HasSubstr("power of two"));
   EXPECT_FALSE(parse({"vpl"}).options);
+  const ParseResult view = parse({"vpl", "a.xml", "--view", "x.PNG", "--gl-device", "0"});
+  ASSERT_TRUE(view.options) << view.err;
+  EXPECT_EQ(view.options->vpl.view, "x.PNG");
+  EXPECT_EQ(view.options->vpl.gl_device, 0);
+  EXPECT_TRUE(parse({"vpl", "a.xml", "-o", "x.ply", "--view", "x.exr"}).options);
+  EXPECT_THAT(parse({"vpl", "a.xml", "--view", "x.jpg"}).err, HasSubstr(".png or .exr"));
+  EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--gl-device", "0"}).err, HasSubstr("for --view"));
 }
 
 TEST(CheckOptions, AFileOfVerticesFixesSeedReplicatesAndPaths) {
