@@ -12,13 +12,6 @@ namespace {
 constexpr std::size_t kMostPools = 128;
 constexpr std::size_t kMostPoolBytes = std::size_t{1} << 30;
 
-template <class T>
-void fill(GlBuffer& buffer, const T& items) {
-  const auto bytes = std::as_bytes(std::span(items));
-  buffer.reserve(bytes.size());
-  buffer.write(0, bytes);
-}
-
 }  // namespace
 
 PackedPool pack_pool(std::span<const calc::LightVertex> vertices) {
@@ -42,6 +35,7 @@ PackedPool pack_pool(const calc::VertexTree& tree) {
                              std::bit_cast<std::uint32_t>(node.per_m2), node.first, node.size());
   }
   packed.flux_before_lm = tree.flux_before_lm();
+  packed.has_tree = true;
   return packed;
 }
 
@@ -63,14 +57,14 @@ void DevicePool::bind_tree() const {
 bool DevicePools::holds(std::uint64_t identity) const {
   const std::scoped_lock lock(mutex_);
   return identity != 0 && std::any_of(pools_.begin(), pools_.end(), [&](const DevicePool& pool) {
-           return pool.identity == identity;
+           return pool.identity == identity && pool.has_tree;
          });
 }
 
-const DevicePool* DevicePools::find(std::uint64_t identity) {
+const DevicePool* DevicePools::find(std::uint64_t identity, bool needs_tree) {
   const std::scoped_lock lock(mutex_);
   const auto found = std::find_if(pools_.begin(), pools_.end(), [&](const DevicePool& pool) {
-    return pool.identity == identity;
+    return pool.identity == identity && (pool.has_tree || !needs_tree);
   });
   if (identity == 0 || found == pools_.end()) return nullptr;
   pools_.splice(pools_.begin(), pools_, found);
@@ -79,18 +73,22 @@ const DevicePool* DevicePools::find(std::uint64_t identity) {
 
 const DevicePool& DevicePools::send(std::uint64_t identity, const PackedPool& packed) {
   DevicePool pool{identity,
+                  packed.has_tree,
                   GlBuffer("light vertices"),
                   GlBuffer("normals of light vertices"),
                   GlBuffer("groups of light vertices"),
                   GlBuffer("fluxes of groups of light vertices"),
                   GlBuffer("summed flux of light vertices")};
-  fill(pool.position, packed.position_m);
-  fill(pool.normal, packed.normal);
-  fill(pool.sphere, packed.sphere);
-  fill(pool.rest, packed.rest);
-  fill(pool.flux_before, packed.flux_before_lm);
+  pool.position.assign(packed.position_m);
+  pool.normal.assign(packed.normal);
+  pool.sphere.assign(packed.sphere);
+  pool.rest.assign(packed.rest);
+  pool.flux_before.assign(packed.flux_before_lm);
   check_gl("sending light vertices");
   const std::scoped_lock lock(mutex_);
+  if (identity != 0) {
+    pools_.remove_if([&](const DevicePool& other) { return other.identity == identity; });
+  }
   std::size_t bytes = pool.bytes();
   for (const DevicePool& other : pools_) bytes += other.bytes();
   while (!pools_.empty() && (pools_.size() >= kMostPools || bytes > kMostPoolBytes)) {

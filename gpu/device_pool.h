@@ -24,6 +24,7 @@ struct PackedPool {
   std::vector<glm::vec4> sphere;      // [node] centre and radius, m
   std::vector<glm::uvec4> rest;       // [node] flux and vertices per m2 as floats; first, count
   std::span<const double> flux_before_lm;
+  bool has_tree = false;  // the last three are there
 };
 
 PackedPool pack_pool(std::span<const calc::LightVertex> vertices);
@@ -31,6 +32,7 @@ PackedPool pack_pool(const calc::VertexTree& tree);  // which must live on
 
 struct DevicePool {
   std::uint64_t identity;
+  bool has_tree;
   GlBuffer position, normal, sphere, rest, flux_before;
 
   std::size_t bytes() const;
@@ -42,13 +44,15 @@ struct DevicePool {
 // The pools used last: the replicates of a look are computed side by side.
 class DevicePools {
  public:
-  // Whether send() need not be called now; it may yet be necessary later. For all threads.
+  // Whether it is there with its tree, so that send() need not be called now; it may yet be
+  // necessary later. For all threads.
   bool holds(std::uint64_t identity) const;
 
   // All others need the context current in which the pools live, the destructor too.
-  // Null if it is not there. Valid until the next call.
-  const DevicePool* find(std::uint64_t identity);
-  // identity: as VertexTree::identity(), 0 = never used again. Throws GlError.
+  // Null if it is not there, or lacks the tree that is needed. Valid until the next call.
+  const DevicePool* find(std::uint64_t identity, bool needs_tree);
+  // identity: as VertexTree::identity(), 0 = never used again. Takes the place of a pool of the
+  // same identity. Throws GlError.
   const DevicePool& send(std::uint64_t identity, const PackedPool& packed);
   void clear();
 

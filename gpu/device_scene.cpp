@@ -13,13 +13,6 @@ namespace {
 // A space at a time is computed; its neighbour may still be in use.
 constexpr std::size_t kMostScenes = 2;
 
-template <class T>
-void fill(GlBuffer& buffer, const T& items) {
-  const auto bytes = std::as_bytes(std::span(items));
-  buffer.reserve(bytes.size());
-  buffer.write(0, bytes);
-}
-
 std::vector<glm::dvec4> surfaces_of(const calc::Tracer& tracer, const Bvh& bvh) {
   std::vector<glm::dvec4> surfaces;
   surfaces.reserve(bvh.order.size());
@@ -52,10 +45,10 @@ const DeviceScene& DeviceScenes::of(const calc::Tracer& tracer) {
                     GlBuffer("the scene's triangles"),
                     GlBuffer("the scene's surfaces"),
                     GlBuffer("the scene's triangle numbers")};
-  fill(scene.node, bvh.nodes);
-  fill(scene.triangle, bvh.triangles);
-  fill(scene.surface, surfaces_of(tracer, bvh));
-  fill(scene.order, bvh.order);
+  scene.node.assign(bvh.nodes);
+  scene.triangle.assign(bvh.triangles);
+  scene.surface.assign(surfaces_of(tracer, bvh));
+  scene.order.assign(bvh.order);
   check_gl("sending the scene");
   scenes_.push_front(std::move(scene));
   return scenes_.front();

@@ -58,8 +58,12 @@ void DeviceThread::wait_for(Piece& piece) {
 
 void DeviceThread::live() {
   std::string problem;
-  const std::unique_ptr<EglContext> context =
-      EglContext::open(request_.device, request_.fault, problem);
+  std::unique_ptr<EglContext> context;
+  try {
+    context = EglContext::open(request_.device, request_.fault, problem);
+  } catch (const std::exception& error) {  // would end the program: no one above catches it
+    problem = std::string("it cannot be opened: ") + error.what();
+  }
   {
     const std::scoped_lock lock(mutex_);
     problem_ = std::move(problem);

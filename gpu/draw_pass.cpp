@@ -16,11 +16,6 @@ constexpr std::size_t kFewestPlaces = std::size_t{1} << 12;
 constexpr std::size_t kMostPlaces = std::size_t{1} << 21;
 constexpr double kShort_s = 0.025, kLong_s = 0.05;  // of one dispatch
 
-template <class T>
-std::span<const std::byte> bytes_of(const T& items) {
-  return std::as_bytes(std::span(items));
-}
-
 unsigned groups(std::size_t count) {
   return static_cast<unsigned>((count + kGroupSize - 1) / kGroupSize);
 }
@@ -52,22 +47,18 @@ void DrawPass::upload(Slot& slot, const DrawPiece& piece) {
   const std::size_t places = receivers * piece.places_per_receiver();
   const std::size_t weights = receivers * piece.most_nodes;
   const std::size_t answer_bytes = receivers * piece.words_per_answer() * sizeof(std::uint32_t);
-  slot.receivers.reserve(receivers * sizeof(DrawReceiver));
-  slot.tiles.reserve(piece.tiles.size() * sizeof(std::uint32_t));
+  slot.receivers.assign(piece.receivers);
+  slot.tiles.assign(piece.tiles);
   slot.weights.reserve(weights * sizeof(float));
   slot.cumulated.reserve(weights * sizeof(double));
   slot.spacings.reserve(receivers * sizeof(double));
-  slot.results.reserve(places * sizeof(std::uint32_t));
-  slot.sums.reserve(answer_bytes);
   if (piece.shape.has_bound) {
-    slot.bounded.reserve(sizeof(std::uint32_t) + places * sizeof(BoundedDraw));
+    slot.bounded.assign(sizeof(std::uint32_t) + places * sizeof(BoundedDraw), kNotDone);
     slot.bounded.fill(sizeof(std::uint32_t), 0);
   }
   // A device that silently stops must not look like darkness.
-  slot.results.fill(places * sizeof(std::uint32_t), kNotDone);
-  slot.sums.fill(answer_bytes, kNotDone);
-  slot.receivers.write(0, bytes_of(piece.receivers));
-  slot.tiles.write(0, bytes_of(piece.tiles));
+  slot.results.assign(places * sizeof(std::uint32_t), kNotDone);
+  slot.sums.assign(answer_bytes, kNotDone);
   slot.receivers.bind(4);
   slot.tiles.bind(5);
   slot.weights.bind(8);
@@ -85,7 +76,7 @@ void DrawPass::start(DeviceState& device, DevicePools& pools, std::size_t slot_n
   const calc::DrawBatch& batch = *piece.batch;
   const DrawPrograms& program = programs(device, piece.shape);
   const std::uint64_t identity = batch.tree.identity();
-  const DevicePool* pool = pools.find(identity);
+  const DevicePool* pool = pools.find(identity, true);
   if (pool == nullptr) {
     pool = &pools.send(identity, packed != nullptr ? *packed : pack_pool(batch.tree));
   }

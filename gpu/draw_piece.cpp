@@ -26,6 +26,10 @@ DrawReceiver draw_receiver(const calc::Tracer& tracer, const calc::Receiver& rec
   return result;
 }
 
+[[noreturn]] void throw_not_done() {
+  throw calc::BackendFailure("the device did not finish its work");
+}
+
 }  // namespace
 
 void DrawPacker::choose_nodes(const calc::DrawTile& tile) {
@@ -105,6 +109,10 @@ bool DrawPacker::next(DrawPiece& piece) {
 }
 
 std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
+  // Before all else: lists of the others may be anywhere then.
+  for (std::size_t k = 0; k < piece.answers.size(); k += piece.words_per_answer()) {
+    if (piece.answers[k] == kNotDone) throw_not_done();
+  }
   std::uint64_t rays = 0;
   const std::uint32_t* words = piece.answers.data();
   for (const Part& part : parts_) {
@@ -112,9 +120,6 @@ std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
     for (std::size_t k = part.first; k < part.first + part.count; ++k) {
       DrawAnswer answer;
       std::memcpy(&answer, words, sizeof answer);
-      if (answer.rays == kNotDone) {
-        throw calc::BackendFailure("the device did not finish its work");
-      }
       rays += answer.rays;
       for (std::size_t range = 0; range < part.channels.size(); ++range) {
         double lx = 0.0;
@@ -124,6 +129,7 @@ std::uint64_t DrawPacker::add(const DrawPiece& piece) const {
       float largest = std::max(sums.largest_lx[k], answer.largest_lx);
       for (std::size_t b = 0; b < answer.bounded; ++b) {
         const BoundedDraw& draw = piece.bounded.at(answer.first_bounded + b);
+        if (draw.vertex == kNotDone) throw_not_done();
         const calc::LightVertex& v = batch_.tree.vertices()[draw.vertex];
         const float lx = calc::connection_lx(
             draw.weight, v.flux_lm, batch_.bounds.limited(draw.vertex, draw.geometry_per_m2));

@@ -139,11 +139,13 @@ EGLContext create_context(EGLDisplay display, EGLConfig config, int major, int m
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
-  if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness") ||
-      epoxy_egl_version(display) >= 15) {
+  const bool is_core = epoxy_egl_version(display) >= 15;  // older: the extension's own token
+  if (is_core || epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) {
+    static_assert(EGL_LOSE_CONTEXT_ON_RESET == EGL_LOSE_CONTEXT_ON_RESET_EXT);
     std::vector<EGLint> robust = attributes;
     robust.pop_back();
-    robust.insert(robust.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+    robust.insert(robust.end(), {is_core ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+                                         : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
                                  EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE});
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, robust.data());
     if (context != EGL_NO_CONTEXT) return context;

@@ -14,18 +14,25 @@ namespace {
 static_assert(sizeof(GpuReceiver) == 48);
 static_assert(sizeof(calc::Connection) == 12);
 
-template <class T>
-std::span<const std::byte> bytes_of(const T& items) {
-  return std::as_bytes(std::span(items));
-}
-
 }  // namespace
+
+std::vector<GpuReceiver> gpu_receivers(const calc::Tracer& tracer,
+                                       std::span<const calc::Receiver> receivers) {
+  std::vector<GpuReceiver> result;
+  result.reserve(receivers.size());
+  for (const calc::Receiver& receiver : receivers) {
+    result.push_back({glm::vec4(glm::vec3(receiver.position_m), 0.0f),
+                      glm::vec4(glm::vec3(receiver.axis), static_cast<float>(receiver.kernel)),
+                      glm::vec4(glm::vec3(tracer.lift(receiver)), 0.0f)});
+  }
+  return result;
+}
 
 GatherPass::GatherPass()
     : receivers_("calculation points"), connections_("connections"), results_("results") {}
 
 void GatherPass::run(DeviceState& device, DevicePools& pools, const GatherJob& job) {
-  const DevicePool* pool = pools.find(job.vertices_identity);
+  const DevicePool* pool = pools.find(job.vertices_identity, false);
   if (pool == nullptr) pool = &pools.send(job.vertices_identity, pack_pool(job.vertices));
   pool->bind_vertices();
   upload(job);
@@ -36,13 +43,9 @@ void GatherPass::run(DeviceState& device, DevicePools& pools, const GatherJob& j
 }
 
 void GatherPass::upload(const GatherJob& job) {
-  const std::size_t result_bytes = job.connections.size() * sizeof(std::uint32_t);
-  connections_.reserve(job.connections.size_bytes());
-  receivers_.reserve(job.receivers.size_bytes());
-  results_.reserve(result_bytes);
-  results_.fill(result_bytes, kNotDone);
-  connections_.write(0, bytes_of(job.connections));
-  receivers_.write(0, bytes_of(job.receivers));
+  connections_.assign(job.connections);
+  receivers_.assign(job.receivers);
+  results_.assign(job.connections.size() * sizeof(std::uint32_t), kNotDone);
   receivers_.bind(4);
   connections_.bind(5);
   results_.bind(12);

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace gpu {
 
@@ -26,6 +27,9 @@ struct GpuReceiver {
   glm::vec4 axis;        // last component: the calc::ReceiverKernel
   glm::vec4 lifted_m;    // where its rays begin; last component unused
 };
+
+std::vector<GpuReceiver> gpu_receivers(const calc::Tracer& tracer,
+                                       std::span<const calc::Receiver> receivers);
 
 struct GatherJob {
   const calc::Tracer* tracer = nullptr;

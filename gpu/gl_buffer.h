@@ -25,6 +25,18 @@ class GlBuffer {
   unsigned name() const { return name_; }  // of OpenGL, for arrays that are drawn from
   void write(std::size_t offset, std::span<const std::byte> from);
   void read(std::size_t offset, std::span<std::byte> to) const;
+  // reserve() and write() of a whole array: a vector or a span.
+  template <class Items>
+  void assign(const Items& items) {
+    const auto bytes = std::as_bytes(std::span(items));
+    reserve(bytes.size());
+    write(0, bytes);
+  }
+  // reserve() and fill().
+  void assign(std::size_t bytes, std::uint32_t value) {
+    reserve(bytes);
+    fill(bytes, value);
+  }
   // Every 4 bytes of the first `bytes`, a multiple of 4.
   void fill(std::size_t bytes, std::uint32_t value);
   // layout(std430, binding = ...)

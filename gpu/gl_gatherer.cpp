@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -20,12 +22,6 @@ namespace {
 // A piece of work should be large beside the way to the device and back, a tenth of a millisecond,
 // and small beside a replicate.
 constexpr std::size_t kTilesPerBatch = 64;
-
-GpuReceiver gpu_receiver(const calc::Tracer& tracer, const calc::Receiver& receiver) {
-  return {glm::vec4(glm::vec3(receiver.position_m), 0.0f),
-          glm::vec4(glm::vec3(receiver.axis), static_cast<float>(receiver.kernel)),
-          glm::vec4(glm::vec3(tracer.lift(receiver)), 0.0f)};
-}
 
 // Adds the results of some connections in their order; returns the rays.
 std::uint64_t add_results(const calc::GatherBatch& batch,
@@ -51,6 +47,34 @@ std::uint64_t add_results(const calc::GatherBatch& batch,
   return batch.has_shadows ? rays : 0;
 }
 
+// Packs a pool once for all threads that want to send it at the same time.
+class PoolPacker {
+ public:
+  std::shared_ptr<const PackedPool> pack(const calc::VertexTree& tree) {
+    std::shared_ptr<Entry> entry;
+    {
+      const std::scoped_lock lock(mutex_);
+      std::erase_if(entries_, [](const auto& known) { return known.second.expired(); });
+      entry = entries_[tree.identity()].lock();
+      if (!entry) {
+        entry = std::make_shared<Entry>();
+        entries_[tree.identity()] = entry;
+      }
+    }
+    std::call_once(entry->once, [&] { entry->packed = pack_pool(tree); });
+    return {entry, &entry->packed};
+  }
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    PackedPool packed;
+  };
+
+  std::mutex mutex_;
+  std::map<std::uint64_t, std::weak_ptr<Entry>> entries_;  // by VertexTree::identity()
+};
+
 class GlGatherer : public calc::Gatherer {
  public:
   GlGatherer(std::shared_ptr<DeviceThread> thread, const DrawLimits& limits)
@@ -66,11 +90,7 @@ class GlGatherer : public calc::Gatherer {
   GlGatherer& operator=(const GlGatherer&) = delete;
 
   std::uint64_t gather(const calc::GatherBatch& batch, const calc::GatherSums& sums) override {
-    std::vector<GpuReceiver> receivers;
-    receivers.reserve(batch.receivers.size());
-    for (const calc::Receiver& receiver : batch.receivers) {
-      receivers.push_back(gpu_receiver(batch.tracer, receiver));
-    }
+    const std::vector<GpuReceiver> receivers = gpu_receivers(batch.tracer, batch.receivers);
     std::vector<std::uint32_t> results;
     std::uint64_t rays = 0;
     for (std::size_t first = 0; first < batch.connections.size();) {
@@ -86,14 +106,13 @@ class GlGatherer : public calc::Gatherer {
   }
 
   std::uint64_t draw_and_gather(const calc::DrawBatch& batch) override {
-    PackedPool packed;
-    const bool has_to_send = !pools_.holds(batch.tree.identity());
-    if (has_to_send) packed = pack_pool(batch.tree);
+    std::shared_ptr<const PackedPool> packed;  // null: the device has it
+    if (!pools_.holds(batch.tree.identity())) packed = packer_.pack(batch.tree);
     DrawPacker packer(batch, limits_);
     DrawPiece piece;
     std::uint64_t rays = 0;
     while (packer.next(piece)) {
-      draws_.run(*thread_, pools_, piece, has_to_send ? &packed : nullptr);
+      draws_.run(*thread_, pools_, piece, packed.get());
       if (piece.is_cut_short) break;
       rays += packer.add(piece);
     }
@@ -122,6 +141,7 @@ class GlGatherer : public calc::Gatherer {
 
   const std::shared_ptr<DeviceThread> thread_;
   const DrawLimits limits_;
+  PoolPacker packer_;
   DevicePools pools_;
   DrawQueue draws_;
   std::unique_ptr<GatherPass> gather_pass_;  // of the device's thread alone

@@ -92,7 +92,7 @@ class PathQueue {
       entry->is_done = true;
     }
     try {
-      if (!pass_) pass_ = std::make_unique<PathPass>(most_paths_);
+      if (!pass_) pass_ = std::make_unique<PathPass>(most_paths_, device.programs);
       pass_->run(device, jobs);
     } catch (const std::exception& error) {
       pass_.reset();  // what it kept may be what left no room

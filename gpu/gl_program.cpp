@@ -20,51 +20,36 @@ std::string log_of(GLuint name, const GetLength& get_length, const GetLog& get_l
   return std::string(text.data(), static_cast<std::size_t>(length));
 }
 
-}  // namespace
-
-GlProgram::GlProgram(const std::string& what, const std::string& source,
-                     const ProgramCache& cache) {
-  GLint formats = 0;
-  if (cache.is_on()) glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
-  if (formats > 0) {
-    if (const auto binary = cache.find(source)) is_from_cache_ = load(*binary);
-  }
-  if (is_from_cache_) return;
-  compile(what, source);
-  if (formats > 0) cache.keep(source, binary());
-}
-
-// False if the driver does not take it: it may have been updated.
-bool GlProgram::load(const ProgramBinary& binary) {
-  name_ = glCreateProgram();
-  glProgramBinary(name_, binary.format, binary.bytes.data(),
+// 0 if the driver does not take it: it may have been updated.
+GLuint loaded(const ProgramBinary& binary) {
+  const GLuint name = glCreateProgram();
+  glProgramBinary(name, binary.format, binary.bytes.data(),
                   static_cast<GLsizei>(binary.bytes.size()));
   GLint is_linked = GL_FALSE;
-  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
-  if (is_linked == GL_TRUE) return true;
-  glDeleteProgram(name_);
-  name_ = 0;
+  glGetProgramiv(name, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return name;
+  glDeleteProgram(name);
   forget_gl_errors();  // of a format that the driver does not know
-  return false;
+  return 0;
 }
 
 // Empty if the driver gives none.
-ProgramBinary GlProgram::binary() const {
+ProgramBinary binary_of(GLuint name) {
   GLint length = 0;
-  glGetProgramiv(name_, GL_PROGRAM_BINARY_LENGTH, &length);
+  glGetProgramiv(name, GL_PROGRAM_BINARY_LENGTH, &length);
   if (length <= 0) return {};
   ProgramBinary result;
   result.bytes.resize(static_cast<std::size_t>(length));
   GLenum format = 0;
   GLsizei written = 0;
-  glGetProgramBinary(name_, length, &written, &format, result.bytes.data());
+  glGetProgramBinary(name, length, &written, &format, result.bytes.data());
   if (glGetError() != GL_NO_ERROR) return {};
   result.format = format;
   result.bytes.resize(static_cast<std::size_t>(written));
   return result;
 }
 
-void GlProgram::compile(const std::string& what, const std::string& source) {
+GLuint compiled(const std::string& what, const std::string& source) {
   const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
   const char* text = source.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -76,17 +61,41 @@ void GlProgram::compile(const std::string& what, const std::string& source) {
     glDeleteShader(shader);
     throw GlError(fmt::format("the driver does not compile shader '{}': {}", what, log));
   }
-  name_ = glCreateProgram();
-  glProgramParameteri(name_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
-  glAttachShader(name_, shader);
-  glLinkProgram(name_);
+  const GLuint name = glCreateProgram();
+  glProgramParameteri(name, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+  glAttachShader(name, shader);
+  glLinkProgram(name);
   glDeleteShader(shader);
   GLint is_linked = GL_FALSE;
-  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
-  if (is_linked == GL_TRUE) return;
-  const std::string log = log_of(name_, glGetProgramiv, glGetProgramInfoLog);
-  glDeleteProgram(name_);
+  glGetProgramiv(name, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return name;
+  const std::string log = log_of(name, glGetProgramiv, glGetProgramInfoLog);
+  glDeleteProgram(name);
   throw GlError(fmt::format("the driver does not link shader '{}': {}", what, log));
+}
+
+}  // namespace
+
+LinkedProgram linked_program(const ProgramCache& cache, const std::string& key,
+                             const std::function<unsigned()>& compile) {
+  GLint formats = 0;
+  if (cache.is_on()) glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+  if (formats > 0) {
+    const auto binary = cache.find(key);
+    const GLuint name = binary ? loaded(*binary) : 0;
+    if (name != 0) return {name, true};
+  }
+  const GLuint name = compile();
+  if (formats > 0) cache.keep(key, binary_of(name));
+  return {name, false};
+}
+
+GlProgram::GlProgram(const std::string& what, const std::string& source,
+                     const ProgramCache& cache) {
+  const LinkedProgram linked =
+      linked_program(cache, source, [&] { return compiled(what, source); });
+  name_ = linked.name;
+  is_from_cache_ = linked.is_from_cache;
 }
 
 GlProgram::~GlProgram() { glDeleteProgram(name_); }

@@ -4,9 +4,19 @@
 #include "gpu/program_cache.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace gpu {
+
+// Compiles with `compile`, which gives a linked program, or takes what the cache has for the key;
+// the name of OpenGL, and whether the cache had it.
+struct LinkedProgram {
+  unsigned name = 0;
+  bool is_from_cache = false;
+};
+LinkedProgram linked_program(const ProgramCache& cache, const std::string& key,
+                             const std::function<unsigned()>& compile);
 
 // All calls need the context current in which it was made, the destructor too.
 class GlProgram {
@@ -18,17 +28,14 @@ class GlProgram {
   GlProgram& operator=(const GlProgram&) = delete;
 
   void use() const;
-  // Of the program in use; names that the shader does not read are passed over.
+  // Of the program in use. Names that the shader does not read, some in some variants of it, are
+  // passed over.
   void set(const char* uniform, std::uint32_t value) const;
   void set(const char* uniform, float value) const;
   // Whether the cache had it.
   bool is_from_cache() const { return is_from_cache_; }
 
  private:
-  bool load(const ProgramBinary& binary);
-  void compile(const std::string& what, const std::string& source);
-  ProgramBinary binary() const;
-
   unsigned name_ = 0;
   bool is_from_cache_ = false;
 };

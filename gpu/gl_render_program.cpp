@@ -1,6 +1,7 @@
 #include "gpu/gl_render_program.h"
 
 #include "gpu/gl_error.h"
+#include "gpu/gl_program.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -37,22 +38,31 @@ class Shader {
   GLuint name_;
 };
 
-}  // namespace
-
-GlRenderProgram::GlRenderProgram(const std::string& what, const RenderShaders& source) {
+GLuint compiled(const std::string& what, const RenderShaders& source) {
   const Shader vertex(GL_VERTEX_SHADER, what, source.vertex);
   const Shader fragment(GL_FRAGMENT_SHADER, what, source.fragment);
-  name_ = glCreateProgram();
-  glAttachShader(name_, vertex.name());
-  glAttachShader(name_, fragment.name());
-  glLinkProgram(name_);
+  const GLuint name = glCreateProgram();
+  glProgramParameteri(name, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+  glAttachShader(name, vertex.name());
+  glAttachShader(name, fragment.name());
+  glLinkProgram(name);
   GLint is_linked = GL_FALSE;
-  glGetProgramiv(name_, GL_LINK_STATUS, &is_linked);
-  if (is_linked == GL_TRUE) return;
+  glGetProgramiv(name, GL_LINK_STATUS, &is_linked);
+  if (is_linked == GL_TRUE) return name;
   std::array<char, 2000> log{};
-  glGetProgramInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  glDeleteProgram(name_);
+  glGetProgramInfoLog(name, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  glDeleteProgram(name);
   throw GlError(fmt::format("the driver does not link shader '{}': {}", what, log.data()));
+}
+
+}  // namespace
+
+GlRenderProgram::GlRenderProgram(const std::string& what, const RenderShaders& source,
+                                 const ProgramCache& cache) {
+  const LinkedProgram linked = linked_program(cache, source.vertex + "// and\n" + source.fragment,
+                                              [&] { return compiled(what, source); });
+  name_ = linked.name;
+  is_from_cache_ = linked.is_from_cache;
 }
 
 GlRenderProgram::~GlRenderProgram() { glDeleteProgram(name_); }

@@ -1,6 +1,7 @@
 #pragma once
 // A vertex and a fragment shader.
 
+#include "gpu/program_cache.h"
 #include "gpu/raster_shaders.h"
 
 #include <glm/glm.hpp>
@@ -14,7 +15,8 @@ namespace gpu {
 class GlRenderProgram {
  public:
   // Throws GlError with the compiler's messages. what: for messages, "shadow map".
-  GlRenderProgram(const std::string& what, const RenderShaders& source);
+  GlRenderProgram(const std::string& what, const RenderShaders& source,
+                  const ProgramCache& cache = {});
   ~GlRenderProgram();
   GlRenderProgram(const GlRenderProgram&) = delete;
   GlRenderProgram& operator=(const GlRenderProgram&) = delete;
@@ -28,8 +30,12 @@ class GlRenderProgram {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
+  // Whether the cache had it.
+  bool is_from_cache() const { return is_from_cache_; }
+
  private:
   unsigned name_ = 0;
+  bool is_from_cache_ = false;
 };
 
 }  // namespace gpu

@@ -39,8 +39,8 @@ static_assert(sizeof(GpuRequest) == 64);
 
 class ShortRayPass {
  public:
-  ShortRayPass()
-      : program_("short rays", short_ray_shader()),
+  explicit ShortRayPass(const ProgramCache& programs)
+      : program_("short rays", short_ray_shader(), programs),
         words_("random numbers"),
         requests_("calculation points"),
         hits_("hits of short rays") {
@@ -50,16 +50,13 @@ class ShortRayPass {
         words.push_back(calc::ScrambledSobol::direction_number(dimension, bit));
       }
     }
-    words_.reserve(words.size() * sizeof(std::uint32_t));
-    words_.write(0, std::as_bytes(std::span(words)));
+    words_.assign(words);
   }
 
   void run(DeviceState& device, const calc::Tracer& tracer, float least_m, float most_m,
            std::span<const GpuRequest> requests, std::span<calc::FirstHit> hits) {
-    requests_.reserve(requests.size_bytes());
-    requests_.write(0, std::as_bytes(requests));
-    hits_.reserve(hits.size_bytes());
-    hits_.fill(hits.size_bytes(), calc::FirstHit::kNotDone);
+    requests_.assign(requests);
+    hits_.assign(hits.size_bytes(), calc::FirstHit::kNotDone);
     const DeviceScene& scene = device.scenes.of(tracer);
     program_.use();
     scene.bind();
@@ -123,7 +120,7 @@ class GlShortRays : public calc::ShortRayCaster {
     const std::vector<GpuRequest> sent = gpu_requests(tracer, requests);
     thread_->run([&](DeviceState& device) {
       try {
-        if (!pass_) pass_ = std::make_unique<ShortRayPass>();
+        if (!pass_) pass_ = std::make_unique<ShortRayPass>(device.programs);
         pass_->run(device, tracer, least_m, most_m, sent, hits);
       } catch (const std::exception&) {
         pass_.reset();  // what it kept may be what left no room

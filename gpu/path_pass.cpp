@@ -41,17 +41,6 @@ std::uint32_t reflections_of_software(std::uint32_t nodes) {
 constexpr std::size_t kMostTables = 2;
 constexpr std::size_t kStateBytes = 64;
 
-template <class T>
-std::span<const std::byte> bytes_of(const std::vector<T>& items) {
-  return std::as_bytes(std::span(items));
-}
-
-template <class T>
-void send(GlBuffer& buffer, const std::vector<T>& items) {
-  buffer.reserve(bytes_of(items).size());
-  buffer.write(0, bytes_of(items));
-}
-
 void run_groups(std::size_t invocations) {
   glDispatchCompute(static_cast<GLuint>((invocations + kGroupSize - 1) / kGroupSize), 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -61,13 +50,13 @@ void run_groups(std::size_t invocations) {
 
 }  // namespace
 
-PathPass::PathPass(std::uint32_t most_paths)
+PathPass::PathPass(std::uint32_t most_paths, const ProgramCache& programs)
     : most_paths_(most_paths),
-      starts_program_("starts of light paths", path_starts_shader()),
-      paths_program_("light paths", light_path_shader()),
-      sums_program_("sums of light paths", path_sums_shader()),
-      places_program_("places of light paths", path_places_shader()),
-      balance_program_("balance of light paths", path_balance_shader()),
+      starts_program_("starts of light paths", path_starts_shader(), programs),
+      paths_program_("light paths", light_path_shader(), programs),
+      sums_program_("sums of light paths", path_sums_shader(), programs),
+      places_program_("places of light paths", path_places_shader(), programs),
+      balance_program_("balance of light paths", path_balance_shader(), programs),
       words_("random numbers"),
       vertices_("light vertices"),
       packed_("packed light vertices"),
@@ -94,8 +83,10 @@ void PathPass::run(DeviceState& device, std::span<PathJob* const> jobs) {
     if (device.context.device().is_software) {
       left = std::min(left, reflections_of_software(device.scenes.of(jobs.front()->tracer).nodes));
     }
-    for (const PathJob* job : jobs) {
-      if (!job->is_useless()) left = std::min(left, reflections_left(*job));
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+      // A batch whose paths have all ended may have reached its last reflection.
+      const bool goes_on = !jobs[j]->is_useless() && alive_[j] > 0;
+      if (goes_on) left = std::min(left, reflections_left(*jobs[j]));
     }
     const std::uint32_t room = most_paths_ * kReflectionsPerRound / slot_.back();
     const std::uint32_t reflections = std::min(left, room);
@@ -146,7 +137,9 @@ void PathPass::start(std::span<PathJob* const> jobs) {
       slot_.push_back(slot_.back() + paths);
     }
   }
-  send(words_, words);
+  words_.assign(words);
+  balances_.fill(chunk_.size() * calc::kPathsPerChunk * sizeof(glm::dvec2), ~0u);  // NaN
+  alive_.assign(jobs.size(), 1);
   reflection_ = 0;
 }
 
@@ -185,10 +178,9 @@ void PathPass::trace(DeviceState& device, const PathJob& job, std::uint32_t refl
 }
 
 std::vector<PathPass::ChunkSum> PathPass::sum_up() {
-  send(chunks_, slot_);
+  chunks_.assign(slot_);
   std::vector<ChunkSum> sums(chunk_.size());
-  sums_.reserve(sums.size() * sizeof(ChunkSum));
-  sums_.fill(sums.size() * sizeof(ChunkSum), ~0u);
+  sums_.assign(sums.size() * sizeof(ChunkSum), ~0u);
   sums_program_.use();
   sums_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
   chunks_.bind(kChunks);
@@ -205,17 +197,17 @@ std::vector<PathPass::ChunkSum> PathPass::sum_up() {
 
 // Decides which jobs go on, moves vertices and living paths together, fetches the former.
 void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>& sums) {
-  std::vector<std::uint64_t> alive(jobs.size());
+  alive_.assign(jobs.size(), 0);
   for (std::size_t c = 0; c < chunk_.size(); ++c) {
     PathJob& job = *jobs[chunk_[c].job];
     job.vertices += sums[c].vertices;
     job.rays += sums[c].rays;
-    alive[chunk_[c].job] += sums[c].alive;
+    alive_[chunk_[c].job] += sums[c].alive;
   }
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     PathJob& job = *jobs[j];
     if (job.vertices > job.most_vertices) job.has_too_many_vertices = true;
-    if (reflections_left(job) == 0 && alive[j] > 0) job.has_endless_path = true;
+    if (reflections_left(job) == 0 && alive_[j] > 0) job.has_endless_path = true;
     if (!job.is_useless()) job.rounds.emplace_back();
   }
 
@@ -236,7 +228,7 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
     vertex += sums[c].vertices;
     job_vertices[j] += sums[c].vertices;
   }
-  send(places_, places);
+  places_.assign(places);
   packed_.fill(vertex * sizeof(calc::LightVertex), ~0u);
   places_program_.use();
   places_program_.set("path_count", slot_.back());
@@ -268,10 +260,9 @@ void PathPass::pack(std::span<PathJob* const> jobs, const std::vector<ChunkSum>&
 void PathPass::fetch_balance(std::span<PathJob* const> jobs) {
   std::vector<std::uint32_t> paths;
   for (const Chunk& chunk : chunk_) paths.push_back(chunk.paths);
-  send(chunks_, paths);
+  chunks_.assign(paths);
   std::vector<glm::dvec2> sums(chunk_.size());
-  sums_.reserve(sums.size() * sizeof(glm::dvec2));
-  sums_.fill(sums.size() * sizeof(glm::dvec2), ~0u);
+  sums_.assign(sums.size() * sizeof(glm::dvec2), ~0u);
   balance_program_.use();
   balance_program_.set("chunk_count", static_cast<std::uint32_t>(chunk_.size()));
   balances_.bind(0);
@@ -299,7 +290,7 @@ const GlBuffer& PathPass::tables_of(const PathJob& job) {
   }
   while (tables_.size() >= kMostTables) tables_.pop_back();
   Tables tables{job.emitter.identity(), GlBuffer("luminaires")};
-  send(tables.value, path_tables(job.emitter, job.tracer.offset_m()));
+  tables.value.assign(path_tables(job.emitter, job.tracer.offset_m()));
   check_gl("sending luminaires");
   tables_.push_front(std::move(tables));
   return tables_.front().value;

@@ -49,7 +49,7 @@ struct PathJob {
 class PathPass {
  public:
   // most_paths: of one run(), a multiple of kPathsPerChunk. Never changes a result.
-  explicit PathPass(std::uint32_t most_paths);
+  PathPass(std::uint32_t most_paths, const ProgramCache& programs);
 
   // All jobs at once: at most kMostJobs of one tracer and emitter, of at most most_paths() with
   // chunks counted as full. Throws GlError; is then of no more use.
@@ -88,9 +88,10 @@ class PathPass {
   std::list<Tables> tables_;  // latest use first
   // Of this run:
   std::vector<Chunk> chunk_;
-  std::vector<std::uint32_t> slot_;  // first of each chunk; chunks + 1 entries
-  std::uint32_t reflection_ = 0;     // done
-  std::size_t now_ = 0;              // which of states_ holds this round's, not the next one's
+  std::vector<std::uint32_t> slot_;   // first of each chunk; chunks + 1 entries
+  std::vector<std::uint64_t> alive_;  // paths of each job; at least 1 before the first reflection
+  std::uint32_t reflection_ = 0;      // done
+  std::size_t now_ = 0;               // which of states_ holds this round's, not the next one's
 };
 
 }  // namespace gpu

@@ -120,20 +120,13 @@ class VertexArray {
   unsigned name_ = 0;
 };
 
-template <class T>
-void upload(GlBuffer& buffer, const std::vector<T>& items) {
-  const auto bytes = std::as_bytes(std::span(items));
-  buffer.reserve(bytes.size());
-  buffer.write(0, bytes);
-}
-
-void draw_surfaces(const PictureScene& scene, const Camera& camera) {
+void draw_surfaces(const PictureScene& scene, const Camera& camera, const ProgramCache& programs) {
   if (scene.triangle.empty()) return;
-  const GlRenderProgram program("surfaces", picture_shaders(false));
+  const GlRenderProgram program("surfaces", picture_shaders(false), programs);
   GlBuffer position("surfaces"), value("values of surfaces"), triangle("triangles of surfaces");
-  upload(position, scene.position_m);
-  upload(value, scene.value);
-  upload(triangle, scene.triangle);
+  position.assign(scene.position_m);
+  value.assign(scene.value);
+  triangle.assign(scene.triangle);
   const VertexArray array;
   array.bind();
   glBindBuffer(GL_ARRAY_BUFFER, position.name());
@@ -152,7 +145,7 @@ void draw_surfaces(const PictureScene& scene, const Camera& camera) {
 void draw_cover(const std::vector<CoverVertex>& vertices, const GlRenderProgram& program) {
   if (vertices.empty()) return;
   GlBuffer buffer("lines and dots");
-  upload(buffer, vertices);
+  buffer.assign(vertices);
   const VertexArray array;
   array.bind();
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
@@ -180,7 +173,8 @@ void turn_over(std::vector<T>& rows, std::size_t row) {
   }
 }
 
-Picture draw(const PictureScene& scene, const Camera& camera, int width, int height) {
+Picture draw(const PictureScene& scene, const Camera& camera, int width, int height,
+             const ProgramCache& programs) {
   const GlTarget target("a picture", width, height, {Layer::value, Layer::colour, Layer::depth});
   target.draw_into();
   const std::array<float, 4> nothing{Picture::kNothing, 0, 0, 0}, clear{0, 0, 0, 0};
@@ -194,10 +188,10 @@ Picture draw(const PictureScene& scene, const Camera& camera, int width, int hei
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  draw_surfaces(scene, camera);
+  draw_surfaces(scene, camera, programs);
 
   const Cover cover = CoverBuilder(scene, camera, width, height).build();
-  const GlRenderProgram program("lines and dots", picture_shaders(true));
+  const GlRenderProgram program("lines and dots", picture_shaders(true), programs);
   glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthMask(GL_FALSE);
   glEnablei(GL_BLEND, 1);
@@ -234,7 +228,7 @@ Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Came
                      int width) {
   Picture picture;
   thread.run([&](DeviceState& device) {
-    picture = draw(scene, camera, width, height_of(camera, width));
+    picture = draw(scene, camera, width, height_of(camera, width), device.programs);
     device.check("drawing a picture");
   });
   return picture;

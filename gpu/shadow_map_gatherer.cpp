@@ -14,17 +14,6 @@
 namespace gpu {
 namespace {
 
-std::vector<GpuReceiver> gpu_receivers(const calc::GatherBatch& batch) {
-  std::vector<GpuReceiver> result;
-  result.reserve(batch.receivers.size());
-  for (const calc::Receiver& receiver : batch.receivers) {
-    result.push_back({glm::vec4(glm::vec3(receiver.position_m), 0.0f),
-                      glm::vec4(glm::vec3(receiver.axis), static_cast<float>(receiver.kernel)),
-                      glm::vec4(glm::vec3(batch.tracer.lift(receiver)), 0.0f)});
-  }
-  return result;
-}
-
 class ShadowMapGatherer : public calc::Gatherer {
  public:
   ShadowMapGatherer(std::shared_ptr<DeviceThread> thread, std::uint32_t texels)
@@ -49,12 +38,13 @@ class ShadowMapGatherer : public calc::Gatherer {
                                 const calc::GatherSums& sums) override {
     calc::SharedGather done;
     done.pairs.assign(batch.receivers.size(), 0);
-    const std::vector<GpuReceiver> receivers = gpu_receivers(batch);
+    const std::vector<GpuReceiver> receivers = gpu_receivers(batch.tracer, batch.receivers);
     const ShadowMapJob job{&batch.tracer,
                            batch.vertices,
                            receivers,
                            batch.bounds.lowest_per_m2(),
                            batch.has_shadows && !batch.tracer.scene().triangle.empty(),
+                           batch.deadline_s,
                            [&](std::size_t first, std::size_t first_receiver, std::size_t count,
                                std::span<const std::uint32_t> results) {
                              for (std::size_t k = 0; k < results.size(); k += count) {
@@ -63,7 +53,7 @@ class ShadowMapGatherer : public calc::Gatherer {
                              }
                            }};
     thread_->run([&](DeviceState& device) {
-      if (!pass_) pass_ = std::make_unique<ShadowMapPass>(texels_);
+      if (!pass_) pass_ = std::make_unique<ShadowMapPass>(texels_, device.programs);
       const ShadowMapTimes times = pass_->run(device, job);
       done.maps_s = times.maps_s;
       done.gather_s = times.gather_s;

@@ -37,20 +37,16 @@ std::uint32_t maps_in_row(std::uint32_t texels) {
   return std::max(1u, width / (kWidthInFaces * texels));
 }
 
-template <class T>
-void upload_array(GlBuffer& buffer, std::span<const T> items) {
-  buffer.reserve(items.size_bytes());
-  buffer.write(0, std::as_bytes(items));
-}
+constexpr double kShort_s = 0.025, kLong_s = 0.05;  // of one draw call
 
 }  // namespace
 
-ShadowMapPass::ShadowMapPass(std::uint32_t texels)
+ShadowMapPass::ShadowMapPass(std::uint32_t texels, const ProgramCache& programs)
     : texels_(texels),
       maps_per_row_(maps_in_row(texels)),
       most_maps_(maps_in_atlas(texels)),
-      draw_("shadow map", shadow_map_shaders()),
-      gather_("shadow gather", shadow_gather_shader()),
+      draw_("shadow map", shadow_map_shaders(), programs),
+      gather_("shadow gather", shadow_gather_shader(), programs),
       atlas_("shadow maps",
              static_cast<int>(kWidthInFaces * texels *
                               std::min<std::size_t>(maps_per_row_, most_maps_)),
@@ -69,15 +65,15 @@ ShadowMapPass::~ShadowMapPass() { glDeleteVertexArrays(1, &layout_); }
 ShadowMapTimes ShadowMapPass::run(DeviceState& device, const ShadowMapJob& job) {
   ShadowMapTimes times;
   upload(job);
-  for (std::size_t first = 0; first < job.vertices.size(); first += most_maps_) {
+  bool goes_on = true;
+  for (std::size_t first = 0; goes_on && first < job.vertices.size(); first += most_maps_) {
     const std::size_t count = std::min(most_maps_, job.vertices.size() - first);
     if (job.has_shadows) {
       const calc::PhaseTimer timer(times.maps_s);
-      render(job, first, count);
-      glFinish();
+      goes_on = render(job, first, count);
     }
     const calc::PhaseTimer timer(times.gather_s);
-    gather(job, first, count);
+    goes_on = goes_on && gather(job, first, count);
     device.check("gathering light by shadow maps");
   }
   return times;
@@ -85,8 +81,8 @@ ShadowMapTimes ShadowMapPass::run(DeviceState& device, const ShadowMapJob& job) 
 
 void ShadowMapPass::upload(const ShadowMapJob& job) {
   if (job.has_shadows) upload_scene(*job.tracer);
-  upload_array(vertices_, job.vertices);
-  upload_array(receivers_, job.receivers);
+  vertices_.assign(job.vertices);
+  receivers_.assign(job.receivers);
   check_gl("sending light vertices");
 }
 
@@ -94,27 +90,31 @@ void ShadowMapPass::upload_scene(const calc::Tracer& tracer) {
   if (scene_identity_ == tracer.identity()) return;
   scene_identity_ = 0;
   const calc::PreparedScene& scene = tracer.scene();
-  upload_array(corners_, std::span<const glm::vec3>(scene.vertex_m));
-  upload_array(triangles_, std::span<const glm::uvec3>(scene.triangle));
+  corners_.assign(std::span<const glm::vec3>(scene.vertex_m));
+  triangles_.assign(std::span<const glm::uvec3>(scene.triangle));
   check_gl("sending the scene");
   indices_ = static_cast<std::uint32_t>(3 * scene.triangle.size());
   depth_unit_m_ = static_cast<float>(1.01 * scene.extent_m);
   scene_identity_ = tracer.identity();
 }
 
-void ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size_t count) {
+// Clears the maps and sets all that is the same for the draw calls of a pass.
+void ShadowMapPass::prepare(const ShadowMapJob& job, std::size_t count) {
   atlas_.draw_into();
   glDepthMask(GL_TRUE);
   glClearDepth(1.0);
+  // The rows of maps in use: software takes its time for the others.
+  const std::size_t rows = (count + maps_per_row_ - 1) / maps_per_row_;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, atlas_.width(), static_cast<GLsizei>(rows * texels_));
   glClear(GL_DEPTH_BUFFER_BIT);
-  if (indices_ == 0) return;
+  glDisable(GL_SCISSOR_TEST);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   for (unsigned k = 0; k < kFaces; ++k) glEnable(GL_CLIP_DISTANCE0 + k);
   draw_.use();
-  draw_.set("first_map", 0u);
   draw_.set("maps_per_row", maps_per_row_);
   draw_.set("map_texels", texels_);
   draw_.set("atlas_width", static_cast<float>(atlas_.width()));
@@ -124,23 +124,43 @@ void ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size
   glBindVertexArray(layout_);
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-  for (unsigned k = 0; k < 2; ++k) {  // position and normal of calc::LightVertex
-    glVertexAttribPointer(
-        1 + k, 3, GL_FLOAT, GL_FALSE, sizeof(calc::LightVertex),
-        reinterpret_cast<const void*>(first * sizeof(calc::LightVertex) + 16 * k));
-    glVertexAttribDivisor(1 + k, kFaces);
-  }
   for (unsigned k = 0; k < 3; ++k) glEnableVertexAttribArray(k);
+  for (unsigned k = 1; k < 3; ++k) glVertexAttribDivisor(k, kFaces);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
-  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT, nullptr,
-                          static_cast<GLsizei>(kFaces * count));
+}
+
+bool ShadowMapPass::render(const ShadowMapJob& job, std::size_t first, std::size_t count) {
+  prepare(job, count);
+  bool is_whole = true;
+  for (std::size_t map = 0; indices_ > 0 && map < count;) {
+    is_whole = !calc::is_past(job.deadline_s);
+    if (!is_whole) break;
+    const double begin_s = calc::now_s();
+    const std::size_t maps = std::min(maps_per_draw_, count - map);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    for (unsigned k = 0; k < 2; ++k) {  // position and normal of calc::LightVertex
+      glVertexAttribPointer(
+          1 + k, 3, GL_FLOAT, GL_FALSE, sizeof(calc::LightVertex),
+          reinterpret_cast<const void*>((first + map) * sizeof(calc::LightVertex) + 16 * k));
+    }
+    draw_.set("first_map", static_cast<std::uint32_t>(map));
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT, nullptr,
+                            static_cast<GLsizei>(kFaces * maps));
+    glFinish();
+    map += maps;
+    const double took_s = calc::now_s() - begin_s;
+    if (took_s < kShort_s && maps == maps_per_draw_) {
+      maps_per_draw_ = std::min(2 * maps_per_draw_, kMostMaps);
+    }
+    if (took_s > kLong_s) maps_per_draw_ = std::max<std::size_t>(maps_per_draw_ / 2, 1);
+  }
   for (unsigned k = 0; k < kFaces; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
   glBindVertexArray(0);
   check_gl("drawing shadow maps");
+  return is_whole;
 }
 
-void ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size_t count) {
+bool ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size_t count) {
   gather_.use();
   gather_.set("maps_per_row", maps_per_row_);
   gather_.set("map_texels", texels_);
@@ -155,10 +175,10 @@ void ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size
   const std::size_t most = std::max(kFewestReceivers, kMostResults / count);
   std::vector<std::uint32_t> results;
   for (std::size_t begin = 0; begin < job.receivers.size(); begin += most) {
+    if (calc::is_past(job.deadline_s)) return false;
     const std::size_t receivers = std::min(most, job.receivers.size() - begin);
     results.assign(count * receivers, kNotDone);  // also if reading back does nothing
-    results_.reserve(results.size() * sizeof(std::uint32_t));
-    results_.fill(results.size() * sizeof(std::uint32_t), kNotDone);
+    results_.assign(results.size() * sizeof(std::uint32_t), kNotDone);
     results_.bind(kResults);
     gather_.set("first_receiver", static_cast<std::uint32_t>(begin));
     gather_.set("receiver_count", static_cast<std::uint32_t>(receivers));
@@ -169,6 +189,7 @@ void ShadowMapPass::gather(const ShadowMapJob& job, std::size_t first, std::size
     check_gl("reading shadow maps");
     job.take(first, begin, receivers, results);
   }
+  return true;
 }
 
 }  // namespace gpu

@@ -25,6 +25,7 @@ struct ShadowMapJob {
   std::span<const GpuReceiver> receivers;
   float most_per_m2 = 0.0f;  // larger geometry terms are cut off
   bool has_shadows = true;
+  double deadline_s = 0.0;  // as in calc::GatherBatch; what was not yet told then never is
   // Told, in order of vertices: results [vertex - first][receiver - first_receiver] of some
   // vertices and some receivers, as of GatherJob::results, all above 0 being lx.
   std::function<void(std::size_t first, std::size_t first_receiver, std::size_t receivers,
@@ -39,7 +40,7 @@ struct ShadowMapTimes {
 class ShadowMapPass {
  public:
   // Texels along a cube's edge: a power of two, 16 to 2048.
-  explicit ShadowMapPass(std::uint32_t texels);
+  ShadowMapPass(std::uint32_t texels, const ProgramCache& programs);
   ~ShadowMapPass();
   ShadowMapPass(const ShadowMapPass&) = delete;
   ShadowMapPass& operator=(const ShadowMapPass&) = delete;
@@ -50,8 +51,10 @@ class ShadowMapPass {
  private:
   void upload(const ShadowMapJob& job);
   void upload_scene(const calc::Tracer& tracer);
-  void render(const ShadowMapJob& job, std::size_t first, std::size_t count);
-  void gather(const ShadowMapJob& job, std::size_t first, std::size_t count);
+  // False at the deadline.
+  bool render(const ShadowMapJob& job, std::size_t first, std::size_t count);
+  void prepare(const ShadowMapJob& job, std::size_t count);
+  bool gather(const ShadowMapJob& job, std::size_t first, std::size_t count);
 
   const std::uint32_t texels_;
   std::uint32_t maps_per_row_ = 1;
@@ -64,6 +67,9 @@ class ShadowMapPass {
   std::uint64_t scene_identity_ = 0;  // in corners_ and triangles_
   std::uint32_t indices_ = 0;
   float depth_unit_m_ = 1.0f;  // beyond every surface
+  // Of one draw call, so that each takes some 50 ms at most: desktop drivers watch, and between
+  // calls the work can end early.
+  std::size_t maps_per_draw_ = 8;
 };
 
 }  // namespace gpu

@@ -1,5 +1,6 @@
 // Convergence as CSV and JSON.
 #include "report/converge_document.h"
+#include "report/converge_words.h"
 #include "report/csv_field.h"
 #include "report/json_layout.h"
 #include "report/number_format.h"
@@ -20,11 +21,11 @@ Json optional_number(const std::optional<double>& value) { return value ? Json(*
 std::string cell(double value) { return format_shortest(value); }
 
 Json phases_json(const ConvergePhases& phases) {
-  return {{"build_s", phases.build},
-          {"direct_s", phases.direct},
-          {"light_paths_s", phases.pool},
-          {"connections_s", phases.connect},
-          {"near_field_s", phases.near}};
+  Json json = Json::object();
+  for (const ConvergePhase& phase : all_phases()) {
+    json[std::string(phase.key)] = phases.*phase.seconds;
+  }
+  return json;
 }
 
 Json coverage_json(const ConvergeCoverage& coverage) {
@@ -77,9 +78,9 @@ Json method_json(const ConvergeMethod& method) {
 }  // namespace
 
 std::string render_converge_csv(const ConvergeDocument& document) {
-  std::string csv =
-      "space,plane,method,paths,replicates,seeds,seconds,build_s,direct_s,light_paths_s,"
-      "connections_s,near_field_s,light_rays,rays_per_point";
+  std::string csv = "space,plane,method,paths,replicates,seeds,seconds";
+  for (const ConvergePhase& phase : all_phases()) csv += "," + std::string(phase.key);
+  csv += ",light_rays,rays_per_point";
   for (const ConvergeMetric metric : kAllConvergeMetrics) {
     const std::string name(converge_metric_name(metric));
     csv += "," + name + "," + name + "_lowest," + name + "_highest," + name + "_below_reference";
@@ -93,11 +94,9 @@ std::string render_converge_csv(const ConvergeDocument& document) {
         csv += csv_field(document.space_id) + "," + csv_field(plane.id) + "," + method.name + "," +
                std::to_string(s.paths) + "," + std::to_string(document.replicates) + "," +
                std::to_string(document.seeds);
-        for (const double value :
-             {s.seconds, s.phases.build, s.phases.direct, s.phases.pool, s.phases.connect,
-              s.phases.near, s.light_rays, s.rays_per_point}) {
-          csv += "," + cell(value);
-        }
+        csv += "," + cell(s.seconds);
+        for (const ConvergePhase& phase : all_phases()) csv += "," + cell(s.phases.*phase.seconds);
+        csv += "," + cell(s.light_rays) + "," + cell(s.rays_per_point);
         for (const ConvergeError& e : plane.curves[m].errors[k]) {
           csv += "," + cell(e.value) + "," + cell(e.low) + "," + cell(e.high) + "," +
                  (e.is_below ? "1" : "0");
@@ -120,6 +119,7 @@ std::string render_converge_json(const ConvergeDocument& document) {
             {"project", document.project},
             {"path", document.path},
             {"space", document.space_id},
+            {"opengl", document.opengl.empty() ? Json() : Json(document.opengl)},
             {"part", document.part},
             {"reference", document.reference},
             {"replicates", document.replicates},

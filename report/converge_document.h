@@ -42,7 +42,7 @@ struct ConvergeCoverage {
 };
 
 struct ConvergePhases {  // seconds
-  double build = 0.0, direct = 0.0, pool = 0.0, connect = 0.0, near = 0.0;
+  double build = 0.0, direct = 0.0, pool = 0.0, maps = 0.0, connect = 0.0, near = 0.0;
 };
 
 // One method, one number of paths; all planes together. Times: of the fastest seed; rays: medians.
@@ -86,6 +86,8 @@ struct ConvergeMethod {
 
 struct ConvergeDocument {
   std::string project, path, space_id, program, tracer;
+  std::string opengl;  // the device, "" = no method needs one
+  bool is_software_opengl = false;
   std::string part;       // "total" or "indirect"
   std::string reference;  // in words
   int replicates = 0, seeds = 0, jobs = 0;

@@ -49,7 +49,7 @@ constexpr const char* kStyle = R"css(
 .halves caption { font-weight: 650; color: var(--ink); }
 .bar { display: flex; height: 9px; border-radius: 3px; overflow: hidden; min-width: 9rem; background: var(--soft); }
 .bar i { display: block; height: 100%; }
-.p0 { background: var(--m7); } .p1 { background: var(--m4); } .p2 { background: var(--m2); } .p3 { background: var(--m0); } .p4 { background: var(--m1); }
+.p0 { background: var(--m7); } .p1 { background: var(--m4); } .p2 { background: var(--m2); } .p3 { background: var(--m0); } .p4 { background: var(--m1); } .p5 { background: var(--m3); }
 .phase-key i { width: .75em; height: .75em; border-radius: 2px; margin-right: .4em; display: inline-block; }
 table.numbers { text-anchor: initial; }
 table.numbers td, table.numbers th { padding-top: .3rem; padding-bottom: .3rem; }
@@ -276,38 +276,37 @@ std::string plane_html(const ConvergeDocument& document, const ConvergePlane& pl
 }
 
 std::string bar(const ConvergePhases& phases) {
-  const std::array parts{phases.build, phases.direct, phases.pool, phases.connect, phases.near};
   double sum = 0.0;
-  for (const double part : parts) sum += part;
+  for (const ConvergePhase& phase : all_phases()) sum += phases.*phase.seconds;
   std::string html = "<div class=\"bar\" aria-hidden=\"true\">";
-  for (std::size_t i = 0; i < parts.size() && sum > 0.0; ++i) {
-    html += fmt::format("<i class=\"p{}\" style=\"width:{}%\"></i>", i,
-                        svg_number(100.0 * parts[i] / sum));
+  for (const ConvergePhase& phase : all_phases()) {
+    if (!(phases.*phase.seconds > 0.0)) continue;
+    html += fmt::format("<i class=\"p{}\" style=\"width:{}%\"></i>", phase.colour,
+                        svg_number(100.0 * (phases.*phase.seconds) / sum));
   }
   return html + "</div>";
 }
 
 std::string phases_html(const ConvergeDocument& document) {
+  const std::vector<ConvergePhase> shown = shown_phases(document);
   std::string table =
-      "<table><thead><tr><th scope=\"col\"></th><th scope=\"col\" class=\"num\">paths</th>"
-      "<th scope=\"col\" class=\"num phase-key\"><i class=\"p0\"></i>build</th>"
-      "<th scope=\"col\" class=\"num phase-key\"><i class=\"p1\"></i>direct</th>"
-      "<th scope=\"col\" class=\"num phase-key\"><i class=\"p2\"></i>light paths</th>"
-      "<th scope=\"col\" class=\"num phase-key\"><i class=\"p3\"></i>connections</th>"
-      "<th scope=\"col\" class=\"num phase-key\"><i class=\"p4\"></i>near field</th>"
-      "<th scope=\"col\" class=\"num\">all</th><th scope=\"col\"></th></tr></thead><tbody>\n";
+      "<table><thead><tr><th scope=\"col\"></th><th scope=\"col\" class=\"num\">paths</th>";
+  for (const ConvergePhase& phase : shown) {
+    table += fmt::format("<th scope=\"col\" class=\"num phase-key\"><i class=\"p{}\"></i>{}</th>",
+                         phase.colour, phase.title);
+  }
+  table += "<th scope=\"col\" class=\"num\">all</th><th scope=\"col\"></th></tr></thead><tbody>\n";
   for (std::size_t m = 0; m < document.methods.size(); ++m) {
     const std::vector<ConvergeStep>& steps = document.methods[m].steps;
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const std::size_t left = steps.size() - 1 - k;  // the last one and two before it
       if (left % 2 != 0 || left > 4) continue;
       const ConvergeStep& step = steps[k];
-      const ConvergePhases& p = step.phases;
       table += "<tr>" + method_head(document.methods[m], m) + num(format_count(step.paths));
-      for (const double seconds : {p.build, p.direct, p.pool, p.connect, p.near, step.seconds}) {
-        table += num(time_words(seconds));
+      for (const ConvergePhase& phase : shown) {
+        table += num(phase_words(step.phases.*phase.seconds));
       }
-      table += "<td>" + bar(p) + "</td></tr>\n";
+      table += num(time_words(step.seconds)) + "<td>" + bar(step.phases) + "</td></tr>\n";
     }
   }
   return "<section><h2>Where the time goes</h2>\n<p class=\"quiet\">Reading files took " +
@@ -339,6 +338,7 @@ std::string method_notes(const ConvergeDocument& document) {
              "Scene",
              fmt::format("{} triangles, {} luminaires, {} points", format_count(document.triangles),
                          format_count(document.luminaires), format_count(document.points))) +
+         (document.opengl.empty() ? "" : fact("OpenGL", escape_html(opengl_words(document)))) +
          fact("Program", escape_html("luxgate " + document.program + ", " + document.tracer)) +
          "</table></section>\n";
 }

@@ -73,14 +73,18 @@ std::string targets_text(const ConvergeDocument& document, const ConvergePlane& 
 }
 
 std::string phases_text(const ConvergeDocument& document) {
-  TextTable table(
-      {"phases", "paths", "build", "direct", "light paths", "connections", "near field", "all"});
+  const std::vector<ConvergePhase> phases = shown_phases(document);
+  std::vector<std::string> heads{"phases", "paths"};
+  for (const ConvergePhase& phase : phases) heads.emplace_back(phase.title);
+  heads.emplace_back("all");
+  TextTable table(heads);
   for (const ConvergeMethod& method : document.methods) {
     const ConvergeStep& step = method.steps.back();
-    const ConvergePhases& p = step.phases;
-    table.add({method.name, count_words(static_cast<double>(step.paths)), time_words(p.build),
-               time_words(p.direct), time_words(p.pool), time_words(p.connect), time_words(p.near),
-               time_words(step.seconds)});
+    std::vector<std::string> row{method.name, count_words(static_cast<double>(step.paths))};
+    for (const ConvergePhase& phase : phases)
+      row.push_back(phase_words(step.phases.*phase.seconds));
+    row.push_back(time_words(step.seconds));
+    table.add(std::move(row));
   }
   return table.text();
 }
@@ -95,6 +99,7 @@ std::string render_converge_text(const ConvergeDocument& document) {
       printable(document.space_id), document.part, document.replicates, document.seeds,
       document.first_seed, printable(document.reference), document.triangles, document.luminaires,
       time_words(document.load_s), time_words(document.prepare_s));
+  if (!document.opengl.empty()) text += "OpenGL: " + printable(opengl_words(document)) + "\n";
   for (const ConvergePlane& plane : document.planes) {
     text += fmt::format(
         "\nPlane '{}': {} points, average {:.4g} lx, minimum {:.4g} lx, Uo {:.3f}; reference "

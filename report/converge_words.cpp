@@ -48,6 +48,33 @@ std::string_view converge_metric_title(ConvergeMetric metric) {
   return "Uniformity Uo";
 }
 
+const std::vector<ConvergePhase>& all_phases() {
+  static const std::vector<ConvergePhase> phases{
+      {"build_s", "build", &ConvergePhases::build, 0},
+      {"direct_s", "direct", &ConvergePhases::direct, 1},
+      {"light_paths_s", "light paths", &ConvergePhases::pool, 2},
+      {"shadow_maps_s", "shadow maps", &ConvergePhases::maps, 5},
+      {"connections_s", "connections", &ConvergePhases::connect, 3},
+      {"near_field_s", "near field", &ConvergePhases::near, 4}};
+  return phases;
+}
+
+std::vector<ConvergePhase> shown_phases(const ConvergeDocument& document) {
+  std::vector<ConvergePhase> shown = all_phases();
+  for (const ConvergeMethod& method : document.methods) {
+    for (const ConvergeStep& step : method.steps) {
+      if (step.phases.maps > 0.0) return shown;
+    }
+  }
+  std::erase_if(shown, [](const ConvergePhase& p) { return p.seconds == &ConvergePhases::maps; });
+  return shown;
+}
+
+std::string opengl_words(const ConvergeDocument& document) {
+  if (document.opengl.empty() || !document.is_software_opengl) return document.opengl;
+  return document.opengl + ", software: the times of methods that use it are not a GPU's";
+}
+
 std::string error_words(double share) {
   if (!std::isfinite(share)) return "–";
   return two_digits(100.0 * share) + " %";
@@ -62,6 +89,8 @@ std::string time_words(double seconds) {
   if (seconds < 0.0995) return two_digits(1e3 * seconds) + " ms";
   return two_digits(seconds) + " s";
 }
+
+std::string phase_words(double seconds) { return seconds > 0.0 ? time_words(seconds) : "–"; }
 
 std::string time_words(const ConvergeTarget& target) {
   if (!target.seconds) return "–";

@@ -11,6 +11,7 @@
 #include <ImfStringAttribute.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -81,6 +82,12 @@ void write_picture(const Imf::Header& header, int columns, int rows,
   file.writePixels(rows);
 }
 
+// [IEC 61966-2-1]
+float linear_light(std::uint8_t component) {
+  const float value = static_cast<float>(component) / 255.0F;
+  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+}
+
 }  // namespace
 
 std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
@@ -129,6 +136,32 @@ std::string render_room_exr(const std::string& project_path, const std::string& 
     }
     MemoryStream stream;
     write_picture(header, width, height, kRoomNames, values, stream);
+    return stream.bytes();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string("cannot encode EXR: ") + error.what());
+  }
+}
+
+std::string render_colour_exr(const std::string& project_path, const std::string& space_id,
+                              const std::string& title, const Raster& raster) {
+  constexpr std::array<const char*, 4> kColourNames{"R", "G", "B", "A"};
+  try {
+    Imf::Header header(raster.width, raster.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : kColourNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    header.insert("luxgate.project", Imf::StringAttribute(printable(project_path)));
+    header.insert("luxgate.space", Imf::StringAttribute(printable(space_id)));
+    header.insert("luxgate.picture", Imf::StringAttribute(printable(title)));
+    std::array<std::vector<float>, 4> values;
+    for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
+      const float opacity = static_cast<float>(raster.rgba[i + 3]) / 255.0F;
+      for (std::size_t c = 0; c < 3; ++c) {
+        values[c].push_back(opacity * linear_light(raster.rgba[i + c]));
+      }
+      values[3].push_back(opacity);
+    }
+    MemoryStream stream;
+    write_picture(header, raster.width, raster.height, kColourNames, values, stream);
     return stream.bytes();
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string("cannot encode EXR: ") + error.what());

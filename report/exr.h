@@ -2,6 +2,7 @@
 // Illuminance of a plane as an OpenEXR picture (the only file that includes OpenEXR is exr.cpp).
 
 #include "report/document.h"
+#include "report/heatmap.h"
 
 #include <string>
 #include <vector>
@@ -23,5 +24,10 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
 std::string render_room_exr(const std::string& project_path, const std::string& space_id,
                             const std::string& title, int width, int height,
                             const std::vector<float>& lx);
+
+// A picture of a room in colours: R, G, B (linear light, of sRGB's primaries, multiplied by A) and
+// A.
+std::string render_colour_exr(const std::string& project_path, const std::string& space_id,
+                              const std::string& title, const Raster& raster);
 
 }  // namespace report

@@ -34,6 +34,13 @@ target_link_libraries(bench_gpu PRIVATE gpu calc_radiosity)
 add_executable(bench_gpu_stages bench/bench_gpu_stages.cpp)
 target_link_libraries(bench_gpu_stages PRIVATE gpu calc_radiosity TBB::tbb fmt::fmt)
 
+# What only a machine with a GPU can tell, in one call; ctest sees that it runs.
+add_executable(gpu_figures
+  bench/gpu_figures.cpp bench/photometry.cpp bench/room_model.cpp bench/scenes.cpp bench/table.cpp)
+target_link_libraries(gpu_figures PRIVATE luxgate_cli)
+add_test(NAME gpu_figures_runs COMMAND gpu_figures --quick)
+set_tests_properties(gpu_figures_runs PROPERTIES LABELS gpu SKIP_REGULAR_EXPRESSION "no OpenGL:")
+
 add_test(NAME cli.gpu_backend COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DCOMPARE_CSV=$<TARGET_FILE:compare_csv>
   -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/gpu_backend

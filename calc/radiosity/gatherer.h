@@ -27,6 +27,8 @@ struct GatherBatch {
   bool has_shadows = true;  // false: all receivers are proved to see all vertices
   // VertexTree::identity() of the vertices: a gatherer may keep what it made of them. 0 = none.
   std::uint64_t vertices_identity = 0;
+  // Of gather_all(), see is_past(): the rest is then left undone, to be thrown away.
+  double deadline_s = 0.0;
 };
 
 // Where the results go: [channel * stride + receiver].
@@ -79,7 +81,8 @@ class Gatherer {
   virtual std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) = 0;
 
   // The same sum over the connections that draw_connections() gives each receiver: the same draws
-  // by every gatherer, in bits.
+  // by every gatherer, but that cumulated probabilities are doubles, whose rounding (1e-16) is each
+  // gatherer's own and moves a draw to a neighbouring vertex once in some 1e10.
   virtual std::uint64_t draw_and_gather(const DrawBatch& batch) = 0;
   // In one batch, to be worth its way: a hint, results do not depend on it.
   virtual std::size_t tiles_per_batch() const { return 1; }

@@ -265,6 +265,7 @@ std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatc
 struct PlaneWork::ShortRays {
   std::vector<FirstHit> hits;
   std::vector<std::size_t> first_hit{};  // per tile
+  std::size_t last_tile = 0;             // the first that is not among them
 
   const FirstHit* of(std::size_t tile) const {
     return hits.empty() ? nullptr : hits.data() + first_hit[tile];
@@ -280,13 +281,19 @@ NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t 
   return {tile.receiver[k], key, short_rays_per_point(draws, clear_m_[i], reach_m_)};
 }
 
+// Of all these tiles, or of so many that their rays fill a cast: hits take memory on every thread.
 PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::size_t last_tile,
                                                 const VertexBatch& batch) const {
   ShortRays result;
+  result.last_tile = last_tile;
   if (batch.short_rays == nullptr || !(reach_m_ > 0.0)) return result;
   std::vector<NearFieldRequest> requests;
   std::vector<std::size_t> first_ray{0};  // of each request
   for (std::size_t t = first_tile; t < last_tile; ++t) {
+    if (first_ray.back() >= kShortRaysPerCast) {
+      result.last_tile = t;
+      break;
+    }
     result.first_hit.push_back(first_ray.back());
     for (std::size_t k = 0; k < tiles_[t].point.size(); ++k) {
       const NearFieldRequest request = near_request(tiles_[t], k, batch);
@@ -342,14 +349,16 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
       const double begin_s = now_s();
       connection_rays += connect_tiles(range.begin(), range.end(), batch, gatherer, sums);
       const double middle_s = now_s();
-      const ShortRays short_rays = cast_short_rays(range.begin(), range.end(), batch);
-      for (std::size_t t = range.begin(); t < range.end(); ++t) {
-        TileSums& sum = sums[t - range.begin()];
-        if (is_past(batch.deadline_s)) return;
-        if (reach_m_ > 0.0) {
-          near_rays += add_near(tiles_[t], batch, short_rays.of(t - range.begin()), sum);
+      for (std::size_t first = range.begin(); first < range.end();) {
+        const ShortRays short_rays = cast_short_rays(first, range.end(), batch);
+        for (std::size_t t = first; t < short_rays.last_tile; ++t) {
+          TileSums& sum = sums[t - range.begin()];
+          if (is_past(batch.deadline_s)) return;
+          if (reach_m_ > 0.0)
+            near_rays += add_near(tiles_[t], batch, short_rays.of(t - first), sum);
+          store(tiles_[t], batch, sum);
         }
-        store(tiles_[t], batch, sum);
+        first = short_rays.last_tile;
       }
       near_s += now_s() - middle_s;
       connect_s += middle_s - begin_s;

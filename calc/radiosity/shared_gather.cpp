@@ -1,5 +1,7 @@
 #include "calc/radiosity/shared_gather.h"
 
+#include "calc/radiosity/phase_timer.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -29,7 +31,8 @@ void gather_group(const Tracer& tracer, std::span<PlaneWork* const> planes,
                                                  receivers,
                                                  {},
                                                  planes.front()->has_shadows(),
-                                                 batch.tree.identity()},
+                                                 batch.tree.identity(),
+                                                 batch.deadline_s},
                                                 {lx.data(), receivers.size(), largest_lx.data()});
   times.maps_s += done.maps_s;
   times.connect_s += done.gather_s;
@@ -51,6 +54,7 @@ void gather_all_planes(const Tracer& tracer, std::span<PlaneWork* const> planes,
     for (PlaneWork* plane : planes) {
       if (plane->has_shadows() == has_shadows) group.push_back(plane);
     }
+    if (is_past(batch.deadline_s)) return;
     if (!group.empty()) gather_group(tracer, group, batch, gatherer, times);
   }
 }

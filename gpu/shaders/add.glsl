@@ -15,6 +15,9 @@ shared double sum_of[GROUP_SIZE];
 shared uint count_of[GROUP_SIZE];
 shared uint largest_of[GROUP_SIZE];
 shared uint first_of_list;
+// Mesa's llvmpipe leaves all loops of an invocation after 65535 turns, without a word: what was
+// added until then is not the sum. Set by any invocation that notices.
+shared uint is_cut;
 
 // Adds up `number` of all invocations; all must call it.
 uint group_sum(uint number) {
@@ -22,10 +25,13 @@ uint group_sum(uint number) {
   barrier();
   count_of[lane] = number;
   barrier();
-  for (uint step = GROUP_SIZE / 2u; step > 0u; step /= 2u) {
+  uint step = GROUP_SIZE / 2u;
+  for (; step > 0u; step /= 2u) {
     if (lane < step) count_of[lane] += count_of[lane + step];
     barrier();
   }
+  if (step > 0u) is_cut = 1u;
+  barrier();
   return count_of[0];
 }
 
@@ -46,9 +52,12 @@ void main() {
   const uint row = r * places();
   const uint head = r * (4u + 2u * most_ranges);
   const Tile tile = tile_of(r);
+  is_cut = 0u;
+  barrier();
   uint rays = 0u, bounded = 0u, undone = 0u, largest = 0u;
   uint first = 0u;
-  for (uint range = 0u; range < most_ranges; ++range) {
+  uint range = 0u;
+  for (; range < most_ranges; ++range) {
     uint last = first;
 #if HAS_MANY_CHANNELS
     if (range < tile.ranges && spacing[r] > 0.0) {
@@ -60,7 +69,8 @@ void main() {
     last = places();
 #endif
     precise double sum = 0.0;
-    for (uint k = first + lane; k < last; k += GROUP_SIZE) {
+    uint k = first + lane;
+    for (; k < last; k += GROUP_SIZE) {
       const uint one = result[row + k];
       if (one == NO_RAY) continue;
       if (one == NOT_DONE) {
@@ -76,15 +86,18 @@ void main() {
       sum = sum + double(uintBitsToFloat(one));
       largest = max(largest, one);  // positive floats are in the order of their bits
     }
+    if (k < last) is_cut = 1u;
     sum_of[lane] = sum;
     barrier();
-    for (uint step = GROUP_SIZE / 2u; step > 0u; step /= 2u) {
+    uint step = GROUP_SIZE / 2u;
+    for (; step > 0u; step /= 2u) {
       if (lane < step) {
         precise double pair = sum_of[lane] + sum_of[lane + step];
         sum_of[lane] = pair;
       }
       barrier();
     }
+    if (step > 0u) is_cut = 1u;
     if (lane == 0u) {
       const uvec2 words = unpackDouble2x32(sum_of[0]);
       sum_word[head + 4u + 2u * range] = words.x;
@@ -93,24 +106,28 @@ void main() {
     barrier();
     first = last;
   }
+  if (range < most_ranges) is_cut = 1u;
   largest_of[lane] = largest;
   const uint all_rays = group_sum(rays);
   const uint all_undone = group_sum(undone);
   const uint all_bounded = group_sum(bounded);
   if (lane == 0u) {
-    for (uint k = 1u; k < GROUP_SIZE; ++k) largest = max(largest, largest_of[k]);
+    uint k = 1u;
+    for (; k < GROUP_SIZE; ++k) largest = max(largest, largest_of[k]);
+    if (k < GROUP_SIZE) is_cut = 1u;
     first_of_list = 0u;
 #if HAS_BOUND
     if (all_bounded > 0u) first_of_list = atomicAdd(bounded_count, all_bounded);
 #endif
-    sum_word[head] = all_undone > 0u ? NOT_DONE : all_rays;
+    sum_word[head] = all_undone > 0u || is_cut != 0u ? NOT_DONE : all_rays;
     sum_word[head + 1u] = all_bounded;
     sum_word[head + 2u] = first_of_list;
     sum_word[head + 3u] = largest;
   }
 #if HAS_BOUND
   if (all_bounded == 0u) return;
-  // A stretch of draws for each invocation, so that the list is in their order.
+  // A stretch of draws for each invocation, so that the list is in their order. Where a loop is cut,
+  // fewer entries are written than were counted: the rest stays NOT_DONE.
   const uint each = (places() + GROUP_SIZE - 1u) / GROUP_SIZE;
   const uint begin = min(lane * each, places()), end = min(begin + each, places());
   uint own = 0u;

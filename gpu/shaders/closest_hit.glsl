@@ -32,7 +32,6 @@ vec2 place_on(uint triangle, vec3 from, vec3 along) {
 bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint triangle,
                  out vec2 share) {
   const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
-  const float rounding = 1.0e-6;  // of the distances to box planes
   bool is_found = false;
   triangle = 0u;
   share = vec2(0.0);
@@ -40,12 +39,7 @@ bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint tria
   while (at < node_count) {
     const uvec4 low = bvh_node[2u * at];
     const uvec4 high = bvh_node[2u * at + 1u];
-    const vec3 t0 = (uintBitsToFloat(low.xyz) - from) * per_along;
-    const vec3 t1 = (uintBitsToFloat(high.xyz) - from) * per_along;
-    const vec3 first = min(t0, t1), last = max(t0, t1);
-    const float enter = max(max(first.x, first.y), max(first.z, t_near));
-    const float leave = min(min(last.x, last.y), min(last.z, t_far));
-    if (!(enter * (1.0 - rounding) <= leave * (1.0 + rounding))) {
+    if (misses_box(low, high, from, per_along, t_near, t_far)) {
       at = low.w;
       continue;
     }

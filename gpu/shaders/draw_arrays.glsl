@@ -11,7 +11,7 @@ layout(std430, binding = 8) WEIGHT_ACCESS buffer Weights { float weight[]; };
 layout(std430, binding = 9) SHARE_ACCESS buffer Cumulated { double cumulated[]; };
 layout(std430, binding = 10) SHARE_ACCESS buffer Spacings { double spacing[]; };
 
-uniform uint receiver_count, most_nodes, draws;
+uniform uint most_nodes, draws;
 
 struct Tile {
   uint first_node, nodes;    // of the cut, in tile_word

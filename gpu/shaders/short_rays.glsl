@@ -1,5 +1,5 @@
 // What the first short rays of calculation points meet: calc::add_near_field() again. Requests and
-// results as short_ray_pass.h says.
+// results as gl_short_rays.cpp says.
 
 layout(local_size_x = GROUP_SIZE) in;
 

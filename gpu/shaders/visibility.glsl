@@ -39,6 +39,17 @@ float reciprocal(float component) {
   return 1.0 / (abs(component) > 1.0e-30 ? component : 1.0e-30);
 }
 
+// Whether a ray misses a node of the tree between two places of it.
+bool misses_box(uvec4 low, uvec4 high, vec3 from, vec3 per_along, float t_near, float t_far) {
+  const float rounding = 1.0e-6;  // of the distances to box planes
+  const vec3 t0 = (uintBitsToFloat(low.xyz) - from) * per_along;
+  const vec3 t1 = (uintBitsToFloat(high.xyz) - from) * per_along;
+  const vec3 first = min(t0, t1), last = max(t0, t1);
+  const float enter = max(max(first.x, first.y), max(first.z, t_near));
+  const float leave = min(min(last.x, last.y), min(last.z, t_far));
+  return !(enter * (1.0 - rounding) <= leave * (1.0 + rounding));
+}
+
 // is_cut: the driver left the loop early, so that the answer means nothing: llvmpipe does after
 // 65535 turns, without a word.
 bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
@@ -50,17 +61,11 @@ bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
   // Two points nearer than both margins have nothing between them.
   if (!(t_near < t_far)) return false;
   const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
-  const float rounding = 1.0e-6;  // of the distances to box planes
   uint at = 0u;
   while (at < node_count) {
     const uvec4 low = bvh_node[2u * at];
     const uvec4 high = bvh_node[2u * at + 1u];
-    const vec3 t0 = (uintBitsToFloat(low.xyz) - from) * per_along;
-    const vec3 t1 = (uintBitsToFloat(high.xyz) - from) * per_along;
-    const vec3 first = min(t0, t1), last = max(t0, t1);
-    const float enter = max(max(first.x, first.y), max(first.z, t_near));
-    const float leave = min(min(last.x, last.y), min(last.z, t_far));
-    if (!(enter * (1.0 - rounding) <= leave * (1.0 + rounding))) {
+    if (misses_box(low, high, from, per_along, t_near, t_far)) {
       at = low.w;
       continue;
     }

@@ -95,8 +95,10 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
 BackendChoice choose_backend(const Options& options, gpu::Fault fault,
                              const std::function<GatherWork()>& work) {
   if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
+    // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
+    const GpuStages wanted = options.gpu_stages.value_or(GpuStages{false, true, false});
     return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL",
-            options.gpu_stages.value_or(GpuStages{false, true, false}), texels};
+            GpuStages{wanted.light_paths, true, false}, texels};
   }
   if (options.backend != Backend::automatic) {
     return {options.backend, options.gl_device, "asked for with --backend",
@@ -132,8 +134,12 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   }
   if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
   if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
-  backend.description = choice.shadow_map_texels > 0 ? backend.gatherer->description()
-                                                     : describe(thread->device(), stages);
+  if (choice.shadow_map_texels == 0) {
+    backend.description = describe(thread->device(), stages);
+  } else {
+    backend.description = backend.gatherer->description();
+    if (stages.light_paths) backend.description += "; light paths too";
+  }
   return backend;
 }
 

@@ -232,16 +232,39 @@ std::string write(const ConvergeOptions& options, const report::ConvergeDocument
   return render(to_stdout, document);
 }
 
+// For the methods that need OpenGL, if there are any; false after an error.
+bool open_device(const ConvergeOptions& options, const Environment& environment,
+                 gpu::Fault gl_fault, EstimatorContext& context, report::ConvergeDocument& document,
+                 calc::Diagnostics& diagnostics) {
+  const auto first = std::find_if(options.methods.begin(), options.methods.end(), needs_opengl);
+  if (first == options.methods.end()) return true;
+  std::string problem;
+  context.device =
+      gpu::DeviceThread::open({options.gl_device, gl_fault, environment.program_folder}, problem);
+  if (!context.device) {
+    diagnostics.report(calc::DiagnosticId::converge_not_possible, {},
+                       fmt::format("the method '{}' needs OpenGL: {}", *first, problem));
+    return false;
+  }
+  document.opengl = context.device->device().name();
+  document.is_software_opengl = context.device->device().is_software;
+  return true;
+}
+
 CommandOutcome converge(const ConvergeOptions& options, const RecordingReader& files,
-                        bool shows_progress, calc::Diagnostics& diagnostics) {
-  const auto announce = [shows_progress](const std::string& what) {
-    if (shows_progress) fmt::print(stderr, "luxgate: {}\n", what);
+                        const Environment& environment, gpu::Fault gl_fault,
+                        calc::Diagnostics& diagnostics) {
+  const auto announce = [&](const std::string& what) {
+    if (environment.stderr_is_terminal) fmt::print(stderr, "luxgate: {}\n", what);
   };
   Subject subject;
   report::ConvergeDocument document;
   if (!load(options, files, subject, document, diagnostics)) return {kNotJudged, "", {}};
-  const EstimatorContext context{subject.scene, subject.tasks, options.replicates, options.jobs,
-                                 options.clamp_per_m2};
+  EstimatorContext context{subject.scene, subject.tasks,        options.replicates,
+                           options.jobs,  options.clamp_per_m2, nullptr};
+  if (!open_device(options, environment, gl_fault, context, document, diagnostics)) {
+    return {kNotJudged, "", {}};
+  }
   const bool has_file = options.reference != "own";
   std::set<std::string> inputs = files.paths();
   if (has_file) inputs.insert(options.reference);
@@ -270,10 +293,10 @@ CommandOutcome converge(const ConvergeOptions& options, const RecordingReader& f
 }  // namespace
 
 CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileReader& disk,
-                            bool shows_progress) {
+                            const Environment& environment, gpu::Fault gl_fault) {
   const RecordingReader files(disk);
   calc::Diagnostics diagnostics;
-  CommandOutcome outcome = converge(options, files, shows_progress, diagnostics);
+  CommandOutcome outcome = converge(options, files, environment, gl_fault, diagnostics);
   if (outcome.code == kInterrupted)
     fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
   outcome.diagnostics = diagnostics.all();

@@ -3,9 +3,11 @@
 
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
+#include "gpu/device_thread.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,7 @@ struct EstimatorContext {
   int replicates;
   int jobs;
   double clamp_per_m2;
+  std::shared_ptr<gpu::DeviceThread> device;  // null: no method needs_opengl()
 };
 
 struct EstimatorRun {
@@ -34,9 +37,16 @@ struct EstimatorRun {
 using Estimator =
     std::function<EstimatorRun(const EstimatorContext&, std::uint64_t paths, std::uint64_t seed)>;
 
+// For messages: "core", ..., "shadow-map:N".
 std::vector<std::string_view> estimator_names();
-std::string_view estimator_title(std::string_view name);
-// name: one of estimator_names().
-Estimator find_estimator(std::string_view name);
+// "" or what is wrong with a method's name. "shadow-map:128" is one, with 128 texels along a cube's
+// edge.
+std::string estimator_problem(const std::string& name);
+
+// name: one without an estimator_problem(), below too.
+std::string estimator_title(const std::string& name);
+bool needs_opengl(const std::string& name);
+// What is opened or compiled once for many runs is kept by the estimator and is in no run's time.
+Estimator find_estimator(const std::string& name);
 
 }  // namespace cli

@@ -67,7 +67,7 @@ report::ConvergeStep summarise(const std::vector<EstimatorRun>& runs, std::uint6
   report::ConvergeStep step;
   step.paths = paths;
   step.seconds = fastest.seconds;
-  step.phases = {t.build_s, t.direct_s, t.pool_s, t.connect_s, t.near_s};
+  step.phases = {t.build_s, t.direct_s, t.pool_s, t.maps_s, t.connect_s, t.near_s};
   step.light_rays = median_of(runs, [](const EstimatorRun& r) { return r.light_rays; });
   step.rays_per_point =
       median_of(runs, [](const EstimatorRun& r) { return r.rays; }) / static_cast<double>(points);

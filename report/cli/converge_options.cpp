@@ -25,12 +25,9 @@ std::vector<std::string> split(const std::string& text) {
 
 ValueParser method_list(std::vector<std::string>& target) {
   return [&target](const std::string& text) -> std::string {
-    const std::vector<std::string_view> names = estimator_names();
     std::vector<std::string> list = split(text);
     for (std::size_t i = 0; i < list.size(); ++i) {
-      if (std::find(names.begin(), names.end(), list[i]) == names.end()) {
-        return one_of_message(list[i], names);
-      }
+      if (std::string problem = estimator_problem(list[i]); !problem.empty()) return problem;
       if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i), list[i]) !=
           list.begin() + static_cast<std::ptrdiff_t>(i)) {
         return fmt::format("'{}' is named twice", list[i]);
@@ -73,8 +70,11 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
   constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
   return {
       {"--methods", "LIST",
-       "Any of core (what 'check' does), instant-radiosity, clamped-instant-radiosity and\n"
-       "path-tracing, with commas; default core,instant-radiosity",
+       "Any of core (what 'check' does), gpu (what 'check --backend gpu' does), path-tracing,\n"
+       "instant-radiosity, clamped-instant-radiosity and shadow-map:N (instant radiosity that\n"
+       "sees by shadow maps with N texels along a cube's edge, 16 to 2048, a power of two; may\n"
+       "be there with several N), with commas; gpu and shadow-map need OpenGL; default\n"
+       "core,instant-radiosity",
        method_list(options.methods)},
       {"--reference", "own|FILE.csv",
        "What errors are measured against: a long run of the core with other random numbers, whose\n"
@@ -102,6 +102,10 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
       {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
        plane_list(options.planes), true},
       {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
+      {"--gl-device", "N",
+       "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"
+       "hardware before software",
+       whole_number(options.gl_device, 0, 1000)},
       {"--format", "KIND[=FILE]",
        "text, csv, json or html, to FILE or (one kind only) to standard output, where text goes\n"
        "unless another kind does; may be repeated",
@@ -112,6 +116,10 @@ std::string converge_contradiction(const ConvergeOptions& options) {
   if (options.max_paths < options.min_paths) {
     return fmt::format("--max-paths {} is less than --min-paths {}", options.max_paths,
                        options.min_paths);
+  }
+  if (options.gl_device >= 0 &&
+      std::none_of(options.methods.begin(), options.methods.end(), needs_opengl)) {
+    return "--gl-device is for the methods gpu and shadow-map:N";
   }
   if (options.reference != "own" && options.reference_paths > 0) {
     return "--reference-paths is for --reference own";
@@ -126,7 +134,13 @@ std::string converge_contradiction(const ConvergeOptions& options) {
 }
 
 std::string converge_footer() {
-  return "Times depend on the machine and on what else it does; errors do not.\n"
+  return "Error against the number of light vertices and the size of shadow maps, with the core "
+         "in\n"
+         "the same plots, and the time of each phase, in examples/08-error-against-time:\n"
+         "  luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 \\\n"
+         "    --methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 \\\n"
+         "    --min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html\n"
+         "Times depend on the machine and on what else it does; errors do not.\n"
          "Exit codes: 0 measured, 2 an error, 130 interrupted.";
 }
 

@@ -29,6 +29,7 @@ struct ConvergeOptions {
   std::uint64_t seed = 1;     // the first of them
   double clamp_per_m2 = 1.0;  // of clamped-instant-radiosity
   int jobs = 0;
+  int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
   std::vector<ConvergeOutput> outputs;
 };
 

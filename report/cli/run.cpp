@@ -372,12 +372,11 @@ ExitCode run(const Options& options, const Environment& environment) {
     case Command::validate:
       return run_validate(options);
     case Command::vpl:
-      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader()), false);
+      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader(), environment, *fault), false);
     case Command::converge:
       watch_for_interrupt();
       return print_outcome(
-          run_converge(options.converge, calc::DiskFileReader(), environment.stderr_is_terminal),
-          false);
+          run_converge(options.converge, calc::DiskFileReader(), environment, *fault), false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:

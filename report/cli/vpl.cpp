@@ -6,13 +6,18 @@
 #include "report/cli/chosen_space.h"
 #include "report/cli/outputs.h"
 #include "report/cli/recording_reader.h"
+#include "report/cli/room_pictures.h"
 #include "report/cli/version.h"
+#include "report/exr.h"
 #include "report/number_format.h"
+#include "report/png.h"
 #include "report/write.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace cli {
@@ -48,58 +53,118 @@ std::string summary(const std::string& file, std::size_t bytes, const calc::Vert
       cache.seed, report::format_lumens(reflected_lm(cache)));
 }
 
-// "" after an error.
-std::string write_vertices(const VplOptions& options, const RecordingReader& files,
-                           calc::Diagnostics& diagnostics) {
-  const auto output_problem = [&](const std::string& problem) {
-    diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
-    return std::string();
-  };
-  const std::optional<calc::Project> project =
-      calc::load_project(files, options.project, diagnostics);
-  if (!project || diagnostics.has_errors()) return "";
-  const calc::Space* space = find_chosen_space(*project, options.space, diagnostics);
-  if (space == nullptr) return "";
-  for (const std::string& input : files.paths()) {
-    if (path_identity(input) != path_identity(options.output)) continue;
-    return output_problem(
-        fmt::format("'{}' was read as an input and is not overwritten", options.output));
+class VertexWriter {
+ public:
+  VertexWriter(const VplOptions& options, const RecordingReader& files,
+               calc::Diagnostics& diagnostics)
+      : options_(options), files_(files), diagnostics_(diagnostics) {}
+
+  // What was written, in words; "" after an error.
+  std::string run(const Environment& environment, gpu::Fault gl_fault) {
+    const std::optional<calc::Project> project =
+        calc::load_project(files_, options_.project, diagnostics_);
+    if (!project || diagnostics_.has_errors()) return "";
+    const calc::Space* space = find_chosen_space(*project, options_.space, diagnostics_);
+    if (space == nullptr || !can_write() || !open_device(environment, gl_fault)) return "";
+    const calc::PreparedScene scene = calc::prepare_scene(*project, *space);
+    calc::RadiositySettings settings = options_.radiosity;
+    settings.first_paths = std::min(settings.first_paths, settings.max_paths);
+    calc::TracedCache traced = calc::trace_vertex_cache(scene, settings);
+    if (!traced.cache) {
+      diagnostics_.report(calc::DiagnosticId::no_vertex_cache, space->where, space->id,
+                          traced.problem);
+      return "";
+    }
+    traced.cache->made_by = maker();
+    traced.cache->space_id = space->id;
+    std::string text;
+    if (!options_.output.empty() && !write_cache(*traced.cache, text)) return "";
+    if (!options_.view.empty() && !write_view(*traced.cache, *space, scene, text)) return "";
+    return text;
   }
-  const std::string unwritable = writability(options.output);
-  if (!unwritable.empty()) return output_problem(unwritable);
-  calc::RadiositySettings settings = options.radiosity;
-  settings.first_paths = std::min(settings.first_paths, settings.max_paths);
-  calc::TracedCache traced =
-      calc::trace_vertex_cache(calc::prepare_scene(*project, *space), settings);
-  if (!traced.cache) {
-    diagnostics.report(calc::DiagnosticId::no_vertex_cache, space->where, space->id,
-                       traced.problem);
-    return "";
+
+ private:
+  bool fail(const std::string& problem) {
+    diagnostics_.report(calc::DiagnosticId::output_not_possible, {}, problem);
+    return false;
   }
-  traced.cache->made_by = maker();
-  traced.cache->space_id = space->id;
-  if (calc::vertex_ply_bytes(*traced.cache) > kLargestFileBytes) {
-    return output_problem(fmt::format(
-        "'{}' would have {:.0f} MB; at most {} MB can be read again: take fewer paths or "
-        "replicates",
-        options.output, 1e-6 * static_cast<double>(calc::vertex_ply_bytes(*traced.cache)),
-        kLargestFileBytes / 1'000'000));
+
+  bool can_write() {
+    std::set<std::string> taken;
+    for (const std::string& input : files_.paths()) taken.insert(path_identity(input));
+    for (const std::string& file : {options_.output, options_.view}) {
+      if (file.empty()) continue;
+      if (!taken.insert(path_identity(file)).second) {
+        return fail(fmt::format("'{}' is an input or another output and is not overwritten", file));
+      }
+      if (const std::string problem = writability(file); !problem.empty()) return fail(problem);
+    }
+    return true;
   }
-  const std::string bytes = calc::render_vertex_ply(*traced.cache);
-  const std::string problem = report::write_file_atomically(options.output, bytes);
-  if (!problem.empty()) {
-    return output_problem(fmt::format("cannot write '{}': {}", options.output, problem));
+
+  bool open_device(const Environment& environment, gpu::Fault gl_fault) {
+    if (options_.view.empty()) return true;
+    std::string problem;
+    device_ = gpu::DeviceThread::open({options_.gl_device, gl_fault, environment.program_folder},
+                                      problem);
+    return device_ || fail(fmt::format("cannot draw '{}': {}", options_.view, problem));
   }
-  return summary(options.output, bytes.size(), *traced.cache);
-}
+
+  bool write_cache(const calc::VertexCache& cache, std::string& text) {
+    if (calc::vertex_ply_bytes(cache) > kLargestFileBytes) {
+      return fail(fmt::format(
+          "'{}' would have {:.0f} MB; at most {} MB can be read again: take fewer paths or "
+          "replicates",
+          options_.output, 1e-6 * static_cast<double>(calc::vertex_ply_bytes(cache)),
+          kLargestFileBytes / 1'000'000));
+    }
+    const std::string bytes = calc::render_vertex_ply(cache);
+    if (!write(options_.output, bytes)) return false;
+    text += summary(options_.output, bytes.size(), cache);
+    return true;
+  }
+
+  // One look of one replicate: of all of them dots would hide the room.
+  bool write_view(const calc::VertexCache& cache, const calc::Space& space,
+                  const calc::PreparedScene& scene, std::string& text) {
+    const calc::VertexCacheBatch& shown = cache.batches.front();
+    std::string bytes;
+    try {
+      const report::Raster raster =
+          draw_vertices(*device_, calc::Tracer(scene), shown.vertices, opens(space));
+      bytes = is_exr(options_.view)
+                  ? report::render_colour_exr(options_.project, space.id, "light vertices", raster)
+                  : report::encode_png(raster);
+    } catch (const std::runtime_error& error) {  // calc::BackendFailure too
+      return fail(fmt::format("cannot draw '{}': {}", options_.view, error.what()));
+    }
+    if (!write(options_.view, bytes)) return false;
+    text += fmt::format("Wrote {}: {} light vertices of {} paths, drawn by {}{}\n", options_.view,
+                        report::format_count(shown.vertices.size()),
+                        report::format_count(shown.last - shown.first), device_->device().name(),
+                        device_->device().is_software ? " (software)" : "");
+    return true;
+  }
+
+  bool write(const std::string& file, const std::string& bytes) {
+    const std::string problem = report::write_file_atomically(file, bytes);
+    return problem.empty() || fail(fmt::format("cannot write '{}': {}", file, problem));
+  }
+
+  const VplOptions& options_;
+  const RecordingReader& files_;
+  calc::Diagnostics& diagnostics_;
+  std::shared_ptr<gpu::DeviceThread> device_;
+};
 
 }  // namespace
 
-CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk) {
+CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk,
+                       const Environment& environment, gpu::Fault gl_fault) {
   const RecordingReader files(disk);
   calc::Diagnostics diagnostics;
   CommandOutcome outcome;
-  outcome.text = write_vertices(options, files, diagnostics);
+  outcome.text = VertexWriter(options, files, diagnostics).run(environment, gl_fault);
   if (outcome.text.empty()) outcome.code = kNotJudged;
   outcome.diagnostics = diagnostics.all();
   return outcome;

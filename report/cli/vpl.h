@@ -5,7 +5,9 @@
 #include "calc/file_reader.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/scene/project.h"
+#include "gpu/egl_context.h"
 #include "report/cli/command_outcome.h"
+#include "report/cli/environment.h"
 #include "report/cli/options.h"
 
 #include <optional>
@@ -13,7 +15,9 @@
 
 namespace cli {
 
-CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk);
+// gl_fault: for tests.
+CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk,
+                       const Environment& environment, gpu::Fault gl_fault);
 
 // Empty after an error: unreadable, changed, of another version, or too few replicates to judge by.
 std::optional<calc::VertexCache> read_vertex_cache(const std::string& path,

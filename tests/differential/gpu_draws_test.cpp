@@ -253,6 +253,44 @@ TEST(GlDraws, GiveTheSameBitsOnManyThreads) {
   for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all[k], alone[k % 4]) << k;
 }
 
+// Instant radiosity sends the vertices of a tree without it.
+TEST(GlDraws, TakeNoPoolThatLacksItsTree) {
+  LUXGATE_NEEDS_OPENGL();
+  const Batch batch(0.3);
+  const auto gl = gl_gatherer();
+  std::vector<double> lx(2, 0.0);
+  float largest_lx = 0.0f;
+  const std::vector<calc::Connection> connections{{0, 0, 1.0f}};
+  gl->gather({batch.tracer, batch.tree->vertices(), batch.bounds,
+              std::span(batch.receivers[0]).first(1), connections, true, batch.tree->identity()},
+             {lx.data(), 1, &largest_lx});
+  EXPECT_EQ(gather(batch, *gl, 100), gather(batch, *gl_gatherer(), 100));
+}
+
+// Mesa's llvmpipe leaves loops of an invocation after 65535 turns: the answer is right, or none.
+TEST(GlDraws, DoNotTakeALoopCutShortForAnAnswer) {
+  LUXGATE_NEEDS_OPENGL();
+  // Lists of bounded draws, and sums alone.
+  for (const auto& [most, draws] :
+       {std::pair{0.02, 1u << 19}, {std::numeric_limits<double>::infinity(), 1u << 22}}) {
+    Batch batch(most);
+    batch.receivers.resize(1);
+    batch.shifts.resize(1);
+    ASSERT_EQ(batch.receivers[0].size(), 1u);
+    const auto device = gl_device();
+    try {
+      const Sums b = gather(batch, *gpu::make_gl_gatherer(device), draws, false);
+      const Sums a = gather(batch, *calc::make_cpu_gatherer(), draws, false);
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_NEAR(b.lx[0][k], a.lx[0][k], 1e-5 * a.lx[0][k]) << draws;
+      }
+    } catch (const calc::BackendFailure& failure) {
+      EXPECT_TRUE(device->device().is_software) << failure.what();
+      EXPECT_STREQ(failure.what(), "the device did not finish its work");
+    }
+  }
+}
+
 TEST(GlDraws, EndAtTheDeadline) {
   LUXGATE_NEEDS_OPENGL();
   const Batch batch(0.3);

@@ -4,6 +4,7 @@
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/phase_timer.h"
 #include "gpu/gl_path_tracer.h"
+#include "gpu/path_pass.h"
 #include "tests/support/lamp_shop.h"
 #include "tests/support/opengl.h"
 #include "tests/support/path_pools.h"
@@ -266,6 +267,33 @@ TEST(GlPathTracer, ObeysItsLimits) {
     });
   }
   for (std::thread& thread : threads) thread.join();
+}
+
+// All paths of a batch have ended at its last reflection, those of its neighbour go on.
+TEST(GlPathTracer, BundlesMayHaveUnlikeLimits) {
+  LUXGATE_NEEDS_OPENGL();
+  const LampHall hall(0.8);
+  const Source source(hall.scene);
+  const auto gl = gl_path_tracer();
+  constexpr std::size_t kFew = 8;
+  std::size_t replicate = 0;
+  const auto one_path = [&] {
+    return calc::PathBatch{1, replicate, 0, 1, 0.0, calc::kMostVertices, kFew};
+  };
+  while (source.gl(*gl, one_path()).has_endless_path) ASSERT_LT(++replicate, 100u);
+  const calc::PathBatch brief = one_path(), longer{1, 0, 0, 512};
+  const calc::TracedPaths alone = source.gl(*gl, longer);
+  ASSERT_TRUE(source.gl(*gl, {1, 0, 0, 512, 0.0, calc::kMostVertices, kFew}).has_endless_path);
+  gpu::PathJob a{source.tracer, source.emitter, brief, 0, 1, calc::kMostVertices};
+  gpu::PathJob b{source.tracer, source.emitter, longer, 0, 512, calc::kMostVertices};
+  gl_device()->run([&](gpu::DeviceState& state) {
+    gpu::PathPass pass(1024, state.programs);
+    pass.run(state, std::vector<gpu::PathJob*>{&a, &b});
+  });
+  EXPECT_FALSE(a.is_useless());
+  EXPECT_FALSE(b.is_useless());
+  EXPECT_EQ(b.vertices, alone.vertices.size());
+  EXPECT_EQ(b.absorbed_lm, alone.absorbed_lm);
 }
 
 TEST(GlPathTracer, FailsWithAReason) {

@@ -92,8 +92,8 @@ double disagreement(const Furnished& room, gpu::DeviceThread& device, std::uint3
     }
   };
   device.run([&](gpu::DeviceState& state) {
-    gpu::ShadowMapPass pass(texels);
-    pass.run(state, {room.tracer.get(), room.vertices, receivers, 1e9f, true, take});
+    gpu::ShadowMapPass pass(texels, {});
+    pass.run(state, {room.tracer.get(), room.vertices, receivers, 1e9f, true, 0.0, take});
   });
   EXPECT_GT(pairs, 8000u);
   EXPECT_GT(hidden, pairs / 20);
@@ -125,14 +125,15 @@ struct Sums {
 };
 
 Sums gather_all(const Furnished& room, calc::Gatherer& gatherer, double most_per_m2 = kNoLimit,
-                bool has_shadows = true) {
+                bool has_shadows = true, double deadline_s = 0.0) {
   const std::size_t count = room.receivers.size();
   Sums sums{std::vector<double>(2 * count, 0.0), std::vector<float>(count, 0.0f), {}};
   const calc::VertexBounds bounds(most_per_m2);
   sums.pairs =
       gatherer
-          .gather_all({*room.tracer, room.vertices, bounds, room.receivers, {}, has_shadows},
-                      {sums.lx.data(), count, sums.largest_lx.data()})
+          .gather_all(
+              {*room.tracer, room.vertices, bounds, room.receivers, {}, has_shadows, 0, deadline_s},
+              {sums.lx.data(), count, sums.largest_lx.data()})
           .pairs;
   return sums;
 }
@@ -185,6 +186,14 @@ TEST(ShadowMaps, GiveTheSameBitsAgain) {
   const Sums once = gather_all(room, *gatherer);
   EXPECT_EQ(once, gather_all(room, *gatherer));
   EXPECT_EQ(once, gather_all(room, *gpu::make_shadow_map_gatherer(gl_device(), 64)));
+}
+
+TEST(ShadowMaps, EndAtTheDeadline) {
+  LUXGATE_NEEDS_OPENGL();
+  const Furnished room;
+  const auto gatherer = gpu::make_shadow_map_gatherer(gl_device(), 64);
+  for (const double lx : gather_all(room, *gatherer, kNoLimit, true, 1e-9).lx) EXPECT_EQ(lx, 0.0);
+  EXPECT_EQ(gather_all(room, *gatherer, kNoLimit, true, 1e12), gather_all(room, *gatherer));
 }
 
 TEST(ShadowMaps, EndWithTheReasonWhenTheDeviceFails) {

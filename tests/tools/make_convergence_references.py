@@ -16,6 +16,7 @@ INTENSITY = 5000.0 / (4.0 * math.pi)
 LAMP = (1.0, 2.0, 2.0)
 RHO = 0.8
 SCREEN_X, SCREEN_Z = 2.5, 0.9
+LOW_SCREEN_Z = 0.3  # of shadow.xml
 
 
 def gauss_legendre(n):
@@ -54,12 +55,12 @@ def direct_on_floor(x, y, z=0.0):
     return INTENSITY * (LAMP[2] - z) / d2 ** 1.5
 
 
-def panel(py, pz, px=3.999):
-    # Lit: the ray from the lamp passes below the screen. 2 - 2 (1.5 / (x - 1)) < 0.9
-    lit_until = LAMP[0] + (SCREEN_X - LAMP[0]) * LAMP[2] / (LAMP[2] - SCREEN_Z)
+def panel(py, pz, px=3.999, screen_z=SCREEN_Z):
+    # Lit: the ray from the lamp passes below the screen. 2 - 2 (1.5 / (x - 1)) < screen_z
+    lit_until = LAMP[0] + (SCREEN_X - LAMP[0]) * LAMP[2] / (LAMP[2] - screen_z)
     seen_from = 0.0
-    if pz > SCREEN_Z:  # the ray from the floor at x to the point passes below: pz (2.5 - x) / (px - x) < 0.9
-        seen_from = max(0.0, (SCREEN_X * pz - px * SCREEN_Z) / (pz - SCREEN_Z))
+    if pz > screen_z:  # the ray from the floor at x to the point passes below: pz (2.5 - x) / (px - x) < screen_z
+        seen_from = max(0.0, (SCREEN_X * pz - px * screen_z) / (pz - screen_z))
     breaks = sorted({seen_from, min(SCREEN_X, lit_until), lit_until})
     pieces = [p for a, b in zip(breaks, breaks[1:]) for p in intervals(a, b, 3)]
     across = intervals(0.0, py, 2) + intervals(py, 4.0, 2)
@@ -89,8 +90,8 @@ def write(path, plane, columns, rows, value):
 
 
 folder = sys.argv[1]
-half = [[panel(2.9 - 0.2 * c, 0.02 + 0.06 * (r + 0.5)) for c in range(5)] for r in range(23)]
-write(os.path.join(folder, "reference-indirect.csv"), "panel", 10, 23,
-      lambda c, r: half[r][min(c, 9 - c)])
+for name, bottom in (("reference-indirect.csv", SCREEN_Z), ("reference-shadow.csv", LOW_SCREEN_Z)):
+    half = [[panel(2.9 - 0.2 * c, 0.02 + 0.06 * (r + 0.5), screen_z=bottom) for c in range(5)] for r in range(23)]
+    write(os.path.join(folder, name), "panel", 10, 23, lambda c, r, half=half: half[r][min(c, 9 - c)])
 write(os.path.join(folder, "reference-direct.csv"), "floor", 60, 40,
       lambda c, r: lit_floor(0.1 * (c + 0.5), 0.1 * (r + 0.5)))

@@ -3,25 +3,7 @@
 # Says "skipped:" where EGL knows no device at all.
 cmake_minimum_required(VERSION 3.25)
 
-# run_luxgate(<exit code> [ENV NAME=VALUE...] ARGS argument...): sets out and err.
-function(run_luxgate expected)
-  cmake_parse_arguments(ARG "" "" "ENV;ARGS" ${ARGN})
-  execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env --unset=LUXGATE_GL_FAULT ${ARG_ENV} ${LUXGATE} ${ARG_ARGS}
-    RESULT_VARIABLE code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
-  if(NOT code STREQUAL expected)
-    message(SEND_ERROR "${ARG_ENV} ${ARG_ARGS}: exit code ${code}, expected ${expected}\n${stdout}\n${stderr}")
-  endif()
-  set(out "${stdout}" PARENT_SCOPE)
-  set(err "${stderr}" PARENT_SCOPE)
-endfunction()
-
-function(expect_in text part)
-  string(FIND "${text}" "${part}" place)
-  if(place EQUAL -1)
-    message(SEND_ERROR "'${part}' is missing in\n${text}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/luxgate_runs.cmake)
 
 # Wrong combinations end before anything is read.
 set(cornell ${EXAMPLES}/03-cornell-box/project.xml)

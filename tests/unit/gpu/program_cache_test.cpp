@@ -1,6 +1,8 @@
 #include "gpu/program_cache.h"
 
+#include "gpu/gl_error.h"
 #include "gpu/gl_program.h"
+#include "gpu/gl_render_program.h"
 #include "tests/support/opengl.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +146,24 @@ TEST(GlProgram, IsCompiledOnceForAllRuns) {
   overwrite(folder.files().at(0), 200, '\x7f');
   EXPECT_FALSE(is_from_cache(folder.path));
   EXPECT_TRUE(is_from_cache(folder.path)) << "the damaged file was not replaced";
+}
+
+TEST(GlRenderProgram, IsCompiledOnceForAllRuns) {
+  LUXGATE_NEEDS_OPENGL();
+  const Folder folder;
+  gl_device()->run([&](gpu::DeviceState&) {
+    const gpu::ProgramCache cache(folder.path, "driver");
+    const gpu::GlRenderProgram first("a test", gpu::picture_shaders(false), cache);
+    EXPECT_FALSE(first.is_from_cache());
+    if (folder.files().empty()) return;  // this driver gives no binaries
+    const gpu::GlRenderProgram again("a test", gpu::picture_shaders(false), cache);
+    EXPECT_TRUE(again.is_from_cache());
+    again.use();
+    again.set("clip_from_local", glm::mat4(1.0f));
+    EXPECT_NO_THROW(gpu::check_gl("using a program of the cache"));
+    const gpu::GlRenderProgram other("a test", gpu::picture_shaders(true), cache);
+    EXPECT_FALSE(other.is_from_cache());
+  });
 }
 
 // What a driver says no to is compiled again.

@@ -173,5 +173,34 @@ TEST(ConvergeWords, HaveTwoDigits) {
   EXPECT_EQ(time_words(12.3), "12 s");
 }
 
+TEST(ConvergePhases, TimeOfShadowMapsIsShownWhereTheyWereDrawn) {
+  ConvergeDocument document = sample();
+  EXPECT_THAT(render_converge_text(document), Not(HasSubstr("shadow maps")));
+  EXPECT_THAT(render_converge_html(document), Not(HasSubstr("shadow maps")));
+  EXPECT_THAT(render_converge_csv(document),
+              HasSubstr(",light_paths_s,shadow_maps_s,connections_s,"));
+  document.methods[1].steps[3].phases.maps = 0.064;
+  EXPECT_THAT(render_converge_text(document), HasSubstr("shadow maps"));
+  EXPECT_THAT(render_converge_text(document), HasSubstr("64 ms"));
+  EXPECT_THAT(render_converge_html(document), HasSubstr("</i>shadow maps</th>"));
+  EXPECT_THAT(render_converge_html(document), HasSubstr(">64 ms</td>"));
+  EXPECT_THAT(render_converge_csv(document), HasSubstr(",0.064,"));
+  const auto json = nlohmann::json::parse(render_converge_json(document));
+  EXPECT_EQ(json["methods"][1]["steps"][3]["phases"]["shadow_maps_s"], 0.064);
+  EXPECT_EQ(json["methods"][0]["steps"][3]["phases"]["shadow_maps_s"], 0.0);
+}
+
+TEST(ConvergeDocument, NamesTheDeviceAndSaysThatSoftwareIsNoGpu) {
+  ConvergeDocument document = sample();
+  EXPECT_THAT(render_converge_text(document), Not(HasSubstr("OpenGL")));
+  EXPECT_TRUE(nlohmann::json::parse(render_converge_json(document))["opengl"].is_null());
+  document.opengl = "a <card>";
+  EXPECT_THAT(render_converge_text(document), HasSubstr("OpenGL: a <card>\n"));
+  EXPECT_THAT(render_converge_html(document), HasSubstr("a &lt;card&gt;"));
+  document.is_software_opengl = true;
+  EXPECT_THAT(render_converge_text(document), HasSubstr("a <card>, software: the times"));
+  EXPECT_EQ(nlohmann::json::parse(render_converge_json(document))["opengl"], "a <card>");
+}
+
 }  // namespace
 }  // namespace report

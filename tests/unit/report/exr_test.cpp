@@ -69,5 +69,32 @@ TEST(Exr, PlaneWithoutCellsIsRefused) {
   EXPECT_THROW(rendered(document), std::runtime_error);
 }
 
+TEST(ColourExr, HoldsLinearLightTimesOpacity) {
+  const Raster raster{2, 1, {255, 188, 0, 255, 255, 255, 255, 51}};
+  const std::string path = testing::TempDir() + "luxgate_colour_exr_test.exr";
+  ASSERT_EQ(write_file_atomically(path, render_colour_exr("a.xml", "s", "vertices", raster)), "");
+  {
+    Imf::InputFile file(path.c_str());
+    EXPECT_EQ(file.header().typedAttribute<Imf::StringAttribute>("luxgate.picture").value(),
+              "vertices");
+    std::array<std::array<float, 2>, 4> values{};
+    Imf::FrameBuffer frame;
+    constexpr std::array<const char*, 4> kColours{"R", "G", "B", "A"};
+    for (std::size_t c = 0; c < 4; ++c) {
+      frame.insert(kColours[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values[c].data()),
+                                           sizeof(float), 2 * sizeof(float)));
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(0);
+    EXPECT_EQ(values[0][0], 1.0F);
+    EXPECT_NEAR(values[1][0], 0.5, 0.005);  // 188 of sRGB is half of the light
+    EXPECT_EQ(values[2][0], 0.0F);
+    EXPECT_NEAR(values[0][1], 0.2, 1e-6);
+    EXPECT_NEAR(values[3][1], 0.2, 1e-6);
+  }
+  std::remove(path.c_str());
+  EXPECT_THROW(render_colour_exr("a.xml", "s", "vertices", {}), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace report

@@ -108,6 +108,20 @@ TEST(Backend, StagesAreNamed) {
               HasSubstr("gpu stages: light-paths, connections, near-field\n"));
 }
 
+// Maps make the connections, whatever is chosen, and nothing is near to them.
+TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
+  cli::Options options;
+  options.backend = cli::Backend::gpu;
+  options.radiosity.shadow_map_texels = 64;
+  const auto line = [&] {
+    return cli::backend_line(
+        cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork(); }));
+  };
+  EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
+  options.gpu_stages = cli::GpuStages{true, false, true};
+  EXPECT_THAT(line(), HasSubstr("gpu stages: light-paths, connections\n"));
+}
+
 TEST(Backend, FaultsForTestsHaveNames) {
   EXPECT_EQ(cli::find_gl_fault(""), gpu::Fault::none);
   EXPECT_EQ(cli::find_gl_fault("no-egl"), gpu::Fault::no_egl);

@@ -15,19 +15,20 @@ ParseResult parse(std::vector<const char*> words) {
 
 TEST(ConvergeOptions, AreRead) {
   const ParseResult result =
-      parse({"converge",     "a.xml",       "--methods",   "path-tracing,core",
-             "--reference",  "r.csv",       "--part",      "indirect",
-             "--min-paths",  "32",          "--max-paths", "128",
-             "--replicates", "8",           "--seeds",     "3",
-             "--seed",       "7",           "--clamp",     "2.5",
-             "--space",      "s",           "--plane",     "p",
-             "--plane",      "q",           "--jobs",      "2",
-             "--format",     "html=x.html", "--format",    "csv"});
+      parse({"converge",     "a.xml", "--methods",   "path-tracing,shadow-map:64,gpu",
+             "--reference",  "r.csv", "--part",      "indirect",
+             "--min-paths",  "32",    "--max-paths", "128",
+             "--replicates", "8",     "--seeds",     "3",
+             "--seed",       "7",     "--clamp",     "2.5",
+             "--space",      "s",     "--plane",     "p",
+             "--plane",      "q",     "--jobs",      "2",
+             "--gl-device",  "1",     "--format",    "html=x.html",
+             "--format",     "csv"});
   ASSERT_TRUE(result.options) << result.err;
   const ConvergeOptions& options = result.options->converge;
   EXPECT_EQ(result.options->command, Command::converge);
   EXPECT_EQ(options.project, "a.xml");
-  EXPECT_EQ(options.methods, (std::vector<std::string>{"path-tracing", "core"}));
+  EXPECT_EQ(options.methods, (std::vector<std::string>{"path-tracing", "shadow-map:64", "gpu"}));
   EXPECT_EQ(options.reference, "r.csv");
   EXPECT_TRUE(options.is_indirect);
   EXPECT_EQ(options.min_paths, 32u);
@@ -39,6 +40,7 @@ TEST(ConvergeOptions, AreRead) {
   EXPECT_EQ(options.space, "s");
   EXPECT_EQ(options.planes, (std::vector<std::string>{"p", "q"}));
   EXPECT_EQ(options.jobs, 2);
+  EXPECT_EQ(options.gl_device, 1);
   ASSERT_EQ(options.outputs.size(), 2u);
   EXPECT_EQ(options.outputs[0].file, "x.html");
   EXPECT_EQ(options.outputs[1].kind, ConvergeFormat::csv);
@@ -55,6 +57,10 @@ TEST(ConvergeOptions, BadOnesAreRefused) {
   EXPECT_THAT(problem({"--methods", "core,radiance"}), HasSubstr("radiance"));
   EXPECT_THAT(problem({"--methods", "core,core"}), HasSubstr("named twice"));
   EXPECT_THAT(problem({"--methods", ""}), HasSubstr("core"));
+  EXPECT_THAT(problem({"--methods", "shadow-map:100"}), HasSubstr("power of two from 16 to 2048"));
+  EXPECT_THAT(problem({"--methods", "shadow-map:N"}), HasSubstr("power of two"));
+  EXPECT_THAT(problem({"--methods", "shadow-map:64,core,shadow-map:64"}), HasSubstr("named twice"));
+  EXPECT_THAT(problem({"--gl-device", "0"}), HasSubstr("gpu and shadow-map:N"));
   EXPECT_THAT(problem({"--min-paths", "100"}), HasSubstr("power of two"));
   EXPECT_THAT(problem({"--min-paths", "256", "--max-paths", "64"}), HasSubstr("less than"));
   EXPECT_THAT(problem({"--replicates", "3"}), HasSubstr("4"));
@@ -80,6 +86,13 @@ TEST(VplOptions, AreReadAndChecked) {
   EXPECT_THAT(parse({"vpl", "a.xml"}).err, HasSubstr("-o FILE.ply is needed"));
   EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--paths", "65"}).err, HasSubstr("power of two"));
   EXPECT_FALSE(parse({"vpl"}).options);
+  const ParseResult view = parse({"vpl", "a.xml", "--view", "x.PNG", "--gl-device", "0"});
+  ASSERT_TRUE(view.options) << view.err;
+  EXPECT_EQ(view.options->vpl.view, "x.PNG");
+  EXPECT_EQ(view.options->vpl.gl_device, 0);
+  EXPECT_TRUE(parse({"vpl", "a.xml", "-o", "x.ply", "--view", "x.exr"}).options);
+  EXPECT_THAT(parse({"vpl", "a.xml", "--view", "x.jpg"}).err, HasSubstr(".png or .exr"));
+  EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--gl-device", "0"}).err, HasSubstr("for --view"));
 }
 
 TEST(CheckOptions, AFileOfVerticesFixesSeedReplicatesAndPaths) {

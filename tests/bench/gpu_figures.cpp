@@ -1,0 +1,347 @@
+// All figures of the GPU backend that need a machine with a GPU, in one call:
+//   gpu_figures [--quick] [--device N] [--limit SECONDS]
+// Renderer and driver; rays a second of each stage in the office, the corridor and the hall; whole
+// runs to 1 % and 0.1 % at 1e3, 1e4 and 1e5 points, on all cores and with the GPU; where the two
+// break even, measured and by the cost model of `--backend auto`. Every run ends at the limit, and
+// what is left out for it is named.
+#include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/solve.h"
+#include "gpu/gl_gatherer.h"
+#include "gpu/gl_path_tracer.h"
+#include "gpu/gl_short_rays.h"
+#include "report/cli/backend.h"
+#include "tests/bench/scenes.h"
+#include "tests/bench/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace bench;
+
+struct Settings {
+  bool is_quick = false;
+  int device = -1;
+  double limit_s = 0.0;  // of one run
+};
+
+struct Worker {
+  const char* name;
+  const calc::Stages& stages;
+};
+
+// One run, ended by its error or by the limit.
+struct Outcome {
+  double seconds = 0.0, error = 0.0, average_lx = 0.0;
+  bool is_late = false;
+  double light_rays = 0.0, connections = 0.0, near_rays = 0.0;
+  double first_connections = 0.0, first_light_rays = 0.0;  // of the first look
+  calc::SolveTimes times;
+};
+
+// Standard errors of the illuminance, relative, RMS over points; and the plane's average.
+void add_errors(const calc::PlaneField& field, Outcome& outcome) {
+  const auto n = static_cast<double>(field.replicates);
+  const std::size_t channels = field.channels.size();
+  double squares = 0.0, sum_lx = 0.0;
+  for (std::size_t i = 0; i < field.points; ++i) {
+    double sum = 0.0, sum2 = 0.0;
+    for (std::size_t r = 0; r < field.replicates; ++r) {
+      double lx = 0.0;
+      for (std::size_t c = 0; c < channels; ++c) {
+        const std::size_t k = (r * channels + c) * field.points + i;
+        lx += field.direct_exact_lx[c * field.points + i];
+        if (!field.indirect_lx.empty()) lx += field.indirect_lx[k];
+        if (!field.direct_sampled_lx.empty()) lx += field.direct_sampled_lx[k];
+      }
+      sum += lx;
+      sum2 += lx * lx;
+    }
+    const double mean = sum / n;
+    sum_lx += mean;
+    if (mean > 0.0) squares += std::max(0.0, sum2 / n - mean * mean) / (n - 1.0) / (mean * mean);
+  }
+  outcome.error = std::sqrt(squares / static_cast<double>(field.points));
+  outcome.average_lx = sum_lx / static_cast<double>(field.points);
+}
+
+// target: relative error at which it ends; 0 = one look of so many paths.
+Outcome run(const BenchScene& scene, const Worker& worker, double target, std::uint64_t paths,
+            double limit_s) {
+  calc::RadiositySettings settings;
+  settings.first_paths = target > 0.0 ? 1024 : paths;
+  settings.max_paths = target > 0.0 ? std::uint64_t{1} << 22 : paths;
+  settings.time_limit_s = limit_s;
+  // Stages are measured with all their rays, also where a proof could spare them.
+  if (!(target > 0.0)) settings.skips.forbid_all();
+  Outcome outcome;
+  const auto look_test = [&](std::size_t, const calc::PlaneField& field, calc::Look look) {
+    calc::LookAnswer answer;
+    if (look.index == 0) {
+      outcome.first_connections = static_cast<double>(field.counters.connection_rays);
+    }
+    add_errors(field, outcome);
+    if (target > 0.0 && outcome.error <= target) answer.finished = calc::StopReason::accurate;
+    return answer;
+  };
+  const double begin_s = calc::now_s();
+  const calc::SpaceSolution solution = calc::solve_illuminance(
+      scene.scene, {{"plane", &scene.grid}}, settings, 0.95, worker.stages, look_test, {});
+  outcome.seconds = calc::now_s() - begin_s;
+  const calc::PlaneField& field = solution.fields.front();
+  if (!field.problem.empty()) {
+    throw std::runtime_error(fmt::format("{}, {}: {}", scene.name, worker.name, field.problem));
+  }
+  add_errors(field, outcome);
+  outcome.is_late =
+      target > 0.0 ? outcome.error > target : field.stop == calc::StopReason::time_limit;
+  outcome.light_rays = static_cast<double>(solution.pool_rays);
+  outcome.connections = static_cast<double>(field.counters.connection_rays);
+  outcome.near_rays = static_cast<double>(field.counters.near_rays);
+  outcome.first_light_rays = outcome.light_rays * static_cast<double>(settings.first_paths) *
+                             static_cast<double>(settings.replicates) /
+                             std::max(1.0, static_cast<double>(field.counters.paths));
+  outcome.times = solution.times;
+  return outcome;
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name")) continue;
+    const std::size_t colon = line.find(':');
+    if (colon != std::string::npos && colon + 2 < line.size()) return line.substr(colon + 2);
+  }
+  return "an unnamed processor";
+}
+
+std::string rate(double rays, double seconds) {
+  if (!(rays > 0.0) || !(seconds > 0.0)) return "-";
+  return fmt::format("{:.3g}", 1e-6 * rays / seconds);
+}
+
+void print_stages(const Settings& settings, const std::vector<Worker>& workers) {
+  Table table(
+      "Rays a second of each stage, millions, all threads and all they do beside",
+      {"scene", "triangles", "points", "by", "light paths", "connections", "near field", "run s"});
+  const std::uint64_t paths = settings.is_quick ? 256 : 8192;
+  for (const char* name : {"office", "corridor", "hall"}) {
+    if (settings.is_quick && std::string_view(name) == "hall") {
+      fmt::print("skipped for --quick: stages in the hall\n");
+      continue;
+    }
+    const BenchScene scene = make_scene(
+        settings.is_quick && std::string_view(name) == "office" ? office(14, 9) : find_room(name));
+    for (const Worker& worker : workers) {
+      run(scene, worker, 0.0, 16, settings.limit_s);  // compiled, sent
+      const Outcome o = run(scene, worker, 0.0, paths, settings.limit_s);
+      table.add({name, fmt::format("{}", scene.scene.triangle.size()),
+                 fmt::format("{}", scene.points()), worker.name, rate(o.light_rays, o.times.pool_s),
+                 rate(o.connections, o.times.connect_s), rate(o.near_rays, o.times.near_s),
+                 o.is_late ? fmt::format("> {:.3g}, cut off", settings.limit_s)
+                           : fmt::format("{:.3g}", o.seconds)});
+    }
+  }
+  table.print();
+}
+
+struct Cell {
+  std::string name;
+  double triangles = 0.0;
+  std::optional<Outcome> cpu, gpu;  // none: skipped
+};
+
+std::string seconds_of(const std::optional<Outcome>& o) {
+  if (!o) return "skipped";
+  if (!o->is_late) return fmt::format("{:.3g}", o->seconds);
+  return fmt::format("> {:.3g} (to {} %)", o->seconds, percent(o->error));
+}
+
+std::vector<Cell> whole_runs(const Settings& settings, const std::vector<Worker>& workers) {
+  struct Size {
+    int columns, rows;
+  };
+  const std::vector<Size> sizes = settings.is_quick
+                                      ? std::vector<Size>{{8, 5}, {14, 9}}
+                                      : std::vector<Size>{{40, 25}, {125, 80}, {400, 250}};
+  const std::vector<double> targets =
+      settings.is_quick ? std::vector<double>{0.02} : std::vector<double>{0.01, 0.001};
+  std::vector<Cell> cells;
+  for (const double target : targets) {
+    std::vector<bool> is_hopeless(workers.size(), false);
+    for (const Size& size : sizes) {
+      const BenchScene scene = make_scene(office(size.columns, size.rows));
+      Cell& cell = cells.emplace_back();
+      cell.name = fmt::format("{} points to {} %", scene.points(), 100.0 * target);
+      cell.triangles = static_cast<double>(scene.scene.triangle.size());
+      for (std::size_t w = 0; w < workers.size(); ++w) {
+        if (is_hopeless[w]) {
+          fmt::print("skipped: {} by {}, as fewer points took more than {:.3g} s\n", cell.name,
+                     workers[w].name, settings.limit_s);
+          continue;
+        }
+        const Outcome outcome = run(scene, workers[w], target, 0, settings.limit_s);
+        is_hopeless[w] = outcome.is_late;
+        (w == 0 ? cell.cpu : cell.gpu) = outcome;
+        std::fflush(stdout);
+      }
+    }
+  }
+  return cells;
+}
+
+cli::BackendCost predicted(const Cell& cell, const Outcome& outcome) {
+  return cli::backend_cost({outcome.first_connections, outcome.first_light_rays, cell.triangles});
+}
+
+void print_runs(const std::vector<Cell>& cells, double open_s) {
+  Table table("Whole runs in the office, s; GPU: without opening it",
+              {"run", "connections", "CPU", "GPU", "CPU / GPU", "averages differ by %",
+               "auto takes", "best", "auto loses %"});
+  for (const Cell& cell : cells) {
+    const Outcome* known = cell.cpu ? &*cell.cpu : cell.gpu ? &*cell.gpu : nullptr;
+    if (known == nullptr) continue;
+    const bool is_whole = cell.cpu && cell.gpu && !cell.cpu->is_late && !cell.gpu->is_late;
+    const cli::BackendCost cost = predicted(cell, *known);
+    const bool takes_gpu = cost.gpu_s() < cost.cpu_s;
+    std::vector<std::string> row{cell.name, count(known->connections), seconds_of(cell.cpu),
+                                 seconds_of(cell.gpu)};
+    if (is_whole) {
+      const double cpu_s = cell.cpu->seconds, gpu_s = cell.gpu->seconds + open_s;
+      const double taken_s = takes_gpu ? gpu_s : cpu_s;
+      row.push_back(fmt::format("{:.2f}", cell.cpu->seconds / cell.gpu->seconds));
+      row.push_back(percent(std::abs(cell.gpu->average_lx / cell.cpu->average_lx - 1.0)));
+      row.emplace_back(takes_gpu ? "GPU" : "CPU");
+      row.emplace_back(gpu_s < cpu_s ? "GPU" : "CPU");
+      row.push_back(percent(taken_s / std::min(cpu_s, gpu_s) - 1.0));
+    } else {
+      row.insert(row.end(), {"-", "-", takes_gpu ? "GPU" : "CPU", "-", "-"});
+    }
+    table.add(row);
+  }
+  table.print();
+}
+
+// Connections above which the model takes the GPU, for this room; none: never.
+std::optional<double> model_break_even(double light_rays, double triangles) {
+  for (double connections = 1e4; connections < 1e13; connections *= 1.02) {
+    const cli::BackendCost cost = cli::backend_cost({connections, light_rays, triangles});
+    if (cost.gpu_s() < cost.cpu_s) return connections;
+  }
+  return std::nullopt;
+}
+
+// Time is taken for a line over connections, through the smallest and the largest whole run.
+void print_break_even(const std::vector<Cell>& cells, double open_s) {
+  const Cell *small = nullptr, *large = nullptr;
+  for (const Cell& cell : cells) {
+    if (!cell.cpu || !cell.gpu || cell.cpu->is_late || cell.gpu->is_late) continue;
+    if (!small || cell.cpu->connections < small->cpu->connections) small = &cell;
+    if (!large || cell.cpu->connections > large->cpu->connections) large = &cell;
+  }
+  if (cells.empty() || !cells.front().cpu) return;
+  const std::optional<double> model =
+      model_break_even(cells.front().cpu->first_light_rays, cells.front().triangles);
+  fmt::print("Break-even by the cost model (16 cores, 1e9 rays/s assumed): {}\n",
+             model ? fmt::format("{:.2g} connections in the first look", *model) : "never");
+  if (small == large) {
+    fmt::print("Break-even, measured: needs two runs that both finished\n");
+    return;
+  }
+  const double span = large->cpu->connections - small->cpu->connections;
+  const double cpu_each_s = (large->cpu->seconds - small->cpu->seconds) / span;
+  const double gpu_each_s = (large->gpu->seconds - small->gpu->seconds) / span;
+  const double ahead_s = open_s + small->gpu->seconds - small->cpu->seconds;
+  fmt::print("Each connection more: CPU {:.3g} ns, GPU {:.3g} ns, with all that goes with it\n",
+             1e9 * cpu_each_s, 1e9 * gpu_each_s);
+  if (!(gpu_each_s < cpu_each_s)) {
+    fmt::print("Break-even, measured: never\n");
+    return;
+  }
+  const double at = small->cpu->connections + ahead_s / (cpu_each_s - gpu_each_s);
+  fmt::print("Break-even, measured, of the whole run: {}\n",
+             at > 0.0 ? fmt::format("{:.2g} connections", at) : "at any size");
+}
+
+Settings parse(int argc, char** argv) {
+  Settings settings;
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    const bool has_value = k + 1 < argc;
+    if (word == "--quick") {
+      settings.is_quick = true;
+    } else if (word == "--device" && has_value) {
+      settings.device = std::atoi(argv[++k]);
+    } else if (word == "--limit" && has_value) {
+      settings.limit_s = std::atof(argv[++k]);
+    } else {
+      throw std::runtime_error("gpu_figures [--quick] [--device N] [--limit SECONDS]");
+    }
+  }
+  if (!(settings.limit_s > 0.0)) settings.limit_s = settings.is_quick ? 3.0 : 20.0;
+  return settings;
+}
+
+int measure(const Settings& settings) {
+  const double begin_s = calc::now_s();
+  std::string problem;
+  const auto device = gpu::DeviceThread::open({settings.device, gpu::Fault::none, ""}, problem);
+  if (!device) {
+    fmt::print("no OpenGL: {}\n", problem);
+    return 2;
+  }
+  const double context_s = calc::now_s() - begin_s;
+  const auto cpu_gatherer = calc::make_cpu_gatherer();
+  const auto gatherer = gpu::make_gl_gatherer(device);
+  const auto path_tracer = gpu::make_gl_path_tracer(device);
+  const auto short_rays = gpu::make_gl_short_rays(device);
+  const calc::Stages cpu{*cpu_gatherer, nullptr, nullptr};
+  const calc::Stages gpu{*gatherer, path_tracer.get(), short_rays.get()};
+  const std::vector<Worker> workers{{"CPU", cpu}, {"GPU", gpu}};
+  const gpu::Device& d = device->device();
+  fmt::print("renderer: {}\nvendor: {}\ndriver: {}\n{}processor: {}, {} threads, {}\n", d.renderer,
+             d.vendor, d.version,
+             d.is_software
+                 ? "This is software: 'GPU' below is the processor again, and says nothing "
+                   "about graphics hardware.\n"
+                 : "",
+             processor_name(), std::thread::hardware_concurrency(), cpu_gatherer->description());
+  // Programs are compiled in the first of two equal runs; no cache of them is used.
+  const BenchScene small = make_scene(office(8, 5));
+  const double first_s = run(small, workers[1], 0.0, 64, settings.limit_s).seconds;
+  const double second_s = run(small, workers[1], 0.0, 64, settings.limit_s).seconds;
+  const double open_s = context_s + std::max(0.0, first_s - second_s);
+  fmt::print("opening it: context {:.3g} s, programs {:.3g} s\n\n", context_s, open_s - context_s);
+  std::fflush(stdout);
+  print_stages(settings, workers);
+  std::fflush(stdout);
+  const std::vector<Cell> cells = whole_runs(settings, workers);
+  print_runs(cells, open_s);
+  print_break_even(cells, open_s);
+  fmt::print("{}took {:.0f} s\n", settings.is_quick ? "--quick: small rooms, 2 % alone; " : "",
+             calc::now_s() - begin_s);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return measure(parse(argc, argv));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
