@@ -16,6 +16,7 @@
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/rules.h"
+#include "report/cli/selftest.h"
 #include "report/cli/version.h"
 #include "report/cli/vpl.h"
 #include "report/read_json.h"
@@ -378,6 +379,9 @@ ExitCode run(const Options& options, const Environment& environment) {
       return print_outcome(
           run_converge(options.converge, calc::DiskFileReader(), environment.stderr_is_terminal),
           false);
+    case Command::selftest:
+      watch_for_interrupt();
+      return print_outcome(run_selftest(options.selftest, environment), false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:
