@@ -21,4 +21,4 @@ luxgate_test(radiosity_tests
     unit/calc/radiosity/settings_test.cpp
     unit/calc/radiosity/solve_test.cpp
     unit/calc/radiosity/vertex_tree_test.cpp
-  LIBRARIES calc_radiosity)
+  LIBRARIES calc_radiosity luxgate_exact)

@@ -24,6 +24,23 @@ struct ValueOption {
   bool repeats = false;
 };
 
+// What a command has that lists its options in a file of its own.
+struct ListedCommand {
+  struct Place {
+    std::string name, value_name, help;
+    std::string* target;
+    bool is_required = true;
+  };
+  struct Flag {
+    std::string name, help;
+    bool* target;
+  };
+  std::vector<Place> places = {};
+  std::vector<Flag> flags = {};
+  std::vector<ValueOption> values = {};
+  std::string footer = {};
+};
+
 // Digits only.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 

@@ -236,11 +236,28 @@ void add_listed(CLI::App& app, std::string& project, const std::vector<ValueOpti
   }
 }
 
+void add_listed(CLI::App& app, const ListedCommand& command) {
+  for (const ListedCommand::Place& place : command.places) {
+    app.add_option(place.name, *place.target, place.help)
+        ->required(place.is_required)
+        ->type_name(place.value_name);
+  }
+  for (const ListedCommand::Flag& flag : command.flags) {
+    app.add_flag(flag.name, *flag.target, flag.help);
+  }
+  for (const ValueOption& item : command.values) {
+    CLI::Option* option = add_value(app, item.name, item.value_name, item.help, item.parser);
+    if (item.repeats) allow_repeats(option);
+  }
+  app.footer(command.footer);
+}
+
 // What can only be seen with all options together; "" = nothing is wrong.
 std::string contradiction(const Options& options) {
   if (options.command == Command::photometry) return photometry_contradiction(options.photometry);
   if (options.command == Command::vpl) return vpl_contradiction(options.vpl);
   if (options.command == Command::converge) return converge_contradiction(options.converge);
+  if (options.command == Command::selftest) return selftest_contradiction(options.selftest);
   if (!options.vpl_file.empty() && options.projects.size() > 1) {
     return fmt::format("--vpl is for one project; found {}", options.projects.size());
   }
@@ -385,6 +402,9 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       "converge", "Measure error against run time and rays, for several methods");
   add_listed(converge, options.converge.project, converge_value_options(options.converge));
   converge.footer(converge_footer());
+  CLI::App& selftest =
+      *app.add_subcommand("selftest", "Calculate cases whose light is known exactly, and compare");
+  add_listed(selftest, selftest_command(options.selftest));
   CLI::App& photometry =
       *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
   add_photometry(photometry, options);
@@ -427,6 +447,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (validate.parsed()) options.command = Command::validate;
   if (vpl.parsed()) options.command = Command::vpl;
   if (converge.parsed()) options.command = Command::converge;
+  if (selftest.parsed()) options.command = Command::selftest;
   if (photometry.parsed()) options.command = Command::photometry;
   if (geometry.parsed()) options.command = Command::geometry;
   if (rule_packs.parsed()) options.command = Command::rules;

@@ -4,6 +4,7 @@
 #include "calc/radiosity/settings.h"
 #include "report/cli/converge_options.h"
 #include "report/cli/rules_options.h"
+#include "report/cli/selftest_options.h"
 #include "report/cli/vpl_options.h"
 #include "rules/goal.h"
 
@@ -20,6 +21,7 @@ enum class Command {
   validate,
   vpl,
   converge,
+  selftest,
   photometry,
   geometry,
   rules,
@@ -97,6 +99,7 @@ struct Options {
 
   VplOptions vpl;
   ConvergeOptions converge;
+  SelftestOptions selftest;
   bool plan_as_json = false;
   PhotometryOptions photometry;
   RulesOptions rules_command;

@@ -16,6 +16,7 @@
 #include "report/cli/progress.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/rules.h"
+#include "report/cli/selftest.h"
 #include "report/cli/version.h"
 #include "report/cli/vpl.h"
 #include "report/read_json.h"
@@ -377,6 +378,9 @@ ExitCode run(const Options& options, const Environment& environment) {
       watch_for_interrupt();
       return print_outcome(
           run_converge(options.converge, calc::DiskFileReader(), environment, *fault), false);
+    case Command::selftest:
+      watch_for_interrupt();
+      return print_outcome(run_selftest(options.selftest, environment), false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:

@@ -1,0 +1,67 @@
+#pragma once
+// A closed box by classical radiosity on a fine mesh: form factors by Lambert's contour formula, no
+// ray and no random number, nothing in common with the program.
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace cli::selftest {
+
+// Direct illuminance (lx) at a point with unit normal.
+using DirectLight = std::function<double(const glm::dvec3& x, const glm::dvec3& n)>;
+
+// Of an isotropic source (cd).
+DirectLight isotropic_light(double intensity_cd, const glm::dvec3& source);
+// Of a source that shines as cos gamma straight down (cd).
+DirectLight downlight(double axis_cd, const glm::dvec3& source);
+
+// Faces in the order x = 0, x = size.x, y = 0, ... , z = size.z.
+using FaceReflectances = std::array<double, 6>;
+constexpr FaceReflectances same_on_all(double rho) { return {rho, rho, rho, rho, rho, rho}; }
+
+// The box [0, size]: E = E_direct + F rho E on n x n patches per face that are smaller towards the
+// edges, n >= 2, iterated until nothing changes; then between the patches' centres.
+class BoxRadiosity {
+ public:
+  BoxRadiosity(const glm::dvec3& size, const FaceReflectances& rho, DirectLight direct, int n);
+
+  // At any point in the box or on its faces, by unit normal. Compare two n to know its error.
+  double indirect_lx(const glm::dvec3& x, const glm::dvec3& n) const;
+  double direct_lx(const glm::dvec3& x, const glm::dvec3& n) const { return direct_(x, n); }
+
+ private:
+  struct Patch {
+    std::array<glm::dvec3, 4> corner;
+    glm::dvec3 centre, normal;
+    glm::dvec3 half_u, half_v;
+    double rho;
+    std::size_t face;
+
+    double area_m2() const { return 4.0 * glm::length(half_u) * glm::length(half_v); }
+  };
+  static double factor(const glm::dvec3& x, const glm::dvec3& n, const Patch& patch);
+  void add_face(const glm::dvec3& size, int axis, int side, double rho, int n);
+  std::vector<double> factors() const;  // [from][to], of patches
+  void solve();
+  void refine();
+  double indirect_at(const glm::dvec3& y, std::size_t face) const;
+  double part_lx(const Patch& part, const glm::dvec3& x, const glm::dvec3& n) const;
+
+  int n_;
+  DirectLight direct_;
+  std::vector<Patch> patches_;                  // [face][i][j]
+  std::array<std::vector<double>, 3> centres_;  // of patches along x, y and z
+  std::vector<double> indirect_lx_;             // at the patches' centres
+};
+
+// How far the finer of two solutions may be off, relative: it has a quarter of the other's error,
+// and a floor of its own.
+inline double mesh_error(double coarse_lx, double fine_lx) {
+  const double difference = coarse_lx / fine_lx - 1.0;
+  return 0.5 * (difference < 0.0 ? -difference : difference) + 3e-4;
+}
+
+}  // namespace cli::selftest

@@ -1,0 +1,27 @@
+#pragma once
+// The options of `luxgate selftest`.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct ListedCommand;
+
+struct SelftestOptions {
+  std::vector<std::string> only;  // names of cases or kinds; empty = all
+  bool as_json = false;
+  bool lists = false;                       // names the cases, runs nothing
+  bool shows_all = false;                   // a line for every number
+  bool has_timing = false;                  // results are the same bytes without
+  std::string report_folder, sweep_folder;  // "" = none
+  std::uint64_t seed = 1;
+  int jobs = 0;
+};
+
+ListedCommand selftest_command(SelftestOptions& options);
+// "" = nothing is wrong.
+std::string selftest_contradiction(const SelftestOptions& options);
+
+}  // namespace cli
