@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -82,6 +84,15 @@ struct PlanePart {
 struct LuminaireMark {  // for plans
   glm::dvec3 position_m;
   std::string type_id;
+  std::string group = {};                    // dimming group; "" = none
+  std::vector<glm::dvec2> outline_m = {};    // of the opening from above, world; empty: a point
+  glm::dvec2 c0{0.0};                        // world direction of C0 from above; 0: it is vertical
+};
+
+struct BodyMark {  // furniture, for plans
+  std::string id;
+  double low_z_m = 0, high_z_m = 0;
+  std::vector<std::array<glm::dvec2, 2>> lines_m;  // from above, world
 };
 
 // A picture of a room in false colours, as files.
@@ -111,6 +122,8 @@ struct SpacePart {
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;  // left out
   std::vector<LuminaireMark> luminaires;
+  std::vector<BodyMark> bodies;
+  std::size_t bodies_left_out = 0;  // too many to draw
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
   RoomPictures pictures;

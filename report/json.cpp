@@ -203,6 +203,23 @@ Json plane_json(const PlanePart& plane) {
   return json;
 }
 
+Json mark_json(const LuminaireMark& mark) {
+  return {{"type", mark.type_id},
+          {"position_m", from(mark.position_m)},
+          {"group", mark.group},
+          {"outline_m", from(mark.outline_m)},
+          {"c0", Json::array({mark.c0.x, mark.c0.y})}};
+}
+
+Json body_json(const BodyMark& body) {
+  return {{"id", body.id},
+          {"low_z_m", body.low_z_m},
+          {"high_z_m", body.high_z_m},
+          {"lines_m", list_of(body.lines_m, [](const std::array<glm::dvec2, 2>& line) {
+             return Json::array({line[0].x, line[0].y, line[1].x, line[1].y});
+           })}};
+}
+
 Json space_json(const SpacePart& space) {
   return {{"id", space.id},
           {"name", space.name},
@@ -212,10 +229,9 @@ Json space_json(const SpacePart& space) {
           {"triangles", space.triangles},
           {"degenerate_triangles", space.degenerate_triangles},
           {"luminaires",
-           list_of(space.luminaires,
-                   [](const LuminaireMark& mark) {
-                     return Json{{"type", mark.type_id}, {"position_m", from(mark.position_m)}};
-                   })},
+          list_of(space.luminaires, mark_json)},
+          {"bodies", list_of(space.bodies, body_json)},
+          {"bodies_left_out", space.bodies_left_out},
           {"flux_balance",
            {{"emitted_lm", space.balance.emitted_lm},
             {"untraced_lm", space.balance.untraced_lm},

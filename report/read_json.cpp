@@ -267,6 +267,28 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   return p;
 }
 
+// What later versions added may be missing.
+LuminaireMark luminaire_mark(const JsonCursor& at) {
+  LuminaireMark mark{vec3(at["position_m"]), at["type"].text()};
+  if (const auto group = at.find("group")) mark.group = group->text();
+  if (const auto outline = at.find("outline_m")) mark.outline_m = polygon(*outline);
+  if (const auto c0 = at.find("c0")) mark.c0 = vec2(*c0);
+  return mark;
+}
+
+BodyMark body_mark(const JsonCursor& at) {
+  BodyMark mark;
+  mark.id = at["id"].text();
+  mark.low_z_m = at["low_z_m"].finite();
+  mark.high_z_m = at["high_z_m"].finite();
+  mark.lines_m = at["lines_m"].list_of([](const JsonCursor& line) {
+    const std::vector<JsonCursor> c = line.items(4);
+    return std::array{glm::dvec2(c[0].finite(), c[1].finite()),
+                      glm::dvec2(c[2].finite(), c[3].finite())};
+  });
+  return mark;
+}
+
 SpacePart space(const JsonCursor& at) {
   SpacePart s;
   s.id = at["id"].text();
@@ -276,9 +298,9 @@ SpacePart space(const JsonCursor& at) {
   s.height_m = at["height_m"].finite();
   s.triangles = size(at["triangles"]);
   s.degenerate_triangles = size(at["degenerate_triangles"]);
-  s.luminaires = at["luminaires"].list_of([](const JsonCursor& mark) {
-    return LuminaireMark{vec3(mark["position_m"]), mark["type"].text()};
-  });
+  s.luminaires = at["luminaires"].list_of(luminaire_mark);
+  if (const auto bodies = at.find("bodies")) s.bodies = bodies->list_of(body_mark);
+  if (const auto left_out = at.find("bodies_left_out")) s.bodies_left_out = size(*left_out);
   const JsonCursor balance = at["flux_balance"];
   s.balance = {balance["emitted_lm"].number(), balance["untraced_lm"].number(),
                estimate(balance["absorbed_lm"]), estimate(balance["escaped_lm"])};

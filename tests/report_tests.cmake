@@ -1,5 +1,6 @@
 luxgate_test(report_tests
   SOURCES
+    unit/report/build_plan_marks_test.cpp
     unit/report/ci_formats_test.cpp
     unit/report/console_test.cpp
     unit/report/csv_test.cpp
@@ -7,6 +8,7 @@ luxgate_test(report_tests
     unit/report/exr_test.cpp
     unit/report/heatmap_test.cpp
     unit/report/html_test.cpp
+    unit/report/isolux_test.cpp
     unit/report/json_test.cpp
     unit/report/number_format_test.cpp
     unit/report/plain_text_test.cpp

@@ -5,6 +5,7 @@
 #include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/build.h"
+#include "report/build_plan_marks.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/plan.h"
 #include "report/cli/vpl.h"
@@ -218,6 +219,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  report::add_plan_marks(loaded.project, space, scene, part);
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }

@@ -178,6 +178,28 @@ TEST(Html, SmallGridIsDrawnCellByCell) {
   EXPECT_EQ(tree.select_nodes("//path[starts-with(@fill, 'url(#hatch-')]").size(), 1U);
 }
 
+TEST(Html, IsoluxLinesAreLabelledAndTheRequiredOneIsThick) {
+  const pugi::xml_document tree = parsed(render_html(sample_document()));
+  const pugi::xml_node plan = tree.select_node("//article[@id='p1s1k1']//svg[@class='plan']").node();
+  EXPECT_EQ(plan.select_nodes(".//path[@class='isolux required']").size(), 2U);  // 240 and 500 lx
+  EXPECT_GE(plan.select_nodes(".//path[@class='isolux']").size(), 2U);
+  EXPECT_EQ(plan.select_nodes(".//text[@class='isolux-label required'][.='500']").size(), 1U);
+  EXPECT_THAT(text_of(tree.select_node("//article[@id='p1s1k1']//figure").node()),
+              HasSubstr("isolux of the required 240 lx, 500 lx"));
+}
+
+TEST(Html, HistogramCountsEveryPoint) {
+  const Document document = sample_document();
+  const pugi::xml_document tree = parsed(render_html(document));
+  int points = 0;
+  for (const pugi::xpath_node& bar :
+       tree.select_nodes("//article[@id='p1s1k1']//g[@class='histogram']/rect/title")) {
+    points += bar.node().text().as_int();
+  }
+  EXPECT_EQ(static_cast<std::size_t>(points),
+            document.projects[0].spaces[0].planes[0].points.size());
+}
+
 TEST(Html, LargeGridIsOnePicture) {
   Document document = sample_document();
   document.projects[0].spaces.erase(document.projects[0].spaces.begin());
