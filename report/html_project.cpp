@@ -134,11 +134,11 @@ std::string html_messages(const ProjectPart& project) {
   return "<h3>Messages</h3>\n<ul class=\"messages\">\n" + items + "</ul>\n";
 }
 
-std::string html_luminaires(const ProjectPart& project) {
+std::string html_luminaires(const ProjectPart& project, std::size_t index) {
   if (project.luminaires.empty()) return {};
   std::string rows;
   for (const LuminaireRow& row : project.luminaires) rows += luminaire_row(row);
-  return "<h3>Luminaires</h3>\n" +
+  return fmt::format("<h3 id=\"luminaires{}\">Luminaires</h3>\n", index + 1) +
          scroll_box(
              "Luminaire schedule",
              "<table class=\"schedule\"><caption>Flux, power and intensity of one luminaire, new; "
@@ -153,7 +153,8 @@ std::string html_luminaires(const ProjectPart& project) {
                  rows + "</tbody><tfoot>" + total_row(project) + "</tfoot></table>");
 }
 
-std::string html_calculation(const Provenance& provenance, const ProjectPart& project) {
+std::string html_calculation(const Provenance& provenance, const ProjectPart& project,
+                             std::size_t index) {
   if (project.spaces.empty()) return {};
   std::string balance, rays;
   for (const SpacePart& space : project.spaces) {
@@ -161,7 +162,7 @@ std::string html_calculation(const Provenance& provenance, const ProjectPart& pr
     for (const PlanePart& plane : space.planes) rays += ray_row(plane);
   }
   const std::string share = format_percent(provenance.confidence);
-  return "<h3>Calculation</h3>\n" +
+  return fmt::format("<h3 id=\"calculation{}\">Calculation</h3>\n", index + 1) +
          scroll_box(
              "Light balance",
              "<table><caption>Light balance, new luminaires at full output: emitted = absorbed + "
