@@ -50,7 +50,12 @@ struct LuminaireRow {
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
   std::string sha256;  // of the photometry file
+  // Intensities in C0-C180 and C90-C270, every kPolarStep_deg of gamma from -180 (C180, C270) to
+  // 180; empty: not known.
+  std::vector<double> c0_cd = {}, c90_cd = {};
 };
+inline constexpr double kPolarStep_deg = 2.5;
+inline constexpr int kPolarHalfSteps = 72;
 
 struct PointRow {
   glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
@@ -58,6 +63,26 @@ struct PointRow {
   calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
   double direct_lx = 0;          // maintained, mean over replicates
   double indirect_lx = 0;
+};
+
+// What one dimming group gives to a plane, alone and at full output, reflections included.
+struct GroupShare {
+  std::string group;           // "" = luminaires without a group
+  calc::Estimate average_lx;   // maintained
+  double direct_lx = 0;        // of it, on average over the points
+};
+
+// A plane as it was after one look at its growing results.
+struct LookFinding {
+  rules::Verdict verdict = rules::Verdict::not_judged;
+  calc::Estimate measured;  // meaningless when not judged
+};
+struct PlaneLook {
+  std::uint64_t paths = 0;  // so far, all replicates
+  std::uint64_t rays = 0;   // so far, towards luminaires, light vertices and near surfaces
+  std::size_t points = 0;   // that took part
+  calc::Estimate average_lx;
+  std::vector<LookFinding> findings;  // as PlanePart::findings
 };
 
 struct PlanePart {
@@ -71,6 +96,8 @@ struct PlanePart {
   calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
       uniformity_min_max;  // maintained
   std::vector<rules::Finding> findings;
+  std::vector<GroupShare> groups;  // their averages add up to average_lx
+  std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
   int looks_planned = 1;                 // intervals hold over that many looks together
   std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has

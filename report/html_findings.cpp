@@ -1,5 +1,6 @@
 #include "report/html_findings.h"
 
+#include "report/pass_factor.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -92,6 +93,8 @@ std::string remarks(const rules::Finding& finding) {
     text +=
         (text.empty() ? "" : " ") + std::string("Close: usual rounding would change the verdict.");
   }
+  if (const std::string words = pass_factor_words(finding); !words.empty())
+    text += (text.empty() ? "" : " ") + words;
   return escape_html(text);
 }
 

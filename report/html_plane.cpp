@@ -1,8 +1,10 @@
 #include "report/html_plane.h"
 
 #include "report/heatmap.h"
+#include "report/html_convergence.h"
 #include "report/html_findings.h"
 #include "report/html_plan.h"
+#include "report/pass_factor.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -56,6 +59,35 @@ std::string share_bar(const PlanePart& plane) {
       "<p><span><i class=\"direct\"></i>direct {}</span><span><i class=\"indirect\"></i>indirect "
       "{}</span></p></div>\n",
       format_fixed(share * 100.0, 1), format_share(share), format_share(1.0 - share));
+}
+
+// What each dimming group gives, and what it would take for it alone to make up for what is
+// missing; "" where all light is in one nameless group.
+std::string groups_table(const PlanePart& plane) {
+  if (plane.groups.empty() || (plane.groups.size() == 1 && plane.groups[0].group.empty())) return {};
+  std::string rows;
+  for (const GroupShare& share : plane.groups) {
+    std::string notes;
+    for (const rules::Finding& finding : plane.findings) {
+      const std::optional<double> factor = group_pass_factor(finding, plane, share);
+      if (!factor) continue;
+      notes = fmt::format(
+          "<span class=\"note\">{} meets {} {}</span>", factor_text(*factor),
+          quantity_words(finding.requirement),
+          format_required({finding.requirement.limit, finding.requirement.comparison}, "lx"));
+    }
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}{}</th><td class=\"num strong\">{}</td><td class=\"num "
+        "quiet\">{}</td><td class=\"num\">{}</td></tr>\n",
+        share.group.empty() ? "no group" : escape_html(share.group), notes,
+        format_measured(share.average_lx, "lx"), format_cell_lx(share.direct_lx),
+        format_share(share.average_lx.value / plane.average_lx.value));
+  }
+  return "<table class=\"facts groups\"><caption>Light by dimming group</caption><thead><tr><th "
+         "scope=\"col\">Average from</th><th scope=\"col\" class=\"num\">lx</th><th "
+         "scope=\"col\" class=\"num\">direct</th><th scope=\"col\" "
+         "class=\"num\">share</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table>\n";
 }
 
 std::string dropped_words(const calc::SensorGrid& grid) {
@@ -198,7 +230,7 @@ std::string badges(const PlanePart& plane) {
     const auto count = std::count_if(
         plane.findings.begin(), plane.findings.end(),
         [verdict](const rules::Finding& finding) { return finding.verdict == verdict; });
-    if (count > 0) html += badge(verdict) + (count > 1 ? fmt::format("×{} ", count) : " ");
+    if (count > 0) html += badge(verdict) + (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
   }
   if (!plane.is_computed) return html;
   return html + fmt::format("<span class=\"brief\">Ē {} · Uo {}</span>",
@@ -235,8 +267,8 @@ std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart
   html += html_plane_findings(plane) + "<div class=\"split\">\n";
   if (has_cells(plane)) html += html_plan(space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(plane) + share_bar(plane) +
-          grid_table(space, plane) + "</div>\n</div>\n";
-  return html + values(plane, title) + "</div></details></article>\n";
+          groups_table(plane) + grid_table(space, plane) + "</div>\n</div>\n";
+  return html + html_looks(plane) + values(plane, title) + "</div></details></article>\n";
 }
 
 }  // namespace report

@@ -67,6 +67,19 @@ calc::Diagnostic diagnostic(const JsonCursor& at) {
   return {*id, location(at["where"]), at["message"].text()};
 }
 
+// Either nothing or every step.
+std::vector<double> polar_curve(const JsonCursor& polar, std::string_view key) {
+  constexpr std::size_t kValues = 2 * kPolarHalfSteps + 1;
+  const double step_deg = polar["step_deg"].finite();
+  const std::vector<JsonCursor> items = polar[key].items();
+  if (items.empty()) return {};
+  if (step_deg != kPolarStep_deg || items.size() != kValues)
+    polar[key].refuse("145 values, 2.5 degrees apart, are needed");
+  std::vector<double> cd;
+  for (const JsonCursor& item : items) cd.push_back(item.finite());
+  return cd;
+}
+
 LuminaireRow luminaire(const JsonCursor& at) {
   LuminaireRow row;
   row.type_id = at["type"].text();
@@ -85,6 +98,10 @@ LuminaireRow luminaire(const JsonCursor& at) {
   row.maintenance.lsf = optional_number(parts["lsf"]);
   row.maintenance.lmf = optional_number(parts["lmf"]);
   row.maintenance.rsmf = optional_number(parts["rsmf"]);
+  if (const auto polar = at.find("polar")) {
+    row.c0_cd = polar_curve(*polar, "c0_cd");
+    row.c90_cd = polar_curve(*polar, "c90_cd");
+  }
   return row;
 }
 
@@ -138,13 +155,16 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
   return r;
 }
 
+rules::Verdict verdict(const JsonCursor& at) {
+  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
+                              rules::Verdict::undecided, rules::Verdict::not_judged},
+                   verdict_key);
+}
+
 rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
   rules::Finding f;
   f.requirement = requirement(at, plane_id);
-  f.verdict =
-      at["verdict"].one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
-                                      rules::Verdict::undecided, rules::Verdict::not_judged},
-                           verdict_key);
+  f.verdict = verdict(at["verdict"]);
   if (f.verdict != rules::Verdict::not_judged) {
     f.measured = estimate(at["measured"]);
     f.margin = at["margin"].number();
@@ -229,6 +249,25 @@ calc::StopReason stop(const JsonCursor& at) {
                    stop_key);
 }
 
+GroupShare group_share(const JsonCursor& at) {
+  return {at["group"].text(), estimate(at["average_lx"]), at["direct_lx"].number()};
+}
+
+PlaneLook look(const JsonCursor& at, std::size_t findings) {
+  PlaneLook l;
+  l.paths = at["paths"].count();
+  l.rays = at["rays"].count();
+  l.points = size(at["points"]);
+  l.average_lx = estimate(at["average_lx"]);
+  for (const JsonCursor& item : at["findings"].items(findings)) {
+    LookFinding f;
+    f.verdict = verdict(item["verdict"]);
+    if (f.verdict != rules::Verdict::not_judged) f.measured = estimate(item["measured"]);
+    l.findings.push_back(f);
+  }
+  return l;
+}
+
 PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   PlanePart p;
   p.id = at["id"].text();
@@ -259,6 +298,10 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.counters = {counters["paths"].count(), counters["direct_rays"].count(),
                 counters["connection_rays"].count(), counters["near_rays"].count(),
                 at["points_per_look"].list_of(size)};
+  if (const auto groups = at.find("groups")) p.groups = groups->list_of(group_share);
+  if (const auto looks = at.find("look_results")) {
+    p.looks = looks->list_of([&](const JsonCursor& l) { return look(l, p.findings.size()); });
+  }
   p.grid = grid(at["grid"]);
   p.grid.kernel = p.kernel;
   p.outline_m = polygon(at["grid"]["outline_m"]);

@@ -1,5 +1,6 @@
 luxgate_test(report_tests
   SOURCES
+    unit/report/build_evidence_test.cpp
     unit/report/build_plan_marks_test.cpp
     unit/report/ci_formats_test.cpp
     unit/report/console_test.cpp
@@ -11,6 +12,7 @@ luxgate_test(report_tests
     unit/report/isolux_test.cpp
     unit/report/json_test.cpp
     unit/report/number_format_test.cpp
+    unit/report/pass_factor_test.cpp
     unit/report/plain_text_test.cpp
     unit/report/plan_layout_test.cpp
     unit/report/png_test.cpp
