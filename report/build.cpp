@@ -1,5 +1,7 @@
 #include "report/build.h"
 
+#include "calc/units.h"
+#include "report/build_evidence.h"
 #include "rules/candidates.h"
 #include "rules/error_spending.h"
 #include "rules/metrics.h"
@@ -89,6 +91,8 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.maintenance_factor = type.maintenance.product;
   row.maintenance = type.maintenance;
   row.sha256 = sha256_of(project, type.photometry_file);
+  row.c0_cd = polar_curve(web, 0.0, type.flux_scale);
+  row.c90_cd = polar_curve(web, 0.5 * calc::kPi, type.flux_scale);
   return row;
 }
 
@@ -129,6 +133,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
     const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, level);
     return found ? found->estimate : calc::Estimate{kNone, kNone, kNone};
   };
+  part.groups = build_groups(field, level);
   part.points = build_points(grid, field, maintained, level);
   part.average_lx = statistic(rules::Metric::average);
   part.minimum_lx = statistic(rules::Metric::minimum);

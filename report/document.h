@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -48,7 +50,12 @@ struct LuminaireRow {
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
   std::string sha256;  // of the photometry file
+  // Intensities in C0-C180 and C90-C270, every kPolarStep_deg of gamma from -180 (C180, C270) to
+  // 180; empty: not known.
+  std::vector<double> c0_cd = {}, c90_cd = {};
 };
+inline constexpr double kPolarStep_deg = 2.5;
+inline constexpr int kPolarHalfSteps = 72;
 
 struct PointRow {
   glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
@@ -56,6 +63,26 @@ struct PointRow {
   calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
   double direct_lx = 0;          // maintained, mean over replicates
   double indirect_lx = 0;
+};
+
+// What one dimming group gives to a plane, alone and at full output, reflections included.
+struct GroupShare {
+  std::string group;           // "" = luminaires without a group
+  calc::Estimate average_lx;   // maintained
+  double direct_lx = 0;        // of it, on average over the points
+};
+
+// A plane as it was after one look at its growing results.
+struct LookFinding {
+  rules::Verdict verdict = rules::Verdict::not_judged;
+  calc::Estimate measured;  // meaningless when not judged
+};
+struct PlaneLook {
+  std::uint64_t paths = 0;  // so far, all replicates
+  std::uint64_t rays = 0;   // so far, towards luminaires, light vertices and near surfaces
+  std::size_t points = 0;   // that took part
+  calc::Estimate average_lx;
+  std::vector<LookFinding> findings;  // as PlanePart::findings
 };
 
 struct PlanePart {
@@ -69,6 +96,8 @@ struct PlanePart {
   calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
       uniformity_min_max;  // maintained
   std::vector<rules::Finding> findings;
+  std::vector<GroupShare> groups;  // their averages add up to average_lx
+  std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
   int looks_planned = 1;                 // intervals hold over that many looks together
   std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has
@@ -82,6 +111,15 @@ struct PlanePart {
 struct LuminaireMark {  // for plans
   glm::dvec3 position_m;
   std::string type_id;
+  std::string group = {};                    // dimming group; "" = none
+  std::vector<glm::dvec2> outline_m = {};    // of the opening from above, world; empty: a point
+  glm::dvec2 c0{0.0};                        // world direction of C0 from above; 0: it is vertical
+};
+
+struct BodyMark {  // furniture, for plans
+  std::string id;
+  double low_z_m = 0, high_z_m = 0;
+  std::vector<std::array<glm::dvec2, 2>> lines_m;  // from above, world
 };
 
 // A picture of a room in false colours, as files.
@@ -111,6 +149,8 @@ struct SpacePart {
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;  // left out
   std::vector<LuminaireMark> luminaires;
+  std::vector<BodyMark> bodies;
+  std::size_t bodies_left_out = 0;  // too many to draw
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
   RoomPictures pictures;

@@ -1,5 +1,6 @@
 #include "report/html_findings.h"
 
+#include "report/pass_factor.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace report {
 namespace {
@@ -91,31 +94,69 @@ std::string remarks(const rules::Finding& finding) {
     words[0] = 'C';
     text += (text.empty() ? "" : " ") + words + ".";
   }
+  if (const std::string words = pass_factor_words(finding); !words.empty())
+    text += (text.empty() ? "" : " ") + words;
   return escape_html(text);
 }
 
-constexpr const char* kHead =
-    "<th scope=\"col\">Verdict</th><th scope=\"col\">Requirement</th><th scope=\"col\" "
-    "class=\"num\">Required</th>"
-    "<th scope=\"col\" class=\"num\">Measured</th>"
-    "<th scope=\"col\" class=\"gauge-head\"><span aria-hidden=\"true\">−10 % · limit · +10 "
-    "%</span></th>"
-    "<th scope=\"col\" class=\"num\">Margin</th>"
-    "<th scope=\"col\" class=\"num\">At, m</th>";
+// data-sort: the page's script makes these heads buttons.
+std::string head_cells(bool is_sortable) {
+  const char* sort = is_sortable ? " data-sort=\"\"" : "";
+  return fmt::format(
+      "<th scope=\"col\"{0}>Verdict</th><th scope=\"col\"{0}>Requirement</th>"
+      "<th scope=\"col\" class=\"num\"{0}>Required</th>"
+      "<th scope=\"col\" class=\"num\"{0}>Measured</th>"
+      "<th scope=\"col\" class=\"gauge-head\"><span class=\"unseen\">Interval against the "
+      "limit</span><span aria-hidden=\"true\">−10 % · limit · +10 %</span></th>"
+      "<th scope=\"col\" class=\"num\"{0}>Margin</th>"
+      "<th scope=\"col\" class=\"num\">At, m</th>",
+      sort);
+}
+
+// In the order in which verdicts ask for attention.
+int rank(rules::Verdict verdict) {
+  switch (verdict) {
+    case rules::Verdict::not_judged:
+      return 0;
+    case rules::Verdict::fail:
+      return 1;
+    case rules::Verdict::undecided:
+      return 2;
+    case rules::Verdict::pass:
+      break;
+  }
+  return 3;
+}
 
 std::string finding_cells(const PlanePart& plane, const rules::Finding& finding) {
   const Cells cells = cells_of(plane, finding);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   return fmt::format(
-      "<td>{}</td><td>{}</td><td class=\"num\">{}</td><td class=\"num strong\">{}</td>"
-      "<td class=\"gauge-cell\">{}</td><td class=\"num\">{}</td><td class=\"num place\">{}</td>",
-      badge(finding.verdict), cells.requirement, cells.required, cells.measured, cells.gauge,
-      cells.margin, cells.place);
+      "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
+      "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
+      "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
+      rank(finding.verdict), badge(finding.verdict),
+      escape_html(quantity_words(finding.requirement)), cells.requirement,
+      format_shortest(finding.requirement.limit), cells.required,
+      is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
+      is_judged ? format_shortest(finding.margin) : "", cells.margin, cells.place);
 }
 
-std::string plane_link(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
-  return fmt::format("<a href=\"#{}\">{}</a><span class=\"note\">{}</span>", plane_anchor(index),
-                     escape_html(title_of(plane.name, plane.id)),
-                     escape_html(title_of(space.name, space.id)));
+std::string plane_link(PlaneIndex index, const PlanePart& plane, const std::string& folder) {
+  return fmt::format("<a href=\"{}\">{}</a>", plane_href(index, folder),
+                     escape_html(title_of(plane.name, plane.id)));
+}
+
+// The first cell of a row. Where a plane has several rows the further ones show its name only when
+// they stand alone.
+std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
+                     const std::string& folder, bool is_first) {
+  return fmt::format(
+      "<th scope=\"row\" data-v=\"{}\"><span class=\"{}\">{}</span><span class=\"note "
+      "lone\">{}</span></th>",
+      escape_html(title_of(plane.name, plane.id)), is_first ? "first" : "again",
+      is_first ? plane_link(index, plane, folder) : escape_html(title_of(plane.name, plane.id)),
+      escape_html(title_of(space.name, space.id)));
 }
 
 std::string average_words(const PlanePart& plane) {
@@ -125,37 +166,74 @@ std::string average_words(const PlanePart& plane) {
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
-std::string plain_row(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
-  const std::string link = plane_link(index, space, plane);
+std::string plain_row(const std::string& head, const PlanePart& plane) {
   if (!plane.is_computed) {
     return fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>not computed</td><td colspan=\"6\">{}</td></tr>\n", link,
-        escape_html(plane.reason));
+        "<tr class=\"finding not-judged\">{}<td data-v=\"0\">not computed</td><td "
+        "colspan=\"6\">{}</td></tr>\n",
+        head, escape_html(plane.reason));
   }
   return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td class=\"quiet\">no limit</td><td class=\"quiet\" "
-      "colspan=\"6\">{}, minimum {}, "
-      "Uo {}.</td></tr>\n",
-      link, average_words(plane), format_measured(plane.minimum_lx, "lx"),
+      "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">no limit</td><td "
+      "class=\"quiet\" colspan=\"6\">{}, minimum {}, Uo {}.</td></tr>\n",
+      head, average_words(plane), format_measured(plane.minimum_lx, "lx"),
       format_measured(plane.uniformity_min_avg, ""));
 }
 
-std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
+std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
+                       const std::string& folder) {
   std::string html;
   for (const rules::Finding& finding : plane.findings) {
     const bool is_first = &finding == &plane.findings.front();
-    html += fmt::format("<tr class=\"{}{}\"><th scope=\"row\">{}</th>{}</tr>\n",
-                        verdict_key(finding.verdict), is_first ? "" : " same",
-                        is_first ? plane_link(index, space, plane)
-                                 : fmt::format("<span class=\"unseen\">{}</span>",
-                                               escape_html(title_of(plane.name, plane.id))),
+    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", verdict_key(finding.verdict),
+                        is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
                         finding_cells(plane, finding));
   }
-  return plane.findings.empty() ? plain_row(index, space, plane) : html;
+  return plane.findings.empty() ? plain_row(row_head(index, space, plane, folder, true), plane)
+                                : html;
+}
+
+// "2 fail, 1 pass" of a room.
+std::string room_words(const SpacePart& space) {
+  std::array<int, 4> counts{};
+  int waived = 0;
+  for (const PlanePart& plane : space.planes) {
+    for (const rules::Finding& finding : plane.findings) {
+      if (finding.is_waived) ++waived;
+      else ++counts.at(static_cast<std::size_t>(rank(finding.verdict)));
+    }
+  }
+  std::string words;
+  const auto add = [&words](int count, const char* word) {
+    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
+  };
+  add(counts[0], "not judged");
+  add(counts[1], "fail");
+  add(counts[2], "undecided");
+  add(counts[3], "pass");
+  add(waived, "waived");
+  return words;
+}
+
+std::string room_rows(const Document& document, std::size_t p, std::size_t s,
+                      const std::string& folder) {
+  const ProjectPart& project = document.projects[p];
+  const SpacePart& space = project.spaces[s];
+  const std::string building = document.projects.size() == 1
+                                   ? ""
+                                   : escape_html(title_of(project.name, project.path)) +
+                                         " <span class=\"sep\">›</span> ";
+  std::string html = fmt::format(
+      "<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{}{} <span "
+      "class=\"quiet\">{}</span></th></tr>\n",
+      building, escape_html(title_of(space.name, space.id)), room_words(space));
+  for (std::size_t k = 0; k < space.planes.size(); ++k)
+    html += plane_rows({p, s, k}, space, space.planes[k], folder);
+  return html + "</tbody>\n";
 }
 
 std::string attention_item(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
-                           const rules::Finding& finding) {
+                           const rules::Finding& finding, const std::string& folder) {
   const Cells cells = cells_of(plane, finding);
   std::string told = cells.requirement + " " + cells.required;
   if (!cells.measured.empty()) {
@@ -166,31 +244,44 @@ std::string attention_item(PlaneIndex index, const SpacePart& space, const Plane
   }
   const std::string remark = remarks(finding);
   return fmt::format(
-      "<li>{}<div><p><a href=\"#{}\">{}</a> <span class=\"quiet\">in "
-      "{}</span></p><p>{}</p>{}</div></li>\n",
-      badge(finding.verdict), plane_anchor(index), escape_html(title_of(plane.name, plane.id)),
+      "<li>{}<div><p>{} <span class=\"quiet\">in {}</span></p><p>{}</p>{}</div></li>\n",
+      badge(finding.verdict), plane_link(index, plane, folder),
       escape_html(title_of(space.name, space.id)), told,
       remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }
 
-std::string attention_of(const Document& document, rules::Verdict verdict) {
-  std::string html;
+// Of one verdict, the furthest from its limit first.
+void add_attention(const Document& document, rules::Verdict verdict, const std::string& folder,
+                   std::vector<std::string>& items) {
+  std::vector<std::pair<double, std::string>> found;
   for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
                                const PlanePart& plane) {
     for (const rules::Finding& finding : plane.findings) {
-      if (finding.verdict == verdict) html += attention_item(index, space, plane, finding);
+      if (finding.verdict != verdict) continue;
+      const bool is_judged = verdict != rules::Verdict::not_judged;
+      found.emplace_back(is_judged ? finding.margin : 0.0,
+                         attention_item(index, space, plane, finding, folder));
     }
   });
-  if (verdict != rules::Verdict::not_judged) return html;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [margin, item] : found) items.push_back(std::move(item));
+  if (verdict != rules::Verdict::not_judged) return;
   for (const ProjectPart& project : document.projects) {
     if (project.is_judged) continue;
-    html += fmt::format(
+    items.push_back(fmt::format(
         "<li>{}<div><p><b>{}</b></p><p>The project could not be read or calculated; its messages "
         "are listed below.</p></div></li>\n",
-        badge(verdict), escape_html(project.path));
+        badge(verdict), escape_html(project.path)));
   }
-  return html;
 }
+
+constexpr const char* kTools =
+    "<div class=\"tools\" id=\"summary-tools\" hidden=\"hidden\"><label>Find <input "
+    "type=\"search\" placeholder=\"plane, room, clause\"/></label><label>Verdict <select>"
+    "<option value=\"\">all</option><option value=\"fail\">fail</option>"
+    "<option value=\"undecided\">undecided</option><option value=\"not-judged\">not judged</option>"
+    "<option value=\"pass\">pass</option></select></label><output></output></div>\n";
 
 }  // namespace
 
@@ -236,49 +327,48 @@ std::string html_verdict_banner(const Document& document) {
       verdict_key(overall), verdict_symbol(overall), sentence, summary_words(document), chips);
 }
 
-std::string html_attention(const Document& document) {
-  std::string items = attention_of(document, rules::Verdict::not_judged);
-  items += attention_of(document, rules::Verdict::fail);
-  items += attention_of(document, rules::Verdict::undecided);
+std::string html_attention(const Document& document, const std::string& folder) {
+  constexpr std::size_t kOpen = 20;  // more are folded
+  std::vector<std::string> items;
+  add_attention(document, rules::Verdict::not_judged, folder, items);
+  add_attention(document, rules::Verdict::fail, folder, items);
+  add_attention(document, rules::Verdict::undecided, folder, items);
   if (items.empty()) return {};
-  return "<section aria-labelledby=\"attention\"><h2 id=\"attention\">Needs attention</h2>\n<ul "
-         "class=\"attention\">\n" +
-         items + "</ul></section>\n";
+  std::string html =
+      "<section aria-labelledby=\"attention\"><h2 id=\"attention\">Needs attention</h2>\n<ul "
+      "class=\"attention\">\n";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i == kOpen) {
+      html += fmt::format("</ul>\n<details><summary>{} more</summary><ul class=\"attention\">\n",
+                          items.size() - kOpen);
+    }
+    html += items[i];
+  }
+  return html + (items.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
 }
 
-std::string html_summary(const Document& document) {
+std::string html_summary(const Document& document, const std::string& folder) {
   std::string table = fmt::format(
       "<table class=\"summary\"><caption>Every plane and every requirement. ± and the bar give the "
       "{} confidence interval, which holds over all looks of the plane at its growing results; the "
       "margin is relative to the limit, positive is on the good side.</caption>\n"
-      "<thead><tr><th scope=\"col\">Plane</th>{}</tr></thead>\n",
-      format_percent(document.provenance.confidence), kHead);
+      "<thead><tr><th scope=\"col\" data-sort=\"\">Plane</th>{}</tr></thead>\n",
+      format_percent(document.provenance.confidence), head_cells(true));
   for (std::size_t p = 0; p < document.projects.size(); ++p) {
     const ProjectPart& project = document.projects[p];
-    table += "<tbody>";
-    if (document.projects.size() > 1) {
-      table += fmt::format(
-          "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{} <span "
-          "class=\"quiet\">{}</span></th></tr>\n",
-          escape_html(title_of(project.name, project.path)),
-          project.name.empty() ? "" : escape_html(project.path));
-    }
     if (!project.is_judged) {
       table += fmt::format(
-          "<tr class=\"not-judged\"><th scope=\"row\">–</th><td>{}</td><td colspan=\"6\">could not "
-          "be "
-          "read or calculated</td></tr>\n",
-          badge(rules::Verdict::not_judged));
+          "<tbody><tr class=\"finding not-judged\"><th scope=\"row\" data-v=\"{0}\">{0}</th><td "
+          "data-v=\"0\">{1}</td><td colspan=\"6\">could not be read or "
+          "calculated</td></tr></tbody>\n",
+          escape_html(title_of(project.name, project.path)), badge(rules::Verdict::not_judged));
     }
-    for (std::size_t s = 0; s < project.spaces.size(); ++s) {
-      for (std::size_t k = 0; k < project.spaces[s].planes.size(); ++k) {
-        table += plane_rows({p, s, k}, project.spaces[s], project.spaces[s].planes[k]);
-      }
-    }
-    table += "</tbody>\n";
+    for (std::size_t s = 0; s < project.spaces.size(); ++s)
+      table += room_rows(document, p, s, folder);
   }
   return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n" +
-         scroll_box("Summary of all planes", table + "</table>") + "</section>\n";
+         std::string(kTools) + scroll_box("Summary of all planes", table + "</table>") +
+         "</section>\n";
 }
 
 std::string html_plane_findings(const PlanePart& plane) {
@@ -297,7 +387,7 @@ std::string html_plane_findings(const PlanePart& plane) {
       fmt::format(
           "<table class=\"findings\"><caption class=\"unseen\">{}</caption><thead><tr>{}</tr>"
           "</thead><tbody>\n{}</tbody></table>",
-          label, kHead, rows));
+          label, head_cells(false), rows));
 }
 
 }  // namespace report

@@ -11,8 +11,10 @@ namespace report {
 
 std::string html_verdict_banner(const Document& document);
 // Everything that does not pass, gravest first; "" when all is well.
-std::string html_attention(const Document& document);
-std::string html_summary(const Document& document);
+// folder: of the planes' pages, see plane_href().
+std::string html_attention(const Document& document, const std::string& folder);
+// Building, room, plane; sorted and filtered by the page's script.
+std::string html_summary(const Document& document, const std::string& folder);
 // The requirements of one plane; "" when it has none.
 std::string html_plane_findings(const PlanePart& plane);
 

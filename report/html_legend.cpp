@@ -10,7 +10,8 @@
 namespace report {
 namespace {
 
-constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17, kWidth = 480;
+constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17, kWidth = 480,
+                 kHistogramHeight = 40;
 
 double bar_x(const ColourScale& scale, double value_lx) {
   const double part = (value_lx - scale.low_lx) / (scale.high_lx() - scale.low_lx);
@@ -32,6 +33,28 @@ std::string band_boxes(const ColourScale& scale, double top) {
   }
   return svg + fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
                            kBarLeft, svg_number(top), kBarWidth, kBarHeight);
+}
+
+// How many points lie in each band: heights are shares of the fullest one.
+std::string histogram_bars(const ColourScale& scale, const std::vector<std::size_t>& counts,
+                           double bottom) {
+  std::size_t most = 0;
+  for (const std::size_t count : counts) most = std::max(most, count);
+  if (most == 0) return {};
+  const double width = kBarWidth / scale.bands;
+  constexpr double kGap = 1.5;
+  std::string svg = "<g class=\"histogram\">";
+  for (std::size_t band = 0; band < counts.size(); ++band) {
+    if (counts[band] == 0) continue;
+    const double share = static_cast<double>(counts[band]) / static_cast<double>(most);
+    const double height = std::max(1.5, share * (kHistogramHeight - 6));
+    svg += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{} point{}</title></rect>",
+        svg_number(kBarLeft + static_cast<double>(band) * width + kGap),
+        svg_number(bottom - height - 2), svg_number(width - 2 * kGap), svg_number(height),
+        counts[band], counts[band] == 1 ? "" : "s");
+  }
+  return svg + "</g>";
 }
 
 std::string band_numbers(const ColourScale& scale, double top) {
@@ -73,15 +96,17 @@ std::string key_item(const std::string& picture, const std::string& words) {
 
 }  // namespace
 
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits) {
-  const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4;
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+                            const std::vector<std::size_t>& counts) {
+  const double histogram = counts.empty() ? 0 : kHistogramHeight;
+  const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4 + histogram;
   const double height = bar_top + kBarHeight + 20;
   std::string svg = fmt::format(
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"Colour scale from {2} to {3} lx in steps of {4} lx\">",
       kWidth, svg_number(height), format_shortest(scale.low_lx), format_shortest(scale.high_lx()),
       format_shortest(scale.step_lx));
-  svg += band_boxes(scale, bar_top);
+  svg += histogram_bars(scale, counts, bar_top) + band_boxes(scale, bar_top);
   double y = 0;
   for (const PlanLimit& limit : limits) {
     svg += limit_mark(scale, limit, y, bar_top);
@@ -106,9 +131,24 @@ std::string html_plan_key(const PlanSigns& signs) {
   if (!signs.above.empty()) items += key_item(hatch, escape_html(signs.above));
   if (signs.luminaires > 0) {
     items += key_item(
-        "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
-        "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
+        signs.has_openings ? "<path class=\"luminaire\" d=\"M1 5.5h14v5h-14z\"/>"
+                           : "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
+                             "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
         fmt::format("luminaire ({})", signs.luminaires));
+  }
+  if (signs.has_directions) {
+    items += key_item("<path class=\"c0\" d=\"M1 8h11M9 4.5l5 3.5-5 3.5z\"/>", "direction of C0");
+  }
+  if (signs.has_isolux) {
+    items += key_item("<path class=\"isolux\" d=\"M0 11C5 11 8 4 16 4\"/>", "isolux, lx");
+  }
+  if (!signs.required.empty()) {
+    items += key_item("<path class=\"isolux required\" d=\"M0 11C5 11 8 4 16 4\"/>",
+                      "isolux of the required " + escape_html(signs.required));
+  }
+  if (signs.has_furniture) {
+    items += key_item("<path class=\"furniture\" d=\"M2.5 4.5h11v7h-11z\"/>",
+                      signs.has_above ? "furniture, dashed above the plane" : "furniture");
   }
   return "<ul class=\"key\">" + items + "</ul>\n";
 }

@@ -4,6 +4,7 @@
 #include "report/heatmap.h"
 #include "report/plan_layout.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@ namespace report {
 
 // An inline <svg>: one box per band, round numbers below, each limit above where it lies (an arrow
 // when it is off the scale).
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits);
+// counts: points in each band, drawn as bars on the boxes; empty: none.
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+                            const std::vector<std::size_t>& counts = {});
 
 // What the key has to explain.
 struct PlanSigns {
@@ -19,6 +22,11 @@ struct PlanSigns {
   std::string below, above;  // "below 300 lx": words of hatched cells; "" = none are hatched
   std::string minimum;       // "212 lx at (1.00, 2.00, 0.80)"
   std::size_t luminaires = 0;
+  bool has_openings = false;    // their openings are drawn, not points
+  bool has_directions = false;  // C0 is drawn at luminaires
+  bool has_furniture = false, has_above = false;
+  bool has_isolux = false;
+  std::string required;  // "500 lx": of thick isolux lines; "" = there are none
 };
 std::string html_plan_key(const PlanSigns& signs);
 

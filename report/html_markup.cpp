@@ -1,5 +1,6 @@
 #include "report/html_markup.h"
 
+#include "report/html_pages.h"
 #include "report/plain_text.h"
 #include "report/words.h"
 
@@ -75,6 +76,31 @@ std::string badge(rules::Verdict verdict) {
 
 std::string plane_anchor(PlaneIndex index) {
   return fmt::format("p{}s{}k{}", index.project + 1, index.space + 1, index.plane + 1);
+}
+
+std::string page_name(PlaneIndex index) {
+  const std::size_t part = index.plane / kPlanesPerPage;
+  const std::string room = fmt::format("p{}s{}", index.project + 1, index.space + 1);
+  return part == 0 ? room + ".html" : fmt::format("{}-{}.html", room, part + 1);
+}
+
+std::string url_name(const std::string& file_name) {
+  std::string name;
+  for (const char c : file_name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_' || c == '~';
+    if (is_plain) {
+      name += c;
+    } else {
+      name += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return name;
+}
+
+std::string plane_href(PlaneIndex index, std::string_view folder) {
+  const std::string anchor = "#" + plane_anchor(index);
+  return folder.empty() ? anchor : fmt::format("{}/{}{}", folder, page_name(index), anchor);
 }
 
 std::string scroll_box(std::string_view label, std::string_view table) {

@@ -31,6 +31,11 @@ struct PlaneIndex {
 };
 std::string plane_anchor(PlaneIndex index);
 
+// Address of a plane: in this page, or in the page of html_pages.h that holds it. folder: of those
+// pages; "" = everything is in this page.
+std::string plane_href(PlaneIndex index, std::string_view folder);
+std::string page_name(PlaneIndex index);
+
 // Calls visit(index, project, space, plane) for every plane in document order.
 template <class Visit>
 void for_each_plane(const Document& document, Visit visit) {

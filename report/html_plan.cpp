@@ -3,6 +3,7 @@
 #include "report/heatmap.h"
 #include "report/html_legend.h"
 #include "report/html_markup.h"
+#include "report/isolux.h"
 #include "report/plan_layout.h"
 #include "report/png.h"
 #include "report/words.h"
@@ -30,6 +31,7 @@ struct Drawing {
   std::vector<PlanLimit> limits;
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
+  std::vector<IsoluxLevel> isolux = {};
 
   glm::dvec2 cell_px() const {
     return glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m) * layout.pixels_per_metre;
@@ -74,6 +76,8 @@ std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
   return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
                      svg_number(size.x), svg_number(size.y), svg_number(size.x));
 }
+
+bool has_direction(const PlanLuminaire& sign) { return glm::length(sign.c0) > 0.1; }
 
 const PointRow& lowest_point(const PlanePart& plane) {
   return *std::min_element(plane.points.begin(), plane.points.end(),
@@ -180,19 +184,147 @@ std::string svg_numbers(const Drawing& drawing) {
   return svg;
 }
 
+// A circle with a cross for a point, else the opening; a short arrow towards C0.
 std::string svg_luminaires(const Drawing& drawing) {
-  std::string circles, crosses;
-  constexpr double kRadius = 5;
-  for (const glm::dvec2& place : drawing.layout.luminaires_m) {
-    const glm::dvec2 p = drawing.layout.pixel(place);
-    circles += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", svg_number(p.x),
-                           svg_number(p.y), kRadius);
-    crosses += fmt::format("M{} {}l7 7m0-7l-7 7", svg_number(p.x - 3.5), svg_number(p.y - 3.5));
+  std::string circles, path, arrows;
+  constexpr double kRadius = 5, kArrow = 15, kHead = 3.4;
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
+    const glm::dvec2 p = drawing.layout.pixel(sign.place_m);
+    const std::string outline = polygon(drawing.layout, sign.outline_m);
+    if (outline.empty()) {
+      circles += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", svg_number(p.x),
+                             svg_number(p.y), kRadius);
+      path += fmt::format("M{} {}l7 7m0-7l-7 7", svg_number(p.x - 3.5), svg_number(p.y - 3.5));
+    }
+    path += outline;
+    if (!has_direction(sign)) continue;
+    const glm::dvec2 ahead = glm::normalize(glm::dvec2(sign.c0.x, -sign.c0.y));
+    const glm::dvec2 beside(-ahead.y, ahead.x);
+    const glm::dvec2 tip = p + kArrow * ahead, foot = tip - 1.6 * kHead * ahead;
+    const glm::dvec2 left = foot + 0.7 * kHead * beside, right = foot - 0.7 * kHead * beside;
+    arrows += fmt::format("M{} {}L{} {}M{} {}L{} {}L{} {}z", svg_number(p.x), svg_number(p.y),
+                          svg_number(foot.x), svg_number(foot.y), svg_number(tip.x),
+                          svg_number(tip.y), svg_number(left.x), svg_number(left.y),
+                          svg_number(right.x), svg_number(right.y));
   }
-  if (circles.empty()) return {};
-  const std::string picture = circles + "<path d=\"" + crosses + "\"/>";
+  if (circles.empty() && path.empty()) return {};
+  std::string picture = circles + "<path d=\"" + path + "\"/>";
+  if (!arrows.empty()) picture += "<path class=\"c0\" d=\"" + arrows + "\"/>";
   return "<g class=\"luminaire halo\">" + picture + "</g><g class=\"luminaire\">" + picture +
          "</g>\n";
+}
+
+std::string svg_furniture(const Drawing& drawing) {
+  std::string below, above;
+  for (const PlanLine& line : drawing.layout.furniture_m) {
+    const glm::dvec2 from = drawing.layout.pixel(line.from_m), to = drawing.layout.pixel(line.to_m);
+    (line.is_above ? above : below) +=
+        fmt::format("M{} {}L{} {}", svg_number(from.x), svg_number(from.y), svg_number(to.x),
+                    svg_number(to.y));
+  }
+  std::string svg;
+  if (!below.empty()) svg += "<path class=\"furniture\" d=\"" + below + "\"/>\n";
+  if (!above.empty()) svg += "<path class=\"furniture above\" d=\"" + above + "\"/>\n";
+  return svg;
+}
+
+// Axis-parallel boxes of what labels must not cover.
+struct LabelBox {
+  glm::dvec2 low, high;
+  bool meets(const LabelBox& other) const {
+    return low.x < other.high.x && high.x > other.low.x && low.y < other.high.y &&
+           high.y > other.low.y;
+  }
+};
+
+LabelBox box_around(const glm::dvec2& middle, const glm::dvec2& size) {
+  return {middle - 0.5 * size, middle + 0.5 * size};
+}
+
+std::vector<LabelBox> taken_places(const Drawing& drawing) {
+  constexpr double kDigitWidth = 0.6, kSign = 12;
+  std::vector<LabelBox> taken;
+  if (const double size = number_size_px(drawing); size > 0.0) {
+    for (const PointRow& point : drawing.plane.points) {
+      const glm::dvec2 middle =
+          drawing.cell_corner_px(point.column, point.row) + 0.5 * drawing.cell_px();
+      const auto digits = static_cast<double>(cell_text(drawing, point.maintained_lx.value).size());
+      taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
+    }
+  }
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
+    taken.push_back(box_around(drawing.layout.pixel(sign.place_m), glm::dvec2(kSign)));
+  return taken;
+}
+
+// The place on a line nearest to its middle at which a label of that size covers nothing.
+std::optional<glm::dvec2> label_place(const Drawing& drawing, const IsoluxLine& line,
+                                      const glm::dvec2& size, const std::vector<LabelBox>& taken) {
+  const LabelBox picture{{0, 0}, {drawing.layout.width_px(), drawing.layout.height_px()}};
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i + 1 < line.points_m.size(); ++i) {
+    const glm::dvec2 from = drawing.layout.pixel(line.points_m[i]);
+    const glm::dvec2 to = drawing.layout.pixel(line.points_m[i + 1]);
+    for (const double part : {0.0, 0.25, 0.5, 0.75}) places.push_back(from + part * (to - from));
+  }
+  for (std::size_t step = 0; step < places.size(); ++step) {
+    const std::size_t half = (step + 1) / 2, middle = places.size() / 2;
+    const glm::dvec2& place = places[step % 2 == 0 ? middle - half : middle + half];
+    const LabelBox box = box_around(place, size);
+    const bool is_inside = box.low.x > picture.low.x && box.low.y > picture.low.y &&
+                           box.high.x < picture.high.x && box.high.y < picture.high.y;
+    const bool is_free = is_inside && std::none_of(taken.begin(), taken.end(), [&](const auto& b) {
+                           return b.meets(box);
+                         });
+    if (is_free) return place;
+  }
+  return std::nullopt;
+}
+
+double length_m(const IsoluxLine& line) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < line.points_m.size(); ++i)
+    length += glm::distance(line.points_m[i], line.points_m[i + 1]);
+  return length;
+}
+
+struct IsoluxDrawing {
+  std::string lines, labels;
+};
+
+// Every line of a level is drawn; its longest one with a free place has the label.
+IsoluxDrawing svg_isolux(const Drawing& drawing) {
+  constexpr double kFont = 10.5, kDigitWidth = 0.62;
+  std::vector<LabelBox> taken = taken_places(drawing);
+  IsoluxDrawing svg;
+  for (const IsoluxLevel& level : drawing.isolux) {
+    std::vector<IsoluxLine> lines = isolux_lines(drawing.plane, level.lx);
+    std::string path;
+    for (const IsoluxLine& line : lines) {
+      std::string part = polygon(drawing.layout, line.points_m);
+      if (!line.is_closed) part.pop_back();
+      path += part;
+    }
+    if (path.empty()) continue;
+    svg.lines += fmt::format(
+        "<path class=\"isolux halo{0}\" d=\"{1}\"/><path class=\"isolux{0}\" d=\"{1}\"/>\n",
+        level.is_required ? " required" : "", path);
+    std::stable_sort(lines.begin(), lines.end(), [](const IsoluxLine& a, const IsoluxLine& b) {
+      return length_m(a) > length_m(b);
+    });
+    const std::string text = format_shortest(level.lx);
+    const glm::dvec2 size(kDigitWidth * kFont * static_cast<double>(text.size()) + 4, kFont + 2);
+    for (const IsoluxLine& line : lines) {
+      const std::optional<glm::dvec2> place = label_place(drawing, line, size, taken);
+      if (!place) continue;
+      taken.push_back(box_around(*place, size));
+      svg.labels += fmt::format("<text class=\"isolux-label{}\" x=\"{}\" y=\"{}\">{}</text>\n",
+                                level.is_required ? " required" : "", svg_number(place->x),
+                                svg_number(place->y + 0.36 * kFont), text);
+      break;
+    }
+  }
+  return svg;
 }
 
 // A frame around the cell, never smaller than can be seen.
@@ -255,8 +387,11 @@ std::string svg_plan(const Drawing& drawing) {
   std::string outline = polygon(layout, drawing.plane.outline_m);
   for (const auto& hole : drawing.plane.holes_m) outline += polygon(layout, hole);
   if (!outline.empty()) svg += fmt::format("<path class=\"outline\" d=\"{}\"/>\n", outline);
+  svg += svg_furniture(drawing);
   if (!room.empty()) svg += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", room);
-  svg += svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) + "</svg>\n";
+  const IsoluxDrawing isolux = svg_isolux(drawing);
+  svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
+         isolux.labels + "</svg>\n";
   return svg + svg_scale_bar(layout) + "</svg>\n";
 }
 
@@ -283,10 +418,31 @@ std::string caption(const Drawing& drawing) {
       direction_words(grid.u), direction_words(grid.v));
 }
 
+std::vector<std::size_t> band_counts(const Drawing& drawing) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(drawing.scale.bands));
+  for (const PointRow& point : drawing.plane.points)
+    ++counts[static_cast<std::size_t>(band_of(drawing.scale, point.maintained_lx.value))];
+  return counts;
+}
+
 PlanSigns signs_of(const Drawing& drawing) {
   PlanSigns signs;
   signs.anchor = drawing.anchor;
-  signs.luminaires = drawing.layout.luminaires_m.size();
+  const PlanLayout& layout = drawing.layout;
+  signs.has_openings = std::any_of(layout.luminaires_m.begin(), layout.luminaires_m.end(),
+                                   [](const auto& sign) { return !sign.outline_m.empty(); });
+  signs.luminaires = layout.luminaires_m.size();
+  signs.has_directions =
+      std::any_of(layout.luminaires_m.begin(), layout.luminaires_m.end(), has_direction);
+  signs.has_furniture = !layout.furniture_m.empty();
+  signs.has_above = std::any_of(layout.furniture_m.begin(), layout.furniture_m.end(),
+                                [](const PlanLine& line) { return line.is_above; });
+  for (const IsoluxLevel& level : drawing.isolux) {
+    if (isolux_lines(drawing.plane, level.lx).empty()) continue;
+    if (!level.is_required) signs.has_isolux = true;
+    if (level.is_required)
+      signs.required += (signs.required.empty() ? "" : ", ") + format_limit(level.lx, "lx");
+  }
   const PointRow& lowest = lowest_point(drawing.plane);
   signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + " lx at " +
                   with_minus(format_position(lowest.position_m));
@@ -306,14 +462,17 @@ PlanSigns signs_of(const Drawing& drawing) {
 
 std::string html_plan(const SpacePart& space, const PlanePart& plane, std::string_view anchor) {
   const std::vector<PlanLimit> limits = plan_limits(plane);
-  const Drawing drawing{plane,
+  Drawing drawing{plane,
                         lay_out_plan(space, plane, {640, 460}),
                         scale_with_limits(plane, limits),
                         limits,
                         point_threshold(plane, rules::Comparison::at_least),
                         point_threshold(plane, rules::Comparison::at_most),
                         std::string(anchor)};
-  return "<figure>\n" + svg_plan(drawing) + html_colour_bar(drawing.scale, limits) +
+  // Lines between numbers must leave them readable.
+  drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
+  return "<figure>\n" + svg_plan(drawing) +
+         html_colour_bar(drawing.scale, limits, band_counts(drawing)) +
          html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) +
          "</figcaption></figure>\n";
 }

@@ -1,14 +1,18 @@
 #include "report/html_plane.h"
 
 #include "report/heatmap.h"
+#include "report/html_convergence.h"
 #include "report/html_findings.h"
 #include "report/html_plan.h"
+#include "report/pass_factor.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -55,6 +59,35 @@ std::string share_bar(const PlanePart& plane) {
       "<p><span><i class=\"direct\"></i>direct {}</span><span><i class=\"indirect\"></i>indirect "
       "{}</span></p></div>\n",
       format_fixed(share * 100.0, 1), format_share(share), format_share(1.0 - share));
+}
+
+// What each dimming group gives, and what it would take for it alone to make up for what is
+// missing; "" where all light is in one nameless group.
+std::string groups_table(const PlanePart& plane) {
+  if (plane.groups.empty() || (plane.groups.size() == 1 && plane.groups[0].group.empty())) return {};
+  std::string rows;
+  for (const GroupShare& share : plane.groups) {
+    std::string notes;
+    for (const rules::Finding& finding : plane.findings) {
+      const std::optional<double> factor = group_pass_factor(finding, plane, share);
+      if (!factor) continue;
+      notes = fmt::format(
+          "<span class=\"note\">{} meets {} {}</span>", factor_text(*factor),
+          quantity_words(finding.requirement),
+          format_required({finding.requirement.limit, finding.requirement.comparison}, "lx"));
+    }
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}{}</th><td class=\"num strong\">{}</td><td class=\"num "
+        "quiet\">{}</td><td class=\"num\">{}</td></tr>\n",
+        share.group.empty() ? "no group" : escape_html(share.group), notes,
+        format_measured(share.average_lx, "lx"), format_cell_lx(share.direct_lx),
+        format_share(share.average_lx.value / plane.average_lx.value));
+  }
+  return "<table class=\"facts groups\"><caption>Light by dimming group</caption><thead><tr><th "
+         "scope=\"col\">Average from</th><th scope=\"col\" class=\"num\">lx</th><th "
+         "scope=\"col\" class=\"num\">direct</th><th scope=\"col\" "
+         "class=\"num\">share</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table>\n";
 }
 
 std::string dropped_words(const calc::SensorGrid& grid) {
@@ -181,25 +214,61 @@ std::string values(const PlanePart& plane, const std::string& title) {
       scroll_box("Values of " + title, is_list ? value_list(plane) : value_matrix(plane)));
 }
 
+bool is_all_passed(const PlanePart& plane) {
+  return plane.is_computed && !plane.findings.empty() &&
+         std::all_of(plane.findings.begin(), plane.findings.end(),
+                     [](const rules::Finding& finding) {
+                       return finding.verdict == rules::Verdict::pass || finding.is_waived;
+                     });
+}
+
+// What a folded card still says: one badge for each verdict that it holds, and the average.
+std::string badges(const PlanePart& plane) {
+  std::string html;
+  for (const rules::Verdict verdict : {rules::Verdict::not_judged, rules::Verdict::fail,
+                                       rules::Verdict::undecided, rules::Verdict::pass}) {
+    const auto count = std::count_if(
+        plane.findings.begin(), plane.findings.end(),
+        [verdict](const rules::Finding& finding) { return finding.verdict == verdict; });
+    if (count > 0) html += badge(verdict) + (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
+  }
+  if (!plane.is_computed) return html;
+  return html + fmt::format("<span class=\"brief\">Ē {} · Uo {}</span>",
+                            format_measured(plane.average_lx, "lx"),
+                            format_measured(plane.uniformity_min_avg, ""));
+}
+
 }  // namespace
 
-std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {
+bool folds_passed_planes(const Document& document) {
+  constexpr std::size_t kFew = 3;
+  std::size_t planes = 0;
+  for (const ProjectPart& project : document.projects) {
+    for (const SpacePart& space : project.spaces) planes += space.planes.size();
+  }
+  return planes > kFew;
+}
+
+// The anchor is inside the fold: a browser that goes there opens it.
+std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
+                       bool folds_passed) {
   const std::string anchor = plane_anchor(index);
   const std::string title = escape_html(title_of(plane.name, plane.id));
   std::string html = fmt::format(
-      "<article class=\"plane\" id=\"{0}\" aria-labelledby=\"{0}-title\">\n<h4 "
-      "id=\"{0}-title\">{1} "
-      "<span class=\"id\">{2}</span></h4>\n",
-      anchor, title, plane.name.empty() ? "" : escape_html(plane.id));
+      "<article class=\"plane\" aria-labelledby=\"{0}-title\"><details class=\"card\"{3}>\n"
+      "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> {4}</summary>\n"
+      "<div id=\"{0}\">\n",
+      anchor, title, plane.name.empty() ? "" : escape_html(plane.id),
+      folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(plane));
   if (!plane.is_computed) {
     html += fmt::format("<p class=\"message\">Not computed: {}</p>\n", escape_html(plane.reason));
-    return html + html_plane_findings(plane) + "</article>\n";
+    return html + html_plane_findings(plane) + "</div></details></article>\n";
   }
   html += html_plane_findings(plane) + "<div class=\"split\">\n";
   if (has_cells(plane)) html += html_plan(space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(plane) + share_bar(plane) +
-          grid_table(space, plane) + "</div>\n</div>\n";
-  return html + values(plane, title) + "</article>\n";
+          groups_table(plane) + grid_table(space, plane) + "</div>\n</div>\n";
+  return html + html_looks(plane) + values(plane, title) + "</div></details></article>\n";
 }
 
 }  // namespace report

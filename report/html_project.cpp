@@ -1,6 +1,8 @@
 #include "report/html_project.h"
 
+#include "report/html_convergence.h"
 #include "report/html_markup.h"
+#include "report/html_polar.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -31,12 +33,12 @@ std::string maintenance_html(const LuminaireRow& row) {
 std::string luminaire_row(const LuminaireRow& row) {
   const bool has_power = row.power_w > 0.0;
   return fmt::format(
-      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span></th>"
+      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span>{}</th>"
       "<td>{}<span class=\"note\">{}</span><span class=\"hash\">{}</span></td>"
       "<td class=\"num\">{}</td><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
       "class=\"num\">{}</td>"
       "<td class=\"num\">{} cd</td><td class=\"num\">{}</td></tr>\n",
-      escape_html(row.type_id), escape_html(row.name), escape_html(row.photometry_file),
+      escape_html(row.type_id), escape_html(row.name), html_polar(row), escape_html(row.photometry_file),
       escape_html(row.format), escape_html(row.sha256), row.count, format_lumens(row.flux_lm),
       has_power ? format_watts(row.power_w) + " W" : "not stated",
       has_power ? format_fixed(row.flux_lm / row.power_w, 0) + " lm/W" : "",
@@ -134,16 +136,16 @@ std::string html_messages(const ProjectPart& project) {
   return "<h3>Messages</h3>\n<ul class=\"messages\">\n" + items + "</ul>\n";
 }
 
-std::string html_luminaires(const ProjectPart& project) {
+std::string html_luminaires(const ProjectPart& project, std::size_t index) {
   if (project.luminaires.empty()) return {};
   std::string rows;
   for (const LuminaireRow& row : project.luminaires) rows += luminaire_row(row);
-  return "<h3>Luminaires</h3>\n" +
+  return fmt::format("<h3 id=\"luminaires{}\">Luminaires</h3>\n", index + 1) +
          scroll_box(
              "Luminaire schedule",
              "<table class=\"schedule\"><caption>Flux, power and intensity of one luminaire, new; "
-             "MF: maintenance "
-             "factor</caption><thead><tr><th scope=\"col\">Type</th><th scope=\"col\">Photometry "
+             "MF: maintenance factor. Diagrams: C0–C180 solid, C90–C270 dashed, to the outer ring"
+             "</caption><thead><tr><th scope=\"col\">Type</th><th scope=\"col\">Photometry "
              "and its SHA-256</th>"
              "<th scope=\"col\" class=\"num\">Count</th><th scope=\"col\" class=\"num\">Flux</th>"
              "<th scope=\"col\" class=\"num\">Power</th><th scope=\"col\" "
@@ -153,7 +155,8 @@ std::string html_luminaires(const ProjectPart& project) {
                  rows + "</tbody><tfoot>" + total_row(project) + "</tfoot></table>");
 }
 
-std::string html_calculation(const Provenance& provenance, const ProjectPart& project) {
+std::string html_calculation(const Provenance& provenance, const ProjectPart& project,
+                             std::size_t index) {
   if (project.spaces.empty()) return {};
   std::string balance, rays;
   for (const SpacePart& space : project.spaces) {
@@ -161,7 +164,7 @@ std::string html_calculation(const Provenance& provenance, const ProjectPart& pr
     for (const PlanePart& plane : space.planes) rays += ray_row(plane);
   }
   const std::string share = format_percent(provenance.confidence);
-  return "<h3>Calculation</h3>\n" +
+  return fmt::format("<h3 id=\"calculation{}\">Calculation</h3>\n", index + 1) +
          scroll_box(
              "Light balance",
              "<table><caption>Light balance, new luminaires at full output: emitted = absorbed + "
@@ -185,7 +188,7 @@ std::string html_calculation(const Provenance& provenance, const ProjectPart& pr
                                     "scope=\"col\" class=\"num\">Near rays</th>"
                                     "<th scope=\"col\">Sampling</th></tr></thead><tbody>\n" +
                                         rays + "</tbody></table>")) +
-         times_table(project.times);
+         html_convergence(project) + times_table(project.times);
 }
 
 std::string html_inputs(const ProjectPart& project) {

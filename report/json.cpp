@@ -80,7 +80,8 @@ Json luminaire_json(const LuminaireRow& row) {
             {"llmf", from(row.maintenance.llmf)},
             {"lsf", from(row.maintenance.lsf)},
             {"lmf", from(row.maintenance.lmf)},
-            {"rsmf", from(row.maintenance.rsmf)}}}};
+            {"rsmf", from(row.maintenance.rsmf)}}},
+          {"polar", {{"step_deg", kPolarStep_deg}, {"c0_cd", row.c0_cd}, {"c90_cd", row.c90_cd}}}};
 }
 
 Json decision_json(const rules::DecisionPolicy& policy) {
@@ -174,6 +175,18 @@ Json points_json(const std::vector<PointRow>& points) {
            })}};
 }
 
+Json look_json(const PlaneLook& look) {
+  return {{"paths", look.paths},
+          {"rays", look.rays},
+          {"points", look.points},
+          {"average_lx", from(look.average_lx)},
+          {"findings", list_of(look.findings, [](const LookFinding& finding) {
+             const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+             return Json{{"verdict", verdict_key(finding.verdict)},
+                         {"measured", is_judged ? from(finding.measured) : Json()}};
+           })}};
+}
+
 Json plane_json(const PlanePart& plane) {
   Json json = {{"id", plane.id},
                {"name", plane.name},
@@ -198,9 +211,32 @@ Json plane_json(const PlanePart& plane) {
                       {"direct_rays", plane.counters.direct_rays},
                       {"connection_rays", plane.counters.connection_rays},
                       {"near_rays", plane.counters.near_rays}};
+  json["groups"] = list_of(plane.groups, [](const GroupShare& share) {
+    return Json{{"group", share.group},
+                {"average_lx", from(share.average_lx)},
+                {"direct_lx", share.direct_lx}};
+  });
+  json["look_results"] = list_of(plane.looks, look_json);
   json["grid"] = grid_json(plane);
   json["points"] = points_json(plane.points);
   return json;
+}
+
+Json mark_json(const LuminaireMark& mark) {
+  return {{"type", mark.type_id},
+          {"position_m", from(mark.position_m)},
+          {"group", mark.group},
+          {"outline_m", from(mark.outline_m)},
+          {"c0", Json::array({mark.c0.x, mark.c0.y})}};
+}
+
+Json body_json(const BodyMark& body) {
+  return {{"id", body.id},
+          {"low_z_m", body.low_z_m},
+          {"high_z_m", body.high_z_m},
+          {"lines_m", list_of(body.lines_m, [](const std::array<glm::dvec2, 2>& line) {
+             return Json::array({line[0].x, line[0].y, line[1].x, line[1].y});
+           })}};
 }
 
 Json space_json(const SpacePart& space) {
@@ -212,10 +248,9 @@ Json space_json(const SpacePart& space) {
           {"triangles", space.triangles},
           {"degenerate_triangles", space.degenerate_triangles},
           {"luminaires",
-           list_of(space.luminaires,
-                   [](const LuminaireMark& mark) {
-                     return Json{{"type", mark.type_id}, {"position_m", from(mark.position_m)}};
-                   })},
+          list_of(space.luminaires, mark_json)},
+          {"bodies", list_of(space.bodies, body_json)},
+          {"bodies_left_out", space.bodies_left_out},
           {"flux_balance",
            {{"emitted_lm", space.balance.emitted_lm},
             {"untraced_lm", space.balance.untraced_lm},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace report {
 namespace {
@@ -19,6 +20,10 @@ struct Box {
   }
   glm::dvec2 size() const { return high - low; }
   double longest() const { return std::max(size().x, size().y); }
+  bool meets(const Box& other) const {
+    return low.x <= other.high.x && high.x >= other.low.x && low.y <= other.high.y &&
+           high.y >= other.low.y;
+  }
   bool contains(const glm::dvec2& p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
@@ -35,6 +40,23 @@ Box plane_box(const PlanePart& plane) {
   box.add({plane.grid.columns * plane.grid.spacing_u_m, plane.grid.rows * plane.grid.spacing_v_m});
   for (const glm::dvec2& corner : plane.outline_m) box.add(corner);
   return box;
+}
+
+// Of two ends of which neither is in the picture the line may still cross it: boxes decide.
+std::vector<PlanLine> furniture(const SpacePart& space, const calc::SensorGrid& grid,
+                                const Box& picture) {
+  std::vector<PlanLine> lines;
+  for (const BodyMark& body : space.bodies) {
+    for (const auto& line : body.lines_m) {
+      PlanLine sign{in_plane(grid, {line[0], grid.origin_m.z}),
+                    in_plane(grid, {line[1], grid.origin_m.z}), body.low_z_m > grid.origin_m.z};
+      Box box;
+      box.add(sign.from_m);
+      box.add(sign.to_m);
+      if (box.meets(picture)) lines.push_back(sign);
+    }
+  }
+  return lines;
 }
 
 bool is_about_points(const rules::Requirement& requirement) {
@@ -71,9 +93,16 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
   layout.pixels_per_metre = std::min(wanted_px.x / box.size().x, wanted_px.y / box.size().y);
   if (!is_plan_view) return layout;
   for (const LuminaireMark& mark : space.luminaires) {
-    const glm::dvec2 place = in_plane(grid, mark.position_m);
-    if (box.contains(place)) layout.luminaires_m.push_back(place);
+    PlanLuminaire sign;
+    sign.place_m = in_plane(grid, mark.position_m);
+    if (!box.contains(sign.place_m)) continue;
+    for (const glm::dvec2& corner : mark.outline_m)
+      sign.outline_m.push_back(in_plane(grid, {corner, grid.origin_m.z}));
+    const glm::dvec3 c0(mark.c0, 0.0);
+    sign.c0 = {glm::dot(c0, grid.u), glm::dot(c0, grid.v)};
+    layout.luminaires_m.push_back(std::move(sign));
   }
+  layout.furniture_m = furniture(space, grid, box);
   return layout;
 }
 

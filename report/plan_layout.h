@@ -14,13 +14,26 @@
 
 namespace report {
 
+// A luminaire in the drawing, in metres.
+struct PlanLuminaire {
+  glm::dvec2 place_m{0.0};
+  std::vector<glm::dvec2> outline_m;  // empty: a point
+  glm::dvec2 c0{0.0};                 // direction of C0; 0: none in the drawing
+};
+
+// A line of furniture.
+struct PlanLine {
+  glm::dvec2 from_m{0.0}, to_m{0.0};
+  bool is_above = false;  // all of that piece is above the plane
+};
+
 // What the drawing shows, in metres from grid.origin_m along u and v.
 struct PlanLayout {
   glm::dvec2 low_m{0.0}, high_m{0.0};  // of the picture
   double pixels_per_metre = 1.0;
   std::vector<glm::dvec2> room_m;  // the room's outline; empty unless the plane is horizontal
-  std::vector<glm::dvec2>
-      luminaires_m;  // those inside the picture; empty unless the plane is horizontal
+  std::vector<PlanLuminaire> luminaires_m;  // in the picture; empty unless horizontal
+  std::vector<PlanLine> furniture_m;        // empty unless the plane is horizontal
 
   double width_px() const { return (high_m.x - low_m.x) * pixels_per_metre; }
   double height_px() const { return (high_m.y - low_m.y) * pixels_per_metre; }

@@ -67,6 +67,19 @@ calc::Diagnostic diagnostic(const JsonCursor& at) {
   return {*id, location(at["where"]), at["message"].text()};
 }
 
+// Either nothing or every step.
+std::vector<double> polar_curve(const JsonCursor& polar, std::string_view key) {
+  constexpr std::size_t kValues = 2 * kPolarHalfSteps + 1;
+  const double step_deg = polar["step_deg"].finite();
+  const std::vector<JsonCursor> items = polar[key].items();
+  if (items.empty()) return {};
+  if (step_deg != kPolarStep_deg || items.size() != kValues)
+    polar[key].refuse("145 values, 2.5 degrees apart, are needed");
+  std::vector<double> cd;
+  for (const JsonCursor& item : items) cd.push_back(item.finite());
+  return cd;
+}
+
 LuminaireRow luminaire(const JsonCursor& at) {
   LuminaireRow row;
   row.type_id = at["type"].text();
@@ -85,6 +98,10 @@ LuminaireRow luminaire(const JsonCursor& at) {
   row.maintenance.lsf = optional_number(parts["lsf"]);
   row.maintenance.lmf = optional_number(parts["lmf"]);
   row.maintenance.rsmf = optional_number(parts["rsmf"]);
+  if (const auto polar = at.find("polar")) {
+    row.c0_cd = polar_curve(*polar, "c0_cd");
+    row.c90_cd = polar_curve(*polar, "c90_cd");
+  }
   return row;
 }
 
@@ -138,13 +155,16 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
   return r;
 }
 
+rules::Verdict verdict(const JsonCursor& at) {
+  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
+                              rules::Verdict::undecided, rules::Verdict::not_judged},
+                   verdict_key);
+}
+
 rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
   rules::Finding f;
   f.requirement = requirement(at, plane_id);
-  f.verdict =
-      at["verdict"].one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
-                                      rules::Verdict::undecided, rules::Verdict::not_judged},
-                           verdict_key);
+  f.verdict = verdict(at["verdict"]);
   if (f.verdict != rules::Verdict::not_judged) {
     at["limit"].finite();  // only what is not judged may lack one
     f.measured = estimate(at["measured"]);
@@ -230,6 +250,25 @@ calc::StopReason stop(const JsonCursor& at) {
                    stop_key);
 }
 
+GroupShare group_share(const JsonCursor& at) {
+  return {at["group"].text(), estimate(at["average_lx"]), at["direct_lx"].number()};
+}
+
+PlaneLook look(const JsonCursor& at, std::size_t findings) {
+  PlaneLook l;
+  l.paths = at["paths"].count();
+  l.rays = at["rays"].count();
+  l.points = size(at["points"]);
+  l.average_lx = estimate(at["average_lx"]);
+  for (const JsonCursor& item : at["findings"].items(findings)) {
+    LookFinding f;
+    f.verdict = verdict(item["verdict"]);
+    if (f.verdict != rules::Verdict::not_judged) f.measured = estimate(item["measured"]);
+    l.findings.push_back(f);
+  }
+  return l;
+}
+
 PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   PlanePart p;
   p.id = at["id"].text();
@@ -260,12 +299,38 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.counters = {counters["paths"].count(), counters["direct_rays"].count(),
                 counters["connection_rays"].count(), counters["near_rays"].count(),
                 at["points_per_look"].list_of(size)};
+  if (const auto groups = at.find("groups")) p.groups = groups->list_of(group_share);
+  if (const auto looks = at.find("look_results")) {
+    p.looks = looks->list_of([&](const JsonCursor& l) { return look(l, p.findings.size()); });
+  }
   p.grid = grid(at["grid"]);
   p.grid.kernel = p.kernel;
   p.outline_m = polygon(at["grid"]["outline_m"]);
   p.holes_m = at["grid"]["holes_m"].list_of(polygon);
   add_points(at["points"], p);
   return p;
+}
+
+// What later versions added may be missing.
+LuminaireMark luminaire_mark(const JsonCursor& at) {
+  LuminaireMark mark{vec3(at["position_m"]), at["type"].text()};
+  if (const auto group = at.find("group")) mark.group = group->text();
+  if (const auto outline = at.find("outline_m")) mark.outline_m = polygon(*outline);
+  if (const auto c0 = at.find("c0")) mark.c0 = vec2(*c0);
+  return mark;
+}
+
+BodyMark body_mark(const JsonCursor& at) {
+  BodyMark mark;
+  mark.id = at["id"].text();
+  mark.low_z_m = at["low_z_m"].finite();
+  mark.high_z_m = at["high_z_m"].finite();
+  mark.lines_m = at["lines_m"].list_of([](const JsonCursor& line) {
+    const std::vector<JsonCursor> c = line.items(4);
+    return std::array{glm::dvec2(c[0].finite(), c[1].finite()),
+                      glm::dvec2(c[2].finite(), c[3].finite())};
+  });
+  return mark;
 }
 
 SpacePart space(const JsonCursor& at) {
@@ -277,9 +342,9 @@ SpacePart space(const JsonCursor& at) {
   s.height_m = at["height_m"].finite();
   s.triangles = size(at["triangles"]);
   s.degenerate_triangles = size(at["degenerate_triangles"]);
-  s.luminaires = at["luminaires"].list_of([](const JsonCursor& mark) {
-    return LuminaireMark{vec3(mark["position_m"]), mark["type"].text()};
-  });
+  s.luminaires = at["luminaires"].list_of(luminaire_mark);
+  if (const auto bodies = at.find("bodies")) s.bodies = bodies->list_of(body_mark);
+  if (const auto left_out = at.find("bodies_left_out")) s.bodies_left_out = size(*left_out);
   const JsonCursor balance = at["flux_balance"];
   s.balance = {balance["emitted_lm"].number(), balance["untraced_lm"].number(),
                estimate(balance["absorbed_lm"]), estimate(balance["escaped_lm"])};

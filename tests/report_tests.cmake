@@ -1,5 +1,7 @@
 luxgate_test(report_tests
   SOURCES
+    unit/report/build_evidence_test.cpp
+    unit/report/build_plan_marks_test.cpp
     unit/report/ci_formats_test.cpp
     unit/report/console_test.cpp
     unit/report/csv_test.cpp
@@ -7,8 +9,10 @@ luxgate_test(report_tests
     unit/report/exr_test.cpp
     unit/report/heatmap_test.cpp
     unit/report/html_test.cpp
+    unit/report/isolux_test.cpp
     unit/report/json_test.cpp
     unit/report/number_format_test.cpp
+    unit/report/pass_factor_test.cpp
     unit/report/plain_text_test.cpp
     unit/report/plan_layout_test.cpp
     unit/report/png_test.cpp

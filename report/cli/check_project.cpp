@@ -5,6 +5,8 @@
 #include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/build.h"
+#include "report/build_evidence.h"
+#include "report/build_plan_marks.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/plan.h"
 #include "report/cli/vpl.h"
@@ -91,6 +93,7 @@ std::vector<PlaneJob> make_grids(const calc::Space& space, const LoadedProject& 
 struct Tasks {
   std::vector<calc::PlaneTask> list;
   std::vector<const PlaneJob*> job;
+  std::vector<std::vector<report::PlaneLook>> looks;  // taken so far
 };
 
 Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
@@ -100,6 +103,7 @@ Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
     tasks.list.push_back({job.plane->id, &*job.grid});
     tasks.job.push_back(&job);
   }
+  tasks.looks.resize(tasks.list.size());
   return tasks;
 }
 
@@ -114,12 +118,16 @@ calc::RadiositySettings remaining_settings(const Options& options, const Stopwat
 }
 
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
-                          const Tasks& tasks, const CheckContext& context, const Stopwatch& watch,
+                          Tasks& tasks, const CheckContext& context, const Stopwatch& watch,
                           const calc::VertexCache* cache) {
   const Options& options = context.options;
   const rules::StopRule rule{options.goal, options.tolerance, options.confidence};
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
     const PlaneJob& job = *tasks.job[task];
+    tasks.looks[task].push_back(report::build_look(
+        field,
+        rules::judge_plane(job.requirements, *job.grid, field, project.scenes, options.confidence),
+        options.confidence));
     rules::StopAnswer answer =
         rules::stop_or_go_on(rule, job.requirements, *job.grid, field, project.scenes);
     return calc::LookAnswer{answer.finished, std::move(answer.active)};
@@ -196,7 +204,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   const Stopwatch prepare_watch;
   std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
-  const Tasks tasks = make_tasks(jobs);
+  Tasks tasks = make_tasks(jobs);
   times.prepare_s += prepare_watch.seconds();
 
   const calc::VertexCache* cache =
@@ -216,11 +224,16 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   std::vector<report::PlanePart> planes;
   std::size_t task = 0;
   for (const PlaneJob& job : jobs) {
-    const calc::PlaneField* field = job.grid ? &solution.fields[task++] : nullptr;
+    const calc::PlaneField* field = job.grid ? &solution.fields[task] : nullptr;
     planes.push_back(judge(job, field, loaded.project.scenes, context.options));
+    if (!job.grid) continue;
+    if (planes.back().is_computed && !field->is_exact())
+      planes.back().looks = std::move(tasks.looks[task]);
+    ++task;
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  report::add_plan_marks(loaded.project, space, scene, part);
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }

@@ -82,6 +82,9 @@ void add_formats(CLI::App& app, Options& options) {
   app.add_option("--output", options.output_folder,
                  "Folder for results.csv, points.csv, result.json and report.html; made if needed")
       ->type_name("FOLDER");
+  app.add_flag("--html-split", options.html_split,
+               "HTML files as an index with a page for each room, at most 24 planes on each, in\n"
+               "a folder '<name>-rooms' beside it: for hundreds of planes");
   app.add_flag("--images", options.images,
                "With --output: a PNG and an EXR file per plane and picture too");
 }
@@ -252,6 +255,13 @@ void add_listed(CLI::App& app, const ListedCommand& command) {
   app.footer(command.footer);
 }
 
+bool writes_html_file(const Options& options) {
+  return !options.output_folder.empty() ||
+         std::any_of(options.formats.begin(), options.formats.end(), [](const OutputFormat& format) {
+           return format.kind == FormatKind::html && !format.file.empty();
+         });
+}
+
 // What can only be seen with all options together; "" = nothing is wrong.
 std::string contradiction(const Options& options) {
   if (options.command == Command::photometry) return photometry_contradiction(options.photometry);
@@ -288,6 +298,9 @@ std::string contradiction(const Options& options) {
     return "--clamp needs --method instant-radiosity";
   }
   if (options.images && options.output_folder.empty()) return "--images needs --output FOLDER";
+  if (options.html_split && !writes_html_file(options)) {
+    return "--html-split needs --output FOLDER or --format html=FILE";
+  }
   for (std::size_t i = 0; i < options.projects.size(); ++i) {
     const auto normal = std::filesystem::path(options.projects[i]).lexically_normal();
     for (std::size_t k = 0; k < i; ++k) {

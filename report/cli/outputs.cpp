@@ -5,6 +5,7 @@
 #include "report/exr.h"
 #include "report/heatmap.h"
 #include "report/html.h"
+#include "report/html_pages.h"
 #include "report/json.h"
 #include "report/junit.h"
 #include "report/markdown.h"
@@ -131,6 +132,19 @@ void write_images(const std::string& folder, const report::Document& document, W
   }
 }
 
+// The page of a room names its planes by position: it must not be a file that is there for another
+// reason, which the folder of its own sees to. The index comes last, since it links to the others.
+void write_html_pages(const std::string& file, const report::Document& document, Writer& writer) {
+  const fs::path index = file;
+  const std::string folder = safe_name(index.stem().string()) + "-rooms";
+  const std::string back = "../" + report::url_name(index.filename().string());
+  for (const report::HtmlPage& page : report::html_pages(document)) {
+    writer.write((index.parent_path() / folder / page.name).string(),
+                 [&] { return report::render_html_page(document, page, back); });
+  }
+  writer.write(file, [&] { return report::render_html_index(document, folder); });
+}
+
 }  // namespace
 
 std::string path_identity(const std::string& file) {
@@ -177,7 +191,11 @@ std::vector<std::string> write_outputs(const Options& options, const report::Doc
                                        const std::set<std::string>& inputs) {
   Writer writer(inputs);
   for (const OutputFormat& format : planned_files(options)) {
-    writer.write(format.file, [&] { return render(format.kind, document); });
+    if (format.kind == FormatKind::html && options.html_split) {
+      write_html_pages(format.file, document, writer);
+    } else {
+      writer.write(format.file, [&] { return render(format.kind, document); });
+    }
   }
   if (options.images) write_images(options.output_folder, document, writer);
   return writer.problems();

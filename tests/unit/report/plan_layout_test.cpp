@@ -37,6 +37,40 @@ TEST(PlanLayout, VerticalPlaneShowsNoRoom) {
   EXPECT_TRUE(layout.luminaires_m.empty());
 }
 
+// The drawing against the geometry, on a grid that is turned and seen from below: whatever lies at
+// origin + a u + b v in the world is drawn at (a, b).
+TEST(PlanLayout, FurnitureAndLuminairesLieWhereTheyAreInTheWorld) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  PlanePart& plane = space.planes[0];
+  plane.grid.u = {0.8, 0.6, 0};
+  plane.grid.v = {0.6, -0.8, 0};  // u x v points down
+  plane.grid.origin_m = {1, 1, 0.8};
+  const auto world = [&](double a, double b) {
+    return plane.grid.origin_m + a * plane.grid.u + b * plane.grid.v;
+  };
+  LuminaireMark mark{world(1.0, 0.5), "panel"};
+  mark.outline_m = {glm::dvec2(world(0.9, 0.4)), glm::dvec2(world(1.1, 0.4)),
+                    glm::dvec2(world(1.1, 0.6))};
+  mark.c0 = glm::dvec2(plane.grid.v);
+  space.luminaires = {mark};
+  space.bodies = {{"desk", 0, 0.75, {{glm::dvec2(world(0.2, 0.1)), glm::dvec2(world(2.2, 0.1))}}},
+                  {"beam", 2, 2.2, {{glm::dvec2(world(0, 1)), glm::dvec2(world(3, 1))}}},
+                  {"far", 0, 1, {{glm::dvec2(90, 90), glm::dvec2(91, 90)}}}};
+  const PlanLayout layout = lay_out_plan(space, plane, {640, 460});
+  ASSERT_EQ(layout.luminaires_m.size(), 1U);
+  const PlanLuminaire& sign = layout.luminaires_m[0];
+  EXPECT_NEAR(glm::distance(sign.place_m, {1.0, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(sign.outline_m.at(2), {1.1, 0.6}), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(sign.c0, {0, 1}), 0, 1e-12);
+  ASSERT_EQ(layout.furniture_m.size(), 2U);  // the far one is not in the picture
+  EXPECT_NEAR(glm::distance(layout.furniture_m[0].to_m, {2.2, 0.1}), 0, 1e-12);
+  EXPECT_FALSE(layout.furniture_m[0].is_above);
+  EXPECT_TRUE(layout.furniture_m[1].is_above);
+  // v is up in the drawing, so C0 is, too.
+  EXPECT_LT(layout.pixel(sign.place_m + sign.c0).y, layout.pixel(sign.place_m).y);
+}
+
 TEST(PlanLimits, OnlyThoseThatTheDrawnPointsMustMeet) {
   PlanePart plane = small_document().projects[0].spaces[0].planes[0];
   rules::Finding initial = plane.findings[1];

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "report/document.h"
+
+#include <string>
+
+namespace report {
+
+// A small polar diagram of a luminaire, C0-C180 solid and C90-C270 dashed; "" where its
+// intensities are not known or all zero.
+std::string html_polar(const LuminaireRow& row);
+
+}  // namespace report

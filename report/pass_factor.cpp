@@ -1,0 +1,75 @@
+#include "report/pass_factor.h"
+
+#include "report/number_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace report {
+namespace {
+
+bool is_linear(rules::Metric metric) {
+  using enum rules::Metric;
+  constexpr std::array kLinear{average, minimum, maximum, percentile, value_at_point};
+  return std::find(kLinear.begin(), kLinear.end(), metric) != kLinear.end();
+}
+
+bool needs_more(rules::Comparison comparison) {
+  return comparison == rules::Comparison::at_least || comparison == rules::Comparison::more_than;
+}
+
+bool is_unmet(const rules::Finding& finding) {
+  return finding.verdict == rules::Verdict::fail || finding.verdict == rules::Verdict::undecided;
+}
+
+// 1e-6: 1.09 must not become 1.10 because of its last bit.
+double up(double factor) { return std::ceil(factor * 100.0 - 1e-6) / 100.0; }
+double down(double factor) { return std::floor(factor * 100.0 + 1e-6) / 100.0; }
+
+}  // namespace
+
+std::optional<calc::Estimate> pass_factor(const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const calc::Estimate& measured = finding.measured;
+  if (!is_unmet(finding) || !is_linear(requirement.metric) || !requirement.policy.is_default() ||
+      !(requirement.limit > 0.0) || !(measured.low > 0.0) || !std::isfinite(measured.high)) {
+    return std::nullopt;
+  }
+  return calc::Estimate{requirement.limit / measured.value, requirement.limit / measured.high,
+                        requirement.limit / measured.low};
+}
+
+std::optional<double> group_pass_factor(const rules::Finding& finding, const PlanePart& plane,
+                                        const GroupShare& share) {
+  const rules::Requirement& requirement = finding.requirement;
+  const bool is_about_average =
+      requirement.metric == rules::Metric::average && needs_more(requirement.comparison) &&
+      requirement.state == rules::LightState::maintained && requirement.scene.empty() &&
+      requirement.mask.operations.empty() && requirement.mask.id.empty() &&
+      !requirement.direct_only && requirement.policy.is_default();
+  if (!is_unmet(finding) || !is_about_average || !(share.average_lx.value > 0.0))
+    return std::nullopt;
+  const double missing = requirement.limit - plane.average_lx.value;
+  if (!(missing > 0.0)) return std::nullopt;
+  return 1.0 + missing / share.average_lx.value;
+}
+
+std::string factor_text(double factor) { return "×" + format_fixed(up(factor), 2); }
+
+std::string pass_factor_words(const rules::Finding& finding) {
+  const std::optional<calc::Estimate> factor = pass_factor(finding);
+  if (!factor) return {};
+  const double value =
+      needs_more(finding.requirement.comparison) ? up(factor->value) : down(factor->value);
+  const std::string range =
+      factor->low == factor->high
+          ? ""
+          : fmt::format(" ({} to {})", format_fixed(down(factor->low), 2),
+                        format_fixed(up(factor->high), 2));
+  return fmt::format("Would be met with all light at ×{}{}.", format_fixed(value, 2), range);
+}
+
+}  // namespace report
