@@ -62,6 +62,9 @@ struct PlanePart {
   std::string id, name, space_id;
   calc::SourceLocation where;
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
+  // Of ratings and ratios every "lx" below is without unit, but for direct and indirect light.
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;
+  std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
   calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points
@@ -104,8 +107,17 @@ struct RoomPictures {
   std::string device;      // that drew them
 };
 
+// Of the luminaires of one space, all at full output.
+struct InstalledPower {
+  double power_w = 0;          // of those that state it
+  double area_m2 = 0;          // of the floor; 0 = not known
+  int luminaires = 0;          // all
+  int without_power = 0;       // of them: neither project nor photometry states their power
+};
+
 struct SpacePart {
   std::string id, name;
+  InstalledPower power;
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
   std::size_t triangles = 0;
@@ -135,6 +147,9 @@ struct Document {
   Provenance provenance;
   std::vector<ProjectPart> projects;
 };
+
+// Of what does not exist: not a number, which renderers show as a dash.
+calc::Estimate no_estimate();
 
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);

@@ -61,7 +61,8 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   std::vector<Requirement> bound;
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane}, diagnostics, bound);
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, plane.derived},
+                 diagnostics, bound);
     }
   }
   return bound;

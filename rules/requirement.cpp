@@ -81,4 +81,10 @@ bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
 
 const char* metric_unit(Metric metric) { return is_ratio(metric) ? "" : "lx"; }
 
+bool is_in_lux(const Requirement& requirement) {
+  return !is_ratio(requirement.metric) && !calc::is_plain_number(requirement.derived);
+}
+
+const char* unit_of(const Requirement& requirement) { return is_in_lux(requirement) ? "lx" : ""; }
+
 }  // namespace rules

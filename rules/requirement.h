@@ -2,6 +2,7 @@
 // What a plane must meet: plain data.
 
 #include "calc/diagnostics.h"
+#include "calc/scene/receiver_kernel.h"
 #include "rules/mask.h"
 #include "rules/policy.h"
 
@@ -50,11 +51,12 @@ struct Requirement {
   std::string plane_id;
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
   Metric metric = Metric::average;
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
   double percent = 0.0;               // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
-  ValueRange range;                   // of Metric::share, lx
+  ValueRange range;                   // of Metric::share, lx or plain as the points' values are
   Comparison comparison = Comparison::at_least;
-  double limit = 0.0;  // lx, or a ratio for uniformities
+  double limit = 0.0;  // unit_of() this
   LightState state = LightState::maintained;
   std::string scene;   // "" = every luminaire at full output
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
@@ -84,7 +86,10 @@ const char* comparison_name(Comparison comparison);
 const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
-// "lx" or "" for ratios.
+// "lx" or "" for ratios; of illuminances.
 const char* metric_unit(Metric metric);
+// Of what is required: "" also for ratings and ratios of single points.
+const char* unit_of(const Requirement& requirement);
+bool is_in_lux(const Requirement& requirement);
 
 }  // namespace rules

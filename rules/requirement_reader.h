@@ -16,6 +16,7 @@ struct RequirementContext {
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
   const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id

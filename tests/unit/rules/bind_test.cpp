@@ -297,6 +297,62 @@ TEST(BindRequirements, ReadsAShareAndItsRange) {
   EXPECT_EQ(r.limit, 0.9);
 }
 
+// A project with one plane of a quantity that is more than one illuminance.
+Bound bind_derived(calc::DerivedQuantity derived, const Attributes& attributes) {
+  calc::CalcPlane plane = plane_of("desk", {attributes});
+  plane.derived = derived;
+  plane.kernel = derived == calc::DerivedQuantity::ugr ? calc::ReceiverKernel::planar
+                                                       : calc::ReceiverKernel::cylindrical;
+  return bind_project(project_of({plane}));
+}
+
+TEST(BindRequirements, ReadsLimitsOfRatingsAsPlainNumbers) {
+  const Bound glare = bind_derived(calc::DerivedQuantity::ugr,
+                                   {{"quantity", "maximum"}, {"at-most", "19"}});
+  ASSERT_EQ(glare.requirements.size(), 1u);
+  EXPECT_EQ(glare.requirements[0].limit, 19.0);
+  EXPECT_EQ(glare.requirements[0].derived, calc::DerivedQuantity::ugr);
+  EXPECT_STREQ(unit_of(glare.requirements[0]), "");
+  const Bound modelling = bind_derived(
+      calc::DerivedQuantity::modelling,
+      {{"quantity", "share"}, {"from", "0.3"}, {"to", "0.6"}, {"at-least", "0.9"}});
+  ASSERT_EQ(modelling.requirements.size(), 1u);
+  EXPECT_EQ(modelling.requirements[0].range.to, 0.6);
+}
+
+TEST(BindRequirements, TakesGlareAndModellingOfRows) {
+  const Bound glare =
+      bind_derived(calc::DerivedQuantity::ugr,
+                   {{"pack", "en12464-1:2021"}, {"row", "34.2"}, {"role", "observer"}});
+  ASSERT_EQ(glare.requirements.size(), 1u) << testing::PrintToString(glare.messages);
+  EXPECT_EQ(glare.requirements[0].metric, Metric::maximum);
+  EXPECT_EQ(glare.requirements[0].limit, 19.0);
+  EXPECT_EQ(glare.requirements[0].comparison, Comparison::at_most);
+  EXPECT_EQ(glare.requirements[0].state, LightState::initial);
+  EXPECT_EQ(glare.requirements[0].problem, "");
+  const Bound modelling =
+      bind_derived(calc::DerivedQuantity::modelling,
+                   {{"pack", "en12464-1:2021"}, {"row", "34.2"}, {"role", "modelling"}});
+  ASSERT_EQ(modelling.requirements.size(), 2u) << testing::PrintToString(modelling.messages);
+  EXPECT_EQ(modelling.requirements[0].metric, Metric::minimum);
+  EXPECT_EQ(modelling.requirements[1].limit, 0.6);
+}
+
+TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
+  const auto messages = [](const Attributes& attributes) {
+    return bind_derived(calc::DerivedQuantity::ugr, attributes).messages;
+  };
+  EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
+              ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
+                          "means nothing for points of quantity 'ugr'; allowed: maximum, value or "
+                          "share"));
+  EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
+              ElementsAre(testing::HasSubstr("'unit' has no meaning")));
+  EXPECT_THAT(
+      messages({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "task"}}),
+      ElementsAre(testing::HasSubstr("is about the quantity 'planar'; this plane measures 'ugr'")));
+}
+
 TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
   const Attributes waiver{
       {"waived-because", "r"}, {"waived-by", "o"}, {"waived-until", "2028-02-29"}};
