@@ -158,16 +158,26 @@ TEST(Ugr, BackgroundIsTheVerticalIlluminanceOfReflectedLight) {
   EXPECT_EQ(solve_eyes(scene, grid).indirect_lx, solve_eyes(scene, plane).indirect_lx);
 }
 
-TEST(Ugr, RisesWithLuminairesAndFallsWithTheBackground) {
+// One more luminaire adds its own part to the sum (and light to the background, which may outweigh
+// it); a brighter room lowers the rating, and one moved out of the field changes nothing but that.
+TEST(Ugr, RisesWithTheSumAndFallsWithTheBackground) {
   const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
   const calc::SensorGrid grid = eyes({{0.5, 2.5, 1.2}});
-  const auto ugr = [&](const std::vector<glm::dvec3>& panels_m, double reflectance) {
-    const calc::PreparedScene scene = room_with(web, panels_m, reflectance);
-    return measure_ugr(grid, solve_eyes(scene, grid)).metric->estimate.value;
+  const auto field = [&](const std::vector<glm::dvec3>& panels_m, double reflectance) {
+    return solve_eyes(room_with(web, panels_m, reflectance), grid);
   };
-  const double two = ugr({{3, 2, 2.8}, {6, 2, 2.8}}, 0.5);
-  EXPECT_GT(two, ugr({{6, 2, 2.8}}, 0.5));
-  EXPECT_GT(ugr({{3, 2, 2.8}, {6, 2, 2.8}}, 0.2), two + 1.0);
+  const auto ugr = [&](const calc::PlaneField& of) {
+    return measure_ugr(grid, of).metric->estimate.value;
+  };
+  const calc::PlaneField near = field({{3, 2, 2.8}}, 0.5), far = field({{6, 2, 2.8}}, 0.5),
+                         both = field({{3, 2, 2.8}, {6, 2, 2.8}}, 0.5);
+  EXPECT_NEAR(both.glare.value[0], near.glare.value[0] + far.glare.value[0],
+              1e-9 * both.glare.value[0]);
+  EXPECT_GT(ugr(field({{3, 2, 2.8}, {6, 2, 2.8}}, 0.2)), ugr(both) + 1.0);
+  // Straight above the eye, three times as high as far: out of the field.
+  const calc::PlaneField above = field({{3, 2, 2.8}, {1.0, 2.5, 2.8}}, 0.5);
+  EXPECT_EQ(above.glare.value[0], near.glare.value[0]);
+  EXPECT_LT(ugr(above), ugr(near));
 }
 
 // 8 log10 of the dimming level: L^2 falls with its square, the background with itself.

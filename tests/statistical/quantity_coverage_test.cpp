@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cstdio>
-#include <string>
+#include <ostream>
 #include <vector>
 
 namespace {
@@ -93,22 +92,16 @@ constexpr auto kCylinder = calc::ReceiverKernel::cylindrical;
 INSTANTIATE_TEST_SUITE_P(
     Room, QuantityCoverage,
     testing::Values(
-        Quantity{"minimum", kPlanar, kNone, Metric::minimum, {}, kSeeds},
+        Quantity{"Minimum", kPlanar, kNone, Metric::minimum, {}, kSeeds},
         Quantity{"Uo", kPlanar, kNone, Metric::uniformity_min_avg, {}, kSeeds},
-        Quantity{"Ez average", kCylinder, kNone, Metric::average, {}, kSeeds - 1},
-        Quantity{"Ez of four planes, average", kCylinder, calc::DerivedQuantity::four_planes,
+        Quantity{"EzAverage", kCylinder, kNone, Metric::average, {}, kSeeds - 1},
+        Quantity{"EzOfFourPlanesAverage", kCylinder, calc::DerivedQuantity::four_planes,
                  Metric::average, {}, kSeeds - 1},
-        Quantity{"modelling share 0.30 to 0.45", kCylinder, calc::DerivedQuantity::modelling,
+        Quantity{"ModellingShare", kCylinder, calc::DerivedQuantity::modelling,
                  Metric::share, {0.30, 0.45}, kSeeds},
-        Quantity{"modelling maximum", kCylinder, calc::DerivedQuantity::modelling,
+        Quantity{"ModellingMaximum", kCylinder, calc::DerivedQuantity::modelling,
                  Metric::maximum, {}, kSeeds},
-        Quantity{"UGR maximum", kPlanar, calc::DerivedQuantity::ugr, Metric::maximum, {}, kSeeds}),
-    [](const testing::TestParamInfo<Quantity>& info) {
-      std::string name;
-      for (const char c : std::string(info.param.name)) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
-      }
-      return name;
-    });
+        Quantity{"UgrMaximum", kPlanar, calc::DerivedQuantity::ugr, Metric::maximum, {}, kSeeds}),
+    testing::PrintToStringParamName());
 
 }  // namespace
