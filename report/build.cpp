@@ -1,6 +1,5 @@
 #include "report/build.h"
 
-#include "calc/scene/polygon.h"
 #include "calc/statistics.h"
 #include "report/number_format.h"
 #include "rules/candidates.h"
@@ -294,21 +293,6 @@ SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene
   part.planes = std::move(planes);
   for (PlanePart& plane : part.planes) plane.space_id = space.id;
   return part;
-}
-
-InstalledPower installed_power(const calc::Project& project, const calc::Space& space) {
-  InstalledPower power;
-  for (const calc::Luminaire& luminaire : space.luminaires) {
-    const double power_w = project.luminaire_types[luminaire.type].power_w;
-    ++power.luminaires;
-    if (power_w > 0.0) {
-      power.power_w += power_w;
-    } else {
-      ++power.without_power;
-    }
-  }
-  if (space.shell) power.area_m2 = std::abs(calc::signed_area(space.shell->footprint_m));
-  return power;
 }
 
 ProjectPart build_project(const calc::Project& project) {

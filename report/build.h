@@ -28,9 +28,6 @@ PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reaso
 SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene,
                       const calc::FluxBalance& balance, std::vector<PlanePart> planes);
 
-// Of the space's luminaires at full output: project or photometry state their power.
-InstalledPower installed_power(const calc::Project& project, const calc::Space& space);
-
 // The part of a project that could be read; spaces, times and diagnostics are added by the caller.
 ProjectPart build_project(const calc::Project& project);
 

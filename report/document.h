@@ -5,6 +5,7 @@
 #include "calc/diagnostics.h"
 #include "calc/field.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/goal.h"
@@ -107,17 +108,9 @@ struct RoomPictures {
   std::string device;      // that drew them
 };
 
-// Of the luminaires of one space, all at full output.
-struct InstalledPower {
-  double power_w = 0;          // of those that state it
-  double area_m2 = 0;          // of the floor; 0 = not known
-  int luminaires = 0;          // all
-  int without_power = 0;       // of them: neither project nor photometry states their power
-};
-
 struct SpacePart {
   std::string id, name;
-  InstalledPower power;
+  calc::InstalledPower power;
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
   std::size_t triangles = 0;

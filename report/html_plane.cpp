@@ -45,6 +45,7 @@ std::string statistics_table(const PlanePart& plane) {
 
 // Averages of the two parts as a bar; "" where there is no light at all.
 std::string share_bar(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) return {};
   double direct = 0.0, indirect = 0.0;
   for (const PointRow& point : plane.points) {
     direct += point.direct_lx;

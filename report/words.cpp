@@ -96,6 +96,10 @@ std::string quantity_words(const rules::Requirement& requirement) {
       return format_shortest(requirement.percent) + " % percentile";
     case rules::Metric::share:
       return range_words(requirement.range, requirement.derived);
+    case rules::Metric::power_density:
+      return "installed power by floor area";
+    case rules::Metric::power_per_100_lx:
+      return "installed power by floor area and 100 lx";
     case rules::Metric::value_at_point:
       break;
   }
@@ -105,6 +109,7 @@ std::string quantity_words(const rules::Requirement& requirement) {
 
 std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
   const std::string words = quantity_words(requirement);
+  if (requirement.metric == rules::Metric::power_density) return words;
   if (kernel == calc::ReceiverKernel::planar &&
       requirement.derived == calc::DerivedQuantity::none) {
     return words;

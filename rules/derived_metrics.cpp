@@ -123,6 +123,7 @@ bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
     case Metric::maximum:
     case Metric::value_at_point:
     case Metric::share:
+    case Metric::power_density:
       return true;
     case Metric::minimum:
     case Metric::percentile:

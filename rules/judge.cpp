@@ -35,7 +35,7 @@ int digits_for(const calc::Estimate& estimate, double limit, const Requirement& 
 std::string undecided_text(const calc::Estimate& estimate, double limit,
                            const Requirement& requirement) {
   const int digits = digits_for(estimate, limit, requirement);
-  const char* unit = is_in_lux(requirement) ? " lx" : "";
+  const std::string unit = *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
   return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
                      digits, estimate.high, digits, unit, limit, unit);
 }

@@ -96,6 +96,7 @@ struct DerivedRequest {
   std::optional<std::size_t> point;  // among the masked ones
   double confidence;
   Goal goal;
+  calc::DerivedQuantity derived;
 };
 
 Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& request) {
@@ -121,8 +122,13 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   }
   // More samples may help, except for a low end that has no source to stand on.
   if (!std::isfinite(estimate.high)) {
-    result.reason = "too little reflected light was sampled at a point to say more than its value";
-    result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    result.reason =
+        request.derived == calc::DerivedQuantity::ugr
+            ? "the reflected light at an observer may be nothing: too little of it was sampled"
+            : "the illuminance across the axis may be 0 lx at a point, which then has no ratio";
+    if (points.replicates() > 1) {
+      result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    }
   } else {
     result.reason =
         "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, or hardly "
@@ -163,12 +169,48 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   return result;
 }
 
+Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
+  const double w_m2 = requirement.power_density_w_m2;
+  Measurement result;
+  result.metric = MetricEstimate{{w_m2, w_m2, w_m2}, std::nullopt};
+  result.points_used = grid.position_m.size();
+  result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
+  return result;
+}
+
+// Falls with the average illuminance: the ends of its interval give those of the quotient.
+Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorGrid& grid,
+                             const calc::PlaneField& field,
+                             const std::vector<calc::LightScene>& scenes, double confidence,
+                             Goal goal) {
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  Measurement result = measure(average, grid, field, scenes, confidence, goal);
+  if (!result.metric) return result;
+  const calc::Estimate lx = result.metric->estimate;
+  result.metric.reset();
+  if (!(lx.low > 0.0)) {
+    result.reason = "the average may be 0 lx: there is no power per 100 lx";
+    if (lx.high > 0.0) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    return result;
+  }
+  const auto at = [&](double average_lx) {
+    return 100.0 * requirement.power_density_w_m2 / average_lx;
+  };
+  result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
+  return result;
+}
+
 }  // namespace
 
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
                     double confidence, Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
+  if (requirement.metric == Metric::power_density) return known_density(requirement, grid);
+  if (requirement.metric == Metric::power_per_100_lx) {
+    return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
+  }
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
     return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
@@ -191,7 +233,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                        requirement.direct_only ? LightParts::direct : LightParts::all);
   const std::size_t parts = calc::receivers_per_point(grid.derived);
   if (calc::is_plain_number(grid.derived)) {
-    const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal};
+    const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal,
+                                 grid.derived};
     Measurement result =
         grid.derived == calc::DerivedQuantity::ugr
             ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,

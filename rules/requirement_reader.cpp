@@ -27,9 +27,9 @@ using calc::Names;
 constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
-constexpr std::array<std::string_view, 12> kOwnAttributes{
+constexpr std::array<std::string_view, 13> kOwnAttributes{
     "id",   "quantity", "at-least", "at-most", "percent", "at",
-    "from", "to",       "unit",     "state",   "scene",   "clause"};
+    "from", "to",       "unit",     "state",   "scene",   "clause", "light"};
 constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
 // Beside either.
 constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
@@ -78,7 +78,7 @@ bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owne
 }
 
 LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity derived) {
-  if (is_ratio(metric) || calc::is_plain_number(derived)) {
+  if (is_ratio(metric) || is_about_power(metric) || calc::is_plain_number(derived)) {
     if (reader.has("unit")) {
       report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", metric_name(metric)));
     }
@@ -118,11 +118,19 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
   }
 }
 
+Names all_metric_names() {
+  Names names = metric_names();
+  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx}) {
+    names.emplace_back(metric_name(metric));
+  }
+  return names;
+}
+
 // Whether such points have this quantity.
 bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
   if (is_metric_of(metric, context.derived)) return true;
   Names allowed;
-  for (const std::string_view name : metric_names()) {
+  for (const std::string_view name : all_metric_names()) {
     if (is_metric_of(*metric_from_name(name), context.derived)) allowed.push_back(name);
   }
   reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
@@ -133,7 +141,7 @@ bool check_metric(ElementReader& reader, Metric metric, const RequirementContext
 
 void read_quantity(ElementReader& reader, const RequirementContext& context,
                    Requirement& requirement) {
-  const std::optional<Metric> metric = read_metric(reader, metric_names());
+  const std::optional<Metric> metric = read_metric(reader, all_metric_names());
   if (!metric || !check_metric(reader, *metric, context)) return;
   requirement.metric = *metric;
   const LimitUnit unit = read_unit(reader, *metric, context.derived);
@@ -152,15 +160,36 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
   }
 }
 
+// Whether reflected light is left out. A glare rating is nothing without it.
+bool read_light(ElementReader& reader, const Requirement& requirement) {
+  const bool is_free =
+      requirement.metric != Metric::power_density && requirement.derived != calc::DerivedQuantity::ugr;
+  if (!is_free && reader.has("light")) {
+    report_unfit(reader, "light",
+                 requirement.metric == Metric::power_density ? "quantity=\"power-density\""
+                                                             : "ugr points");
+    return false;
+  }
+  return reader.choice_or("light", {"all", "direct"}, 0) == 1;
+}
+
 std::vector<Requirement> read_own(ElementReader& reader, const RequirementContext& context) {
   Requirement requirement;
   requirement.where = reader.where();
+  requirement.derived = context.derived;
   if (reader.has("id")) requirement.id = reader.id();
   read_quantity(reader, context, requirement);
   requirement.state = reader.choice_or("state", {"maintained", "initial"}, 0) == 0
                           ? LightState::maintained
                           : LightState::initial;
+  // Installed power is that of full output.
+  for (const char* name : {"state", "scene"}) {
+    if (requirement.metric == Metric::power_density && reader.has(name)) {
+      report_unfit(reader, name, "quantity=\"power-density\"");
+    }
+  }
   requirement.scene = read_scene(reader, context.scenes);
+  requirement.direct_only = read_light(reader, requirement);
   requirement.clause = calc::trim(reader.text_or("clause", ""));
   return {requirement};
 }

@@ -91,6 +91,11 @@ bool needs_row(const Expression& expression, const RulePack& pack) {
                      [&](const Expression& operand) { return needs_row(operand, pack); });
 }
 
+// About the space that the plane is in; any plane there will do.
+bool is_power(const RuleCheck& check) {
+  return check.quantity->dimension == Dimension::power_density;
+}
+
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
   if (check.any_one_unit_out) return "luxgate does not yet put out one luminaire after the other";
@@ -99,7 +104,7 @@ std::string uncalculated_light(const RuleCheck& check) {
     return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
                        metric_name(check.metric), check.quantity->name);
   }
-  if (check.metric == Metric::value_at_point) {
+  if (check.metric == Metric::value_at_point && !is_power(check)) {
     return fmt::format("check '{}' is about a single value, not about a plane", check.id);
   }
   return {};
@@ -132,11 +137,14 @@ bool faces(const std::string& orientation, const glm::dvec3& normal) {
   return true;  // surface, free
 }
 
-// What keeps a plane from being one of the role's; "" = nothing. Only planar points face a way of
-// their own.
+// What keeps a plane from being one of the role's; "" = nothing. Only planar points, and those that
+// modelling is related to, face a way of their own.
 std::string wrong_orientation(const RuleCheck& check, const Reference& reference) {
-  const bool faces_somewhere = reference.kernel == calc::ReceiverKernel::planar &&
-                               reference.derived == calc::DerivedQuantity::none;
+  const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
+                              reference.derived == calc::DerivedQuantity::none;
+  const bool faces_somewhere =
+      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) &&
+      !is_power(check);
   if (reference.plane == nullptr || !faces_somewhere) return {};
   std::vector<glm::dvec3> normals;
   if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
@@ -159,7 +167,7 @@ std::string wrong_orientation(const RuleCheck& check, const Reference& reference
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
-  requirement.metric = check.metric;
+  requirement.metric = is_power(check) ? Metric::power_density : check.metric;
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;
@@ -183,7 +191,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 // False after an error.
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
-  if (check.quantity->kernel != reference.kernel || check.quantity->derived != reference.derived) {
+  const bool is_of_points = !is_power(check);
+  if (is_of_points && (check.quantity->kernel != reference.kernel || check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
                   reference.pack.full_id(), check.quantity->name,
                   calc::quantity_name(reference.kernel, reference.derived));

@@ -328,7 +328,8 @@ RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnos
   reader.allow_attributes({"id",   "quantity", "at-least",       "at-most",   "percent",
                            "at",   "state",    "scene",          "clause",    "unit",
                            "pack", "row",      "level",          "role",      "facts",
-                           "from", "to",       "waived-because", "waived-by", "waived-until"});
+                           "from", "to",       "light",          "waived-because", "waived-by",
+                           "waived-until"});
   reader.allow_children({});
   RequirementText requirement{{}, element.where};
   for (const XmlAttribute& attribute : element.attributes) {

@@ -218,7 +218,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
-  part.power = report::installed_power(loaded.project, space);
+  part.power = calc::installed_power(loaded.project, space);
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }

@@ -143,7 +143,8 @@ const std::vector<MessageCase> kCases{
      in_room(R"(<plane id="p" height="0.8"><require quantity="average" atleast="500"/></plane>)"),
      "dir/p.xml:5:56: error[unknown-attribute]: unknown attribute 'atleast' of <require>; allowed: "
      "id, quantity, at-least, at-most, percent, at, state, scene, clause, unit, pack, row, level, "
-     "role, facts, from, to, waived-because, waived-by or waived-until; did you mean 'at-least'?"},
+     "role, facts, from, to, light, waived-because, waived-by or waived-until; did you mean "
+     "'at-least'?"},
     {"LuminaireOutsideRoom", in_room(R"(<luminaire id="k" type="spot" position="1 1 2.6"/>)"),
      "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r': its light "
      "does not reach the room"},
