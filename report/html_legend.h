@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace report {
@@ -14,7 +15,8 @@ namespace report {
 // when it is off the scale).
 // counts: points in each band, drawn as bars on the boxes; empty: none.
 std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
-                            const std::vector<std::size_t>& counts = {});
+                            const std::vector<std::size_t>& counts = {},
+                            std::string_view unit = "lx");
 
 // What the key has to explain.
 struct PlanSigns {

@@ -17,6 +17,7 @@ struct RequirementContext {
   const std::vector<RulePack>& packs;
   const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
   const calc::Space* space = nullptr;      // whose luminaires light it; null: not known
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id

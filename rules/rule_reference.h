@@ -1,10 +1,9 @@
 #pragma once
 // <require pack="..." row="..." role="..."/>: what a rule pack requires of a plane.
 
-#include "calc/scene/project.h"
-#include "calc/scene/receiver_kernel.h"
 #include "calc/xml_reader.h"
 #include "rules/requirement.h"
+#include "rules/requirement_reader.h"
 #include "rules/rule_pack.h"
 
 #include <map>
@@ -22,13 +21,11 @@ struct ChosenScene {
 // One requirement for each check of the pack with the role, in order, without those for which the
 // row specifies nothing. What cannot be judged (a value that the pack does not know, a fact that is
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
-// a plane that faces another way than the role's) has its reason in `problem`. kernel: of the
-// plane; `scene`: as read and checked by the caller; plane: null if unknown. Empty after an error,
-// which is reported.
+// a plane that faces another way than the role's) has its reason in `problem`. `scene`: as read and
+// checked by the caller. Empty after an error, which is reported.
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
-                                             const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel, const ChosenScene& scene,
-                                             const calc::CalcPlane* plane = nullptr);
+                                             const RequirementContext& context,
+                                             const ChosenScene& scene);
 
 // "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with "(modified)"
 // where a value of that level is in the limit, and with trust_remark() where there is one.

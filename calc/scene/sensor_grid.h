@@ -33,6 +33,7 @@ struct SensorGrid {
   glm::dvec3 origin_m{0.0}, u{1, 0, 0}, v{0, 1, 0};  // lower left corner of cell (0, 0) and axes
   std::vector<glm::dvec3> position_m;
   ReceiverKernel kernel = ReceiverKernel::planar;
+  DerivedQuantity derived = DerivedQuantity::none;
   std::vector<glm::dvec3> normal;  // unit: the kernel's axis
   std::vector<int> column, row;
   std::vector<DroppedPoint> dropped;

@@ -234,6 +234,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
   report::add_plan_marks(loaded.project, space, scene, part);
+  part.power = calc::installed_power(loaded.project, space);
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }
