@@ -64,6 +64,7 @@ struct PlanePart {
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
+  std::string made_by, changed;  // see calc::CalcPlane
   calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
   calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
@@ -113,6 +114,7 @@ struct SpacePart {
   std::vector<LuminaireMark> luminaires;
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
+  std::vector<std::string> notes;  // zones of workplaces that were not made, and why
   RoomPictures pictures;
 };
 

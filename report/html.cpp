@@ -51,6 +51,9 @@ std::string space_html(const ProjectPart& project, std::size_t p, std::size_t s)
       "<section class=\"space\"><h3>{} <span class=\"id\">{}</span></h3>\n",
       escape_html(title_of(space.name, space.id)), space.name.empty() ? "" : escape_html(space.id));
   html += html_room(space);
+  for (const std::string& note : space.notes) {
+    html += "<p class=\"quiet\">" + escape_html(note) + "</p>\n";
+  }
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane({p, s, k}, space, space.planes[k]);
   return html + "</section>\n";

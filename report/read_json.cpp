@@ -244,6 +244,10 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.is_computed = at["is_computed"].flag();
   p.reason = at["reason"].text();
   p.findings = at["findings"].list_of([&](const JsonCursor& f) { return finding(f, p.id); });
+  if (const auto zone = at.find("zone")) {
+    p.made_by = (*zone)["made_by"].text();
+    p.changed = (*zone)["changed"].text();
+  }
   if (!p.is_computed) return p;
   const JsonCursor statistics = at["statistics"];
   p.average_lx = estimate(statistics["average_lx"]);
@@ -282,6 +286,9 @@ SpacePart space(const JsonCursor& at) {
   const JsonCursor balance = at["flux_balance"];
   s.balance = {balance["emitted_lm"].number(), balance["untraced_lm"].number(),
                estimate(balance["absorbed_lm"]), estimate(balance["escaped_lm"])};
+  if (const auto notes = at.find("notes")) {
+    s.notes = notes->list_of([](const JsonCursor& note) { return note.text(); });
+  }
   s.planes = at["planes"].list_of([&](const JsonCursor& p) { return plane(p, s.id); });
   return s;
 }

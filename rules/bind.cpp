@@ -60,8 +60,11 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            calc::Diagnostics& diagnostics) {
   std::vector<Requirement> bound;
   for (const calc::Space& space : project.spaces) {
+    const std::optional<double> floor_z_m =
+        space.shell ? std::optional(space.shell->floor_z_m) : std::nullopt;
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane}, diagnostics, bound);
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, floor_z_m}, diagnostics,
+                 bound);
     }
   }
   return bound;

@@ -6,6 +6,7 @@
 #include "rules/requirement.h"
 #include "rules/rule_pack.h"
 
+#include <optional>
 #include <vector>
 
 namespace rules {
@@ -15,7 +16,8 @@ struct RequirementContext {
   calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
-  const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
+  const calc::CalcPlane* plane = nullptr;  // where it is, which way it faces; null: not known
+  std::optional<double> floor_z_m;         // of the room around it
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id
