@@ -321,7 +321,7 @@ TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {
       make(workplace("", "<without role='sealing' because='x'/>")).messages,
       ElementsAre(HasSubstr("attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
                             "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
-                            "ceiling, cylinder; did you mean 'ceiling'?")));
+                            "ceiling or cylinder; did you mean 'ceiling'?")));
   EXPECT_THAT(make(workplace("", "<zone role='wall.5' margin='0'/>")).messages,
               ElementsAre(HasSubstr("there is no zone 'wall.5'")));
 }
@@ -348,7 +348,8 @@ TEST(WorkplaceMessage, AMarginThatLeavesNothingOfTheRoom) {
 
 TEST(WorkplaceMessage, AZoneAboveTheCeiling) {
   EXPECT_THAT(make(workplace(""), "size='12 8 1.1'").messages,
-              ElementsAre(HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
+              testing::Contains(
+                  HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
 }
 
 TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {

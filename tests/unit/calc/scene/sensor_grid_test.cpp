@@ -131,7 +131,7 @@ TEST(GridRule, WhatIsPrintedLeadsFromTheSidesToTheCounts) {
             "cells, rounded to the nearest number: 8 x 6");
   EXPECT_EQ(grid_words(rounding_to(GridRounding::up), 3, 6),
             "EN 12464-1 (p = 0.2 * 5^log10 d): d = 3 m, the shorter side, as the longer one is at "
-            "least 2 times as long; p = 0.431 m; 6.96 x 13.93 cells, rounded up: 7 x 14");
+            "least 2 times as long; p = 0.431 m; 6.96 x 13.92 cells, rounded up: 7 x 14");
   EXPECT_EQ(grid_words(rounding_to(GridRounding::odd_up), 400, 400),
             "EN 12464-1 (p = 0.2 * 5^log10 d): d = 400 m, the longer side; p = 10 m, the most that "
             "is allowed; 40.00 x 40.00 cells, rounded up to an odd number: 41 x 41");

@@ -49,7 +49,7 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
   EXPECT_EQ(std::get<GridByRule>(w.zones[0].grid.value()).rounding, GridRounding::up);
   EXPECT_EQ(w.zones[0].because, "standing");
   EXPECT_FALSE(w.zones[1].grid);
-  EXPECT_EQ(w.zones[1].area_m.at(1), glm::dvec2(14, 20)) << "counter-clockwise";
+  EXPECT_EQ(w.zones[1].area_m.at(1), glm::dvec2(14, 23)) << "counter-clockwise";
   EXPECT_TRUE(w.zones[2].is_left_out);
   EXPECT_EQ(w.zones[2].because, "glass");
 }
@@ -63,7 +63,7 @@ TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
 
 TEST(WorkplacesXmlMessage, TaskLargerThanTheRoom) {
   expect_message(load_workplace("origin='1 1' size='4 1'"),
-                 "p.xml:5:44: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
+                 "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
                  "m2 lie outside room 'r'; it must lie within the room");
 }
 
