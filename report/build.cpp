@@ -124,6 +124,8 @@ PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> 
   part.where = plane.where;
   part.kernel = plane.kernel;
   part.derived = plane.derived;
+  part.made_by = plane.made_by;
+  part.changed = plane.changed;
   part.findings = std::move(findings);
   return part;
 }
@@ -295,6 +297,7 @@ SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene
   part.triangles = scene.triangle.size();
   part.degenerate_triangles = scene.degenerate_triangles;
   part.balance = balance;
+  part.notes = space.notes;
   part.planes = std::move(planes);
   for (PlanePart& plane : part.planes) plane.space_id = space.id;
   return part;

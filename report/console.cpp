@@ -113,9 +113,16 @@ std::string statistics_text(const PlanePart& plane) {
          format_measured(plane.uniformity_min_avg, "");
 }
 
+// Of planes that a workplace has made: what the project has changed about them.
+void add_change(const PlanePart& plane, std::vector<Line>& lines) {
+  if (plane.changed.empty()) return;
+  lines.emplace_back().note = printable(plane.made_by + "; changed: " + plane.changed);
+}
+
 void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>& lines) {
   for (const rules::Finding& finding : plane.findings) add_finding(space, plane, finding, lines);
   if (!plane.findings.empty()) {
+    add_change(plane, lines);
     add_remarks(plane, lines);
     return add_doubt(plane, lines);
   }
@@ -208,6 +215,7 @@ std::vector<Line> project_lines(const ProjectPart& project) {
   std::vector<Line> lines;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) add_plane(space, plane, lines);
+    for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
   }
   if (!lines.empty()) lines.insert(lines.begin(), heading());
   return lines;

@@ -95,6 +95,7 @@ struct PlanePart {
   std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
+  std::string made_by, changed;  // see calc::CalcPlane
   calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
   calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
@@ -158,6 +159,7 @@ struct SpacePart {
   std::size_t bodies_left_out = 0;  // too many to draw
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
+  std::vector<std::string> notes;  // zones of workplaces that were not made, and why
   RoomPictures pictures;
 };
 

@@ -104,6 +104,9 @@ std::string space_html(const Document& document, std::size_t p, std::size_t s) {
   const SpacePart& space = document.projects[p].spaces[s];
   std::string html = "<section class=\"space\"><h3>" + space_title(space) + "</h3>\n";
   html += html_room(space);
+  for (const std::string& note : space.notes) {
+    html += "<p class=\"quiet\">" + escape_html(note) + "</p>\n";
+  }
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane({p, s, k}, space, space.planes[k], folds_passed_planes(document));
   return html + "</section>\n";

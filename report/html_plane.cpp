@@ -134,6 +134,8 @@ std::string quantity_fact(const PlanePart& plane) {
 std::string grid_table(const SpacePart& space, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
   std::string rows = fact("Quantity", quantity_fact(plane));
+  if (!plane.made_by.empty()) rows += fact("Made by", escape_html(plane.made_by));
+  if (!plane.changed.empty()) rows += fact("Changed", escape_html(plane.changed));
   rows += fact("Rule", escape_html(grid.rule));
   if (grid.columns > 0) {
     rows += fact("Cells", fmt::format("{} × {}", grid.columns, grid.rows));

@@ -209,6 +209,7 @@ Json plane_json(const PlanePart& plane) {
                {"is_computed", plane.is_computed},
                {"reason", plane.reason},
                {"findings", list_of(plane.findings, finding_json)}};
+  if (!plane.made_by.empty()) json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
   if (!plane.is_computed) return json;
   if (!plane.remarks.empty()) json["remarks"] = plane.remarks;
   json["statistics"] = statistics_json(plane);
@@ -251,7 +252,7 @@ Json body_json(const BodyMark& body) {
 }
 
 Json space_json(const SpacePart& space) {
-  return {{"id", space.id},
+  Json json = {{"id", space.id},
           {"name", space.name},
           {"footprint_m", from(space.footprint_m)},
           {"floor_z_m", space.floor_z_m},
@@ -273,6 +274,8 @@ Json space_json(const SpacePart& space) {
             {"absorbed_lm", from(space.balance.absorbed_lm)},
             {"escaped_lm", from(space.balance.escaped_lm)}}},
           {"planes", list_of(space.planes, plane_json)}};
+  if (!space.notes.empty()) json["notes"] = space.notes;
+  return json;
 }
 
 Json times_json(const PhaseTimes& times) {

@@ -292,6 +292,10 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.is_computed = at["is_computed"].flag();
   p.reason = at["reason"].text();
   p.findings = at["findings"].list_of([&](const JsonCursor& f) { return finding(f, p); });
+  if (const auto zone = at.find("zone")) {
+    p.made_by = (*zone)["made_by"].text();
+    p.changed = (*zone)["changed"].text();
+  }
   if (!p.is_computed) return p;
   const JsonCursor statistics = at["statistics"];
   if (calc::is_plain_number(p.derived)) {
@@ -367,6 +371,9 @@ SpacePart space(const JsonCursor& at) {
   const JsonCursor balance = at["flux_balance"];
   s.balance = {balance["emitted_lm"].number(), balance["untraced_lm"].number(),
                estimate(balance["absorbed_lm"]), estimate(balance["escaped_lm"])};
+  if (const auto notes = at.find("notes")) {
+    s.notes = notes->list_of([](const JsonCursor& note) { return note.text(); });
+  }
   s.planes = at["planes"].list_of([&](const JsonCursor& p) { return plane(p, s.id); });
   return s;
 }

@@ -11,7 +11,8 @@
 namespace rules {
 
 enum class MaskStep {
-  inset,        // without a strip along all four sides
+  inset,        // without a strip along the whole outline
+  walls,        // without what is near to a wall of the room
   across,       // without a strip along the two long sides
   centre_line,  // the points next to the line midway between the long sides
 };
@@ -19,9 +20,10 @@ enum class MaskStep {
 struct MaskOperation {
   MaskStep step = MaskStep::inset;
   // Width of the strip, for inset and across: metres; or, for planes whose shorter side is at most
-  // up_to_width_m, this share of that side.
+  // up_to_width_m, this share of that side. For walls: metres.
   double metres = 0.0;
   double share = 0.0;  // [0, 0.5)
+  // Also of centre_line: wider planes are not judged by it; 0 there: all are.
   double up_to_width_m = 0.0;
 };
 
@@ -36,8 +38,10 @@ struct MaskedPoints {
   std::string problem;              // why it cannot be said which points count; "" = none
 };
 
-// Distances are from the plane's outline, so that a margin of the grid has no influence. Only for
-// planes that are rectangles: a list of points has no sides, and a polygon no two long ones.
+// Distances are from the plane's outline (its holes have none), so that a margin of the grid has no
+// influence; those from walls are horizontal, from the room's footprint, and for lists of points,
+// too. In the open space there are no walls. An inset works for every outline, but for shares of a
+// width, across and centre_line the plane must be a rectangle.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
 }  // namespace rules

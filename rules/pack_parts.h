@@ -22,6 +22,9 @@ Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics);
 RuleGrid read_grid(const calc::XmlElement& element, calc::Diagnostics& diagnostics);
 RulePlane read_plane(const calc::XmlElement& element, const RulePack& pack,
                      calc::Diagnostics& diagnostics);
+// Zones that planes say they lie around, when all planes are there.
+void check_zones(const RulePack& pack, const calc::XmlElement& root,
+                 calc::Diagnostics& diagnostics);
 // The mask is one of pack.masks. Names in the formula are looked up by check_rule_pack().
 RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
                      calc::Diagnostics& diagnostics);

@@ -6,6 +6,7 @@
 #include "rules/requirement.h"
 #include "rules/rule_pack.h"
 
+#include <optional>
 #include <vector>
 
 namespace rules {
@@ -15,8 +16,8 @@ struct RequirementContext {
   calc::ReceiverKernel kernel;  // of the plane
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
-  const calc::CalcPlane* plane = nullptr;  // which way it faces; null: not known
-  const calc::Space* space = nullptr;      // whose luminaires light it; null: not known
+  const calc::CalcPlane* plane = nullptr;  // where it is, which way it faces; null: not known
+  const calc::Space* space = nullptr;      // around it; null: not known
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
 };
 

@@ -1,11 +1,15 @@
 #include "rules/rule_pack.h"
 
+#include "calc/scene/sensor_grid.h"
 #include "rules/builtin_packs.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -113,6 +117,13 @@ const RuleName* RulePack::find_fact(std::string_view fact_id) const {
   return find_item(facts, fact_id, &RuleName::id);
 }
 
+const RuleGrid* RulePack::find_grid(std::string_view grid_id) const {
+  return find_item(grids, grid_id, &RuleGrid::id);
+}
+const RulePlane* RulePack::find_plane(std::string_view role_name) const {
+  return find_item(planes, role_name, &RulePlane::role);
+}
+
 std::vector<std::string> RulePack::roles() const {
   std::vector<std::string> roles;
   for (const RuleCheck& check : checks) {
@@ -121,6 +132,28 @@ std::vector<std::string> RulePack::roles() const {
     }
   }
   return roles;
+}
+
+std::string grid_text(const RuleGrid& grid) {
+  std::string text = "as the project says";
+  if (grid.rule) {
+    if (const auto* formula = std::get_if<calc::GridByRule>(&*grid.rule)) {
+      text = fmt::format(
+          "p = {:g} * {:g}^log10 d m, at most {:g} m; d the longer side, the shorter one from a "
+          "ratio of {:g} on; counts rounded: {}",
+          formula->factor_m, formula->base, formula->max_spacing_m, formula->shorter_from_ratio,
+          calc::rounding_name(formula->rounding));
+    } else if (const auto* spacing = std::get_if<calc::GridBySpacing>(&*grid.rule)) {
+      text = fmt::format("at most {:g} m along the longer and {:g} m along the shorter side",
+                         spacing->along_u_m, spacing->along_v_m);
+    } else {
+      const auto& count = std::get<calc::GridByCount>(*grid.rule);
+      text = fmt::format("{} cells along the longer and {} along the shorter side", count.columns,
+                         count.rows);
+    }
+  }
+  if (grid.trust != Trust::confirmed) text += fmt::format(" [{}]", trust_remark(grid.trust));
+  return text;
 }
 
 std::vector<RulePack> builtin_rule_packs() {

@@ -3,6 +3,7 @@
 // everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/diagnostics.h"
+#include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/expression.h"
 #include "rules/mask.h"
@@ -65,6 +66,10 @@ struct RuleRow {
   std::vector<std::string> sources;
   std::string note;
   std::vector<RuleValue> values;
+  struct Heights {
+    double lowest_m, highest_m;
+  };
+  std::optional<Heights> task_heights_m;  // where they are not those of the plane's role
   calc::SourceLocation where;
 
   const RuleValue* find_value(std::string_view parameter) const;
@@ -150,13 +155,36 @@ struct RuleClass {
   calc::SourceLocation where;
 };
 
-// Where points go: not made by luxgate yet, shown by `luxgate explain`.
+// How the points of a plane are spread.
 struct RuleGrid {
-  std::string id, method, count, note;
+  std::string id;
+  std::optional<calc::GridRule> rule;  // empty: the project's own; spacing: along u = longer side
+  Trust trust = Trust::confirmed;
+  std::string note;
 };
+std::string grid_text(const RuleGrid& grid);  // "p = 0.2 * 5^log10 d, ..., rounding nearest"
+
+
+// What a workplace makes of a role.
+enum class ZoneArea {
+  none,           // nothing
+  task,           // the task area: as given, or the whole room
+  band,           // a band around another zone
+  task_and_band,  // the task area with the band around it
+  walls,          // every wall by itself
+  ceiling,
+};
+
 struct RulePlane {
   std::string role, orientation, grid, mask, note;
+  bool has_heights = false;
+  bool are_heights_usual = false;          // others are fine, with a remark
   double lowest_m = 0.0, highest_m = 0.0;  // above the floor
+  ZoneArea area = ZoneArea::none;
+  std::string around;              // role inside a band
+  double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
+  std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
+  double margin_m = 0.0;  // left out along walls, along all edges of walls and ceilings
 };
 
 struct RulePack {
@@ -192,6 +220,8 @@ struct RulePack {
   const RuleScale* find_scale(std::string_view scale_id) const;
   const RuleName* find_parameter(std::string_view parameter_id) const;
   const RuleName* find_fact(std::string_view fact_id) const;
+  const RuleGrid* find_grid(std::string_view grid_id) const;
+  const RulePlane* find_plane(std::string_view role) const;  // the first of the role
   std::vector<std::string> roles() const;  // in order of the checks, each once
 };
 

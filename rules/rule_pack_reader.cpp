@@ -97,6 +97,7 @@ RulePack read_pack(const calc::XmlElement& root, const std::string& file,
   pack.file = file;
   read_header(reader, pack);
   read_parts(root, pack, diagnostics);
+  check_zones(pack, root, diagnostics);
   if (pack.checks.empty()) {
     reader.report(DiagnosticId::missing_form, root.where, "rule-pack", "at least one <check>");
   }

@@ -31,7 +31,8 @@ std::string list_of(const std::vector<const RulePack*>& packs) {
   return text;
 }
 
-// By "id" or "id:edition". nullptr after an error.
+}  // namespace
+
 const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
   const std::string name = reader.text("pack");
   if (name.empty()) return nullptr;
@@ -52,7 +53,8 @@ const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& pa
   }
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
-    reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack", kElement,
+    reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack",
+                  reader.element().name,
                   "rule pack", name, "allowed: " + list_of(all), calc::suggestion(name, names));
   } else {
     reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
@@ -60,7 +62,6 @@ const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& pa
   return nullptr;
 }
 
-// nullptr if none is named, or after an error.
 const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
   if (!reader.has("row")) return nullptr;
   const std::string ref = reader.text("row");
@@ -68,9 +69,12 @@ const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
   if (row != nullptr || ref.empty()) return row;
   calc::Names refs;
   for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
-  report_unknown_name(reader.diagnostics(), reader.where("row"), "row", kElement, "row", ref, refs);
+  report_unknown_name(reader.diagnostics(), reader.where("row"), "row", reader.element().name,
+                      "row", ref, refs);
   return nullptr;
 }
+
+namespace {
 
 // The pack's own role unless another is named; "" after an error.
 std::string find_role(ElementReader& reader, const RulePack& pack) {
@@ -129,6 +133,7 @@ struct Reference {
   calc::DerivedQuantity derived;
   ChosenScene scene;
   const calc::CalcPlane* plane;
+  std::optional<double> floor_z_m;
 };
 
 // Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
@@ -169,6 +174,49 @@ std::string wrong_orientation(const RuleCheck& check, const Reference& reference
   return {};
 }
 
+// Lowest and highest point of a plane above the floor.
+std::pair<double, double> heights_of(const calc::CalcPlane& plane, double floor_z_m) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  const auto add = [&](const glm::dvec3& point) {
+    lowest = std::min(lowest, point.z - floor_z_m);
+    highest = std::max(highest, point.z - floor_z_m);
+  };
+  if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
+    for (const glm::dvec2& corner : area->outline_m) {
+      add(area->origin_m + corner.x * area->u + corner.y * area->v);
+    }
+  } else {
+    for (const glm::dvec3& point : std::get<calc::PointList>(plane.area).position_m) add(point);
+  }
+  return {lowest, highest};
+}
+
+// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it may
+// be.
+std::string wrong_height(const RuleCheck& check, const Reference& reference, bool is_usual) {
+  // What is laid a little above a floor, so as not to lie in it.
+  constexpr double kTolerance_m = 0.05;
+  if (reference.plane == nullptr || !reference.floor_z_m) return {};
+  const RulePlane* role = reference.pack.find_plane(check.role);
+  if (role == nullptr || !role->has_heights || role->are_heights_usual != is_usual) return {};
+  double from_m = role->lowest_m, to_m = role->highest_m;
+  const bool follows_task = role->area == ZoneArea::task ||
+                            (role->area == ZoneArea::band && !role->height_m);
+  if (follows_task && reference.row != nullptr && reference.row->task_heights_m) {
+    from_m = reference.row->task_heights_m->lowest_m;
+    to_m = reference.row->task_heights_m->highest_m;
+  }
+  const auto [lowest_m, highest_m] = heights_of(*reference.plane, *reference.floor_z_m);
+  if (lowest_m >= from_m - kTolerance_m && highest_m <= to_m + kTolerance_m) return {};
+  const auto range = [](double from, double to) {
+    return std::abs(to - from) < 5e-4 ? fmt::format("{:.3g} m", from)
+                                      : fmt::format("{:.3g} to {:.3g} m", from, to);
+  };
+  return fmt::format("planes of role '{}' of {} are {}{} above the floor, and this one is {}",
+                     check.role, reference.pack.full_id(), is_usual ? "usually " : "",
+                     range(from_m, to_m), range(lowest_m, highest_m));
+}
+
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
@@ -190,6 +238,10 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);
+  if (requirement.problem.empty()) requirement.problem = wrong_height(check, reference, false);
+  if (const std::string remark = wrong_height(check, reference, true); !remark.empty()) {
+    requirement.note += (requirement.note.empty() ? "" : "; ") + remark;
+  }
   if (requirement.problem.empty() && check.sources == LightSources::emergency) {
     requirement.problem = reference.scene.problem;
   }
@@ -237,6 +289,8 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
   return requirements;
 }
 
+}  // namespace
+
 RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
   if (reader.choice_or("level", {"required", "modified"}, 0) == 0) return RowLevel::required;
   if (row != nullptr && !row->has_modified_level()) {
@@ -245,7 +299,9 @@ RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* 
   return RowLevel::modified;
 }
 
-}  // namespace
+bool needs_row(const RuleCheck& check, const RulePack& pack) {
+  return needs_row(check.limit, pack);
+}
 
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
                         bool is_modified, Trust trust) {
@@ -290,6 +346,15 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
   return facts;
 }
 
+namespace {
+
+std::optional<double> floor_of(const calc::Space* space) {
+  if (space == nullptr || !space->shell) return std::nullopt;
+  return space->shell->floor_z_m;
+}
+
+}  // namespace
+
 std::vector<Requirement> read_rule_reference(ElementReader& reader,
                                              const RequirementContext& context,
                                              const ChosenScene& scene) {
@@ -309,7 +374,7 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   return requirements_of_role(
       reader, role,
       {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel,
-       context.derived, scene, context.plane});
+       context.derived, scene, context.plane, floor_of(context.space)});
 }
 
 }  // namespace rules

@@ -7,6 +7,7 @@
 #include "rules/rule_pack.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,22 @@ struct ChosenScene {
 // One requirement for each check of the pack with the role, in order, without those for which the
 // row specifies nothing. What cannot be judged (a value that the pack does not know, a fact that is
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
-// a plane that faces another way than the role's) has its reason in `problem`. `scene`: as read and
-// checked by the caller. Empty after an error, which is reported.
+// a plane that faces another way or lies at another height than the role's) has its reason in
+// `problem`, a height that is only unusual in `note`. `scene`: as read and checked by the caller.
+// Empty after an error, which is reported.
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
                                              const RequirementContext& context,
                                              const ChosenScene& scene);
+
+// The attribute "pack", by "id" (the edition in force) or "id:edition". nullptr after an error.
+const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePack>& packs);
+// The attribute "row"; nullptr if there is none, or after an error.
+const RuleRow* find_row(calc::ElementReader& reader, const RulePack& pack);
+// The attribute "level"; required without it.
+RowLevel read_level(calc::ElementReader& reader, const RulePack& pack, const RuleRow* row);
+
+// The limit needs a row: a value of it, or the limit of a check that needs one.
+bool needs_row(const RuleCheck& check, const RulePack& pack);
 
 // "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with "(modified)"
 // where a value of that level is in the limit, and with trust_remark() where there is one.

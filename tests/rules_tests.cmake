@@ -21,6 +21,7 @@ luxgate_test(rules_tests
     unit/rules/share_test.cpp
     unit/rules/stop_rule_test.cpp
     unit/rules/waiver_test.cpp
+    unit/rules/workplace_test.cpp
     unit/rules/worked_example_test.cpp
   LIBRARIES rules)
 target_compile_definitions(rules_tests PRIVATE

@@ -30,6 +30,8 @@ luxgate_test(scene_tests
     unit/calc/scene/project_xml_plane_messages_test.cpp
     unit/calc/scene/project_xml_test.cpp
     unit/calc/scene/spaces_xml_test.cpp
+    unit/calc/scene/workplace_xml_test.cpp
+    unit/calc/scene/zone_shapes_test.cpp
     unit/calc/utf8_test.cpp
     unit/calc/xml_document_test.cpp
   LIBRARIES calc_model)

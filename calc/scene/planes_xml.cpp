@@ -24,6 +24,36 @@ constexpr double kHorizontalSine = 1.0e-6;
 constexpr std::array<std::string_view, 6> kForms{"height", "origin",    "points",
                                                  "on",     "on-top-of", "file"};
 
+GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
+  for (const std::string_view name : {"count", "spacing"}) {
+    if (!reader.has("rounding") || !reader.has(name)) continue;
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("rounding"), reader.element().name,
+                   "rounding", name);
+  }
+  GridByRule by_rule;
+  by_rule.rounding =
+      static_cast<GridRounding>(reader.choice_or("rounding", {"nearest", "up", "odd-up"}, 0));
+  if (!reader.exclude("count", "spacing")) return by_rule;
+  if (reader.has("count")) {
+    const std::vector<int> count =
+        reader.integers("count", 2, "2 whole numbers (along u and v)", 1);
+    const double points = static_cast<double>(count[0]) * static_cast<double>(count[1]);
+    if (points > kInstanceLimit) {
+      reader.report(DiagnosticId::number_out_of_range, reader.where("count"), "count", reader.element().name,
+                     fmt::format("{} x {}", count[0], count[1]),
+                     fmt::format("at most {:.0f} points", kInstanceLimit));
+    }
+    return GridByCount{count[0], count[1]};
+  }
+  if (!reader.has("spacing")) return by_rule;
+  const std::vector<double> spacing =
+      reader.number_groups("spacing", 1, 1, 2, "1 or 2 numbers (along u and v)", kPositive);
+  if (spacing.empty()) return by_rule;
+  return GridBySpacing{spacing.front() * context.metres_per_unit,
+                       spacing.back() * context.metres_per_unit,
+                       {}};
+}
+
 class PlaneReader {
  public:
   PlaneReader(ProjectContext& context, ElementReader& reader, const PlaneSurroundings& around)
@@ -42,7 +72,7 @@ class PlaneReader {
     std::optional<PlanarArea> area = read_area(form);
     const double margin_m =
         reader_.number_or("margin", kNonNegative, 0.0) * context_.metres_per_unit;
-    const GridRule grid = read_grid();
+    const GridRule grid = read_grid_rule(context_, reader_);
     if (!area) return std::nullopt;
     area->margin_m = margin_m;
     area->grid = grid;
@@ -94,27 +124,6 @@ class PlaneReader {
     if (form == "points") return read_polygon();
     if (form == "on") return read_room_surface();
     return read_box_top();
-  }
-
-  GridRule read_grid() {
-    if (!reader_.exclude("count", "spacing")) return GridByRule{};
-    if (reader_.has("count")) {
-      const std::vector<int> count =
-          reader_.integers("count", 2, "2 whole numbers (along u and v)", 1);
-      const double points = static_cast<double>(count[0]) * static_cast<double>(count[1]);
-      if (points > kInstanceLimit) {
-        reader_.report(DiagnosticId::number_out_of_range, reader_.where("count"), "count", "plane",
-                       fmt::format("{} x {}", count[0], count[1]),
-                       fmt::format("at most {:.0f} points", kInstanceLimit));
-      }
-      return GridByCount{count[0], count[1]};
-    }
-    if (!reader_.has("spacing")) return GridByRule{};
-    const std::vector<double> spacing =
-        reader_.number_groups("spacing", 1, 1, 2, "1 or 2 numbers (along u and v)", kPositive);
-    if (spacing.empty()) return GridByRule{};
-    return GridBySpacing{spacing.front() * context_.metres_per_unit,
-                         spacing.back() * context_.metres_per_unit};
   }
 
   std::optional<PlanarArea> read_height() {
@@ -224,7 +233,7 @@ class PlaneReader {
   }
 
   std::optional<std::variant<PlanarArea, PointList>> read_point_list() {
-    for (const std::string_view name : {"margin", "count", "spacing"}) {
+    for (const std::string_view name : {"margin", "count", "spacing", "rounding"}) {
       if (!reader_.has(name)) continue;
       reader_.report(DiagnosticId::attribute_without_meaning, reader_.where(name), "plane", name,
                      "file");
@@ -340,10 +349,16 @@ RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnos
 
 }  // namespace
 
+GridText read_grid(ProjectContext& context, ElementReader& reader) {
+  const bool is_given = reader.has("count") || reader.has("spacing") || reader.has("rounding");
+  return {read_grid_rule(context, reader), is_given};
+}
+
 std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
                                     const PlaneSurroundings& surroundings) {
   reader.allow_attributes({"id", "name", "height", "origin", "u", "v", "points", "on", "on-top-of",
-                           "file", "margin", "count", "spacing", "quantity", "direction"});
+                           "file", "margin", "count", "spacing", "rounding", "quantity",
+                           "direction"});
   reader.allow_children({"hole", "require"});
   CalcPlane plane;
   plane.id = reader.id();

@@ -24,6 +24,13 @@ struct PlaneSurroundings {
   std::map<std::string, BoxTop, std::less<>> box_tops;  // world coordinates
 };
 
+// The attributes count, spacing and rounding; `is_given` only if there is one of them.
+struct GridText {
+  GridRule rule;
+  bool is_given = false;
+};
+GridText read_grid(ProjectContext& context, ElementReader& reader);
+
 // Empty on errors.
 std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
                                     const PlaneSurroundings& surroundings);

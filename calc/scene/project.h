@@ -74,12 +74,25 @@ struct LightScene {
   SourceLocation where;
 };
 
-struct GridByRule {};  // EN 12464-1: p = 0.2 * 5^log10(d)
+// How side / spacing becomes a number of cells: the nearest number, the next one up, or the next odd
+// one up. Never below 1.
+enum class GridRounding { nearest, up, odd_up };
+
+// The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,
+// or the shorter one if longer / shorter >= shorter_from_ratio. As it stands: EN 12464-1.
+struct GridByRule {
+  std::string name = "EN 12464-1";  // of whoever asks for it, for reports
+  double factor_m = 0.2, base = 5.0, max_spacing_m = 10.0;
+  double shorter_from_ratio = 2.0;
+  GridRounding rounding = GridRounding::nearest;
+};
 struct GridByCount {
   int columns = 0, rows = 0;
 };
+// Rounded up: no cell is larger.
 struct GridBySpacing {
   double along_u_m = 0.0, along_v_m = 0.0;
+  std::string name;  // of whoever asks for it; "" = the project
 };
 using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
 
@@ -124,6 +137,32 @@ struct CalcPlane {
   // axis.
   glm::dvec3 direction{0.0};
   std::vector<RequirementText> requirements;
+  // Of a plane that a workplace has made, for reports: from what, and what the project changed;
+  // else "".
+  std::string made_by, changed;
+  SourceLocation where;
+};
+
+// What a project changes about a zone of a workplace, or that it leaves the zone out.
+struct ZoneText {
+  std::string role;  // "cylinder", "wall" for all walls, "wall.2"
+  bool is_left_out = false;
+  std::string because;  // "" only where something is changed
+  std::optional<double> height_m, margin_m;
+  std::optional<GridRule> grid;
+  std::vector<glm::dvec2> area_m;  // world x and y, counter-clockwise; empty: the rule's
+  SourceLocation where, role_where;
+};
+
+// Zones of a room as a standard's row wants them. The plain facts; rules/workplace.h makes planes.
+struct Workplace {
+  std::string id, name;
+  std::vector<RequirementText::Attribute> rule;  // pack, row, level, scene, facts: as written
+  std::vector<glm::dvec2> task_m;  // world x and y, counter-clockwise; empty: the whole room
+  std::optional<double> height_m;  // of the task, above the floor
+  PlanarArea ceiling;
+  std::vector<PlanarArea> walls;  // in the order of the project's numbers
+  std::vector<ZoneText> zones;
   SourceLocation where;
 };
 
@@ -138,6 +177,10 @@ struct Space {
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
+  std::vector<Workplace> workplaces;
+  std::vector<std::string> notes;  // for reports: zones that were not made, and why
+  std::vector<glm::dvec2>
+      outline_m;  // of the floor of a room of a building file, world x and y; empty: not known
   SourceLocation where;
 };
 

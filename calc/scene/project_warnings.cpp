@@ -167,8 +167,9 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
                         Diagnostics& diagnostics) {
   bool has_plane = false;
   for (const Space& space : project.spaces) {
-    has_plane = has_plane || !space.planes.empty();
-    if (!space.planes.empty() && space.luminaires.empty()) {
+    const bool has_planes_here = !space.planes.empty() || !space.workplaces.empty();
+    has_plane = has_plane || has_planes_here;
+    if (has_planes_here && space.luminaires.empty()) {
       diagnostics.report(DiagnosticId::space_without_luminaires, space.where,
                          space.shell || !space.surfaces_file.empty()
                              ? "room '" + space.id + "'"

@@ -3,6 +3,8 @@
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +17,6 @@ namespace {
 
 constexpr double kTie = 1.0e-9;  // relative; sides like 5.999999999 m come out of CAD files
 constexpr double kMaxPoints = 4.0e6;
-constexpr double kMaxSpacing = 10.0;                          // metres, EN 12464-1
 constexpr double kMinCellAspect = 0.5, kMaxCellAspect = 2.0;  // EN 12464-1
 
 // As doubles until it is known that they are few enough.
@@ -23,14 +24,36 @@ struct Counts {
   double columns = 0.0, rows = 0.0;
 };
 
-Counts counts_by_rule(double side_u_m, double side_v_m) {
+// What a rule makes of two sides.
+struct RuleSpacing {
+  double d_m = 0.0;  // the side that counts
+  bool is_shorter = false, is_capped = false;
+  double spacing_m = 0.0;
+};
+
+RuleSpacing spacing_by_rule(const GridByRule& rule, double side_u_m, double side_v_m) {
   const double longer = std::max(side_u_m, side_v_m), shorter = std::min(side_u_m, side_v_m);
-  const double d_m = longer >= 2.0 * shorter * (1.0 - kTie) ? shorter : longer;
-  const double spacing_m = std::min(0.2 * std::pow(5.0, std::log10(d_m)), kMaxSpacing);
-  const auto cells = [&](double side_m) {
-    return std::max(1.0, std::floor(side_m / spacing_m * (1.0 + kTie) + 0.5));
-  };
-  return {cells(side_u_m), cells(side_v_m)};
+  RuleSpacing result;
+  result.is_shorter = longer >= rule.shorter_from_ratio * shorter * (1.0 - kTie);
+  result.d_m = result.is_shorter ? shorter : longer;
+  result.spacing_m = rule.factor_m * std::pow(rule.base, std::log10(result.d_m));
+  result.is_capped = result.spacing_m > rule.max_spacing_m;
+  if (result.is_capped) result.spacing_m = rule.max_spacing_m;
+  return result;
+}
+
+double rounded_cells(double cells, GridRounding rounding) {
+  if (rounding == GridRounding::nearest) {
+    return std::max(1.0, std::floor(cells * (1.0 + kTie) + 0.5));
+  }
+  const double up = std::max(1.0, std::ceil(cells * (1.0 - kTie)));
+  return rounding == GridRounding::odd_up && std::fmod(up, 2.0) < 0.5 ? up + 1.0 : up;
+}
+
+Counts counts_by_rule(const GridByRule& rule, double side_u_m, double side_v_m) {
+  const double spacing_m = spacing_by_rule(rule, side_u_m, side_v_m).spacing_m;
+  return {rounded_cells(side_u_m / spacing_m, rule.rounding),
+          rounded_cells(side_v_m / spacing_m, rule.rounding)};
 }
 
 // Rounded up, so that the spacing is never larger than asked for.
@@ -46,13 +69,17 @@ Counts cell_counts(const GridRule& rule, glm::dvec2 side_m) {
     return {cells_by_spacing(side_m.x, spacing->along_u_m),
             cells_by_spacing(side_m.y, spacing->along_v_m)};
   }
-  return counts_by_rule(side_m.x, side_m.y);
+  return counts_by_rule(std::get<GridByRule>(rule), side_m.x, side_m.y);
 }
 
-std::string rule_words(const GridRule& rule) {
+std::string rule_words(const GridRule& rule, glm::dvec2 side_m) {
   if (std::holds_alternative<GridByCount>(rule)) return "count";
-  if (std::holds_alternative<GridBySpacing>(rule)) return "spacing";
-  return "EN 12464-1 (p = 0.2 * 5^log10 d)";
+  if (const auto* spacing = std::get_if<GridBySpacing>(&rule)) {
+    if (spacing->name.empty()) return "spacing";
+    return fmt::format("{}: at most {:.4g} x {:.4g} m", spacing->name, spacing->along_u_m,
+                       spacing->along_v_m);
+  }
+  return grid_words(std::get<GridByRule>(rule), side_m.x, side_m.y);
 }
 
 struct Rectangle {
@@ -173,6 +200,8 @@ class GridMaker {
   std::optional<SensorGrid> run() {
     grid_.kernel = plane_.kernel;
     grid_.derived = plane_.derived;
+    grid_.room_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
+    grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const auto* area = std::get_if<PlanarArea>(&plane_.area);
     const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
     if (!made || is_empty()) return std::nullopt;
@@ -219,7 +248,7 @@ class GridMaker {
   }
 
   void describe(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
-    grid_.rule = rule_words(area.grid);
+    grid_.rule = rule_words(area.grid, inner.side_m());
     grid_.columns = static_cast<int>(counts.columns);
     grid_.rows = static_cast<int>(counts.rows);
     grid_.spacing_u_m = inner.side_m().x / counts.columns;
@@ -228,6 +257,9 @@ class GridMaker {
     grid_.origin_m = area.origin_m + inner.lower.x * area.u + inner.lower.y * area.v;
     grid_.u = area.u;
     grid_.v = area.v;
+    for (const glm::dvec2& corner : area.outline_m) {
+      grid_.outline_m.push_back(corner - inner.lower);
+    }
   }
 
   void check_cell_shape(const PlanarArea& area) {
@@ -284,8 +316,32 @@ class GridMaker {
 
 }  // namespace
 
-GridCounts en12464_grid_counts(double side_u_m, double side_v_m) {
-  const Counts counts = counts_by_rule(side_u_m, side_v_m);
+const char* rounding_name(GridRounding rounding) {
+  constexpr std::array kNames{"nearest", "up", "odd-up"};
+  return kNames[static_cast<std::size_t>(rounding)];
+}
+
+std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
+  constexpr std::array kRounded{"rounded to the nearest number", "rounded up",
+                                "rounded up to an odd number"};
+  const RuleSpacing spacing = spacing_by_rule(rule, side_u_m, side_v_m);
+  const Counts counts = counts_by_rule(rule, side_u_m, side_v_m);
+  std::string side = "the longer side";
+  if (spacing.is_shorter) {
+    side = fmt::format("the shorter side, as the longer one is at least {:g} times as long",
+                       rule.shorter_from_ratio);
+  }
+  return fmt::format(
+      "{} (p = {:g} * {:g}^log10 d): d = {:.4g} m, {}; p = {:.3g} m{}; {:.2f} x {:.2f} cells, {}: "
+      "{:.0f} x {:.0f}",
+      rule.name, rule.factor_m, rule.base, spacing.d_m, side, spacing.spacing_m,
+      spacing.is_capped ? ", the most that is allowed" : "", side_u_m / spacing.spacing_m,
+      side_v_m / spacing.spacing_m, kRounded[static_cast<std::size_t>(rule.rounding)],
+      counts.columns, counts.rows);
+}
+
+GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m) {
+  const Counts counts = counts_by_rule(rule, side_u_m, side_v_m);
   constexpr double kLargest = std::numeric_limits<int>::max();
   return {static_cast<int>(std::min(counts.columns, kLargest)),
           static_cast<int>(std::min(counts.rows, kLargest))};

@@ -26,11 +26,15 @@ struct DroppedPoint {
 // cells, u to the right and v up; point lists have columns = rows = 0 and no cells: column[i] is
 // then the place in the list, row[i] 0.
 struct SensorGrid {
-  std::string rule;  // words: "EN 12464-1 (p = 0.2 * 5^log10 d)", "count", "spacing", "point list"
+  // Words: "count", "spacing", "point list", or the whole derivation: see grid_words().
+  std::string rule;
   int columns = 0, rows = 0;
   double spacing_u_m = 0.0, spacing_v_m = 0.0;  // cell size; 0 for point lists
   double margin_m = 0.0;
   glm::dvec3 origin_m{0.0}, u{1, 0, 0}, v{0, 1, 0};  // lower left corner of cell (0, 0) and axes
+  std::vector<glm::dvec2> outline_m;  // of the plane's area, along u and v from origin_m
+  std::vector<glm::dvec2> room_m;     // walls around it, world x and y; empty: none
+  bool has_unknown_walls = false;     // in a room of a building file without outline
   std::vector<glm::dvec3> position_m;
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
@@ -43,14 +47,20 @@ struct SensorGrid {
   glm::dvec3 front(std::size_t i) const { return columns > 0 ? glm::cross(u, v) : normal[i]; }
 };
 
-// Cells along one side by the EN 12464-1 rule: p = 0.2 * 5^(log10 d) m, at most 10 m, d = the
-// longer side, or the shorter one when longer / shorter >= 2; the count is side / p rounded to the
-// nearest integer, at least 1. Sides in metres, > 0. (EN 12464-1:2021, 4.4; ties and the ratio 2
-// are taken with a relative tolerance of 1e-9.)
+// Cells along both sides by a rule; the number is side / p, rounded as the rule says, at least 1 (of
+// EN 12464-1 to the nearest one; EN 12464-1:2021, 4.4). Sides in metres, > 0. Ties, whole numbers
+// and the ratio of the sides are taken with a relative tolerance of 1e-9.
 struct GridCounts {
   int columns, rows;
 };
-GridCounts en12464_grid_counts(double side_u_m, double side_v_m);
+GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m);
+
+// "nearest", "up", "odd-up"
+const char* rounding_name(GridRounding rounding);
+
+// What a report prints: the rule, the side it went by, the spacing, both quotients, the rounding and
+// the counts.
+std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m);
 
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's
 // bounding rectangle less the margin, without those outside the outline, in a hole or on its edge,

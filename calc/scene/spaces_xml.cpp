@@ -5,6 +5,7 @@
 #include "calc/scene/planes_xml.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/room_plan.h"
+#include "calc/scene/workplace_xml.h"
 #include "calc/text.h"
 
 #include <fmt/format.h>
@@ -117,6 +118,7 @@ void read_planes(ProjectContext& context, const XmlElement& parent,
 void allow_room_contents(ElementReader& reader, bool is_gbxml) {
   Names children = object_names();
   children.push_back("plane");
+  children.push_back("workplace");
   if (is_gbxml) {
     children.push_back("map");
     reader.allow_attributes({"id", "name", "file", "space", "material"});
@@ -149,6 +151,9 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
   RoomPlan plan;
   if (is_gbxml) {
     read_gbxml_surfaces(context, reader, space, plan);
+    for (const glm::dvec2& corner : plan.outline()) {
+      space.outline_m.push_back(glm::dvec2(plan.origin_m) + corner);
+    }
   } else {
     read_prism(context, reader, space, plan);
   }
@@ -163,6 +168,7 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
               surroundings);
   if (reader.ok()) check_body_ids(space, context.diagnostics);
   read_planes(context, reader.element(), surroundings, space);
+  read_workplaces(context, reader.element(), surroundings, space);
   context.project.spaces.push_back(std::move(space));
 }
 

@@ -14,6 +14,7 @@
 #include "rules/judge.h"
 #include "rules/stop_rule.h"
 #include "rules/waiver.h"
+#include "rules/workplace.h"
 
 #include <fmt/chrono.h>
 
@@ -48,6 +49,7 @@ std::optional<LoadedProject> load(const std::string& path, const calc::FileReade
                                   calc::Diagnostics& diagnostics) {
   std::optional<calc::Project> project = calc::load_project(files, path, diagnostics);
   if (!project) return std::nullopt;
+  rules::make_workplace_planes(*project, packs, diagnostics);
   LoadedProject loaded{std::move(*project), {}};
   loaded.requirements = rules::bind_requirements(loaded.project, packs, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -13,6 +13,8 @@
 #include "report/cli/version.h"
 #include "report/number_format.h"
 #include "report/write.h"
+#include "rules/rule_pack.h"
+#include "rules/workplace.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +81,8 @@ bool load(const ConvergeOptions& options, const calc::FileReader& files, Subject
   const double begin_s = calc::now_s();
   std::optional<calc::Project> project = calc::load_project(files, options.project, diagnostics);
   if (!project || diagnostics.has_errors()) return false;
+  rules::make_workplace_planes(*project, rules::builtin_rule_packs(), diagnostics);
+  if (diagnostics.has_errors()) return false;
   subject.project = std::move(*project);
   document.load_s = calc::now_s() - begin_s;
   subject.space = find_chosen_space(subject.project, options.space, diagnostics);

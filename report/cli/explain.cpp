@@ -42,6 +42,10 @@ std::string row_text(const RulePack& pack, const RuleRow& row) {
     text += (&value == &row.values.front() ? "" : ", ") + value_text(pack, value);
   }
   text += "\n";
+  if (row.task_heights_m) {
+    text += fmt::format("    task {:g} to {:g} m above the floor\n", row.task_heights_m->lowest_m,
+                        row.task_heights_m->highest_m);
+  }
   if (!row.note.empty()) text += "    " + row.note + "\n";
   return text;
 }
@@ -86,15 +90,44 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
   return text + "\n";
 }
 
+// What a <workplace> makes of it.
+std::string zone_text(const rules::RulePlane& plane) {
+  std::string text = "; workplaces: ";
+  switch (plane.area) {
+    case rules::ZoneArea::none:
+      return {};
+    case rules::ZoneArea::task:
+      text += "the task area";
+      break;
+    case rules::ZoneArea::band:
+      text += fmt::format("a band of {:g} m around the {}", plane.width_m, plane.around);
+      break;
+    case rules::ZoneArea::task_and_band:
+      text += fmt::format("the task area with {:g} m around it", plane.width_m);
+      break;
+    case rules::ZoneArea::walls:
+      text += "every wall";
+      break;
+    case rules::ZoneArea::ceiling:
+      text += "the ceiling";
+      break;
+  }
+  if (plane.height_m) text += fmt::format(" at {:g} m", *plane.height_m);
+  if (plane.margin_m > 0.0) text += fmt::format(", less {:g} m along walls", plane.margin_m);
+  return text;
+}
+
 std::string plane_text(const rules::RulePlane& plane) {
   std::string text = fmt::format("plane for role {}: {}", plane.role, plane.orientation);
-  if (plane.highest_m > 0.0 || plane.orientation == "horizontal-up") {
+  if (plane.has_heights) {
     text += plane.lowest_m == plane.highest_m
                 ? fmt::format(", {:g} m above the floor", plane.lowest_m)
                 : fmt::format(", {:g} to {:g} m above the floor", plane.lowest_m, plane.highest_m);
   }
+  if (plane.are_heights_usual) text += " usually";
   if (!plane.grid.empty()) text += ", grid " + plane.grid;
   if (!plane.mask.empty()) text += ", mask " + plane.mask;
+  text += zone_text(plane);
   if (!plane.note.empty()) text += " (" + plane.note + ")";
   return text + "\n";
 }
@@ -104,9 +137,17 @@ std::string mask_text(const rules::Mask& mask) {
   for (const rules::MaskOperation& operation : mask.operations) {
     if (operation.step == rules::MaskStep::centre_line) {
       text += " the points along the middle line";
+      if (operation.up_to_width_m > 0.0) {
+        text += fmt::format(", of planes up to {:g} m wide", operation.up_to_width_m);
+      }
       continue;
     }
-    text += operation.step == rules::MaskStep::inset ? " without a strip along all sides of"
+    if (operation.step == rules::MaskStep::walls) {
+      text += fmt::format(" without what is nearer than {:g} m to a wall of the room",
+                          operation.metres);
+      continue;
+    }
+    text += operation.step == rules::MaskStep::inset ? " without a strip along the outline of"
                                                      : " without a strip along the long sides of";
     if (operation.up_to_width_m > 0.0) {
       text += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
@@ -115,6 +156,15 @@ std::string mask_text(const rules::Mask& mask) {
     text += fmt::format(" {:g} m", operation.metres);
   }
   return text + "\n";
+}
+
+std::string grids_text(const RulePack& pack) {
+  std::string text;
+  for (const rules::RuleGrid& grid : pack.grids) {
+    text += fmt::format("grid {}: {}\n", grid.id, grid_text(grid));
+    if (!grid.note.empty()) text += "    " + grid.note + "\n";
+  }
+  return text;
 }
 
 std::string head_text(const RulePack& pack) {
@@ -165,7 +215,7 @@ std::string explain_row(const RulePack& pack, const RuleRow& row) {
       if (check.role == role) text += check_text(pack, check) + limits_text(pack, check, &row);
     }
   }
-  return text + "\n" + sources_text(pack, row.sources);
+  return text + "\n" + grids_text(pack) + sources_text(pack, row.sources);
 }
 
 std::string explain_checks(const RulePack& pack, const std::vector<const RuleCheck*>& checks) {
@@ -238,6 +288,7 @@ std::string show_rule_pack(const RulePack& pack) {
     text += fmt::format("fact {} ({}): {}\n", name.id, name.unit.name, name.meaning);
   }
   for (const rules::RulePlane& plane : pack.planes) text += plane_text(plane);
+  text += grids_text(pack);
   for (const rules::Mask& mask : pack.masks) text += mask_text(mask);
   text += "\n";
   for (const RuleRow& row : pack.rows) text += row_text(pack, row);

@@ -4,6 +4,7 @@
 #include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/bind.h"
+#include "rules/workplace.h"
 
 #include <optional>
 #include <utility>
@@ -21,6 +22,8 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
     grids.push_back(std::move(*grid));
     planes.push_back(&plane);
   }
+  std::vector<std::string> rule_of_grid;
+  for (const calc::SensorGrid& grid : grids) rule_of_grid.push_back(grid.rule);
   std::vector<calc::PlaneTask> tasks;
   for (std::size_t p = 0; p < planes.size(); ++p) tasks.push_back({planes[p]->id, &grids[p]});
 
@@ -30,6 +33,8 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
   result.name = space.name;
   result.triangles = scene.triangle.size();
   result.plan = calc::make_scene_plan(scene, tasks, settings);
+  result.rule_of_grid = std::move(rule_of_grid);
+  result.notes = space.notes;
   for (const calc::SkipDecision& decision : result.plan.skips) {
     if (decision.body) result.obstacle = space.bodies[*decision.body].id;
   }
@@ -44,7 +49,8 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
-  if (const std::optional<calc::Project> project = calc::load_project(files, path, diagnostics)) {
+  if (std::optional<calc::Project> project = calc::load_project(files, path, diagnostics)) {
+    rules::make_workplace_planes(*project, packs, diagnostics);
     rules::bind_requirements(*project, packs, diagnostics);
     plan.name = project->name;
     if (!diagnostics.has_errors()) {

@@ -17,6 +17,8 @@ struct SpacePlan {
   std::string id, name;
   std::size_t triangles = 0;
   calc::ScenePlan plan;
+  std::vector<std::string> rule_of_grid;  // of plan.planes: how its points were chosen
+  std::vector<std::string> notes;         // zones of workplaces that are not made
   std::string obstacle;  // id of the body that keeps the space from being convex; may be empty
 };
 

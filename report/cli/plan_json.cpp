@@ -39,8 +39,11 @@ Json space_json(const SpacePlan& space, const calc::RadiositySettings& settings)
                {"skips", Json::array()},
                {"first_look", prediction_json(space.plan.first_look, settings.first_paths)},
                {"last_look", prediction_json(space.plan.last_look, settings.max_paths)}};
-  for (const calc::PlanePlan& plane : space.plan.planes) {
+  json["notes"] = space.notes;
+  for (std::size_t p = 0; p < space.plan.planes.size(); ++p) {
+    const calc::PlanePlan& plane = space.plan.planes[p];
     json["planes"].push_back({{"id", plane.plane_id},
+                              {"grid", space.rule_of_grid[p]},
                               {"points", plane.points},
                               {"luminaires", plane.luminaires},
                               {"points_with_reflected_light", plane.seeing_points},

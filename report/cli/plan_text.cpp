@@ -101,9 +101,11 @@ std::string space_text(const SpacePlan& space, const calc::RadiositySettings& se
       fmt::format("  {}: {} triangles, {} luminaire{}\n", report::printable(title), space.triangles,
                   space.plan.luminaires, space.plan.luminaires == 1 ? "" : "s");
   if (space.plan.planes.empty()) return text + "    no plane: nothing to calculate\n";
-  for (const calc::PlanePlan& plane : space.plan.planes) {
-    text += plane_line(plane, space.plan.luminaires);
+  for (std::size_t p = 0; p < space.plan.planes.size(); ++p) {
+    text += plane_line(space.plan.planes[p], space.plan.luminaires);
+    text += fmt::format("      grid: {}\n", report::printable(space.rule_of_grid[p]));
   }
+  for (const std::string& note : space.notes) text += "    " + report::printable(note) + "\n";
   text += decisions(space, calc::SkipState::applies, "left out");
   text += decisions(space, calc::SkipState::not_proved, "not left out: no proof");
   text += decisions(space, calc::SkipState::while_calculating, "left out as the calculation finds");

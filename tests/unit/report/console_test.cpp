@@ -39,6 +39,19 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
 )");
 }
 
+TEST(Console, WhatAProjectChangesAboutAZoneAndLeavesOutIsTold) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes[0].made_by = "workplace desk, task: the whole room";
+  EXPECT_THAT(render_text(document), testing::Not(HasSubstr("workplace desk")));
+  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
+  space.notes = {"workplace desk: left out: ceiling (open)"};
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ workplace desk, task: the whole room; changed: height 1.1 m instead of "
+                        "0.75 m\n"));
+  EXPECT_THAT(render_text(document), HasSubstr("└ workplace desk: left out: ceiling (open)\n"));
+}
+
 TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];

@@ -181,8 +181,10 @@ TEST(Html, NoFieldEscapesItsPlace) {
   project.path = project.name = evil;
   for (SpacePart& space : project.spaces) {
     space.id = space.name = evil;
+    space.notes = {evil};
     for (PlanePart& plane : space.planes) {
       plane.id = plane.name = plane.reason = plane.grid.rule = evil;
+      plane.made_by = plane.changed = evil;
       for (calc::DroppedPoint& point : plane.grid.dropped) point.body = evil;
       for (rules::Finding& finding : plane.findings) {
         finding.reason = finding.requirement.scene = finding.requirement.clause = evil;

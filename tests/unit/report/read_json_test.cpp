@@ -42,6 +42,9 @@ Document rich_document() {
   PlanePart& plane = project.spaces[0].planes[0];
   plane.kernel = plane.grid.kernel = calc::ReceiverKernel::hemispherical;
   plane.where = {"school/project.xml", 12, 3};
+  plane.made_by = "workplace desk, EN 12464-1:2021 34.2, task: the whole room";
+  plane.changed = "height 1.1 m instead of 0.75 m";
+  project.spaces[0].notes = {"workplace desk: left out: ceiling (open)", "more"};
   plane.unseen_points = 1;
   plane.single_sample_points = 2;
   plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};

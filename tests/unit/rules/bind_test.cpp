@@ -693,6 +693,40 @@ TEST(BindRequirementsMessage, SharesThatAreNone) {
                                              "'quantity=\"average\"'")));
 }
 
+// A room with its floor at z = 2 m, and one horizontal plane in it.
+Bound bind_at_height(double z_m, const Attributes& attributes) {
+  calc::CalcPlane plane = plane_of("p", {attributes});
+  calc::PlanarArea area;
+  area.origin_m = {0, 0, z_m};
+  area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  plane.area = area;
+  calc::Project project = project_of({plane});
+  project.spaces[0].shell = calc::RoomShell{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, 2.0, 3.0};
+  return bind_project(project);
+}
+
+TEST(BindRequirements, APlaneAtAnotherHeightThanItsRoleIsNotJudged) {
+  const Attributes route{{"pack", "en1838"}, {"scene", "night"}};
+  EXPECT_EQ(bind_at_height(2.2, route).requirements.at(0).problem, "");
+  EXPECT_EQ(bind_at_height(2.24, route).requirements.at(0).problem, "") << "laid on something";
+  EXPECT_EQ(bind_at_height(2.75, route).requirements.at(0).problem,
+            "planes of role 'route' of en1838:2024 are 0 to 0.2 m above the floor, and this one is "
+            "0.75 m");
+}
+
+TEST(BindRequirements, WhereAPackSaysWhatIsUsualAnotherHeightIsARemark) {
+  const Attributes task{{"pack", "en12464-1"}, {"row", "34.2"}};
+  EXPECT_EQ(bind_at_height(2.75, task).requirements.at(0).note, "");
+  const Requirement high = bind_at_height(3.1, task).requirements.at(0);
+  EXPECT_EQ(high.problem, "");
+  EXPECT_EQ(high.note,
+            "planes of role 'task' of en12464-1:2021 are usually 0.72 to 0.85 m above the floor, "
+            "and this one is 1.1 m");
+  // Rows have heights of their own: this one is about a floor.
+  EXPECT_EQ(bind_at_height(2.0, {{"pack", "en12464-1"}, {"row", "9.4"}}).requirements.at(0).note,
+            "");
+}
+
 TEST(BindRequirementsMessage, UnknownRole) {
   EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "

@@ -108,6 +108,37 @@ TEST(Mask, SaysWhenNothingIsLeft) {
   EXPECT_EQ(masked.problem, "mask 'm' leaves none of 16 points");
 }
 
+// The plane is a strip along the wall x = 10 of a room of 10 x 5 m.
+TEST(Mask, WallsAreThoseOfTheRoomNotThePlanesOwnEdges) {
+  calc::SensorGrid grid = grid_of(3, 5, 3, 5);  // from (10, 20); points 0.5 m from its outline
+  const Mask mask = mask_of(MaskStep::walls, 0.6);
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 15u) << "in the open space";
+  grid.room_m = {{3, 20}, {13, 20}, {13, 25}, {3, 25}};
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(3, 4, 6, 7, 9, 10));
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::walls, 0.5), grid).points.size(), 15u) << "on the edge";
+  // A band with a hole is judged, too.
+  grid.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 6u);
+  grid.room_m.clear();
+  grid.has_unknown_walls = true;
+  EXPECT_EQ(apply_mask(mask, grid).problem,
+            "mask 'm' needs to know the walls: the building file has no outline of this room");
+}
+
+TEST(Mask, InsetWorksForEveryOutline) {
+  calc::SensorGrid grid = grid_of(4, 4, 4, 4);
+  // An L: without the corner beyond (2, 2).
+  grid.outline_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  grid.dropped.push_back({{}, 2, 2, calc::DropReason::outside_area, ""});
+  for (const std::size_t point : {15, 14, 11, 10}) {
+    grid.position_m.erase(grid.position_m.begin() + static_cast<std::ptrdiff_t>(point));
+  }
+  // Of the twelve points only (1.5, 1.5) is farther than 0.6 m from every side.
+  EXPECT_THAT(apply_mask(mask_of(MaskStep::inset, 0.6), grid).points, ElementsAre(5));
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 0.6, 0.1, 2.0), grid).problem,
+            "mask 'm' needs a plane that is a rectangle");
+}
+
 TEST(Mask, IsForRectanglesOnly) {
   calc::SensorGrid list = grid_of(4, 4, 4, 4);
   list.columns = list.rows = 0;

@@ -50,6 +50,44 @@ RulePack pack_of(const std::string& xml) {
   return pack.value_or(RulePack{});
 }
 
+TEST(RulePack, GridsAreData) {
+  const RulePack pack = pack_of(pack_with(
+      "<grid id='a' method='formula-power' count='nearest'/>"
+      "<grid id='b' method='formula-power' count='odd-up' factor='0.3' base='4' max-spacing='8' "
+      "ratio='3' trust='unverified'/>"
+      "<grid id='c' method='fixed-spacing' count='up' spacing='3 1.5'/>"
+      "<grid id='d' method='fixed-count' count='given' cells='9 3'/>"
+      "<grid id='e' method='project' count='given'/>" +
+      kParameter + kCheck));
+  ASSERT_EQ(pack.grids.size(), 5u);
+  EXPECT_EQ(grid_text(pack.grids[0]),
+            "p = 0.2 * 5^log10 d m, at most 10 m; d the longer side, the shorter one from a ratio "
+            "of 2 on; counts rounded: nearest");
+  EXPECT_EQ(grid_text(pack.grids[1]),
+            "p = 0.3 * 4^log10 d m, at most 8 m; d the longer side, the shorter one from a ratio "
+            "of 3 on; counts rounded: odd-up [unverified requirement]");
+  EXPECT_EQ(grid_text(pack.grids[2]),
+            "at most 3 m along the longer and 1.5 m along the shorter side");
+  EXPECT_EQ(grid_text(pack.grids[3]), "9 cells along the longer and 3 along the shorter side");
+  EXPECT_EQ(grid_text(pack.grids[4]), "as the project says");
+}
+
+TEST(RulePack, ANumberThatTheMethodOfAGridDoesNotUseIsRefused) {
+  const auto message = [](const std::string& attributes) {
+    return messages_of(pack_with("\n<grid id='a' " + attributes + "/>" + kParameter + kCheck));
+  };
+  EXPECT_THAT(message("method='fixed-spacing' count='up' spacing='3' base='5'"),
+              ElementsAre(HasSubstr("'base' has no meaning together with 'method'")));
+  EXPECT_THAT(message("method='formula-power' count='given'"),
+              ElementsAre(HasSubstr("'count' has no meaning together with 'method'")));
+  EXPECT_THAT(message("method='fixed-spacing' count='nearest' spacing='3'"),
+              ElementsAre(HasSubstr("'count' has no meaning together with 'method'")));
+  EXPECT_THAT(message("method='formula-power' count='up' base='1'"),
+              ElementsAre(HasSubstr("expected a number above 1, up to 100")));
+  EXPECT_THAT(message("method='fixed-count' count='given'"),
+              ElementsAre(HasSubstr("needs the attribute 'cells'")));
+}
+
 TEST(RulePack, ReadsItsHeadSourcesAndPolicy) {
   const RulePack pack = pack_of(
       pack_with("<source id='s' note='signed copy' address='https://example.org'/>"

@@ -46,6 +46,16 @@ TEST(PlanesXml, HeightCoversTheFootprintAndFacesUp) {
   EXPECT_TRUE(std::holds_alternative<GridByRule>(area.grid));
 }
 
+TEST(PlanesXml, TheRoundingOfTheRuleCanBeChosen) {
+  const PlanarArea area = area_in_room("<plane id='p' height='0.75' rounding='up'/>");
+  EXPECT_EQ(std::get<GridByRule>(area.grid).rounding, GridRounding::up);
+  const Loaded loaded =
+      load(in_room("<plane id='p' height='0.75' rounding='up' spacing='0.5'/>"));
+  EXPECT_NE(loaded.messages.find("'rounding' has no meaning together with 'spacing'"),
+            std::string::npos)
+      << loaded.messages;
+}
+
 TEST(PlanesXml, RectangleHasFullSidesAndFacesUCrossV) {
   const PlanarArea area =
       area_in_room("<plane id='p' origin='1 1 1' u='0 2 0' v='0 0 1' count='4 2'/>");

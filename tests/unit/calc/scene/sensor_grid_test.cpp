@@ -60,8 +60,8 @@ std::size_t dropped_for(const SensorGrid& grid, DropReason reason) {
                     [&](const DroppedPoint& point) { return point.reason == reason; }));
 }
 
-void expect_counts(double u_m, double v_m, int columns, int rows) {
-  const GridCounts counts = en12464_grid_counts(u_m, v_m);
+void expect_counts(double u_m, double v_m, int columns, int rows, const GridByRule& rule = {}) {
+  const GridCounts counts = grid_counts(rule, u_m, v_m);
   EXPECT_EQ(counts.columns, columns) << u_m << " x " << v_m;
   EXPECT_EQ(counts.rows, rows) << u_m << " x " << v_m;
 }
@@ -78,6 +78,63 @@ TEST(GridRuleEn12464, CountsOfSquaresFollowTheFormula) {
   expect_counts(25, 25, 13, 13);
   expect_counts(50, 50, 16, 16);
   expect_counts(100, 100, 20, 20);
+}
+
+GridByRule rounding_to(GridRounding rounding) {
+  GridByRule rule;
+  rule.rounding = rounding;
+  return rule;
+}
+
+TEST(GridRuleEn12464, AllNineSizesRoundedUp) {
+  const GridByRule up = rounding_to(GridRounding::up), odd = rounding_to(GridRounding::odd_up);
+  const struct {
+    double d_m;
+    int up, odd_up;
+  } cases[] = {{0.4, 4, 5},  {0.6, 5, 5},   {1, 5, 5},    {2, 7, 7},   {5, 9, 9},
+               {10, 10, 11}, {25, 14, 15},  {50, 17, 17}, {100, 20, 21}};
+  for (const auto& c : cases) {
+    expect_counts(c.d_m, c.d_m, c.up, c.up, up);
+    expect_counts(c.d_m, c.d_m, c.odd_up, c.odd_up, odd);
+  }
+}
+
+// 5 x 4 m: 8.12 x 6.49 cells.
+TEST(GridRuleEn12464, TheRoundingDecidesNextToAHalf) {
+  expect_counts(5, 4, 8, 6);
+  expect_counts(5, 4, 9, 7, rounding_to(GridRounding::up));
+  expect_counts(4, 5, 7, 9, rounding_to(GridRounding::odd_up));
+}
+
+// log10 and pow leave noise: 10 / p = 10 must not become 11.
+TEST(GridRuleEn12464, WholeQuotientsAreNotRoundedUp) {
+  const GridByRule up = rounding_to(GridRounding::up);
+  expect_counts(10.0, 10.0, 10, 10, up);
+  expect_counts(10.0 * (1 + 1e-12), 10.0, 10, 10, up);
+  expect_counts(10.0 * (1 + 1e-6), 10.0, 11, 10, up);  // p grows more slowly than d
+}
+
+TEST(GridRule, TheNumbersAreData) {
+  GridByRule rule;
+  rule.factor_m = 0.5;
+  rule.base = 10.0;
+  rule.max_spacing_m = 3.0;
+  rule.shorter_from_ratio = 4.0;
+  expect_counts(4, 2, 2, 1, rule);    // p = 2 m, d = 4 m although the sides have the ratio 2
+  expect_counts(8, 2, 8, 2, rule);    // p = 1 m, d = 2 m
+  expect_counts(30, 20, 10, 7, rule); // p = 3 m instead of 15 m
+}
+
+TEST(GridRule, WhatIsPrintedLeadsFromTheSidesToTheCounts) {
+  EXPECT_EQ(grid_words({}, 5, 4),
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 5 m, the longer side; p = 0.616 m; 8.12 x 6.49 "
+            "cells, rounded to the nearest number: 8 x 6");
+  EXPECT_EQ(grid_words(rounding_to(GridRounding::up), 3, 6),
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 3 m, the shorter side, as the longer one is at "
+            "least 2 times as long; p = 0.431 m; 6.96 x 13.92 cells, rounded up: 7 x 14");
+  EXPECT_EQ(grid_words(rounding_to(GridRounding::odd_up), 400, 400),
+            "EN 12464-1 (p = 0.2 * 5^log10 d): d = 400 m, the longer side; p = 10 m, the most that "
+            "is allowed; 40.00 x 40.00 cells, rounded up to an odd number: 41 x 41");
 }
 
 TEST(GridRuleEn12464, ASideRatioOfTwoTakesTheShorterSide) {
@@ -115,13 +172,13 @@ TEST(SensorGrid, PointsAreCellCentresInRowOrder) {
 }
 
 TEST(SensorGrid, SpacingIsNeverLargerThanAskedFor) {
-  const Made made = make(plane_of(rectangle(4.1, 2.0), GridBySpacing{1.0, 0.5}));
+  const Made made = make(plane_of(rectangle(4.1, 2.0), GridBySpacing{1.0, 0.5, {}}));
   ASSERT_TRUE(made.grid);
   EXPECT_EQ(made.grid->columns, 5);
   EXPECT_EQ(made.grid->rows, 4);
   EXPECT_EQ(made.grid->rule, "spacing");
   // 0.3 / 0.1 is a little less than 3, 0.6 / 0.2 a little more than it should be.
-  const Made thirds = make(plane_of(rectangle(0.3, 0.6), GridBySpacing{0.1, 0.2}));
+  const Made thirds = make(plane_of(rectangle(0.3, 0.6), GridBySpacing{0.1, 0.2, {}}));
   ASSERT_TRUE(thirds.grid);
   EXPECT_EQ(thirds.grid->columns, 3);
   EXPECT_EQ(thirds.grid->rows, 3);
@@ -134,7 +191,7 @@ TEST(SensorGrid, TheMarginComesOffBeforeTheRuleIsApplied) {
   ASSERT_TRUE(made.grid);
   EXPECT_EQ(made.grid->columns, 14);
   EXPECT_EQ(made.grid->rows, 7);
-  EXPECT_EQ(made.grid->rule, "EN 12464-1 (p = 0.2 * 5^log10 d)");
+  EXPECT_EQ(made.grid->rule, grid_words({}, 6.0, 3.0));
   EXPECT_EQ(made.grid->margin_m, 0.5);
   EXPECT_EQ(made.grid->origin_m, glm::dvec3(0.5, 0.5, 0.75));
   EXPECT_NEAR(made.grid->position_m[0].x, 0.5 + 6.0 / 28.0, 1e-12);
@@ -164,7 +221,7 @@ TEST(SensorGrid, PointsOutsideAConcaveOutlineAreDropped) {
 
 TEST(SensorGrid, TheMarginFollowsAConcaveOutline) {
   CalcPlane plane =
-      plane_of({{0, 0}, {6, 0}, {6, 2}, {3, 2}, {3, 5}, {0, 5}}, GridBySpacing{0.5, 0.5});
+      plane_of({{0, 0}, {6, 0}, {6, 2}, {3, 2}, {3, 5}, {0, 5}}, GridBySpacing{0.5, 0.5, {}});
   area_of(plane).margin_m = 0.5;
   const Made made = make(plane);
   ASSERT_TRUE(made.grid);
@@ -321,8 +378,8 @@ TEST(SensorGrid, MoreThanFourMillionPointsAreAnError) {
       make(plane_of(rectangle(4, 4), GridByCount{2001, 2000})).messages,
       std::vector<std::string>{"project.xml:7:3: error[grid-too-many-points]: plane 'desk' would "
                                "have 2001 x 2000 points; at most 4000000 points are allowed"});
-  EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{1e-300, 1e-300})).grid);
-  EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{0.0, 1.0})).grid);
+  EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{1e-300, 1e-300, {}})).grid);
+  EXPECT_FALSE(make(plane_of(rectangle(4, 4), GridBySpacing{0.0, 1.0, {}})).grid);
   EXPECT_FALSE(make(plane_of(rectangle(1e9, 1e-9), GridByRule{})).grid);
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+// <workplace>: zones of a room by a row of a rule pack. What can be known without the pack is read
+// and checked here.
+
+#include "calc/scene/planes_xml.h"
+#include "calc/scene/project_context.h"
+
+namespace calc {
+
+// All <workplace> of a room into space.workplaces; errors are reported.
+void read_workplaces(ProjectContext& context, const XmlElement& room,
+                     const PlaneSurroundings& surroundings, Space& space);
+
+}  // namespace calc

@@ -1,0 +1,295 @@
+#include "rules/workplace.h"
+
+#include "calc/text.h"
+#include "calc/xml_document.h"
+#include "calc/xml_reader.h"
+#include "rules/limit.h"
+#include "rules/pack_parts.h"
+#include "rules/rule_reference.h"
+#include "rules/zone_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+using calc::Workplace;
+using calc::ZoneText;
+
+// The element again, for what only a pack can tell.
+calc::XmlElement element_of(const Workplace& workplace) {
+  calc::XmlElement element;
+  element.name = "workplace";
+  element.where = workplace.where;
+  for (const calc::RequirementText::Attribute& attribute : workplace.rule) {
+    element.attributes.push_back({attribute.name, attribute.value, attribute.where});
+  }
+  return element;
+}
+
+// Line of every plane of the project.
+using PlaneIds = std::map<std::string, int, std::less<>>;
+
+class WorkplaceMaker {
+ public:
+  WorkplaceMaker(const RulePack& pack, const RuleRow& row, LimitScope scope,
+                 const Workplace& workplace, calc::Space& space, calc::Diagnostics& diagnostics)
+      : pack_(pack),
+        row_(row),
+        scope_(std::move(scope)),
+        workplace_(workplace),
+        space_(space),
+        diagnostics_(diagnostics) {}
+
+  // Nothing is added after an error.
+  void run(PlaneIds& ids) {
+    const std::size_t errors = diagnostics_.error_count();
+    check_zone_names();
+    if (diagnostics_.error_count() > errors) return;
+    for (const std::string& role : pack_.roles()) add_role(role);
+    if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
+      diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
+                          fmt::format(", for row '{}' or any other", row_.ref));
+    }
+    for (const calc::CalcPlane& plane : planes_) {
+      const auto [first, is_new] = ids.try_emplace(plane.id, plane.where.line);
+      if (is_new) continue;
+      diagnostics_.report(DiagnosticId::duplicate_id, workplace_.where, "plane", plane.id,
+                          first->second);
+    }
+    if (diagnostics_.error_count() > errors) return;
+    for (calc::CalcPlane& plane : planes_) space_.planes.push_back(std::move(plane));
+    if (const std::string note = note_words(); !note.empty()) space_.notes.push_back(note);
+  }
+
+ private:
+  static bool has_area(const RulePlane& plane) { return plane.area != ZoneArea::none; }
+
+  void check_zone_names() {
+    std::vector<std::string> allowed;
+    for (const std::string& role : pack_.roles()) {
+      const RulePlane* plane = pack_.find_plane(role);
+      if (plane == nullptr || !has_area(*plane)) continue;
+      if (!find_quantity(role)->kernel) continue;
+      allowed.push_back(role);
+      for (std::size_t i = 1; i <= parts_of(role, *plane); ++i) {
+        allowed.push_back(fmt::format("{}.{}", role, i));
+      }
+    }
+    for (const ZoneText& zone : workplace_.zones) {
+      if (std::find(allowed.begin(), allowed.end(), zone.role) == allowed.end()) {
+        report_unknown_name(diagnostics_, zone.role_where, "role",
+                            zone.is_left_out ? "without" : "zone", "zone", zone.role,
+                            calc::Names(allowed.begin(), allowed.end()));
+      } else {
+        check_fit(zone);
+      }
+    }
+  }
+
+  // Surfaces of the room are where they are.
+  void check_fit(const ZoneText& zone) {
+    const RulePlane* plane = pack_.find_plane(zone.role);
+    if (plane == nullptr) plane = pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
+    const bool is_surface = plane != nullptr && (plane->area == ZoneArea::walls ||
+                                                 plane->area == ZoneArea::ceiling);
+    const auto refuse = [&](const char* what, std::string_view beside) {
+      diagnostics_.report(DiagnosticId::attribute_without_meaning, zone.where, "zone", what,
+                          fmt::format("role=\"{}\"{}", zone.role, beside));
+    };
+    if (is_surface && zone.height_m) refuse("height", "");
+    if (is_surface && !zone.area_m.empty()) refuse("footprint' or 'size", "");
+    if (plane == nullptr || plane->area != ZoneArea::task) return;
+    if (zone.height_m && workplace_.height_m) refuse("height", " and 'height' of <workplace>");
+    if (!zone.area_m.empty()) refuse("footprint' or 'size", ": give the area to <workplace>");
+  }
+
+  const Quantity* find_quantity(const std::string& role) const {
+    const auto is_of_role = [&](const RuleCheck& check) { return check.role == role; };
+    return std::find_if(pack_.checks.begin(), pack_.checks.end(), is_of_role)->quantity;
+  }
+
+  const ZoneText* find_zone(std::string_view role) const {
+    const auto found = std::find_if(workplace_.zones.begin(), workplace_.zones.end(),
+                                    [&](const ZoneText& zone) { return zone.role == role; });
+    return found == workplace_.zones.end() ? nullptr : &*found;
+  }
+
+  void leave_out(std::vector<std::string>& list, const std::string& role,
+                 const std::string& because) {
+    list.push_back(fmt::format("{} ({})", role, because));
+  }
+
+  // Why there is no plane of a role, whatever the room; "" = there is.
+  std::string reason_against(const std::string& role, const RulePlane* plane) const {
+    const RuleCheck* first = nullptr;
+    bool is_wanted = false, has_row_check = false;
+    for (const RuleCheck& check : pack_.checks) {
+      if (check.role != role) continue;
+      if (first == nullptr) first = &check;
+      // Of a ceiling without a value in the row a uniformity is not required either.
+      const bool hangs_on_row = needs_row(check, pack_);
+      const bool is_required =
+          evaluate_limit(check, scope_).status != LimitStatus::not_applicable;
+      if (hangs_on_row && !has_row_check) is_wanted = false;
+      if (hangs_on_row || !has_row_check) is_wanted = is_wanted || is_required;
+      has_row_check = has_row_check || hangs_on_row;
+    }
+    if (!first->quantity->kernel) {
+      return fmt::format("{} is not measured on planes", first->quantity->name);
+    }
+    if (plane == nullptr || !has_area(*plane)) return "the pack says no place for it";
+    if (!is_wanted) return fmt::format("row {} specifies nothing", row_.ref);
+    return {};
+  }
+
+  calc::ReceiverKernel kernel_of(const std::string& role) const {
+    return *find_quantity(role)->kernel;
+  }
+
+  // Its points look somewhere: along the room's first wall and across it, to and fro.
+  bool looks_around(const std::string& role) const {
+    return kernel_of(role) == calc::ReceiverKernel::semicylindrical;
+  }
+
+  glm::dvec3 direction(std::size_t index) const {
+    const glm::dvec3 along = workplace_.walls.at(0).u;
+    const glm::dvec3 across(-along.y, along.x, 0.0);
+    const glm::dvec3 look = index % 2 == 0 ? along : across;
+    return index < 2 ? look : -look;
+  }
+
+  // Planes "role.1" ... of it, for each wall or direction; 0: one plane, "role".
+  std::size_t parts_of(const std::string& role, const RulePlane& plane) const {
+    if (plane.area == ZoneArea::walls) return workplace_.walls.size();
+    return looks_around(role) ? 4 : 0;
+  }
+
+  void add_role(const std::string& role) {
+    const RulePlane* plane = pack_.find_plane(role);
+    if (const std::string reason = reason_against(role, plane); !reason.empty()) {
+      return leave_out(not_made_, role, reason);
+    }
+    const std::size_t parts = parts_of(role, *plane);
+    if (parts == 0) add_plane(role, *plane, find_zone(role), std::nullopt);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const std::string name = fmt::format("{}.{}", role, i + 1);
+      const ZoneText* one = find_zone(name);
+      add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
+    }
+  }
+
+  void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
+                 std::optional<std::size_t> part) {
+    if (zone != nullptr && zone->is_left_out) return leave_out(left_out_, name, zone->because);
+    const auto wall = rule.area == ZoneArea::walls ? part : std::nullopt;
+    ZonePlane made = make_zone_plane({pack_, row_, workplace_, space_}, rule, zone, wall);
+    if (!made.not_made.empty()) return leave_out(not_made_, name, made.not_made);
+    if (!made.problem.empty()) {
+      const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;
+      diagnostics_.report(made.is_simple ? DiagnosticId::zone_vanishes
+                                         : DiagnosticId::zone_not_simple,
+                          where, workplace_.id, name, made.problem, name, name);
+      return;
+    }
+    calc::CalcPlane& plane = planes_.emplace_back();
+    plane.id = fmt::format("{}.{}", workplace_.id, name);
+    const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
+    plane.name = fmt::format("{}: {}", title,
+                             part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
+    plane.where = workplace_.where;
+    plane.area = std::move(made.area);
+    plane.kernel = kernel_of(rule.role);
+    if (looks_around(rule.role)) {
+      plane.direction = direction(*part);
+      made.words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
+                                plane.direction.y + 0.0);
+    }
+    plane.made_by = fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name,
+                                made.words);
+    plane.changed = std::move(made.changed);
+    calc::RequirementText& requirement = plane.requirements.emplace_back();
+    requirement.where = workplace_.where;
+    requirement.attributes = workplace_.rule;
+    requirement.attributes.push_back({"role", rule.role, workplace_.where});
+  }
+
+  std::string rule_words() const {
+    return fmt::format("{}:{} {}", pack_.title, pack_.edition, row_.ref);
+  }
+
+  std::string note_words() const {
+    if (left_out_.empty() && not_made_.empty()) return {};
+    const auto joined = [](const std::vector<std::string>& list) {
+      return fmt::format("{}", fmt::join(list, ", "));
+    };
+    std::string text = fmt::format("workplace {}, {}: ", workplace_.id, rule_words());
+    if (!left_out_.empty()) text += "left out: " + joined(left_out_);
+    if (!left_out_.empty() && !not_made_.empty()) text += "; ";
+    if (!not_made_.empty()) text += "not made: " + joined(not_made_);
+    return text;
+  }
+
+  const RulePack& pack_;
+  const RuleRow& row_;
+  LimitScope scope_;
+  const Workplace& workplace_;
+  calc::Space& space_;
+  calc::Diagnostics& diagnostics_;
+  std::vector<calc::CalcPlane> planes_;
+  std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
+};
+
+// Once here, not once for every plane.
+void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
+  if (!reader.has("scene")) return;
+  const std::string scene = reader.text("scene");
+  calc::Names names;
+  for (const calc::LightScene& candidate : scenes) names.emplace_back(candidate.id);
+  if (scene.empty() || std::find(names.begin(), names.end(), scene) != names.end()) return;
+  report_unknown_name(reader.diagnostics(), reader.where("scene"), "scene", "workplace", "scene",
+                      scene, names);
+}
+
+void make_planes(const Workplace& workplace, calc::Space& space,
+                 const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
+                 PlaneIds& ids, calc::Diagnostics& diagnostics) {
+  const calc::XmlElement element = element_of(workplace);
+  ElementReader reader(element, diagnostics);
+  check_scene(reader, scenes);
+  const RulePack* pack = find_pack(reader, packs);
+  if (pack == nullptr) return;
+  const RuleRow* row = find_row(reader, *pack);
+  if (row == nullptr) return;
+  const RowLevel level = read_level(reader, *pack, row);
+  std::map<std::string, double> facts = read_facts(reader, *pack);
+  if (!reader.ok()) return;
+  WorkplaceMaker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space, diagnostics)
+      .run(ids);
+}
+
+}  // namespace
+
+void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& packs,
+                           calc::Diagnostics& diagnostics) {
+  PlaneIds ids;
+  for (const calc::Space& space : project.spaces) {
+    for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
+  }
+  for (calc::Space& space : project.spaces) {
+    for (const Workplace& workplace : space.workplaces) {
+      make_planes(workplace, space, project.scenes, packs, ids, diagnostics);
+    }
+  }
+}
+
+}  // namespace rules

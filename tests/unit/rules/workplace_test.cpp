@@ -1,0 +1,374 @@
+#include "rules/workplace.h"
+
+#include "calc/scene/polygon.h"
+#include "calc/scene/project_xml.h"
+#include "calc/scene/sensor_grid.h"
+#include "calc/scene/zone_shapes.h"
+#include "rules/bind.h"
+#include "rules/mask.h"
+#include "tests/support/memory_file_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kIes =
+    "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\nTILT=NONE\n"
+    "1 1000 1 2 1 1 2 0 0 0\n1 1 12\n0 90\n0\n100 0\n";
+
+struct Made {
+  calc::Project project;
+  std::vector<Requirement> requirements;
+  std::vector<std::string> messages;
+
+  const calc::Space& space() const { return project.spaces.at(0); }
+  std::vector<std::string> ids() const {
+    std::vector<std::string> ids;
+    for (const calc::CalcPlane& plane : space().planes) ids.push_back(plane.id);
+    return ids;
+  }
+  const calc::CalcPlane& plane(const std::string& id) const {
+    for (const calc::CalcPlane& plane : space().planes) {
+      if (plane.id == id) return plane;
+    }
+    ADD_FAILURE() << "no plane " << id << ": " << testing::PrintToString(messages);
+    static const calc::CalcPlane none;
+    return none;
+  }
+  const calc::PlanarArea& area(const std::string& id) const {
+    return std::get<calc::PlanarArea>(plane(id).area);
+  }
+  calc::SensorGrid grid(const std::string& id) const {
+    calc::Diagnostics diagnostics;
+    const auto grid = calc::make_sensor_grid(plane(id), space(), diagnostics);
+    EXPECT_THAT(diagnostics.all(), IsEmpty()) << id;
+    return grid.value_or(calc::SensorGrid{});
+  }
+  double area_m2(const std::string& id) const {
+    return calc::area_left(area(id).outline_m, area(id).holes_m);
+  }
+  double height_m(const std::string& id) const {
+    return area(id).origin_m.z - space().shell->floor_z_m;
+  }
+};
+
+// `lines` from line 5 on, in a room of 12 x 8 x 2.8 m whose corner is at (10, 20, 1), or with this
+// shape.
+Made make(const std::string& lines, const std::string& shape = "size='12 8 2.8'",
+          const std::vector<RulePack>& packs = builtin_rule_packs()) {
+  const std::string xml =
+      "<luxgate version='1'>\n<material id='white' reflectance='0.7'/><luminaire-type id='spot' "
+      "photometry='spot.ies'/>\n<scene id='night'/>\n<room id='r' origin='10 20 1' " +
+      shape + " ceiling='white' walls='white' floor='white'>\n" + lines +
+      "\n<luminaire id='l' type='spot' position='1 1 2.5'/></room></luxgate>";
+  calc::Diagnostics diagnostics;
+  Made made;
+  auto project = calc::load_project(
+      calc::MemoryFileReader({{"p.xml", xml}, {"spot.ies", kIes}}), "p.xml", diagnostics);
+  if (project) {
+    make_workplace_planes(*project, packs, diagnostics);
+    made.requirements = bind_requirements(*project, packs, diagnostics);
+    made.project = std::move(*project);
+  }
+  for (const auto& d : diagnostics.all()) made.messages.push_back(format_diagnostic(d));
+  return made;
+}
+
+std::string workplace(const std::string& attributes, const std::string& children = "") {
+  return "<workplace id='w' pack='en12464-1:2021' row='34.2' " + attributes + ">" + children +
+         "</workplace>";
+}
+
+const std::string kDesk = "origin='4 3' size='2 1.5'";  // 0.5 m and more from every wall
+
+std::vector<double> limits_of(const Made& made, const std::string& plane) {
+  std::vector<double> limits;
+  for (const Requirement& r : requirements_of_plane(made.requirements, plane)) {
+    EXPECT_EQ(r.problem, "") << plane;
+    EXPECT_EQ(r.note, "") << plane;
+    limits.push_back(r.limit);
+  }
+  return limits;
+}
+
+TEST(Workplace, AGivenTaskHasAllZonesWithTheRowsLimits) {
+  const Made made = make(workplace(kDesk));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                                      "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder"));
+  EXPECT_THAT(limits_of(made, "w.task"), ElementsAre(500, 0.6));
+  EXPECT_THAT(limits_of(made, "w.surround"), ElementsAre(300, 0.4));
+  EXPECT_THAT(limits_of(made, "w.background"), ElementsAre(100, 0.1));
+  EXPECT_THAT(limits_of(made, "w.wall.3"), ElementsAre(150, 0.1));
+  EXPECT_THAT(limits_of(made, "w.ceiling"), ElementsAre(100, 0.1));
+  EXPECT_THAT(limits_of(made, "w.cylinder"), ElementsAre(150, 0.1));
+  EXPECT_EQ(made.plane("w.cylinder").kernel, calc::ReceiverKernel::cylindrical);
+  EXPECT_EQ(made.plane("w.wall.2").name, "w: wall 2");
+}
+
+TEST(Workplace, ZonesAreWhereTheStandardWantsThem) {
+  const Made made = make(workplace(kDesk));
+  EXPECT_NEAR(made.area_m2("w.task"), 3.0, 1e-9);
+  EXPECT_NEAR(made.area_m2("w.surround"), 3.0 * 2.5 - 3.0, 1e-9);
+  // 3 m around the surround, but 0.5 m from the walls: x 0.5 to 9.5, y 0.5 to 7.5.
+  EXPECT_NEAR(made.area_m2("w.background"), 9.0 * 7.0 - 7.5, 1e-9);
+  EXPECT_NEAR(made.area_m2("w.cylinder"), 7.5, 1e-9);
+  EXPECT_DOUBLE_EQ(made.height_m("w.task"), 0.75);
+  EXPECT_DOUBLE_EQ(made.height_m("w.surround"), 0.75);
+  EXPECT_DOUBLE_EQ(made.height_m("w.background"), 0.0);
+  EXPECT_NEAR(made.height_m("w.cylinder"), 1.2, 1e-12);
+  EXPECT_EQ(made.area("w.wall.1").margin_m, 0.5);
+  EXPECT_EQ(made.area("w.ceiling").margin_m, 0.5);
+  EXPECT_EQ(made.area("w.task").margin_m, 0.0);
+  EXPECT_EQ(made.area("w.ceiling").normal().z, -1.0);
+  EXPECT_EQ(made.plane("w.surround").made_by,
+            "workplace w, EN 12464-1:2021 34.2, surround: band of 0.5 m around the task, without "
+            "0.5 m along the walls, 0.75 m above the floor");
+  EXPECT_EQ(made.plane("w.surround").changed, "");
+}
+
+TEST(Workplace, EveryZoneHasPointsThatItsMaskCounts) {
+  const Made made = make(workplace(kDesk));
+  for (const calc::CalcPlane& plane : made.space().planes) {
+    const calc::SensorGrid grid = made.grid(plane.id);
+    EXPECT_GE(grid.position_m.size(), 8u) << plane.id;
+    EXPECT_THAT(grid.rule, HasSubstr("EN 12464-1:2021 [one public source] (p = 0.2 * 5^log10 d)"));
+    for (const Requirement& r : requirements_of_plane(made.requirements, plane.id)) {
+      const MaskedPoints masked = apply_mask(r.mask, grid);
+      EXPECT_EQ(masked.problem, "") << plane.id;
+      EXPECT_EQ(masked.points.size(), grid.position_m.size()) << plane.id;
+    }
+  }
+  // All round the task, on all four sides.
+  const calc::SensorGrid band = made.grid("w.surround");
+  const auto has = [&](const auto& is_there) {
+    return std::any_of(band.position_m.begin(), band.position_m.end(), is_there);
+  };
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.x < 14; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.x > 16; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.y < 23; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.y > 24.5; }));
+}
+
+// The cells of the formula would be 0.9 m: some sides of the band would stay empty.
+TEST(Workplace, CellsOfABandAreNoLargerThanTheBandIsWide) {
+  const Made made = make(workplace("origin='1.5 1.5' size='9 5'"));
+  const calc::SensorGrid grid = made.grid("w.surround");
+  EXPECT_LE(grid.spacing_u_m, 0.5 + 1e-9);
+  EXPECT_THAT(grid.rule, HasSubstr("p = 0.5 m, the most that is allowed"));
+}
+
+TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
+  const Made made = make(workplace(""));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                                      "w.ceiling", "w.cylinder"));
+  EXPECT_EQ(made.area("w.task").margin_m, 0.5);
+  EXPECT_NEAR(made.area_m2("w.task"), 96.0, 1e-9);
+  EXPECT_EQ(made.area("w.cylinder").margin_m, 0.5);
+  ASSERT_EQ(made.space().notes.size(), 1u);
+  EXPECT_EQ(made.space().notes[0],
+            "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
+            "background (the task is the whole room), modelling (modelling is not measured on "
+            "planes), observer (UGR is not measured on planes), lamp (Ra is not measured on "
+            "planes)");
+}
+
+TEST(Workplace, WhereTheTaskReachesIntoTheWallZoneItsSurroundGoesToTheWall) {
+  const Made made = make(workplace("origin='0.3 3' size='2 1'"));
+  // x 0 to 2.8, y 2.5 to 4.5, less the task.
+  EXPECT_NEAR(made.area_m2("w.surround"), 2.8 * 2 - 2, 1e-9);
+  EXPECT_THAT(made.plane("w.surround").made_by, HasSubstr("up to the walls"));
+  // 0.5 to 5.8 and 0.5 to 7.5, less what is inside (from 0.5 on).
+  EXPECT_NEAR(made.area_m2("w.background"), 5.3 * 7 - 2.3 * 2, 1e-9);
+}
+
+TEST(Workplace, AConcaveRoomCutsItsZones) {
+  const Made made = make(workplace("origin='3.5 1' size='2 2'"),
+                         "footprint='0 0  8 0  8 4  4 4  4 8  0 8' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_NEAR(made.area_m2("w.surround"), 9 - 4, 1e-9);  // x 3 to 6, y 0.5 to 3.5
+  // x 0.5 to 7.5, y 0.5 to 6.5, without what is beyond (3.5, 3.5).
+  EXPECT_NEAR(made.area_m2("w.background"), 7 * 6 - 4 * 3 - 9, 1e-9);
+  for (const glm::dvec3& point : made.grid("w.background").position_m) {
+    EXPECT_GE(calc::distance_to_boundary(made.space().shell->footprint_m, glm::dvec2(point)),
+              0.5 - 1e-9);
+  }
+  EXPECT_GT(made.grid("w.ceiling").position_m.size(), 20u);
+  EXPECT_EQ(apply_mask(requirements_of_plane(made.requirements, "w.ceiling").at(0).mask,
+                       made.grid("w.ceiling"))
+                .problem,
+            "");
+}
+
+TEST(Workplace, RolesForWhichTheRowHasNothingAreNotMade) {
+  const Made made = make("<workplace id='w' pack='en12464-1:2021' row='14.1'/>");
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                                      "w.cylinder"));
+  EXPECT_THAT(made.space().notes.at(0), HasSubstr("ceiling (row 14.1 specifies nothing)"));
+}
+
+TEST(Workplace, SomeRowsAreAboutFloors) {
+  const Made made = make("<workplace id='w' pack='en12464-1:2021' row='9.4' " + kDesk + "/>");
+  EXPECT_EQ(made.height_m("w.task"), 0.0);
+  EXPECT_EQ(made.height_m("w.surround"), 0.0);
+  EXPECT_EQ(made.plane("w.task").changed, "");
+}
+
+TEST(Workplace, ANarrowWallIsNotMade) {
+  const Made made = make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");
+  EXPECT_THAT(made.space().notes.at(0),
+              HasSubstr("wall.3 (0.8 m wide, and 0.5 m along its edges do not count)"));
+}
+
+TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
+  const Made made = make(
+      workplace(kDesk + " height='1.1' level='modified' name='Bench'",
+                "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
+                "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
+                "<zone role='surround' rounding='up'/>"
+                "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
+                "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                                      "w.wall.4", "w.cylinder"));
+  EXPECT_EQ(made.plane("w.task").name, "Bench: task");
+  EXPECT_EQ(made.plane("w.task").changed, "height 1.1 m instead of 0.75 m");
+  EXPECT_NEAR(made.height_m("w.surround"), 1.1, 1e-12) << "at the task's height";
+  EXPECT_EQ(made.plane("w.surround").changed, "another rounding of the grid");
+  EXPECT_THAT(made.grid("w.surround").rule, HasSubstr("rounded up"));
+  EXPECT_NEAR(made.height_m("w.cylinder"), 1.6, 1e-12);
+  EXPECT_EQ(made.plane("w.cylinder").changed,
+            "height 1.6 m instead of 1.2 m, margin 0 m instead of 0.5 m (standing)");
+  EXPECT_NEAR(made.area_m2("w.background"), 96 - 7.5, 1e-9);
+  EXPECT_EQ(made.plane("w.background").changed,
+            "an area of the project's own, a grid of the project's own");
+  EXPECT_EQ(made.grid("w.background").rule, "spacing");
+  EXPECT_EQ(made.area("w.wall.1").margin_m, 0.3);
+  EXPECT_EQ(made.area("w.wall.2").margin_m, 0.1);
+  EXPECT_THAT(made.space().notes.at(0), HasSubstr("left out: wall.3 (glass), ceiling (open); not"));
+  EXPECT_EQ(requirements_of_plane(made.requirements, "w.task").at(0).limit, 1000);
+}
+
+TEST(Workplace, GridsOfAPackAreUsed) {
+  calc::Diagnostics diagnostics;
+  const auto pack = parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='company' status='published' "
+      "licence='internal' role='place'><parameter id='E' unit='lx' meaning='m'/>"
+      "<grid id='g' method='fixed-spacing' count='up' spacing='2 1'/>"
+      "<plane role='place' orientation='horizontal-up' grid='g' area='task' height='0'/>"
+      "<row ref='a' name='a' trust='confirmed'><value of='E' required='10'/></row>"
+      "<check id='c' role='place' quantity='planar' statistic='average' at-least='row(E)'/>"
+      "</rule-pack>",
+      "own.xml", diagnostics);
+  ASSERT_TRUE(pack);
+  const Made made = make("<workplace id='w' pack='own' row='a' origin='0 0' size='4 6'/>",
+                         "size='12 8 2.8'", {*pack});
+  const calc::SensorGrid grid = made.grid("w.place");
+  EXPECT_EQ(grid.columns, 4) << "1 m along the shorter side";
+  EXPECT_EQ(grid.rows, 3);
+  EXPECT_EQ(grid.rule, "Own:1: at most 1 x 2 m");
+}
+
+// What looks somewhere looks along the room's axes.
+TEST(Workplace, PointsThatLookAroundHaveAPlaneForEachDirection) {
+  calc::Diagnostics diagnostics;
+  const auto pack = parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='company' status='published' "
+      "licence='internal' role='face'><parameter id='E' unit='lx' meaning='m'/>"
+      "<plane role='face' orientation='free' area='task-and-band' width='0' height='1.2'/>"
+      "<row ref='a' name='a' trust='confirmed'><value of='E' required='10'/></row>"
+      "<check id='c' role='face' quantity='semicylindrical' statistic='minimum' "
+      "at-least='row(E)'/></rule-pack>",
+      "own.xml", diagnostics);
+  ASSERT_TRUE(pack);
+  const Made made = make(
+      "<workplace id='w' pack='own' row='a' origin='2 2' size='4 3'><without role='face.4' "
+      "because='nobody'/></workplace>",
+      "size='12 8 2.8'", {*pack});
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.face.1", "w.face.2", "w.face.3"));
+  const glm::dvec3 first = made.plane("w.face.1").direction;
+  EXPECT_NEAR(std::abs(first.x), 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(made.plane("w.face.2").direction.y), 1.0, 1e-12);
+  EXPECT_NEAR(glm::dot(first, made.plane("w.face.3").direction), -1.0, 1e-12);
+  EXPECT_NEAR(made.area_m2("w.face.2"), 12.0, 1e-9);
+  EXPECT_THAT(made.plane("w.face.1").made_by, HasSubstr(", looking to ("));
+  EXPECT_EQ(requirements_of_plane(made.requirements, "w.face.3").at(0).problem, "");
+}
+
+TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {
+  EXPECT_THAT(make("<workplace id='w' pack='en' row='1'/>").messages,
+              ElementsAre(HasSubstr("p.xml:5:19: error[unknown-reference]: attribute 'pack' of "
+                                    "<workplace>: there is no rule pack 'en'; allowed: ")));
+  EXPECT_THAT(make("<workplace id='w' pack='en12464-1' row='34.9'/>").messages,
+              ElementsAre(HasSubstr("p.xml:5:36: error[unknown-reference]: attribute 'row' of "
+                                    "<workplace>: there is no row '34.9'; allowed: 9.4, ")));
+  EXPECT_THAT(make(workplace("scene='day'")).messages,
+              ElementsAre(HasSubstr("there is no scene 'day'; allowed: night")));
+  EXPECT_THAT(
+      make(workplace("", "<without role='sealing' because='x'/>")).messages,
+      ElementsAre(HasSubstr("attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
+                            "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
+                            "ceiling or cylinder; did you mean 'ceiling'?")));
+  EXPECT_THAT(make(workplace("", "<zone role='wall.5' margin='0'/>")).messages,
+              ElementsAre(HasSubstr("there is no zone 'wall.5'")));
+}
+
+TEST(WorkplaceMessage, ABandThatVanishes) {
+  // From wall zone to wall zone.
+  EXPECT_THAT(
+      make(workplace("origin='0.5 0.5' size='11 7'")).messages,
+      ElementsAre(HasSubstr("p.xml:5:1: error[zone-vanishes]: workplace 'w': nothing is left of "
+                            "the zone 'surround' (band of 0.5 m around the task, without 0.5 m "
+                            "along the walls)")));
+  const Made left_out = make(workplace("origin='0.5 0.5' size='11 7'",
+                                       "<without role='surround' because='none'/>"));
+  EXPECT_THAT(left_out.messages, IsEmpty());
+  EXPECT_THAT(left_out.space().notes.at(0),
+              HasSubstr("background (nothing of the room is left around the surround)"));
+}
+
+TEST(WorkplaceMessage, AMarginThatLeavesNothingOfTheRoom) {
+  EXPECT_THAT(make(workplace("", "<zone role='task' margin='4'/>")).messages,
+              ElementsAre(HasSubstr("nothing is left of the zone 'task' (the room is 8 m wide, and "
+                                    "4 m along its walls do not count)")));
+}
+
+TEST(WorkplaceMessage, AZoneAboveTheCeiling) {
+  EXPECT_THAT(make(workplace(""), "size='12 8 1.1'").messages,
+              testing::Contains(
+                  HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
+}
+
+TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {
+  EXPECT_THAT(make(workplace("", "<zone role='wall.1' height='1'/>")).messages,
+              ElementsAre(HasSubstr("<zone>: 'height' has no meaning together with "
+                                    "'role=\"wall.1\"'")));
+}
+
+TEST(WorkplaceMessage, AnIdThatIsTaken) {
+  EXPECT_THAT(make("<plane id='w.task' height='1'/>\n" + workplace(kDesk)).messages,
+              ElementsAre(HasSubstr("p.xml:6:1: error[duplicate-id]: the plane 'w.task' is given "
+                                    "twice, also in line 5")));
+}
+
+TEST(WorkplaceMessage, APackThatMakesNoWorkplaces) {
+  EXPECT_THAT(make("<workplace id='w' pack='en12464-2' row='5.1-walkways'/>").messages,
+              ElementsAre(HasSubstr("rule pack 'en12464-2:2014' does not say where the planes of a "
+                                    "workplace are, for row '5.1-walkways' or any other; give every <plane> with its <require>")));
+}
+
+}  // namespace
+}  // namespace rules
