@@ -168,12 +168,16 @@ bool wants_pictures(const Options& options) {
          std::any_of(options.formats.begin(), options.formats.end(), is_html);
 }
 
-PictureMaker::PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on)
-    : options_(options), fault_(fault), go_on_(std::move(go_on)) {}
+PictureMaker::PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on,
+                           std::string program_folder)
+    : options_(options),
+      fault_(fault),
+      go_on_(std::move(go_on)),
+      program_folder_(std::move(program_folder)) {}
 
 std::string PictureMaker::open_device() {
   if (!device_ && problem_.empty()) {
-    device_ = gpu::DeviceThread::open({options_.gl_device, fault_}, problem_);
+    device_ = gpu::DeviceThread::open({options_.gl_device, fault_, program_folder_}, problem_);
   }
   return device_ ? "" : problem_;
 }

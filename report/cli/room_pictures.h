@@ -23,8 +23,9 @@ bool wants_pictures(const Options& options);
 // why (RoomPictures::problem), and is a room like any other otherwise.
 class PictureMaker {
  public:
-  // go_on: false stops the light on surfaces.
-  PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on);
+  // go_on: false stops the light on surfaces. program_folder: see Environment.
+  PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on,
+               std::string program_folder = "");
 
   void add_pictures(const std::string& project_path, const calc::Space& space,
                     const calc::PreparedScene& scene, report::SpacePart& part);
@@ -37,6 +38,7 @@ class PictureMaker {
   const Options& options_;
   gpu::Fault fault_;
   std::function<bool()> go_on_;
+  std::string program_folder_;
   std::shared_ptr<gpu::DeviceThread> device_;
   std::string problem_;
   int rooms_ = 0;

@@ -214,7 +214,10 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
   std::string cost_log = options.explain_cost ? backend_line(backend) : "";
   const calc::Stages stages = opened->stages();
   std::optional<PictureMaker> pictures;
-  if (wants_pictures(options)) pictures.emplace(options, fault, [] { return !interrupted(); });
+  if (wants_pictures(options)) {
+    pictures.emplace(
+        options, fault, [] { return !interrupted(); }, environment.program_folder);
+  }
   const CheckContext context{options,
                              files,
                              *packs,
@@ -373,7 +376,8 @@ ExitCode run(const Options& options, const Environment& environment) {
     case Command::validate:
       return run_validate(options);
     case Command::vpl:
-      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader(), environment, *fault), false);
+      return print_outcome(run_vpl(options.vpl, calc::DiskFileReader(), environment, *fault),
+                           false);
     case Command::converge:
       watch_for_interrupt();
       return print_outcome(

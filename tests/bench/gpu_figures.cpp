@@ -102,7 +102,11 @@ Outcome run(const BenchScene& scene, const Worker& worker, double target, std::u
   outcome.seconds = calc::now_s() - begin_s;
   const calc::PlaneField& field = solution.fields.front();
   if (!field.problem.empty()) {
-    throw std::runtime_error(fmt::format("{}, {}: {}", scene.name, worker.name, field.problem));
+    if (outcome.seconds < limit_s) {
+      throw std::runtime_error(fmt::format("{}, {}: {}", scene.name, worker.name, field.problem));
+    }
+    outcome.is_late = true;  // before its first look was over
+    return outcome;
   }
   add_errors(field, outcome);
   outcome.is_late =
@@ -166,6 +170,7 @@ struct Cell {
 std::string seconds_of(const std::optional<Outcome>& o) {
   if (!o) return "skipped";
   if (!o->is_late) return fmt::format("{:.3g}", o->seconds);
+  if (!(o->error > 0.0)) return fmt::format("> {:.3g} (no result)", o->seconds);
   return fmt::format("> {:.3g} (to {} %)", o->seconds, percent(o->error));
 }
 
