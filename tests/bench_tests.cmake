@@ -16,6 +16,7 @@ add_executable(bench_core
   bench/path_tracing.cpp
   bench/photometry.cpp
   bench/project_file.cpp
+  bench/ratios.cpp
   bench/ray_limit.cpp
   bench/room_model.cpp
   bench/scaling.cpp
@@ -27,3 +28,8 @@ add_executable(bench_core
   bench/verdicts.cpp)
 target_link_libraries(bench_core PRIVATE calc_radiosity rules TBB::tbb)
 add_test(NAME bench_core_runs COMMAND bench_core smoke)
+
+# Ratios for a look at every change: against the ray tracer alone, instant radiosity and path tracing.
+add_custom_target(bench_ratios
+  COMMAND bench_core ratios office corridor --min-paths 256 --max-paths 1024 --reference-paths 16384
+  USES_TERMINAL)

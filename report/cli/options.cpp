@@ -268,6 +268,8 @@ std::string contradiction(const Options& options) {
   if (options.command == Command::vpl) return vpl_contradiction(options.vpl);
   if (options.command == Command::converge) return converge_contradiction(options.converge);
   if (options.command == Command::selftest) return selftest_contradiction(options.selftest);
+  if (options.command == Command::compare) return compare_contradiction(options.compare);
+  if (options.command == Command::export_scene) return export_contradiction(options.export_scene);
   if (!options.vpl_file.empty() && options.projects.size() > 1) {
     return fmt::format("--vpl is for one project; found {}", options.projects.size());
   }
@@ -418,6 +420,12 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   CLI::App& selftest =
       *app.add_subcommand("selftest", "Calculate cases whose light is known exactly, and compare");
   add_listed(selftest, selftest_command(options.selftest));
+  CLI::App& compare = *app.add_subcommand(
+      "compare", "Compare a result with another one, another program's or measured values");
+  add_listed(compare, compare_command(options.compare));
+  CLI::App& export_scene =
+      *app.add_subcommand("export", "Write a project as a scene for another program (Radiance)");
+  add_listed(export_scene, export_command(options.export_scene));
   CLI::App& photometry =
       *app.add_subcommand("photometry", "Show, check, convert, draw and compare photometry files");
   add_photometry(photometry, options);
@@ -461,6 +469,8 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
   if (vpl.parsed()) options.command = Command::vpl;
   if (converge.parsed()) options.command = Command::converge;
   if (selftest.parsed()) options.command = Command::selftest;
+  if (compare.parsed()) options.command = Command::compare;
+  if (export_scene.parsed()) options.command = Command::export_scene;
   if (photometry.parsed()) options.command = Command::photometry;
   if (geometry.parsed()) options.command = Command::geometry;
   if (rule_packs.parsed()) options.command = Command::rules;

@@ -2,7 +2,9 @@
 // The command line as a value. Only options.cpp and rules_options.cpp include CLI11.
 
 #include "calc/radiosity/settings.h"
+#include "report/cli/compare_options.h"
 #include "report/cli/converge_options.h"
+#include "report/cli/export_options.h"
 #include "report/cli/rules_options.h"
 #include "report/cli/selftest_options.h"
 #include "report/cli/vpl_options.h"
@@ -22,6 +24,8 @@ enum class Command {
   vpl,
   converge,
   selftest,
+  compare,
+  export_scene,
   photometry,
   geometry,
   rules,
@@ -101,6 +105,8 @@ struct Options {
   VplOptions vpl;
   ConvergeOptions converge;
   SelftestOptions selftest;
+  CompareOptions compare;
+  ExportOptions export_scene;
   bool plan_as_json = false;
   PhotometryOptions photometry;
   RulesOptions rules_command;

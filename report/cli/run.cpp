@@ -4,8 +4,10 @@
 #include "gpu/egl_context.h"
 #include "report/cli/backend.h"
 #include "report/cli/check_project.h"
+#include "report/cli/compare.h"
 #include "report/cli/converge.h"
 #include "report/cli/devices.h"
+#include "report/cli/export.h"
 #include "report/cli/geometry.h"
 #include "report/cli/init.h"
 #include "report/cli/interrupt.h"
@@ -385,6 +387,10 @@ ExitCode run(const Options& options, const Environment& environment) {
     case Command::selftest:
       watch_for_interrupt();
       return print_outcome(run_selftest(options.selftest, environment), false);
+    case Command::compare:
+      return print_outcome(run_compare(options.compare, calc::DiskFileReader()), false);
+    case Command::export_scene:
+      return print_outcome(run_export(options.export_scene, calc::DiskFileReader()), false);
     case Command::photometry:
       return run_photometry(options, environment);
     case Command::geometry:

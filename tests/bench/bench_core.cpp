@@ -23,6 +23,7 @@ struct Experiment {
 constexpr Experiment kExperiments[] = {
     {"converge", run_converge, "SCENE..."},
     {"accuracy", run_accuracy, "SCENE..."},
+    {"ratios", run_ratios, "SCENE..."},
     {"near", run_near, "[12|1000|washers|spots...]"},
     {"openings", run_openings, ""},
     {"stiff", run_stiff, ""},

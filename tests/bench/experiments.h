@@ -7,6 +7,8 @@ namespace bench {
 
 void run_converge(const Options& options);
 void run_accuracy(const Options& options);
+// Ratios and nothing else.
+void run_ratios(const Options& options);
 void run_near(const Options& options);
 void run_openings(const Options& options);
 void run_stiff(const Options& options);

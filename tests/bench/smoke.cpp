@@ -48,6 +48,7 @@ void run_smoke(const Options& given) {
   options.names = {"room"};
   run_converge(options);
   run_accuracy(options);
+  run_ratios(options);
   options.names = {"washers"};
   run_near(options);
   options.names = {"2"};

@@ -1,0 +1,323 @@
+#include "report/cli/compare.h"
+
+#include "calc/text.h"
+#include "report/cli/outputs.h"
+#include "report/cli/recording_reader.h"
+#include "report/cli/value_table.h"
+#include "report/comparison.h"
+#include "report/read_json.h"
+#include "report/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace cli {
+namespace {
+
+using calc::DiagnosticId;
+
+// B's values are rows of a table, whether they came from one or from a result.
+class Comparer {
+ public:
+  Comparer(const CompareOptions& options, const calc::FileReader& files,
+           calc::Diagnostics& diagnostics)
+      : options_(options), files_(files), diagnostics_(diagnostics) {}
+
+  std::optional<report::Comparison> compare() {
+    const std::optional<report::Document> a = read_result(options_.a);
+    if (!a) return std::nullopt;
+    comparison_.name_a = options_.a;
+    comparison_.name_b = options_.b;
+    comparison_.confidence = a->provenance.confidence;
+    comparison_.replicates = a->provenance.replicates;
+    comparison_.tolerance = options_.tolerance;
+    add_planes(*a);
+    if (!read_b() || !keep_chosen()) return std::nullopt;
+    for (const TableRow& row : rows_) place(row);
+    find_missing();
+    if (diagnostics_.has_errors()) return std::nullopt;
+    report::compare_points(comparison_);
+    return std::move(comparison_);
+  }
+
+ private:
+  void fail(const std::string& problem) {
+    diagnostics_.report(DiagnosticId::reference_unreadable, {options_.b, 0, 0}, problem);
+  }
+  // What one side lacks: an error, or with --partial a note.
+  void lack(const std::string& what) {
+    if (options_.is_partial) {
+      comparison_.notes.push_back(what);
+    } else {
+      fail(what + " (--partial compares the rest)");
+    }
+  }
+
+  std::optional<report::Document> read_result(const std::string& path) {
+    const calc::FileContent content = files_.read(path);
+    if (!content.ok()) {
+      diagnostics_.report(DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
+      return std::nullopt;
+    }
+    std::string problem;
+    std::optional<report::Document> document = report::read_json(content.bytes, problem);
+    if (!document) diagnostics_.report(DiagnosticId::result_not_readable, {}, path, problem);
+    return document;
+  }
+
+  template <class Visit>
+  void for_each_plane(const report::Document& document, Visit visit) {
+    for (const report::ProjectPart& project : document.projects) {
+      for (const report::SpacePart& space : project.spaces) {
+        for (const report::PlanePart& plane : space.planes) {
+          visit((document.projects.size() > 1 ? project.path + ":" : "") + plane.id, plane);
+        }
+      }
+    }
+  }
+
+  void add_planes(const report::Document& document) {
+    for_each_plane(document, [&](const std::string& id, const report::PlanePart& plane) {
+      if (!plane.is_computed) {
+        return lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason));
+      }
+      report::ComparedPlane compared;
+      compared.id = id;
+      for (const report::PointRow& point : plane.points) {
+        const calc::Estimate& e = point.maintained_lx;
+        report::ComparedPoint p{point.position_m, point.column, point.row, {}, {}};
+        p.a = {e.value, e.half_width()};
+        compared.points.push_back(p);
+      }
+      has_b_.emplace_back(compared.points.size(), false);
+      comparison_.planes.push_back(std::move(compared));
+    });
+  }
+
+  bool read_b() {
+    const bool is_result = options_.b.size() > 5 && options_.b.ends_with(".json");
+    if (is_result) {
+      const std::optional<report::Document> b = read_result(options_.b);
+      if (!b) return false;
+      if (b->provenance.confidence != comparison_.confidence) {
+        fail(fmt::format("A's intervals are at {}, B's at {}: compare results of one level",
+                         comparison_.confidence, b->provenance.confidence));
+        return false;
+      }
+      for_each_plane(*b, [&](const std::string& id, const report::PlanePart& plane) {
+        if (!plane.is_computed) {
+          return lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
+        }
+        for (const report::PointRow& point : plane.points) {
+          const calc::Estimate& e = point.maintained_lx;
+          rows_.push_back({id, point.position_m, std::nullopt, {e.value, e.half_width()}, 0});
+        }
+      });
+      return true;
+    }
+    const calc::FileContent content = files_.read(options_.b);
+    if (!content.ok()) {
+      diagnostics_.report(DiagnosticId::file_not_readable, {options_.b, 0, 0}, options_.b,
+                          content.error);
+      return false;
+    }
+    std::optional<ValueTable> table =
+        read_value_table(content.bytes, options_.b, comparison_.confidence, diagnostics_);
+    if (!table) return false;
+    rows_ = std::move(table->rows);
+    if (!table->unused_columns.empty()) {
+      comparison_.notes.push_back(
+          fmt::format("columns of B that were not used: {}", fmt::join(table->unused_columns, ", ")));
+    }
+    return true;
+  }
+
+  // --plane A=B: only these, and B's rows by A's names.
+  bool keep_chosen() {
+    if (options_.planes.empty()) return true;
+    std::vector<report::ComparedPlane> kept;
+    std::vector<std::vector<bool>> kept_b;
+    std::vector<TableRow> rows;
+    for (const std::string& item : options_.planes) {
+      const std::size_t equals = item.find('=');
+      const std::string in_a = item.substr(0, equals);
+      const std::string in_b = equals == std::string::npos ? in_a : item.substr(equals + 1);
+      const auto found = std::find_if(comparison_.planes.begin(), comparison_.planes.end(),
+                                      [&](const auto& plane) { return plane.id == in_a; });
+      if (found == comparison_.planes.end()) {
+        std::vector<std::string_view> ids;
+        for (const auto& plane : comparison_.planes) ids.push_back(plane.id);
+        diagnostics_.report(DiagnosticId::choose_plane, {options_.a, 0, 0}, in_a,
+                            calc::join_choices(ids));
+        return false;
+      }
+      kept.push_back(*found);
+      kept_b.emplace_back(found->points.size(), false);
+      for (TableRow row : rows_) {
+        if (!row.plane || *row.plane != in_b) continue;
+        row.plane = in_a;
+        rows.push_back(std::move(row));
+      }
+    }
+    for (const TableRow& row : rows_) {
+      if (!row.plane) rows.push_back(row);
+    }
+    comparison_.planes = std::move(kept);
+    has_b_ = std::move(kept_b);
+    rows_ = std::move(rows);
+    return true;
+  }
+
+  std::string where(const TableRow& row) const {
+    std::string text = row.line > 0 ? fmt::format("line {} of B", row.line) : "B";
+    if (row.plane) text += fmt::format(", plane '{}'", *row.plane);
+    if (row.position_m) {
+      text += fmt::format(", ({:.6g}, {:.6g}, {:.6g}) m", row.position_m->x, row.position_m->y,
+                          row.position_m->z);
+    } else if (row.cell) {
+      text += fmt::format(", column {}, row {}", row.cell->x, row.cell->y);
+    }
+    return text;
+  }
+
+  bool is_there(const TableRow& row, const report::ComparedPoint& point) const {
+    if (row.position_m) return glm::distance(*row.position_m, point.position_m) <= options_.distance_m;
+    return point.column == row.cell->x && point.row == row.cell->y;
+  }
+
+  // The nearest of the points within reach; more than one plane's is no answer.
+  void place(const TableRow& row) {
+    std::size_t planes = 0, at_plane = 0, at_point = 0;
+    for (std::size_t p = 0; p < comparison_.planes.size(); ++p) {
+      if (row.plane && *row.plane != comparison_.planes[p].id) continue;
+      const auto& points = comparison_.planes[p].points;
+      double nearest = 1e300;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!is_there(row, points[i])) continue;
+        const double d = row.position_m ? glm::distance(*row.position_m, points[i].position_m) : 0.0;
+        if (d >= nearest) continue;
+        if (nearest == 1e300) ++planes;
+        nearest = d;
+        at_plane = p;
+        at_point = i;
+      }
+    }
+    if (planes == 0) {
+      if (++strangers_ == 1) first_stranger_ = where(row);
+      return;
+    }
+    if (planes > 1) {
+      return fail(where(row) + fmt::format(": points of {} planes are there; a column 'plane' or "
+                                           "--plane ID is needed",
+                                           planes));
+    }
+    if (has_b_[at_plane][at_point]) {
+      return fail(where(row) + ": this point was given before; give --distance a smaller value if "
+                               "these are different points");
+    }
+    has_b_[at_plane][at_point] = true;
+    comparison_.planes[at_plane].points[at_point].b = row.value;
+  }
+
+  void find_missing() {
+    if (strangers_ > 0) {
+      lack(fmt::format("{} of the {} values of B have no point in A, the first is {}", strangers_,
+                       rows_.size(), first_stranger_));
+    }
+    for (std::size_t p = 0; p < comparison_.planes.size();) {
+      auto& points = comparison_.planes[p].points;
+      const auto missing = std::count(has_b_[p].begin(), has_b_[p].end(), false);
+      if (missing > 0) {
+        lack(fmt::format("{} of the {} points of plane '{}' have no value in B", missing,
+                         points.size(), comparison_.planes[p].id));
+        std::vector<report::ComparedPoint> kept;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          if (has_b_[p][i]) kept.push_back(points[i]);
+        }
+        points = std::move(kept);
+      }
+      if (points.empty()) {
+        comparison_.planes.erase(comparison_.planes.begin() + static_cast<std::ptrdiff_t>(p));
+        has_b_.erase(has_b_.begin() + static_cast<std::ptrdiff_t>(p));
+      } else {
+        ++p;
+      }
+    }
+    if (comparison_.planes.empty()) fail("there is no point that both have");
+  }
+
+  const CompareOptions& options_;
+  const calc::FileReader& files_;
+  calc::Diagnostics& diagnostics_;
+  report::Comparison comparison_;
+  std::vector<std::vector<bool>> has_b_;  // [plane][point]
+  std::vector<TableRow> rows_;
+  std::size_t strangers_ = 0;
+  std::string first_stranger_;
+};
+
+std::string render(ConvergeFormat kind, const report::Comparison& comparison, std::size_t worst) {
+  switch (kind) {
+    case ConvergeFormat::csv:
+      return report::render_comparison_csv(comparison);
+    case ConvergeFormat::json:
+      return report::render_comparison_json(comparison);
+    case ConvergeFormat::html:
+      return report::render_comparison_html(comparison, worst);
+    case ConvergeFormat::text:
+      break;
+  }
+  return report::render_comparison_text(comparison, worst);
+}
+
+bool check_files(const CompareOptions& options, calc::Diagnostics& diagnostics) {
+  std::set<std::string> taken = {path_identity(options.a), path_identity(options.b)};
+  for (const ConvergeOutput& output : options.outputs) {
+    if (output.file.empty()) continue;
+    std::string problem = writability(output.file);
+    if (!taken.insert(path_identity(output.file)).second) {
+      problem =
+          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
+    }
+    if (!problem.empty()) diagnostics.report(DiagnosticId::output_not_possible, {}, problem);
+  }
+  return !diagnostics.has_errors();
+}
+
+}  // namespace
+
+CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader& disk) {
+  calc::Diagnostics diagnostics;
+  CommandOutcome outcome;
+  outcome.code = kNotJudged;
+  std::optional<report::Comparison> comparison;
+  if (check_files(options, diagnostics)) {
+    comparison = Comparer(options, disk, diagnostics).compare();
+  }
+  if (comparison) {
+    const auto worst = static_cast<std::size_t>(options.worst);
+    ConvergeFormat to_stdout = ConvergeFormat::text;
+    for (const ConvergeOutput& output : options.outputs) {
+      if (output.file.empty()) {
+        to_stdout = output.kind;
+        continue;
+      }
+      const std::string problem =
+          report::write_file_atomically(output.file, render(output.kind, *comparison, worst));
+      if (problem.empty()) continue;
+      diagnostics.report(DiagnosticId::output_not_possible, {},
+                         fmt::format("cannot write '{}': {}", output.file, problem));
+    }
+    outcome.text = render(to_stdout, *comparison, worst);
+    if (!diagnostics.has_errors()) outcome.code = comparison->beyond() == 0 ? kAllMet : kNotMet;
+  }
+  outcome.diagnostics = diagnostics.all();
+  return outcome;
+}
+
+}  // namespace cli

@@ -1,0 +1,78 @@
+#include "report/cli/compare_options.h"
+
+#include "report/cli/option_values.h"
+
+#include <algorithm>
+
+namespace cli {
+namespace {
+
+ValueParser output_item(std::vector<ConvergeOutput>& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    ConvergeOutput output;
+    const std::string problem =
+        choice<ConvergeFormat>(output.kind, {{"text", ConvergeFormat::text},
+                                             {"csv", ConvergeFormat::csv},
+                                             {"json", ConvergeFormat::json},
+                                             {"html", ConvergeFormat::html}})(
+            text.substr(0, equals));
+    if (!problem.empty()) return problem;
+    if (equals != std::string::npos) output.file = text.substr(equals + 1);
+    if (equals != std::string::npos && output.file.empty())
+      return "a file name is missing after '='";
+    target.push_back(output);
+    return "";
+  };
+}
+
+}  // namespace
+
+ListedCommand compare_command(CompareOptions& options) {
+  ListedCommand command;
+  command.places = {{"a", "A.json", "A result of 'check --format json'", &options.a},
+                    {"b", "B.json|B.csv",
+                     "Another one, or a table of another program's or measured values", &options.b}};
+  command.flags = {{"--partial", "Compare what both have; what one lacks is noted, not an error",
+                    &options.is_partial}};
+  command.values = {
+      {"--tolerance", "SHARE",
+       "Difference allowed besides the intervals, as 0.05 or 5% of B; default none",
+       share_between(options.tolerance, 0.0, 1.0)},
+      {"--distance", "METRES", "Points this near to each other are the same; default 0.01",
+       positive_number(options.distance_m)},
+      {"--plane", "ID[=ID]", "Only this plane; =ID where B calls it so; may be repeated",
+       [&options](const std::string& text) -> std::string {
+         const std::size_t equals = text.find('=');
+         if (text.empty() || equals == 0 || equals + 1 == text.size()) {
+           return "a plane's id is needed, or two with '=' between";
+         }
+         options.planes.push_back(text);
+         return "";
+       },
+       true},
+      {"--worst", "N", "Points to name, furthest apart first; default 5",
+       whole_number(options.worst, 0, 1000)},
+      {"--format", "KIND[=FILE]",
+       "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
+       "default text; may be repeated",
+       output_item(options.outputs), true}};
+  command.footer =
+      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) with\n"
+      "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
+      "'low_lx,high_lx'. 'points.csv' of 'check' is one. Values are maintained illuminances at full\n"
+      "output.\n"
+      "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
+      "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";
+  return command;
+}
+
+std::string compare_contradiction(const CompareOptions& options) {
+  if (std::count_if(options.outputs.begin(), options.outputs.end(),
+                    [](const ConvergeOutput& output) { return output.file.empty(); }) > 1) {
+    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  return "";
+}
+
+}  // namespace cli

@@ -1,0 +1,21 @@
+#pragma once
+// The options of `luxgate export`.
+
+#include <string>
+
+namespace cli {
+
+struct ListedCommand;
+
+struct ExportOptions {
+  std::string target;  // "radiance"
+  std::string project, folder;
+  std::string space;  // "" = the only one
+  bool overwrites = false;
+};
+
+ListedCommand export_command(ExportOptions& options);
+// "" = nothing is wrong.
+std::string export_contradiction(const ExportOptions& options);
+
+}  // namespace cli

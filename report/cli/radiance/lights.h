@@ -1,0 +1,37 @@
+#pragma once
+// Luminaires as Radiance sources: surfaces that shine as the photometry says, by brightdata and the
+// functions of luxgate.cal, without ies2rad.
+
+#include "calc/scene/prepared_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace cli::radiance {
+
+// Radiance counts in W/(sr m2); its programs turn them into light with 179 lm/W.
+inline constexpr double kLumensPerWatt = 179.0;
+// Luminaires without size, as spheres of this radius.
+inline constexpr double kPointRadius_m = 0.005;
+
+// luxgate.cal. Arguments: 1 a factor in W/(sr m2) per cd; 2 to 4, 5 to 7, 8 to 10 the directions of
+// C0, C90 and gamma = 180 in the world; 11 to 13 the areas of a box across those, m2.
+extern const char* const kFunctions;
+
+struct LightFiles {
+  std::string scene;  // luminaires.rad
+  struct Data {
+    std::string name, text;  // "light-1.dat"
+  };
+  std::vector<Data> data;             // one per web, as brightdata wants it
+  std::vector<std::string> changed;   // what is not exactly as luxgate has it, in words
+};
+
+// Every luminaire at full output with its maintenance factor, in world coordinates.
+LightFiles write_lights(const calc::PreparedScene& scene);
+
+// A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and no
+// change if the web cannot be put so (a lateral table whose beam falls between the angles).
+bool web_data(const calc::PhotometricWeb& web, std::string& text, bool& is_axial);
+
+}  // namespace cli::radiance

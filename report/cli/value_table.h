@@ -1,0 +1,36 @@
+#pragma once
+// Illuminances of another program or of a site, as a table.
+
+#include "calc/diagnostics.h"
+#include "report/comparison.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+struct TableRow {
+  std::optional<std::string> plane;
+  std::optional<glm::dvec3> position_m;
+  std::optional<glm::ivec2> cell;  // column and row
+  report::ComparedValue value;     // half_width_lx at `confidence`
+  int line = 0;
+};
+
+struct ValueTable {
+  std::vector<TableRow> rows;
+  std::vector<std::string> unused_columns;
+};
+
+// CSV with a line of names: 'plane,column,row' or 'x,y,z' (m; x_m is x too), 'lx' (also
+// 'illuminance_lx') or 'fc', and perhaps 'error_lx' or 'error_fc' (a standard error, widened to
+// `confidence` by the normal distribution) or 'low_lx,high_lx'. '#' begins a comment line. Empty
+// after an error: what cannot be read is never left out.
+std::optional<ValueTable> read_value_table(std::string_view text, const std::string& path,
+                                           double confidence, calc::Diagnostics& diagnostics);
+
+}  // namespace cli

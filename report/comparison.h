@@ -1,0 +1,65 @@
+#pragma once
+// Two sets of illuminances at the same points, and how far they are apart.
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// A value and the half-width of its interval; 0 = taken for exact.
+struct ComparedValue {
+  double lx = 0.0, half_width_lx = 0.0;
+};
+
+struct ComparedPoint {
+  glm::dvec3 position_m{0.0};
+  int column = 0, row = 0;
+  ComparedValue a, b;
+
+  double difference_lx() const { return a.lx - b.lx; }
+  double interval_lx() const;  // half-width of the difference's interval, both errors combined
+};
+
+struct ComparedPlane {
+  std::string id;
+  std::vector<ComparedPoint> points;  // >= 1
+
+  // Filled by compare_points().
+  double average_a_lx = 0.0, average_b_lx = 0.0;
+  double uo_a = 0.0, uo_b = 0.0;  // minimum / average
+  double bias = 0.0, rms = 0.0;   // mean and root mean square difference, over B's average
+  std::size_t held = 0;           // points whose combined interval holds the difference
+  std::size_t beyond = 0;         // points beyond `allowed`, see Comparison
+};
+
+struct Comparison {
+  std::string name_a, name_b;
+  double confidence = 0.95;  // of A's intervals, taken for B's too
+  double tolerance = 0.0;    // share of B
+  int replicates = 16;       // of A
+  std::vector<ComparedPlane> planes;
+  std::vector<std::string> notes;  // what was not compared, and why
+
+  // A point is beyond if the difference exceeds tolerance x B plus the combined interval widened by
+  // this factor: all points together then exceed it by chance in 1 of 20 comparisons.
+  double widening = 1.0;
+
+  std::size_t points() const;
+  std::size_t beyond() const;
+};
+
+// Fills all that follows from the points.
+void compare_points(Comparison& comparison);
+
+// The `count` points furthest apart for what they are known, worst first: indices into points.
+std::vector<std::size_t> worst_points(const ComparedPlane& plane, std::size_t count);
+
+std::string render_comparison_text(const Comparison& comparison, std::size_t worst);
+std::string render_comparison_csv(const Comparison& comparison);
+std::string render_comparison_json(const Comparison& comparison);
+std::string render_comparison_html(const Comparison& comparison, std::size_t worst);
+
+}  // namespace report

@@ -1,0 +1,21 @@
+# luxgate selftest, compare and export: each from outside, and what they are made of.
+luxgate_test(evidence_tests
+  SOURCES
+    unit/report/cli/export_test.cpp
+    unit/report/cli/selftest_test.cpp
+    unit/report/cli/value_table_test.cpp
+    unit/report/comparison_test.cpp
+  LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
+
+# One run: every case is right, and the report in validation/ is what the program writes.
+add_executable(compare_report tools/compare_report.cpp)
+target_link_libraries(compare_report PRIVATE calc_model)
+add_test(NAME cli.selftest_is_right COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DCOMPARE_REPORT=$<TARGET_FILE:compare_report>
+  -DKEPT=${CMAKE_CURRENT_SOURCE_DIR}/validation/report.md
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/selftest
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_selftest.cmake)
+set_tests_properties(cli.selftest_is_right PROPERTIES TIMEOUT 900)
+add_test(NAME cli.compare_says_what_differs COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/03-cornell-box
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/compare -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_compare.cmake)
