@@ -182,7 +182,8 @@ Json plane_json(const PlanePart& plane) {
                {"is_computed", plane.is_computed},
                {"reason", plane.reason},
                {"findings", list_of(plane.findings, finding_json)}};
-  if (!plane.made_by.empty()) json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
+  if (!plane.made_by.empty())
+    json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
   if (!plane.is_computed) return json;
   json["statistics"] = {{"average_lx", from(plane.average_lx)},
                         {"minimum_lx", from(plane.minimum_lx)},
@@ -205,24 +206,25 @@ Json plane_json(const PlanePart& plane) {
 }
 
 Json space_json(const SpacePart& space) {
-  Json json = {{"id", space.id},
-          {"name", space.name},
-          {"footprint_m", from(space.footprint_m)},
-          {"floor_z_m", space.floor_z_m},
-          {"height_m", space.height_m},
-          {"triangles", space.triangles},
-          {"degenerate_triangles", space.degenerate_triangles},
-          {"luminaires",
-           list_of(space.luminaires,
-                   [](const LuminaireMark& mark) {
-                     return Json{{"type", mark.type_id}, {"position_m", from(mark.position_m)}};
-                   })},
-          {"flux_balance",
-           {{"emitted_lm", space.balance.emitted_lm},
-            {"untraced_lm", space.balance.untraced_lm},
-            {"absorbed_lm", from(space.balance.absorbed_lm)},
-            {"escaped_lm", from(space.balance.escaped_lm)}}},
-          {"planes", list_of(space.planes, plane_json)}};
+  Json json = {
+      {"id", space.id},
+      {"name", space.name},
+      {"footprint_m", from(space.footprint_m)},
+      {"floor_z_m", space.floor_z_m},
+      {"height_m", space.height_m},
+      {"triangles", space.triangles},
+      {"degenerate_triangles", space.degenerate_triangles},
+      {"luminaires",
+       list_of(space.luminaires,
+               [](const LuminaireMark& mark) {
+                 return Json{{"type", mark.type_id}, {"position_m", from(mark.position_m)}};
+               })},
+      {"flux_balance",
+       {{"emitted_lm", space.balance.emitted_lm},
+        {"untraced_lm", space.balance.untraced_lm},
+        {"absorbed_lm", from(space.balance.absorbed_lm)},
+        {"escaped_lm", from(space.balance.escaped_lm)}}},
+      {"planes", list_of(space.planes, plane_json)}};
   if (!space.notes.empty()) json["notes"] = space.notes;
   return json;
 }

@@ -163,9 +163,8 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  std::vector<Requirement> requirements =
-      read_rule_reference(reader, context.packs, context.kernel, scene, context.plane,
-                          context.floor_z_m);
+  std::vector<Requirement> requirements = read_rule_reference(
+      reader, context.packs, context.kernel, scene, context.plane, context.floor_z_m);
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {

@@ -53,8 +53,8 @@ const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& pa
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
     reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack",
-                  reader.element().name,
-                  "rule pack", name, "allowed: " + list_of(all), calc::suggestion(name, names));
+                  reader.element().name, "rule pack", name, "allowed: " + list_of(all),
+                  calc::suggestion(name, names));
   } else {
     reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
   }
@@ -171,8 +171,8 @@ std::pair<double, double> heights_of(const calc::CalcPlane& plane, double floor_
   return {lowest, highest};
 }
 
-// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it may
-// be.
+// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it
+// may be.
 std::string wrong_height(const RuleCheck& check, const Reference& reference, bool is_usual) {
   // What is laid a little above a floor, so as not to lie in it.
   constexpr double kTolerance_m = 0.05;
@@ -180,8 +180,8 @@ std::string wrong_height(const RuleCheck& check, const Reference& reference, boo
   const RulePlane* role = reference.pack.find_plane(check.role);
   if (role == nullptr || !role->has_heights || role->are_heights_usual != is_usual) return {};
   double from_m = role->lowest_m, to_m = role->highest_m;
-  const bool follows_task = role->area == ZoneArea::task ||
-                            (role->area == ZoneArea::band && !role->height_m);
+  const bool follows_task =
+      role->area == ZoneArea::task || (role->area == ZoneArea::band && !role->height_m);
   if (follows_task && reference.row != nullptr && reference.row->task_heights_m) {
     from_m = reference.row->task_heights_m->lowest_m;
     to_m = reference.row->task_heights_m->highest_m;
@@ -338,9 +338,9 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
-  return requirements_of_role(
-      reader, role,
-      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel, scene, plane, floor_z_m});
+  return requirements_of_role(reader, role,
+                              {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel,
+                               scene, plane, floor_z_m});
 }
 
 }  // namespace rules

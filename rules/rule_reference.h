@@ -19,8 +19,8 @@ namespace rules {
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
 // a plane that faces another way than the role's) has its reason in `problem`. kernel: of the
 // plane; `scene`: as read and checked by the caller; plane: null if unknown; floor_z_m: of the room
-// around it. A plane at another height than the role's has that in `problem`, or in `note` where the
-// pack only says what is usual. Empty after an error, which is reported.
+// around it. A plane at another height than the role's has that in `problem`, or in `note` where
+// the pack only says what is usual. Empty after an error, which is reported.
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
                                              const std::vector<RulePack>& packs,
                                              calc::ReceiverKernel kernel, const std::string& scene,
