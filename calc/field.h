@@ -1,6 +1,7 @@
 #pragma once
 // What the calculation hands to rules and report: illuminance per replicate, channel and point.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -49,15 +50,39 @@ struct SolveCounters {
   std::vector<std::size_t> active_points;
 };
 
+// Why the glare formula cannot be used for a luminaire that an eye sees.
+enum class GlareProblem {
+  below_sight,  // its centre lies below the line of sight: there is no position index
+  too_large,    // > 0.1 sr
+  no_area       // no luminous area towards the eye: its luminance is unbounded
+};
+struct GlareRefusal {
+  std::size_t point = 0, channel = 0;
+  GlareProblem problem = GlareProblem::below_sight;
+  double number = 0.0;  // solid angle in sr of too_large
+  std::array<double, 3> luminaire_m{};  // world
+};
+
+// What luminaires send to the eyes of a plane of DerivedQuantity::ugr, new and at full output; a
+// dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
+// calc/radiosity/glare.h. low: without sources that are too small for the formula (< 0.0003 sr) and
+// with the least that is seen of openings partly hidden; high: with all of both.
+struct GlareField {
+  std::vector<double> value, low, high;
+  std::vector<GlareRefusal> refusals;  // one per point and channel at most
+};
+
 // Initial illuminance (new lamps, full output) at the points of one plane, on the side of their
 // normals. E[replicate][channel][point] = direct_exact + direct_sampled + indirect; replicates are
 // independent and identically distributed, each an unbiased estimate. No value is clamped.
 struct PlaneField {
   std::string plane_id;
   std::string problem;  // why the plane could not be computed; "" = it was
-  std::size_t points = 0;
+  std::size_t points = 0;  // of a derived quantity: receivers, [receiver of the point][point]
   std::size_t replicates = 0;  // >= 2; the sampled parts are empty when nothing was sampled
   std::vector<LightChannel> channels;
+  // Of DerivedQuantity::ugr, where all illuminance is of reflected light; else empty.
+  GlareField glare;
   std::vector<double> direct_exact_lx;  // [channel][point]
   std::vector<double>
       direct_sampled_lx;  // [replicate][channel][point]; empty without extended luminaires

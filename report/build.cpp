@@ -1,12 +1,19 @@
 #include "report/build.h"
 
+#include "calc/statistics.h"
+#include "report/number_format.h"
 #include "rules/candidates.h"
+#include "rules/derived_metrics.h"
 #include "rules/error_spending.h"
 #include "rules/metrics.h"
+#include "rules/replicate_sample.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <numeric>
+#include <string>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -30,10 +37,24 @@ double maintained_mean(const calc::PlaneField& field, const std::vector<double>&
   return sum / static_cast<double>(replicates);
 }
 
+// Of a point: the mean over the receivers that its value is the mean of, or its first one.
+double maintained_point(const calc::PlaneField& field, const calc::SensorGrid& grid,
+                        const std::vector<double>& values, std::size_t replicates,
+                        std::size_t point) {
+  if (grid.derived != calc::DerivedQuantity::four_planes) {
+    return maintained_mean(field, values, replicates, point);
+  }
+  const std::size_t parts = calc::receivers_per_point(grid.derived);
+  double sum = 0.0;
+  for (std::size_t part = 1; part < parts; ++part) {
+    sum += maintained_mean(field, values, replicates, part * grid.position_m.size() + point);
+  }
+  return sum / static_cast<double>(parts - 1);
+}
+
 std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::PlaneField& field,
-                                   const rules::PointValues& maintained, double confidence) {
-  const std::vector<calc::Estimate> estimates = rules::point_estimates(maintained, confidence);
-  std::vector<PointRow> rows(field.points);
+                                   const std::vector<calc::Estimate>& estimates) {
+  std::vector<PointRow> rows(grid.position_m.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     PointRow& row = rows[i];
     row.position_m = grid.position_m[i];
@@ -41,9 +62,9 @@ std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::Pla
     row.column = grid.column.empty() ? 0 : grid.column[i];
     row.row = grid.row.empty() ? 0 : grid.row[i];
     row.maintained_lx = estimates[i];
-    row.direct_lx = maintained_mean(field, field.direct_exact_lx, 1, i) +
-                    maintained_mean(field, field.direct_sampled_lx, field.replicates, i);
-    row.indirect_lx = maintained_mean(field, field.indirect_lx, field.replicates, i);
+    row.direct_lx = maintained_point(field, grid, field.direct_exact_lx, 1, i) +
+                    maintained_point(field, grid, field.direct_sampled_lx, field.replicates, i);
+    row.indirect_lx = maintained_point(field, grid, field.indirect_lx, field.replicates, i);
   }
   return rows;
 }
@@ -98,10 +119,123 @@ PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> 
   part.name = plane.name;
   part.where = plane.where;
   part.kernel = plane.kernel;
+  part.derived = plane.derived;
   part.made_by = plane.made_by;
   part.changed = plane.changed;
   part.findings = std::move(findings);
   return part;
+}
+
+// Points of which a receiver is so.
+void count_doubt(const calc::PlaneField& field, PlanePart& part) {
+  const std::size_t points = part.grid.position_m.size();
+  const auto count = [points](const auto& marks, const auto& is_so) {
+    std::vector<std::uint8_t> found(points, 0);
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      if (is_so(marks[k])) found[k % points] = 1;
+    }
+    return static_cast<std::size_t>(std::count(found.begin(), found.end(), std::uint8_t{1}));
+  };
+  part.unseen_points = count(field.unseen, [](std::uint8_t mark) { return mark != 0; });
+  part.single_sample_points = count(
+      field.largest_share, [](float share) { return share > rules::kLargestTrustedShare; });
+}
+
+void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,
+                      double confidence, PlanePart& part) {
+  // A quantity that does not exist (the uniformity of a dark plane) is not a number; renderers show
+  // a dash.
+  const auto statistic = [&](rules::Metric metric) {
+    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, confidence);
+    return found ? found->estimate : no_estimate();
+  };
+  part.points =
+      build_points(part.grid, field, rules::point_estimates(maintained, confidence));
+  part.average_lx = statistic(rules::Metric::average);
+  part.minimum_lx = statistic(rules::Metric::minimum);
+  part.maximum_lx = statistic(rules::Metric::maximum);
+  part.uniformity_min_avg = statistic(rules::Metric::uniformity_min_avg);
+  part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
+}
+
+// Observers that have a rating: the others' points have none.
+std::vector<std::uint8_t> rated_points(const calc::PlaneField& field,
+                                       const std::vector<double>& weights) {
+  std::vector<std::uint8_t> is_rated(field.points, 1);
+  for (const calc::GlareRefusal& refusal : field.glare.refusals) {
+    if (weights[refusal.channel] > 0.0) is_rated[refusal.point] = 0;
+  }
+  return is_rated;
+}
+
+std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
+                           const std::vector<std::size_t>& all, const PlanePart& part) {
+  std::string words =
+      "UGR after CIE 117 with Guth's position index in closed form; background: reflected light at "
+      "the eye";
+  const auto rated = static_cast<std::size_t>(
+      std::count_if(part.points.begin(), part.points.end(), [](const PointRow& point) {
+        return std::isfinite(point.maintained_lx.value);
+      }));
+  const std::string refusal = rules::glare_refusal(field.glare, weights, all);
+  if (rated < all.size()) {
+    words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
+             (refusal.empty() ? " observers see no glare source in the field" : " observers have no rating");
+  }
+  return refusal.empty() ? words : words + ": " + refusal;
+}
+
+void add_ratings(const calc::PlaneField& field, const rules::PointValues& maintained,
+                 double confidence, PlanePart& part) {
+  const calc::DerivedQuantity derived = part.grid.derived;
+  const auto weights = rules::channel_weights(field, rules::LightState::maintained, {});
+  std::vector<std::size_t> all(part.grid.position_m.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto points =
+      rules::make_derived_points(derived, field, maintained, weights, all);
+  const double t = rules::one_sided_t(points->replicates(), 0.5 * (1.0 - confidence));
+  const bool is_glare = derived == calc::DerivedQuantity::ugr;
+  const std::vector<std::uint8_t> is_rated =
+      is_glare ? rated_points(field, weights) : std::vector<std::uint8_t>(all.size(), 1);
+  std::vector<calc::Estimate> estimates;
+  std::vector<std::size_t> rated;
+  for (const std::size_t i : all) {
+    const rules::Limits limits = points->limits(i, t);
+    const bool has_value = is_rated[i] != 0 && std::isfinite(limits.value);
+    if (has_value) rated.push_back(i);
+    estimates.push_back(has_value ? calc::Estimate{limits.value, limits.low, limits.high}
+                                  : no_estimate());
+  }
+  part.points = build_points(part.grid, field, estimates);
+  part.average_lx = part.uniformity_min_avg = part.uniformity_min_max = no_estimate();
+  part.minimum_lx = part.maximum_lx = no_estimate();
+  if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
+  if (rated.empty()) return;
+  const auto chosen =
+      rules::make_derived_points(derived, field, maintained, weights, rated);
+  const auto statistic = [&](rules::Metric metric) {
+    rules::Requirement wanted;
+    wanted.metric = metric;
+    return rules::compute_derived(*chosen, wanted, std::nullopt, std::nullopt, confidence)
+        ->estimate;
+  };
+  part.minimum_lx = statistic(rules::Metric::minimum);
+  part.maximum_lx = statistic(rules::Metric::maximum);
+}
+
+// How far the four planes are from the true integral, on average, with the interval of that.
+std::string four_planes_remark(const rules::PointValues& receivers, double confidence) {
+  const std::vector<double> four = rules::plane_means(rules::mean_of_four_planes(receivers));
+  const std::vector<double> cylinder = rules::plane_means(rules::true_cylinders(receivers));
+  std::vector<double> difference;
+  for (std::size_t r = 0; r < four.size(); ++r) difference.push_back(four[r] - cylinder[r]);
+  const double mean_lx = calc::replicate_mean(cylinder).mean;
+  if (!(mean_lx > 0.0)) return "mean of four vertical planes";
+  calc::Estimate share = calc::t_interval(difference, confidence);
+  for (double* value : {&share.value, &share.low, &share.high}) *value *= 100.0 / mean_lx;
+  return "mean of four planes: " + format_fixed(share.value, 1) + " % (" +
+         format_fixed(share.low, 1) + " to " + format_fixed(share.high, 1) +
+         " %) from the average of the true cylindrical illuminance";
 }
 
 }  // namespace
@@ -115,29 +249,20 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
   part.grid = grid;
   part.stop = field.stop;
   part.looks_planned = field.looks_planned;
-  part.unseen_points = static_cast<std::size_t>(
-      std::count(field.unseen.begin(), field.unseen.end(), std::uint8_t{1}));
-  part.single_sample_points = static_cast<std::size_t>(
-      std::count_if(field.largest_share.begin(), field.largest_share.end(),
-                    [](float share) { return share > rules::kLargestTrustedShare; }));
+  count_doubt(field, part);
   part.counters = field.counters;
 
-  const rules::PointValues maintained =
+  rules::PointValues maintained =
       rules::combine_channels(field, rules::LightState::maintained, {});
-  // A quantity that does not exist (the uniformity of a dark plane) is not a number; renderers show
-  // a dash.
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto statistic = [&](rules::Metric metric) {
-    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, level);
-    return found ? found->estimate : calc::Estimate{kNone, kNone, kNone};
-  };
-  part.points = build_points(grid, field, maintained, level);
-  part.average_lx = statistic(rules::Metric::average);
-  part.minimum_lx = statistic(rules::Metric::minimum);
-  part.maximum_lx = statistic(rules::Metric::maximum);
-  part.uniformity_min_avg = statistic(rules::Metric::uniformity_min_avg);
-  part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
-
+  if (calc::is_plain_number(grid.derived)) {
+    add_ratings(field, maintained, level, part);
+  } else {
+    if (grid.derived == calc::DerivedQuantity::four_planes) {
+      part.remarks.push_back(four_planes_remark(maintained, level));
+      maintained = rules::mean_of_four_planes(maintained);
+    }
+    add_illuminances(field, maintained, level, part);
+  }
   if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
     part.outline_m = from_grid_origin(area->outline_m, *area, grid);
     for (const auto& hole : area->holes_m) {

@@ -15,7 +15,7 @@ namespace {
 
 std::string finding_message(const PlanePart& plane, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
-  const char* unit = rules::metric_unit(requirement.metric);
+  const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   std::string text = quantity_words(requirement, plane.kernel);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;

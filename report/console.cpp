@@ -74,7 +74,7 @@ std::string scene_words(const rules::Requirement& requirement) {
 void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Finding& finding,
                  std::vector<Line>& lines) {
   const rules::Requirement& requirement = finding.requirement;
-  const char* unit = rules::metric_unit(requirement.metric);
+  const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   Line line;
   line.colour = verdict_colour(finding.verdict);
@@ -99,6 +99,20 @@ void add_doubt(const PlanePart& plane, std::vector<Line>& lines) {
   if (!doubt.empty()) lines.emplace_back().note = doubt;
 }
 
+void add_remarks(const PlanePart& plane, std::vector<Line>& lines) {
+  for (const std::string& remark : plane.remarks) lines.emplace_back().note = printable(remark);
+}
+
+std::string statistics_text(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return "minimum " + format_measured(plane.minimum_lx, "") + ", maximum " +
+           format_measured(plane.maximum_lx, "");
+  }
+  return "average " + format_measured(plane.average_lx, "lx") + ", minimum " +
+         format_measured(plane.minimum_lx, "lx") + ", Uo " +
+         format_measured(plane.uniformity_min_avg, "");
+}
+
 // Of planes that a workplace has made: what the project has changed about them.
 void add_change(const PlanePart& plane, std::vector<Line>& lines) {
   if (plane.changed.empty()) return;
@@ -107,20 +121,20 @@ void add_change(const PlanePart& plane, std::vector<Line>& lines) {
 
 void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>& lines) {
   for (const rules::Finding& finding : plane.findings) add_finding(space, plane, finding, lines);
-  if (!plane.findings.empty()) add_change(plane, lines);
-  if (!plane.findings.empty()) return add_doubt(plane, lines);
+  if (!plane.findings.empty()) {
+    add_change(plane, lines);
+    add_remarks(plane, lines);
+    return add_doubt(plane, lines);
+  }
   Line line;
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kVerdict] = plane.is_computed ? "  no limit" : "– not computed";
   lines.push_back(std::move(line));
-  const std::string quantity = plane.kernel == calc::ReceiverKernel::planar
-                                   ? ""
-                                   : std::string(kernel_words(plane.kernel)) + ": ";
+  const std::string quantity =
+      is_plain_illuminance(plane) ? "" : std::string(plane_words(plane)) + ": ";
   lines.emplace_back().note =
-      plane.is_computed ? quantity + "average " + format_measured(plane.average_lx, "lx") +
-                              ", minimum " + format_measured(plane.minimum_lx, "lx") + ", Uo " +
-                              format_measured(plane.uniformity_min_avg, "")
-                        : printable(plane.reason);
+      plane.is_computed ? quantity + statistics_text(plane) : printable(plane.reason);
+  add_remarks(plane, lines);
   add_doubt(plane, lines);
 }
 

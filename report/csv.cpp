@@ -30,7 +30,7 @@ constexpr std::string_view kResultsHeader =
 
 constexpr std::string_view kPointsHeader =
     "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
-    "indirect_lx\r\n";
+    "indirect_lx,quantity,rating,rating_low,rating_high\r\n";
 
 void add_finding(const std::string& place, const rules::Finding& finding, std::string& csv) {
   const rules::Requirement& requirement = finding.requirement;
@@ -41,7 +41,7 @@ void add_finding(const std::string& place, const rules::Finding& finding, std::s
   };
   const bool has_percent = requirement.metric == rules::Metric::percentile;
   add_row({place, field(requirement.id), rules::metric_name(requirement.metric),
-           has_percent ? number(requirement.percent) : "", rules::metric_unit(requirement.metric),
+           has_percent ? number(requirement.percent) : "", rules::unit_of(requirement),
            field(requirement.scene), state_name(requirement.state), field(requirement.clause),
            comparison_key(requirement.comparison), number(requirement.limit),
            measured(finding.measured.value), measured(finding.measured.low),
@@ -76,12 +76,20 @@ void add_unjudged_project(const ProjectPart& project, std::string& csv) {
           csv);
 }
 
-void add_point(const std::string& place, const PointRow& point, std::string& csv) {
+// Ratings and ratios have columns of their own: what is called lx is lx.
+void add_point(const std::string& place, const PlanePart& plane, const PointRow& point,
+               std::string& csv) {
+  const bool is_plain = calc::is_plain_number(plane.derived);
+  const auto lux = [&](double value) { return is_plain ? "" : number(value); };
+  const auto rating = [&](double value) { return is_plain ? number(value) : ""; };
+  const calc::Estimate& value = point.maintained_lx;
   add_row({place, std::to_string(point.column), std::to_string(point.row),
            number(point.position_m.x), number(point.position_m.y), number(point.position_m.z),
            number(point.normal.x), number(point.normal.y), number(point.normal.z),
-           number(point.maintained_lx.value), number(point.maintained_lx.low),
-           number(point.maintained_lx.high), number(point.direct_lx), number(point.indirect_lx)},
+           lux(value.value), lux(value.low), lux(value.high), number(point.direct_lx),
+           number(point.indirect_lx),
+           std::string(calc::quantity_name(plane.kernel, plane.derived)), rating(value.value),
+           rating(value.low), rating(value.high)},
           csv);
 }
 
@@ -112,7 +120,7 @@ std::string render_points_csv(const Document& document) {
   std::string csv(kPointsHeader);
   for (const ProjectPart& project : document.projects) {
     for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
-      for (const PointRow& point : plane.points) add_point(place, point, csv);
+      for (const PointRow& point : plane.points) add_point(place, plane, point, csv);
     });
   }
   return csv;

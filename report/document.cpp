@@ -1,5 +1,7 @@
 #include "report/document.h"
 
+#include <limits>
+
 namespace report {
 namespace {
 
@@ -21,6 +23,11 @@ void count(rules::Verdict verdict, VerdictCounts& counts) {
 }
 
 }  // namespace
+
+calc::Estimate no_estimate() {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return {kNone, kNone, kNone};
+}
 
 VerdictCounts count_verdicts(const ProjectPart& project) {
   VerdictCounts counts;

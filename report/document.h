@@ -5,6 +5,7 @@
 #include "calc/diagnostics.h"
 #include "calc/field.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/goal.h"
@@ -62,6 +63,9 @@ struct PlanePart {
   std::string id, name, space_id;
   calc::SourceLocation where;
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
+  // Of ratings and ratios every "lx" below is without unit, but for direct and indirect light.
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;
+  std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
   std::string made_by, changed;  // see calc::CalcPlane
@@ -107,6 +111,7 @@ struct RoomPictures {
 
 struct SpacePart {
   std::string id, name;
+  calc::InstalledPower power;
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
   std::size_t triangles = 0;
@@ -137,6 +142,9 @@ struct Document {
   Provenance provenance;
   std::vector<ProjectPart> projects;
 };
+
+// Of what does not exist: not a number, which renderers show as a dash.
+calc::Estimate no_estimate();
 
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);

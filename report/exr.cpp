@@ -1,6 +1,7 @@
 #include "report/exr.h"
 
 #include "report/plain_text.h"
+#include "report/words.h"
 
 #include <ImathBox.h>
 #include <ImfChannelList.h>
@@ -98,8 +99,8 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
     attribute("luxgate.project", project.path);
     attribute("luxgate.space", space.id);
     attribute("luxgate.plane", plane.id);
-    attribute("luxgate.quantity", calc::kernel_name(plane.kernel));
-    attribute("luxgate.unit", "lx");
+    attribute("luxgate.quantity", calc::quantity_name(plane.kernel, plane.derived));
+    attribute("luxgate.unit", plane_unit(plane));
     attribute("luxgate.version", document.provenance.program_version);
     Planes values = channel_values(plane);
     MemoryStream stream;

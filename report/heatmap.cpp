@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace report {
 namespace {
@@ -86,13 +87,14 @@ Rgb band_colour(const ColourScale& scale, int band) {
 
 ColourScale scale_of(const PlanePart& plane) {
   if (plane.points.empty()) return {};
-  double lowest = plane.points[0].maintained_lx.value;
-  double highest = lowest;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
   for (const PointRow& point : plane.points) {
+    if (!std::isfinite(point.maintained_lx.value)) continue;  // e.g. an eye without glare source
     lowest = std::min(lowest, point.maintained_lx.value);
     highest = std::max(highest, point.maintained_lx.value);
   }
-  return make_colour_scale(lowest, highest);
+  return lowest <= highest ? make_colour_scale(lowest, highest) : ColourScale{};
 }
 
 bool has_cells(const PlanePart& plane) {
@@ -107,6 +109,7 @@ Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels
   raster.rgba.resize(static_cast<std::size_t>(raster.width) *
                      static_cast<std::size_t>(raster.height) * 4);
   for (const PointRow& point : plane.points) {
+    if (!std::isfinite(point.maintained_lx.value)) continue;
     const Rgb colour = band_colour(scale, band_of(scale, point.maintained_lx.value));
     const int left = point.column * pixels_per_cell;
     const int top = (plane.grid.rows - 1 - point.row) * pixels_per_cell;

@@ -68,7 +68,7 @@ std::string requirement_html(const rules::Finding& finding, calc::ReceiverKernel
 Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
-  const char* unit = rules::metric_unit(requirement.metric);
+  const char* unit = rules::unit_of(requirement);
   Cells cells;
   cells.requirement = requirement_html(finding, plane.kernel);
   cells.required = format_required(threshold, unit);
@@ -118,9 +118,13 @@ std::string plane_link(PlaneIndex index, const SpacePart& space, const PlanePart
 }
 
 std::string average_words(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return fmt::format("{}: maximum {}", plane_words(plane),
+                       format_measured(plane.maximum_lx, ""));
+  }
   const std::string value = format_measured(plane.average_lx, "lx");
-  if (plane.kernel == calc::ReceiverKernel::planar) return "Average " + value;
-  return fmt::format("Average of {} {}", kernel_words(plane.kernel), value);
+  if (is_plain_illuminance(plane)) return "Average " + value;
+  return fmt::format("Average of {} {}", plane_words(plane), value);
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
@@ -135,7 +139,7 @@ std::string plain_row(PlaneIndex index, const SpacePart& space, const PlanePart&
       "<tr><th scope=\"row\">{}</th><td class=\"quiet\">no limit</td><td class=\"quiet\" "
       "colspan=\"6\">{}, minimum {}, "
       "Uo {}.</td></tr>\n",
-      link, average_words(plane), format_measured(plane.minimum_lx, "lx"),
+      link, average_words(plane), format_measured(plane.minimum_lx, plane_unit(plane)),
       format_measured(plane.uniformity_min_avg, ""));
 }
 

@@ -73,14 +73,15 @@ std::string key_item(const std::string& picture, const std::string& words) {
 
 }  // namespace
 
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits) {
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+                            std::string_view unit) {
   const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4;
   const double height = bar_top + kBarHeight + 20;
   std::string svg = fmt::format(
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-      "aria-label=\"Colour scale from {2} to {3} lx in steps of {4} lx\">",
+      "aria-label=\"Colour scale from {2} to {3} {5} in steps of {4} {5}\">",
       kWidth, svg_number(height), format_shortest(scale.low_lx), format_shortest(scale.high_lx()),
-      format_shortest(scale.step_lx));
+      format_shortest(scale.step_lx), unit);
   svg += band_boxes(scale, bar_top);
   double y = 0;
   for (const PlanLimit& limit : limits) {
@@ -88,8 +89,8 @@ std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimi
     y += kLimitLine;
   }
   svg += band_numbers(scale, bar_top);
-  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">lx</text>", kWidth,
-                     svg_number(bar_top + kBarHeight - 3));
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">{}</text>", kWidth,
+                     svg_number(bar_top + kBarHeight - 3), unit);
   return svg + "</svg>\n";
 }
 

@@ -5,13 +5,15 @@
 #include "report/plan_layout.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace report {
 
 // An inline <svg>: one box per band, round numbers below, each limit above where it lies (an arrow
 // when it is off the scale).
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits);
+std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+                            std::string_view unit = "lx");
 
 // What the key has to explain.
 struct PlanSigns {

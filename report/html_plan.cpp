@@ -100,7 +100,7 @@ std::string svg_cells(const Drawing& drawing) {
     for (const PointRow* point : points) {
       svg += fmt::format("<path d=\"{}\"><title>{} (direct {}, indirect {})</title></path>\n",
                          rectangle(drawing.cell_corner_px(point->column, point->row), size),
-                         format_measured(point->maintained_lx, "lx"),
+                         format_measured(point->maintained_lx, plane_unit(drawing.plane)),
                          format_cell_lx(point->direct_lx), format_cell_lx(point->indirect_lx));
     }
     svg += "</g>\n";
@@ -227,13 +227,15 @@ std::string hatch_pattern(const std::string& anchor) {
          "stroke-width=\"1.3\"/></pattern></defs>\n";
 }
 
+const char* unit_words(const PlanePart& plane) { return *plane_unit(plane) == '\0' ? "" : " lx"; }
+
 std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
-  return fmt::format("Heat map of {}: {} points, {} from {} to {} lx, minimum at {} m",
+  return fmt::format("Heat map of {}: {} points, {} from {} to {}{}, minimum at {} m",
                      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
-                     kernel_words(plane.kernel), format_cell_lx(plane.minimum_lx.value),
-                     format_cell_lx(plane.maximum_lx.value), format_position(lowest.position_m));
+                     plane_words(plane), format_cell_lx(plane.minimum_lx.value),
+                     format_cell_lx(plane.maximum_lx.value), unit_words(plane), format_position(lowest.position_m));
 }
 
 std::string svg_plan(const Drawing& drawing) {
@@ -272,11 +274,11 @@ std::string direction_words(const glm::dvec3& direction) {
 
 std::string caption(const Drawing& drawing) {
   const calc::SensorGrid& grid = drawing.plane.grid;
-  const bool is_planar = drawing.plane.kernel == calc::ReceiverKernel::planar;
+  const bool is_planar = is_plain_illuminance(drawing.plane);
   return fmt::format(
-      "Maintained {} in lx, every luminaire at full output. {}, {} to the right and {} "
+      "Maintained {}{}, every luminaire at full output. {}, {} to the right and {} "
       "up.",
-      kernel_words(drawing.plane.kernel),
+      plane_words(drawing.plane), *plane_unit(drawing.plane) == '\0' ? "" : " in lx",
       is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan"
       : is_planar                               ? "Seen from the measured side"
                                                 : "Seen from the plane's front",
@@ -288,15 +290,15 @@ PlanSigns signs_of(const Drawing& drawing) {
   signs.anchor = drawing.anchor;
   signs.luminaires = drawing.layout.luminaires_m.size();
   const PointRow& lowest = lowest_point(drawing.plane);
-  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + " lx at " +
+  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane) + " at " +
                   with_minus(format_position(lowest.position_m));
   for (const PointRow& point : drawing.plane.points) {
     const double lx = point.maintained_lx.value;
     if (drawing.at_least && lx < drawing.at_least->limit) {
-      signs.below = "below " + format_limit(drawing.at_least->limit, "lx");
+      signs.below = "below " + format_limit(drawing.at_least->limit, plane_unit(drawing.plane));
     }
     if (drawing.at_most && lx > drawing.at_most->limit) {
-      signs.above = "above " + format_limit(drawing.at_most->limit, "lx");
+      signs.above = "above " + format_limit(drawing.at_most->limit, plane_unit(drawing.plane));
     }
   }
   return signs;
@@ -313,7 +315,7 @@ std::string html_plan(const SpacePart& space, const PlanePart& plane, std::strin
                         point_threshold(plane, rules::Comparison::at_least),
                         point_threshold(plane, rules::Comparison::at_most),
                         std::string(anchor)};
-  return "<figure>\n" + svg_plan(drawing) + html_colour_bar(drawing.scale, limits) +
+  return "<figure>\n" + svg_plan(drawing) + html_colour_bar(drawing.scale, limits, plane_unit(drawing.plane)) +
          html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) +
          "</figcaption></figure>\n";
 }

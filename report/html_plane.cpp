@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -26,22 +28,24 @@ std::string statistic(const char* name, const calc::Estimate& estimate, const ch
 }
 
 std::string statistics_table(const PlanePart& plane) {
-  const bool is_planar = plane.kernel == calc::ReceiverKernel::planar;
-  const std::string of = is_planar ? "" : std::string(" of ") + kernel_words(plane.kernel);
+  const std::string of =
+      is_plain_illuminance(plane) ? "" : std::string(" of ") + plane_words(plane);
+  const char* unit = plane_unit(plane);
   return "<table class=\"facts\"><caption>Statistics" + of +
          "</caption><thead><tr><th "
          "scope=\"col\">Maintained</th>"
          "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
          "class=\"num\">Interval</th></tr></thead><tbody>\n" +
-         statistic("Average Ē", plane.average_lx, "lx") +
-         statistic("Minimum", plane.minimum_lx, "lx") +
-         statistic("Maximum", plane.maximum_lx, "lx") +
+         statistic("Average Ē", plane.average_lx, unit) +
+         statistic("Minimum", plane.minimum_lx, unit) +
+         statistic("Maximum", plane.maximum_lx, unit) +
          statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
          statistic("Ud, min/max", plane.uniformity_min_max, "") + "</tbody></table>\n";
 }
 
 // Averages of the two parts as a bar; "" where there is no light at all.
 std::string share_bar(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) return {};
   double direct = 0.0, indirect = 0.0;
   for (const PointRow& point : plane.points) {
     direct += point.direct_lx;
@@ -85,9 +89,9 @@ std::string height_words(const SpacePart& space, const calc::SensorGrid& grid,
 
 // With the direction that semicylindrical points of a grid look in; a list has many.
 std::string quantity_fact(const PlanePart& plane) {
-  if (plane.kernel == calc::ReceiverKernel::planar) return "planar illuminance";
-  std::string words = kernel_words(plane.kernel);
-  if (plane.kernel != calc::ReceiverKernel::semicylindrical || plane.grid.columns == 0) {
+  if (is_plain_illuminance(plane)) return "planar illuminance";
+  std::string words = plane_words(plane);
+  if (!calc::has_look(plane.kernel, plane.derived) || plane.grid.columns == 0) {
     return words;
   }
   const glm::dvec3& look = plane.points.front().normal;
@@ -110,6 +114,7 @@ std::string grid_table(const SpacePart& space, const PlanePart& plane) {
     rows +=
         fact("Position", with_minus(orientation_words(normal)) + height_words(space, grid, normal));
   }
+  for (const std::string& remark : plane.remarks) rows += fact("Method", escape_html(remark));
   rows += fact("Points", fmt::format("{}", plane.points.size()));
   rows += fact("Left out", dropped_words(grid));
   rows += fact("Sampling", stop_words(plane.stop));
@@ -127,8 +132,8 @@ std::string value_matrix(const PlanePart& plane) {
   for (const PointRow& point : plane.points)
     value_lx[{point.row, point.column}] = point.maintained_lx.value;
   std::string html =
-      "<table class=\"matrix\"><caption>Maintained " + std::string(kernel_words(plane.kernel)) +
-      " in lx; distances from the grid's corner "
+      "<table class=\"matrix\"><caption>Maintained " + std::string(plane_words(plane)) +
+      (*plane_unit(plane) == '\0' ? "" : " in lx") + "; distances from the grid's corner "
       "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   for (int column = 0; column < grid.columns; ++column) {
     html +=
@@ -148,13 +153,20 @@ std::string value_matrix(const PlanePart& plane) {
   return html + "</tbody></table>";
 }
 
+// An observer without any glare source has none, and a drawing no colour for that.
+bool has_all_values(const PlanePart& plane) {
+  return std::all_of(plane.points.begin(), plane.points.end(), [](const PointRow& point) {
+    return std::isfinite(point.maintained_lx.value);
+  });
+}
+
 std::string value_list(const PlanePart& plane) {
   std::string html =
-      "<table class=\"findings\"><caption>Maintained " + std::string(kernel_words(plane.kernel)) +
+      "<table class=\"findings\"><caption>Maintained " + std::string(plane_words(plane)) +
       " at the listed "
       "points</caption><thead><tr>"
       "<th scope=\"col\">Point</th><th scope=\"col\" class=\"num\">Position, m</th>"
-      "<th scope=\"col\" class=\"num\">Normal</th><th scope=\"col\" class=\"num\">Illuminance</th>"
+      "<th scope=\"col\" class=\"num\">Normal</th><th scope=\"col\" class=\"num\">Value</th>"
       "<th scope=\"col\" class=\"num\">Direct</th><th scope=\"col\" "
       "class=\"num\">Indirect</th></tr></thead><tbody>\n";
   for (std::size_t i = 0; i < plane.points.size(); ++i) {
@@ -164,7 +176,7 @@ std::string value_list(const PlanePart& plane) {
         "<td class=\"num strong\">{}</td><td class=\"num\">{} lx</td><td class=\"num\">{} "
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(point.position_m)),
-        with_minus(format_position(point.normal)), format_measured(point.maintained_lx, "lx"),
+        with_minus(format_position(point.normal)), format_measured(point.maintained_lx, plane_unit(plane)),
         format_cell_lx(point.direct_lx), format_cell_lx(point.indirect_lx));
   }
   return html + "</tbody></table>";
@@ -198,7 +210,7 @@ std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart
     return html + html_plane_findings(plane) + "</article>\n";
   }
   html += html_plane_findings(plane) + "<div class=\"split\">\n";
-  if (has_cells(plane)) html += html_plan(space, plane, anchor);
+  if (has_cells(plane) && has_all_values(plane)) html += html_plan(space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(plane) + share_bar(plane) +
           grid_table(space, plane) + "</div>\n</div>\n";
   return html + values(plane, title) + "</article>\n";

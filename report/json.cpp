@@ -99,7 +99,7 @@ Json finding_json(const rules::Finding& finding) {
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   Json json = {{"requirement", requirement.id},
                {"quantity", rules::metric_name(requirement.metric)},
-               {"unit", rules::metric_unit(requirement.metric)},
+               {"unit", rules::unit_of(requirement)},
                {"comparison", comparison_key(requirement.comparison)},
                {"limit", requirement.limit},
                {"state", state_name(requirement.state)},
@@ -126,8 +126,10 @@ Json finding_json(const rules::Finding& finding) {
                       {"applies", finding.is_waived}};
   }
   if (requirement.metric == rules::Metric::share) {
-    json["from_lx"] = requirement.range.from;
-    json["to_lx"] = std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
+    const bool is_plain = calc::is_plain_number(requirement.derived);
+    json[is_plain ? "from" : "from_lx"] = requirement.range.from;
+    json[is_plain ? "to" : "to_lx"] =
+        std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
   }
   if (!requirement.mask.id.empty()) {
     json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};
@@ -162,11 +164,12 @@ Json grid_json(const PlanePart& plane) {
           {"dropped", list_of(grid.dropped, dropped_json)}};
 }
 
-Json points_json(const std::vector<PointRow>& points) {
+Json points_json(const PlanePart& plane) {
   return {{"columns",
-           {"column", "row", "x_m", "y_m", "z_m", "nx", "ny", "nz", "illuminance_lx", "low_lx",
-            "high_lx", "direct_lx", "indirect_lx"}},
-          {"rows", list_of(points, [](const PointRow& p) {
+           {"column", "row", "x_m", "y_m", "z_m", "nx", "ny", "nz", value_key(plane),
+            *plane_unit(plane) == '\0' ? "low" : "low_lx",
+            *plane_unit(plane) == '\0' ? "high" : "high_lx", "direct_lx", "indirect_lx"}},
+          {"rows", list_of(plane.points, [](const PointRow& p) {
              return Json::array({p.column, p.row, p.position_m.x, p.position_m.y, p.position_m.z,
                                  p.normal.x, p.normal.y, p.normal.z, p.maintained_lx.value,
                                  p.maintained_lx.low, p.maintained_lx.high, p.direct_lx,
@@ -174,22 +177,31 @@ Json points_json(const std::vector<PointRow>& points) {
            })}};
 }
 
+// Ratings and ratios of points have no average that would mean anything.
+Json statistics_json(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return {{"minimum", from(plane.minimum_lx)}, {"maximum", from(plane.maximum_lx)}};
+  }
+  return {{"average_lx", from(plane.average_lx)},
+          {"minimum_lx", from(plane.minimum_lx)},
+          {"maximum_lx", from(plane.maximum_lx)},
+          {"uniformity_min_avg", from(plane.uniformity_min_avg)},
+          {"uniformity_min_max", from(plane.uniformity_min_max)}};
+}
+
 Json plane_json(const PlanePart& plane) {
   Json json = {{"id", plane.id},
                {"name", plane.name},
                {"where", from(plane.where)},
-               {"quantity", calc::kernel_name(plane.kernel)},
+               {"quantity", calc::quantity_name(plane.kernel, plane.derived)},
                {"is_computed", plane.is_computed},
                {"reason", plane.reason},
                {"findings", list_of(plane.findings, finding_json)}};
   if (!plane.made_by.empty())
     json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
   if (!plane.is_computed) return json;
-  json["statistics"] = {{"average_lx", from(plane.average_lx)},
-                        {"minimum_lx", from(plane.minimum_lx)},
-                        {"maximum_lx", from(plane.maximum_lx)},
-                        {"uniformity_min_avg", from(plane.uniformity_min_avg)},
-                        {"uniformity_min_max", from(plane.uniformity_min_max)}};
+  if (!plane.remarks.empty()) json["remarks"] = plane.remarks;
+  json["statistics"] = statistics_json(plane);
   json["stop"] = stop_key(plane.stop);
   json["looks"] = plane.counters.active_points.size();
   json["points_per_look"] = plane.counters.active_points;
@@ -201,7 +213,7 @@ Json plane_json(const PlanePart& plane) {
                       {"connection_rays", plane.counters.connection_rays},
                       {"near_rays", plane.counters.near_rays}};
   json["grid"] = grid_json(plane);
-  json["points"] = points_json(plane.points);
+  json["points"] = points_json(plane);
   return json;
 }
 
@@ -211,6 +223,11 @@ Json space_json(const SpacePart& space) {
       {"name", space.name},
       {"footprint_m", from(space.footprint_m)},
       {"floor_z_m", space.floor_z_m},
+      {"power",
+       {{"power_w", space.power.power_w},
+        {"area_m2", space.power.area_m2},
+        {"luminaires", space.power.luminaires},
+        {"without_power", space.power.without_power}}},
       {"height_m", space.height_m},
       {"triangles", space.triangles},
       {"degenerate_triangles", space.degenerate_triangles},

@@ -36,7 +36,7 @@ std::string cells(const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;
-  const char* unit = rules::metric_unit(requirement.metric);
+  const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   std::string quantity = escape_markdown(quantity_words(requirement, entry.plane->kernel));
   if (!requirement.clause.empty()) quantity += ", " + escape_markdown(requirement.clause);

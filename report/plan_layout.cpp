@@ -81,10 +81,12 @@ std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
   std::vector<PlanLimit> limits;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& requirement = finding.requirement;
-    const bool is_lx = *rules::metric_unit(requirement.metric) != '\0';
-    if (!is_lx || !is_about_points(requirement)) continue;
+    const bool is_of_values =
+        !rules::is_ratio(requirement.metric) && !rules::is_about_power(requirement.metric);
+    if (!is_of_values || !is_about_points(requirement)) continue;
     limits.push_back({quantity_words(requirement) + " " +
-                          format_required({requirement.limit, requirement.comparison}, "lx"),
+                          format_required({requirement.limit, requirement.comparison},
+                                          rules::unit_of(requirement)),
                       requirement.limit});
   }
   return limits;

@@ -3,6 +3,7 @@
 #include "report/json_cursor.h"
 #include "report/words.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -102,9 +103,10 @@ rules::DecisionPolicy policy(const JsonCursor& at) {
   return p;
 }
 
-rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id) {
+rules::Requirement requirement(const JsonCursor& at, const PlanePart& plane) {
   rules::Requirement r;
-  r.plane_id = plane_id;
+  r.plane_id = plane.id;
+  r.derived = plane.derived;
   r.id = at["requirement"].text();
   const JsonCursor quantity = at["quantity"];
   const std::optional<rules::Metric> metric = rules::metric_from_name(quantity.text());
@@ -131,16 +133,18 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
                              (*waiver)["until"].text()};
   }
   if (const auto mask = at.find("mask")) r.mask.id = (*mask)["id"].text();
-  if (const auto from = at.find("from_lx")) r.range.from = from->finite();
-  if (const auto to = at.find("to_lx"); to && !to->is_null()) r.range.to = to->finite();
+  const bool is_plain = calc::is_plain_number(r.derived);
+  if (const auto from = at.find(is_plain ? "from" : "from_lx")) r.range.from = from->finite();
+  const auto to = at.find(is_plain ? "to" : "to_lx");
+  if (to && !to->is_null()) r.range.to = to->finite();
   if (const auto percent = at.find("percent")) r.percent = percent->finite();
   if (const auto point = at.find("point_m")) r.point_m = vec3(*point);
   return r;
 }
 
-rules::Finding finding(const JsonCursor& at, const std::string& plane_id) {
+rules::Finding finding(const JsonCursor& at, const PlanePart& plane) {
   rules::Finding f;
-  f.requirement = requirement(at, plane_id);
+  f.requirement = requirement(at, plane);
   f.verdict =
       at["verdict"].one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
                                       rules::Verdict::undecided, rules::Verdict::not_judged},
@@ -237,24 +241,34 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.where = location(at["where"]);
   const JsonCursor quantity = at["quantity"];
   const std::string kernel = quantity.text();
-  std::size_t k = 0;
-  while (k < calc::kReceiverKernelNames.size() && calc::kReceiverKernelNames[k] != kernel) ++k;
-  if (k == calc::kReceiverKernelNames.size()) quantity.refuse("no kind of point has that name");
-  p.kernel = static_cast<calc::ReceiverKernel>(k);
+  const auto known = std::find_if(calc::kPlaneQuantities.begin(), calc::kPlaneQuantities.end(),
+                                  [&](const auto& candidate) { return candidate.name == kernel; });
+  if (known == calc::kPlaneQuantities.end()) quantity.refuse("no kind of point has that name");
+  p.kernel = known->kernel;
+  p.derived = known->derived;
+  if (const auto remarks = at.find("remarks")) {
+    p.remarks = remarks->list_of([](const JsonCursor& remark) { return remark.text(); });
+  }
   p.is_computed = at["is_computed"].flag();
   p.reason = at["reason"].text();
-  p.findings = at["findings"].list_of([&](const JsonCursor& f) { return finding(f, p.id); });
+  p.findings = at["findings"].list_of([&](const JsonCursor& f) { return finding(f, p); });
   if (const auto zone = at.find("zone")) {
     p.made_by = (*zone)["made_by"].text();
     p.changed = (*zone)["changed"].text();
   }
   if (!p.is_computed) return p;
   const JsonCursor statistics = at["statistics"];
-  p.average_lx = estimate(statistics["average_lx"]);
-  p.minimum_lx = estimate(statistics["minimum_lx"]);
-  p.maximum_lx = estimate(statistics["maximum_lx"]);
-  p.uniformity_min_avg = estimate(statistics["uniformity_min_avg"]);
-  p.uniformity_min_max = estimate(statistics["uniformity_min_max"]);
+  if (calc::is_plain_number(p.derived)) {
+    p.average_lx = p.uniformity_min_avg = p.uniformity_min_max = no_estimate();
+    p.minimum_lx = estimate(statistics["minimum"]);
+    p.maximum_lx = estimate(statistics["maximum"]);
+  } else {
+    p.average_lx = estimate(statistics["average_lx"]);
+    p.minimum_lx = estimate(statistics["minimum_lx"]);
+    p.maximum_lx = estimate(statistics["maximum_lx"]);
+    p.uniformity_min_avg = estimate(statistics["uniformity_min_avg"]);
+    p.uniformity_min_max = estimate(statistics["uniformity_min_max"]);
+  }
   p.stop = stop(at["stop"]);
   p.looks_planned = whole(at["looks_planned"]);
   p.unseen_points = size(at["unseen_points"]);
@@ -265,6 +279,7 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
                 at["points_per_look"].list_of(size)};
   p.grid = grid(at["grid"]);
   p.grid.kernel = p.kernel;
+  p.grid.derived = p.derived;
   p.outline_m = polygon(at["grid"]["outline_m"]);
   p.holes_m = at["grid"]["holes_m"].list_of(polygon);
   add_points(at["points"], p);
@@ -277,6 +292,10 @@ SpacePart space(const JsonCursor& at) {
   s.name = at["name"].text();
   s.footprint_m = polygon(at["footprint_m"]);
   s.floor_z_m = at["floor_z_m"].finite();
+  if (const auto power = at.find("power")) {
+    s.power = {(*power)["power_w"].finite(), (*power)["area_m2"].finite(),
+               whole((*power)["luminaires"]), whole((*power)["without_power"])};
+  }
   s.height_m = at["height_m"].finite();
   s.triangles = size(at["triangles"]);
   s.degenerate_triangles = size(at["degenerate_triangles"]);

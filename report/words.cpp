@@ -18,11 +18,11 @@ std::string plural(int count, const char* noun) {
 }
 
 // "share of points from 300 to 500 lx"
-std::string range_words(const rules::ValueRange& range) {
+std::string range_words(const rules::ValueRange& range, calc::DerivedQuantity derived) {
   std::string words = "share of points";
   if (range.from > 0.0) words += " from " + format_shortest(range.from);
   if (std::isfinite(range.to)) words += " to " + format_shortest(range.to);
-  return words + " lx";
+  return words + (calc::is_plain_number(derived) ? "" : " lx");
 }
 
 }  // namespace
@@ -61,6 +61,25 @@ const char* kernel_words(calc::ReceiverKernel kernel) {
   return "illuminance";
 }
 
+const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
+  switch (derived) {
+    case calc::DerivedQuantity::none:
+      break;
+    case calc::DerivedQuantity::ugr:
+      return "glare rating UGR";
+    case calc::DerivedQuantity::modelling:
+      return "modelling Ez/E";
+    case calc::DerivedQuantity::four_planes:
+      return "cylindrical illuminance Ez of four planes";
+  }
+  return kernel_words(kernel);
+}
+
+const char* value_key(const PlanePart& plane) {
+  if (plane.derived == calc::DerivedQuantity::ugr) return "ugr";
+  return plane.derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";
+}
+
 std::string quantity_words(const rules::Requirement& requirement) {
   switch (requirement.metric) {
     case rules::Metric::average:
@@ -76,7 +95,11 @@ std::string quantity_words(const rules::Requirement& requirement) {
     case rules::Metric::percentile:
       return format_shortest(requirement.percent) + " % percentile";
     case rules::Metric::share:
-      return range_words(requirement.range);
+      return range_words(requirement.range, requirement.derived);
+    case rules::Metric::power_density:
+      return "installed power by floor area";
+    case rules::Metric::power_per_100_lx:
+      return "installed power by floor area and 100 lx";
     case rules::Metric::value_at_point:
       break;
   }
@@ -86,7 +109,12 @@ std::string quantity_words(const rules::Requirement& requirement) {
 
 std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
   const std::string words = quantity_words(requirement);
-  return kernel == calc::ReceiverKernel::planar ? words : words + " of " + kernel_words(kernel);
+  if (requirement.metric == rules::Metric::power_density) return words;
+  if (kernel == calc::ReceiverKernel::planar &&
+      requirement.derived == calc::DerivedQuantity::none) {
+    return words;
+  }
+  return words + " of " + plane_words(kernel, requirement.derived);
 }
 
 const char* comparison_key(rules::Comparison comparison) {

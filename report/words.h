@@ -16,6 +16,22 @@ const char* verdict_key(rules::Verdict verdict);
 
 // What a plane's points measure: "illuminance" (planar), "cylindrical illuminance Ez", ...
 const char* kernel_words(calc::ReceiverKernel kernel);
+// The same for all quantities: "glare rating UGR", ...
+const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity derived);
+inline const char* plane_words(const PlanePart& plane) {
+  return plane_words(plane.kernel, plane.derived);
+}
+// Plain illuminance, which needs no words.
+inline bool is_plain_illuminance(const PlanePart& plane) {
+  return plane.kernel == calc::ReceiverKernel::planar &&
+         plane.derived == calc::DerivedQuantity::none;
+}
+// Of the plane's values: "lx", or "" of ratings and ratios.
+inline const char* plane_unit(const PlanePart& plane) {
+  return calc::is_plain_number(plane.derived) ? "" : "lx";
+}
+// What a point's value is called in data: "illuminance_lx", "ugr", "modelling".
+const char* value_key(const PlanePart& plane);
 
 // What a requirement looks at: "average", "minimum", "Uo (min/avg)", "5 % percentile", "value at
 // (1.00, 2.00, 0.80)".

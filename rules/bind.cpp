@@ -1,5 +1,6 @@
 #include "rules/bind.h"
 
+#include "calc/scene/installed_power.h"
 #include "rules/requirement_reader.h"
 
 #include <fmt/format.h>
@@ -42,11 +43,16 @@ class PlaneIds {
 };
 
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
-                calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
+                const calc::InstalledPower& power, calc::Diagnostics& diagnostics,
+                std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
+      if (is_about_power(requirement.metric)) {
+        if (requirement.problem.empty()) requirement.problem = power.problem();
+        requirement.power_density_w_m2 = power.density_w_m2().value_or(0.0);
+      }
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       bound.push_back(std::move(requirement));
     }
@@ -60,11 +66,12 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            calc::Diagnostics& diagnostics) {
   std::vector<Requirement> bound;
   for (const calc::Space& space : project.spaces) {
+    const calc::InstalledPower power = calc::installed_power(project, space);
     const std::optional<double> floor_z_m =
         space.shell ? std::optional(space.shell->floor_z_m) : std::nullopt;
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, floor_z_m}, diagnostics,
-                 bound);
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, plane.derived, floor_z_m},
+                 power, diagnostics, bound);
     }
   }
   return bound;

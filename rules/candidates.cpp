@@ -141,6 +141,8 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
     case Metric::uniformity_min_max:
       return same_for_both(extreme_points(values, alpha));
     case Metric::share:  // see share.h
+    case Metric::power_density:
+    case Metric::power_per_100_lx:
       break;
     case Metric::value_at_point: {
       Marks marks(values.points, 0);

@@ -23,16 +23,6 @@ void add_weighted(const std::vector<double>& from_lx, std::size_t row, double we
   for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
 }
 
-// Of every channel.
-std::vector<double> weights_of(const calc::PlaneField& field, LightState state,
-                               const std::vector<std::pair<std::string, double>>& level_of_group) {
-  std::vector<double> weights;
-  for (const calc::LightChannel& channel : field.channels) {
-    weights.push_back(weight_of(channel, state, level_of_group));
-  }
-  return weights;
-}
-
 // [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
 // own marks speak of all channels together; a scene with fewer of them may miss more points.
 std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
@@ -108,6 +98,16 @@ calc::PlaneField direct_part(calc::PlaneField field) {
 
 }  // namespace
 
+std::vector<double> channel_weights(
+    const calc::PlaneField& field, LightState state,
+    const std::vector<std::pair<std::string, double>>& level_of_group) {
+  std::vector<double> weights;
+  for (const calc::LightChannel& channel : field.channels) {
+    weights.push_back(weight_of(channel, state, level_of_group));
+  }
+  return weights;
+}
+
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group,
                              LightParts parts) {
@@ -116,7 +116,7 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
   }
   PointValues values;
   values.points = field.points;
-  const std::vector<double> weights = weights_of(field, state, level_of_group);
+  const std::vector<double> weights = channel_weights(field, state, level_of_group);
   // A scene that dims everything to 0 is exactly dark, whatever was sampled.
   const bool has_light =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; });

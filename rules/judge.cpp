@@ -18,12 +18,13 @@ double rounded(double value, int digits) {
 }
 
 // Digits after the point with which both ends are still on their own side of the limit.
-int digits_for(const calc::Estimate& estimate, double limit, Metric metric) {
+int digits_for(const calc::Estimate& estimate, double limit, const Requirement& requirement) {
   const auto is_kept = [&](double value, int digits) {
     return sign(rounded(value, digits) - limit) == sign(value - limit);
   };
   constexpr int kMostDigits = 9;
-  int digits = is_ratio(metric) ? 2 : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
+  int digits =
+      is_ratio(requirement.metric) ? 2 : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
   while (digits < kMostDigits &&
          !(is_kept(estimate.low, digits) && is_kept(estimate.high, digits))) {
     ++digits;
@@ -31,9 +32,10 @@ int digits_for(const calc::Estimate& estimate, double limit, Metric metric) {
   return digits;
 }
 
-std::string undecided_text(const calc::Estimate& estimate, double limit, Metric metric) {
-  const int digits = digits_for(estimate, limit, metric);
-  const char* unit = is_ratio(metric) ? "" : " lx";
+std::string undecided_text(const calc::Estimate& estimate, double limit,
+                           const Requirement& requirement) {
+  const int digits = digits_for(estimate, limit, requirement);
+  const std::string unit = *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
   return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
                      digits, estimate.high, digits, unit, limit, unit);
 }
@@ -51,8 +53,11 @@ std::string single_sample_text(std::size_t doubtful, std::size_t points) {
 }
 
 int digits_of(const Requirement& requirement) {
-  const bool is_plain = is_ratio(requirement.metric);
-  return requirement.policy.digits(is_plain ? Dimension::plain : Dimension::illuminance, is_plain);
+  // A modelling ratio is printed as all ratios are, a glare rating as other numbers.
+  const bool is_of_two = is_ratio(requirement.metric) ||
+                         requirement.derived == calc::DerivedQuantity::modelling;
+  return requirement.policy.digits(
+      is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
 }
 
 }  // namespace
@@ -85,7 +90,8 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   const std::size_t points = grid.position_m.size();
   const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
   if (finding.verdict == Verdict::undecided) {
-    finding.reason = undecided_text(finding.measured, limit, requirement.metric);
+    finding.reason = undecided_text(finding.measured, limit, requirement);
+    if (!measurement.remark.empty()) finding.reason += "; " + measurement.remark;
   }
   if (!is_doubtful) return finding;
   if (measurement.unseen_points > 0) {

@@ -1,6 +1,7 @@
 #include "rules/measure.h"
 
 #include "rules/candidates.h"
+#include "rules/derived_metrics.h"
 #include "rules/mask.h"
 #include "rules/share.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rules {
@@ -67,9 +69,135 @@ std::vector<std::uint8_t> spread_marks(const std::vector<std::uint8_t>& marks,
   return spread;
 }
 
+// Where a point of the grid stands among the chosen ones.
+std::optional<std::size_t> place_among(const std::vector<std::size_t>& chosen,
+                                       std::optional<std::size_t> point) {
+  if (!point) return std::nullopt;
+  const auto found = std::find(chosen.begin(), chosen.end(), *point);
+  if (found == chosen.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - chosen.begin());
+}
+
 Measurement nothing_to_measure(const std::string& reason) {
   Measurement result;
   result.reason = reason;
+  return result;
+}
+
+// Of one receiver per point: of all the point's receivers.
+std::vector<std::uint8_t> repeated(const std::vector<std::uint8_t>& marks, std::size_t times) {
+  std::vector<std::uint8_t> all;
+  for (std::size_t k = 0; k < times; ++k) all.insert(all.end(), marks.begin(), marks.end());
+  return all;
+}
+
+struct DerivedRequest {
+  const Requirement& requirement;
+  std::optional<std::size_t> point;  // among the masked ones
+  double confidence;
+  Goal goal;
+  calc::DerivedQuantity derived;
+};
+
+Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& request) {
+  Measurement result;
+  result.points_used = points.points();
+  Requirement requirement = request.requirement;
+  // Ratings below 0 exist; a range without a lower end holds them.
+  if (!(requirement.range.from > 0.0)) {
+    requirement.range.from = -std::numeric_limits<double>::infinity();
+  }
+  const auto limit = request.goal == Goal::verdict ? std::optional<double>(requirement.limit)
+                                                   : std::nullopt;
+  const auto found =
+      compute_derived(points, requirement, request.point, limit, request.confidence);
+  if (!found) return nothing_to_measure("no observer sees a glare source");
+  result.active = found->active;
+  result.unseen_points = found->unseen_points;
+  result.single_sample_points = found->single_sample_points;
+  const calc::Estimate& estimate = found->estimate;
+  if (std::isfinite(estimate.low) && std::isfinite(estimate.high)) {
+    result.metric = MetricEstimate{estimate, found->point};
+    return result;
+  }
+  // More samples may help, except for a low end that has no source to stand on.
+  if (!std::isfinite(estimate.high)) {
+    result.reason =
+        request.derived == calc::DerivedQuantity::ugr
+            ? "the reflected light at an observer may be nothing: too little of it was sampled"
+            : "the illuminance across the axis may be 0 lx at a point, which then has no ratio";
+    if (points.replicates() > 1) {
+      result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    }
+  } else {
+    result.reason =
+        "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, or hardly "
+        "visible";
+    result.unseen_points = 0;
+  }
+  return result;
+}
+
+Measurement measure_modelling(const PointValues& receivers, const MaskedPoints& masked,
+                              const DerivedRequest& request) {
+  const ModellingPoints points(receivers, masked.points);
+  if (points.dark_points() > 0) {
+    return nothing_to_measure(fmt::format("{} of {} points are dark: they have no modelling ratio",
+                                          points.dark_points(), points.points()));
+  }
+  return measure_derived(points, request);
+}
+
+Measurement measure_glare(const calc::PlaneField& field, const std::vector<double>& weights,
+                          const PointValues& indirect, const MaskedPoints& masked,
+                          const DerivedRequest& request) {
+  const std::string refusal = glare_refusal(field.glare, weights, masked.points);
+  if (!refusal.empty()) return nothing_to_measure(refusal);
+  const GlarePoints points(indirect, field.glare, weights, masked.points);
+  for (std::size_t i = 0; i < points.points(); ++i) {
+    if (!points.sees_source(i) || !points.has_black_background(i)) continue;
+    return nothing_to_measure(
+        fmt::format("no reflected light reaches observer {}: without background luminance there "
+                    "is no UGR",
+                    masked.points[i] + 1));
+  }
+  Measurement result = measure_derived(points, request);
+  if (points.has_inexact_sources()) {
+    result.remark =
+        "sources smaller than 0.0003 sr and hidden parts of openings count only in the upper end";
+  }
+  return result;
+}
+
+Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
+  const double w_m2 = requirement.power_density_w_m2;
+  Measurement result;
+  result.metric = MetricEstimate{{w_m2, w_m2, w_m2}, std::nullopt};
+  result.points_used = grid.position_m.size();
+  result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
+  return result;
+}
+
+// Falls with the average illuminance: the ends of its interval give those of the quotient.
+Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorGrid& grid,
+                             const calc::PlaneField& field,
+                             const std::vector<calc::LightScene>& scenes, double confidence,
+                             Goal goal) {
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  Measurement result = measure(average, grid, field, scenes, confidence, goal);
+  if (!result.metric) return result;
+  const calc::Estimate lx = result.metric->estimate;
+  result.metric.reset();
+  if (!(lx.low > 0.0)) {
+    result.reason = "the average may be 0 lx: there is no power per 100 lx";
+    if (lx.high > 0.0) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    return result;
+  }
+  const auto at = [&](double average_lx) {
+    return 100.0 * requirement.power_density_w_m2 / average_lx;
+  };
+  result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
   return result;
 }
 
@@ -79,6 +207,10 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
                     double confidence, Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
+  if (requirement.metric == Metric::power_density) return known_density(requirement, grid);
+  if (requirement.metric == Metric::power_per_100_lx) {
+    return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
+  }
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
     return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
@@ -96,17 +228,36 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   }
   const MaskedPoints masked = apply_mask(requirement.mask, grid);
   if (!masked.problem.empty()) return nothing_to_measure(masked.problem);
-  const PointValues values = select_points(
+  PointValues receivers =
       combine_channels(field, requirement.state, *levels,
-                       requirement.direct_only ? LightParts::direct : LightParts::all),
-      masked.points);
+                       requirement.direct_only ? LightParts::direct : LightParts::all);
+  const std::size_t parts = calc::receivers_per_point(grid.derived);
+  if (calc::is_plain_number(grid.derived)) {
+    const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal,
+                                 grid.derived};
+    Measurement result =
+        grid.derived == calc::DerivedQuantity::ugr
+            ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,
+                            masked, request)
+            : measure_modelling(receivers, masked, request);
+    if (result.metric && result.metric->point) {
+      result.metric->point = masked.points[*result.metric->point];
+    }
+    if (result.active.empty()) return result;
+    result.active =
+        repeated(spread_marks(result.active, masked.points, grid.position_m.size()), parts);
+    return result;
+  }
+  if (grid.derived == calc::DerivedQuantity::four_planes) receivers = mean_of_four_planes(receivers);
+  const PointValues values = select_points(receivers, masked.points);
   Measurement result;
   result.points_used = values.points;
   const Metric metric = requirement.metric;
   if (metric == Metric::share) {
     const ShareEstimate share = compute_share(values, requirement.range, confidence);
     result.metric = MetricEstimate{share.estimate, std::nullopt};
-    result.active = spread_marks(share.open, masked.points, grid.position_m.size());
+    result.active = 
+        repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
     return result;
   }
   result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
@@ -123,7 +274,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
   result.unseen_points = doubtful.unseen;
   result.single_sample_points = doubtful.single_sample;
-  result.active = spread_marks(candidates.active, masked.points, grid.position_m.size());
+  result.active =
+      repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
   if (result.metric->point) result.metric->point = masked.points[*result.metric->point];
   return result;
 }

@@ -185,6 +185,8 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::value_at_point:
       return MetricEstimate{value_at(values, point.value(), confidence), point};
     case Metric::share:  // see share.h
+    case Metric::power_density:  // see measure.cpp, as the next
+    case Metric::power_per_100_lx:
       break;
   }
   return std::nullopt;

@@ -32,11 +32,16 @@ struct PointValues {
   }
 };
 
+// Of the field's channels in a scene and state. level_of_group: dimming levels; groups not named
+// are at 1.
+std::vector<double> channel_weights(
+    const calc::PlaneField& field, LightState state,
+    const std::vector<std::pair<std::string, double>>& level_of_group);
+
 // direct: without reflected light.
 enum class LightParts { all, direct };
 
-// Weighted sum over the field's channels. level_of_group: dimming levels; groups not named are
-// at 1.
+// Sum over the field's channels with those weights.
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group,
                              LightParts parts = LightParts::all);

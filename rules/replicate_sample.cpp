@@ -63,13 +63,19 @@ Limits point_limits(const ReplicateSample& sample, std::size_t point, double t) 
 }
 
 Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t) {
-  // With a, b the means of numerator and denominator, the limits of E_i - u * mean(E) vanish where
+  return fieller_limits({sample.mean_lx[point], sample.plane_mean_lx, sample.variance[point],
+                         sample.covariance[point], sample.plane_variance},
+                        t);
+}
+
+Limits fieller_limits(const MeanPair& means, double t) {
+  // The limits of a - u b vanish where
   //   (a - u b)^2 = t^2 (v11 - 2 u v12 + u^2 v22),   that is   A u^2 - 2 B u + C = 0.
-  const double a = sample.mean_lx[point];
-  const double b = sample.plane_mean_lx;
-  const double v11 = sample.variance[point];
-  const double v12 = sample.covariance[point];
-  const double v22 = sample.plane_variance;
+  const double a = means.a;
+  const double b = means.b;
+  const double v11 = means.variance_a;
+  const double v12 = means.covariance;
+  const double v22 = means.variance_b;
   const double A = b * b - t * t * v22;
   const double B = a * b - t * t * v12;
   const double C = a * a - t * t * v11;
@@ -79,8 +85,8 @@ Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t) 
   const double root = std::sqrt(std::max(discriminant, 0.0));
 
   Limits limits{0.0, b > 0.0 ? a / b : 0.0, std::numeric_limits<double>::infinity()};
-  const double low_at_zero = a - t * std::sqrt(v11);  // lower limit of E_i itself
-  // The lower limit of E_i - u mean(E) is a concave function of u: positive at 0, it has one root
+  const double low_at_zero = a - t * std::sqrt(v11);  // lower limit of a itself
+  // The lower limit of a - u b is a concave function of u: positive at 0, it has one root
   // beyond.
   limits.low = low_at_zero > 0.0 ? C / (B + root) : std::min(low_at_zero, 0.0);
   // The upper limit falls strictly, and so has one root, if the denominator is surely positive.

@@ -40,15 +40,21 @@ using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t poin
 // mean -+ t * standard error
 Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
 
-// The ratio of the point's mean to the plane's mean by Fieller's theorem, restricted to ratios >=
-// 0:
-//   low:  the largest u for which E_i - u * mean(E) has a lower limit >= 0 (as tested for every
-//   smaller u, too);
+// Two means a, b, with the variances and the covariance of the means.
+struct MeanPair {
+  double a, b, variance_a, covariance, variance_b;
+};
+
+// The ratio a / b by Fieller's theorem, restricted to ratios >= 0:
+//   low:  the largest u for which a - u b has a lower limit >= 0 (as tested for every smaller u,
+//   too);
 //         negative if there is none
-//   high: the largest u that the upper limit does not refute; infinite if the plane's mean itself
-//   may be 0
-// so that low >= u exactly when the lower limit of E_i - u * mean(E) is >= 0.  [Fieller, JRSS B 16
-// (1954) 175] plane_mean_lx > 0, except that `high` is also right (infinite) for a plane mean of 0.
+//   high: the largest u that the upper limit does not refute; infinite if b itself may be 0
+// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller, JRSS B 16 (1954)
+// 175] b > 0, except that `high` is also right (infinite) for b = 0.
+Limits fieller_limits(const MeanPair& means, double t);
+
+// The same of the point's mean to the plane's mean.
 Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t);
 
 }  // namespace rules

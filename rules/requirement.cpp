@@ -20,6 +20,8 @@ constexpr std::array kMetrics{
     MetricEntry{Metric::percentile, "percentile", false},
     MetricEntry{Metric::value_at_point, "value", false},
     MetricEntry{Metric::share, "share", true},
+    MetricEntry{Metric::power_density, "power-density", false},
+    MetricEntry{Metric::power_per_100_lx, "power-per-100-lx", false},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
@@ -47,7 +49,9 @@ std::optional<Metric> metric_from_name(std::string_view name) {
 std::vector<std::string_view> metric_names() {
   std::vector<std::string_view> names;
   names.reserve(kMetrics.size());
-  for (const MetricEntry& candidate : kMetrics) names.emplace_back(candidate.name);
+  for (const MetricEntry& candidate : kMetrics) {
+    if (!is_about_power(candidate.metric)) names.emplace_back(candidate.name);
+  }
   return names;
 }
 
@@ -79,6 +83,24 @@ const char* state_name(LightState state) {
 
 bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
 
-const char* metric_unit(Metric metric) { return is_ratio(metric) ? "" : "lx"; }
+bool is_about_power(Metric metric) {
+  return metric == Metric::power_density || metric == Metric::power_per_100_lx;
+}
+
+const char* metric_unit(Metric metric) {
+  if (metric == Metric::power_density) return "W/m2";
+  if (metric == Metric::power_per_100_lx) return "W/m2/100lx";
+  return is_ratio(metric) ? "" : "lx";
+}
+
+bool is_in_lux(const Requirement& requirement) {
+  return !is_ratio(requirement.metric) && !is_about_power(requirement.metric) &&
+         !calc::is_plain_number(requirement.derived);
+}
+
+const char* unit_of(const Requirement& requirement) {
+  if (is_about_power(requirement.metric)) return metric_unit(requirement.metric);
+  return is_in_lux(requirement) ? "lx" : "";
+}
 
 }  // namespace rules

@@ -2,6 +2,7 @@
 // What a plane must meet: plain data.
 
 #include "calc/diagnostics.h"
+#include "calc/scene/receiver_kernel.h"
 #include "rules/mask.h"
 #include "rules/policy.h"
 
@@ -24,6 +25,8 @@ enum class Metric {
   percentile,          // illuminance that the given share of points does not exceed, lx
   value_at_point,      // lx
   share,               // of the points whose value lies in a range
+  power_density,       // installed power of the plane's space / its floor area, W/m2
+  power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
 };
 
 // Both ends belong to it.
@@ -50,11 +53,13 @@ struct Requirement {
   std::string plane_id;
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
   Metric metric = Metric::average;
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
   double percent = 0.0;               // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
-  ValueRange range;                   // of Metric::share, lx
+  ValueRange range;                   // of Metric::share, lx or plain as the points' values are
+  double power_density_w_m2 = 0.0;    // of the two about power: what it is
   Comparison comparison = Comparison::at_least;
-  double limit = 0.0;  // lx, or a ratio for uniformities
+  double limit = 0.0;  // unit_of() this
   LightState state = LightState::maintained;
   std::string scene;   // "" = every luminaire at full output
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
@@ -69,7 +74,8 @@ struct Requirement {
 };
 
 // Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value".
+// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx". metric_names(): without
+// those about power, which are no statistics of points.
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 std::vector<std::string_view> metric_names();
@@ -84,7 +90,11 @@ const char* comparison_name(Comparison comparison);
 const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
-// "lx" or "" for ratios.
+bool is_about_power(Metric metric);
+// "lx", "" for ratios, "W/m2", "W/m2/100lx"; of illuminances.
 const char* metric_unit(Metric metric);
+// Of what is required: "" also for ratings and ratios of single points.
+const char* unit_of(const Requirement& requirement);
+bool is_in_lux(const Requirement& requirement);
 
 }  // namespace rules

@@ -3,6 +3,7 @@
 #include "calc/text.h"
 #include "calc/xml_document.h"
 #include "calc/xml_reader.h"
+#include "rules/derived_metrics.h"
 #include "rules/limit_text.h"
 #include "rules/rule_reference.h"
 #include "rules/waiver.h"
@@ -26,9 +27,9 @@ using calc::Names;
 constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
-constexpr std::array<std::string_view, 12> kOwnAttributes{
-    "id",   "quantity", "at-least", "at-most", "percent", "at",
-    "from", "to",       "unit",     "state",   "scene",   "clause"};
+constexpr std::array<std::string_view, 13> kOwnAttributes{
+    "id", "quantity", "at-least", "at-most", "percent", "at",   "from",
+    "to", "unit",     "state",    "scene",   "clause",  "light"};
 constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
 // Beside either.
 constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
@@ -76,12 +77,12 @@ bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owne
   return false;
 }
 
-LimitUnit read_unit(ElementReader& reader, Metric metric) {
-  if (is_ratio(metric)) {
+LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity derived) {
+  if (is_ratio(metric) || is_about_power(metric) || calc::is_plain_number(derived)) {
     if (reader.has("unit")) {
       report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", metric_name(metric)));
     }
-    return LimitUnit::lux;
+    return is_ratio(metric) ? LimitUnit::lux : LimitUnit::plain;
   }
   return reader.choice_or("unit", {"lx", "fc"}, 0) == 0 ? LimitUnit::lux : LimitUnit::footcandle;
 }
@@ -99,8 +100,11 @@ std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene
 }
 
 // Of a share: from, to or both.
-void read_range(ElementReader& reader, Metric metric, ValueRange& range) {
-  constexpr calc::NumberRange kEnd{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
+void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
+                ValueRange& range) {
+  constexpr calc::NumberRange kLux{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
+  constexpr calc::NumberRange kPlain{0.0, 1.0e9, false, "a number from 0 to 1e9"};
+  const calc::NumberRange& kEnd = calc::is_plain_number(derived) ? kPlain : kLux;
   const bool has_from = is_given_for(reader, "from", Metric::share, metric) && reader.has("from");
   const bool has_to = is_given_for(reader, "to", Metric::share, metric) && reader.has("to");
   if (metric != Metric::share) return;
@@ -114,11 +118,33 @@ void read_range(ElementReader& reader, Metric metric, ValueRange& range) {
   }
 }
 
-void read_quantity(ElementReader& reader, Requirement& requirement) {
-  const std::optional<Metric> metric = read_metric(reader, metric_names());
-  if (!metric) return;
+Names all_metric_names() {
+  Names names = metric_names();
+  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx}) {
+    names.emplace_back(metric_name(metric));
+  }
+  return names;
+}
+
+// Whether such points have this quantity.
+bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
+  if (is_metric_of(metric, context.derived)) return true;
+  Names allowed;
+  for (const std::string_view name : all_metric_names()) {
+    if (is_metric_of(*metric_from_name(name), context.derived)) allowed.push_back(name);
+  }
+  reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
+                metric_name(metric), calc::quantity_name(context.kernel, context.derived),
+                calc::join_choices(allowed));
+  return false;
+}
+
+void read_quantity(ElementReader& reader, const RequirementContext& context,
+                   Requirement& requirement) {
+  const std::optional<Metric> metric = read_metric(reader, all_metric_names());
+  if (!metric || !check_metric(reader, *metric, context)) return;
   requirement.metric = *metric;
-  const LimitUnit unit = read_unit(reader, *metric);
+  const LimitUnit unit = read_unit(reader, *metric, context.derived);
   if (const std::optional<Comparison> comparison = read_comparison(reader)) {
     requirement.comparison = *comparison;
     requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
@@ -126,7 +152,7 @@ void read_quantity(ElementReader& reader, Requirement& requirement) {
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
     requirement.percent = reader.number("percent", kPercent);
   }
-  read_range(reader, *metric, requirement.range);
+  read_range(reader, *metric, context.derived, requirement.range);
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at =
         reader.numbers("at", 3, "3 numbers (x y z) in metres, in world coordinates");
@@ -134,16 +160,36 @@ void read_quantity(ElementReader& reader, Requirement& requirement) {
   }
 }
 
-std::vector<Requirement> read_own(ElementReader& reader,
-                                  const std::vector<calc::LightScene>& scenes) {
+// Whether reflected light is left out. A glare rating is nothing without it.
+bool read_light(ElementReader& reader, const Requirement& requirement) {
+  const bool is_free = requirement.metric != Metric::power_density &&
+                       requirement.derived != calc::DerivedQuantity::ugr;
+  if (!is_free && reader.has("light")) {
+    report_unfit(
+        reader, "light",
+        requirement.metric == Metric::power_density ? "quantity=\"power-density\"" : "ugr points");
+    return false;
+  }
+  return reader.choice_or("light", {"all", "direct"}, 0) == 1;
+}
+
+std::vector<Requirement> read_own(ElementReader& reader, const RequirementContext& context) {
   Requirement requirement;
   requirement.where = reader.where();
+  requirement.derived = context.derived;
   if (reader.has("id")) requirement.id = reader.id();
-  read_quantity(reader, requirement);
+  read_quantity(reader, context, requirement);
   requirement.state = reader.choice_or("state", {"maintained", "initial"}, 0) == 0
                           ? LightState::maintained
                           : LightState::initial;
-  requirement.scene = read_scene(reader, scenes);
+  // Installed power is that of full output.
+  for (const char* name : {"state", "scene"}) {
+    if (requirement.metric == Metric::power_density && reader.has(name)) {
+      report_unfit(reader, name, "quantity=\"power-density\"");
+    }
+  }
+  requirement.scene = read_scene(reader, context.scenes);
+  requirement.direct_only = read_light(reader, requirement);
   requirement.clause = calc::trim(reader.text_or("clause", ""));
   return {requirement};
 }
@@ -163,8 +209,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  std::vector<Requirement> requirements = read_rule_reference(
-      reader, context.packs, context.kernel, scene, context.plane, context.floor_z_m);
+  std::vector<Requirement> requirements = read_rule_reference(reader, context, scene);
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {
@@ -185,9 +230,12 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   const bool is_row = std::any_of(kRowAttributes.begin(), kRowAttributes.end(),
                                   [&](std::string_view name) { return reader.has(name); });
   std::vector<Requirement> requirements =
-      is_row ? read_rule(reader, context) : read_own(reader, context.scenes);
+      is_row ? read_rule(reader, context) : read_own(reader, context);
   const std::optional<Waiver> waiver = read_waiver(reader);
-  for (Requirement& requirement : requirements) requirement.waiver = waiver;
+  for (Requirement& requirement : requirements) {
+    requirement.waiver = waiver;
+    requirement.derived = context.derived;
+  }
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

@@ -17,7 +17,8 @@ struct RequirementContext {
   const std::vector<calc::LightScene>& scenes;
   const std::vector<RulePack>& packs;
   const calc::CalcPlane* plane = nullptr;  // where it is, which way it faces; null: not known
-  std::optional<double> floor_z_m;         // of the room around it
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
+  std::optional<double> floor_z_m = std::nullopt;               // of the room around it
 };
 
 // One requirement, or those of a rule pack's row; empty after an error, which is reported. plane_id

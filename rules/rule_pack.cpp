@@ -22,8 +22,9 @@ constexpr std::array kQuantities{
     Quantity{"semicylindrical", Dimension::illuminance, ReceiverKernel::semicylindrical},
     Quantity{"hemispherical", Dimension::illuminance, ReceiverKernel::hemispherical},
     Quantity{"scalar", Dimension::illuminance, ReceiverKernel::scalar},
-    Quantity{"modelling", Dimension::plain, std::nullopt},  // cylindrical to planar, at a point
-    Quantity{"UGR", Dimension::plain, std::nullopt},
+    Quantity{"modelling", Dimension::plain, ReceiverKernel::cylindrical,
+             calc::DerivedQuantity::modelling},
+    Quantity{"UGR", Dimension::plain, ReceiverKernel::planar, calc::DerivedQuantity::ugr},
     Quantity{"GR", Dimension::plain, std::nullopt},
     Quantity{"Ra", Dimension::plain, std::nullopt},
     Quantity{"luminance", Dimension::luminance, std::nullopt},

@@ -98,11 +98,12 @@ struct RuleScale {
   calc::SourceLocation where;
 };
 
-// What a check is about. The first five are what the points of a plane can measure.
+// What a check is about. The first seven are what the points of a plane can measure.
 struct Quantity {
   const char* name;
   Dimension dimension;
   std::optional<calc::ReceiverKernel> kernel;  // empty: not measured on planes
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;
 };
 const Quantity* quantity_from_name(std::string_view name);  // nullptr if there is none
 calc::Names quantity_names();

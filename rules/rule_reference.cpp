@@ -1,6 +1,7 @@
 #include "rules/rule_reference.h"
 
 #include "calc/text.h"
+#include "rules/derived_metrics.h"
 #include "rules/limit.h"
 #include "rules/pack_parts.h"
 
@@ -95,11 +96,20 @@ bool needs_row(const Expression& expression, const RulePack& pack) {
                      [&](const Expression& operand) { return needs_row(operand, pack); });
 }
 
+// About the space that the plane is in; any plane there will do.
+bool is_power(const RuleCheck& check) {
+  return check.quantity->dimension == Dimension::power_density;
+}
+
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
   if (check.any_one_unit_out) return "luxgate does not yet put out one luminaire after the other";
   if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
-  if (check.metric == Metric::value_at_point) {
+  if (!is_metric_of(check.metric, check.quantity->derived)) {
+    return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
+                       metric_name(check.metric), check.quantity->name);
+  }
+  if (check.metric == Metric::value_at_point && !is_power(check)) {
     return fmt::format("check '{}' is about a single value, not about a plane", check.id);
   }
   return {};
@@ -116,6 +126,7 @@ struct Reference {
   const RuleRow* row;
   LimitScope scope;
   calc::ReceiverKernel kernel;
+  calc::DerivedQuantity derived;
   std::string scene;
   const calc::CalcPlane* plane;
   std::optional<double> floor_z_m;
@@ -132,10 +143,14 @@ bool faces(const std::string& orientation, const glm::dvec3& normal) {
   return true;  // surface, free
 }
 
-// What keeps a plane from being one of the role's; "" = nothing. Only planar points face a way of
-// their own.
+// What keeps a plane from being one of the role's; "" = nothing. Only planar points, and those that
+// modelling is related to, face a way of their own.
 std::string wrong_orientation(const RuleCheck& check, const Reference& reference) {
-  if (reference.plane == nullptr || reference.kernel != calc::ReceiverKernel::planar) return {};
+  const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
+                              reference.derived == calc::DerivedQuantity::none;
+  const bool faces_somewhere =
+      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) && !is_power(check);
+  if (reference.plane == nullptr || !faces_somewhere) return {};
   std::vector<glm::dvec3> normals;
   if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
     normals = {area->normal()};
@@ -200,7 +215,7 @@ std::string wrong_height(const RuleCheck& check, const Reference& reference, boo
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
-  requirement.metric = check.metric;
+  requirement.metric = is_power(check) ? Metric::power_density : check.metric;
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;
@@ -227,10 +242,13 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 
 // False after an error.
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
-  if (check.quantity->kernel != reference.kernel) {
+  // The mean of four planes is an approximation of the cylindrical illuminance, not it.
+  const bool is_of_points = !is_power(check);
+  if (is_of_points && (check.quantity->kernel != reference.kernel ||
+                       check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
                   reference.pack.full_id(), check.quantity->name,
-                  calc::kernel_name(reference.kernel));
+                  calc::quantity_name(reference.kernel, reference.derived));
     return false;
   }
   if (check.sources == LightSources::emergency && reference.scene.empty()) {
@@ -321,16 +339,14 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
 }
 
 std::vector<Requirement> read_rule_reference(ElementReader& reader,
-                                             const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel, const std::string& scene,
-                                             const calc::CalcPlane* plane,
-                                             std::optional<double> floor_z_m) {
+                                             const RequirementContext& context,
+                                             const std::string& scene) {
   for (const char* name : {"row", "level", "role", "facts"}) {
     if (!reader.has(name) || reader.has("pack")) continue;
     reader.report(DiagnosticId::missing_partner, reader.where(name), kElement, name, "pack");
     return {};
   }
-  const RulePack* pack = find_pack(reader, packs);
+  const RulePack* pack = find_pack(reader, context.packs);
   if (pack == nullptr) return {};
   const RuleRow* row = find_row(reader, *pack);
   const std::string role = find_role(reader, *pack);
@@ -338,9 +354,10 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
-  return requirements_of_role(reader, role,
-                              {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, kernel,
-                               scene, plane, floor_z_m});
+  return requirements_of_role(
+      reader, role,
+      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel, context.derived,
+       scene, context.plane, context.floor_z_m});
 }
 
 }  // namespace rules

@@ -1,10 +1,9 @@
 #pragma once
 // <require pack="..." row="..." role="..."/>: what a rule pack requires of a plane.
 
-#include "calc/scene/project.h"
-#include "calc/scene/receiver_kernel.h"
 #include "calc/xml_reader.h"
 #include "rules/requirement.h"
+#include "rules/requirement_reader.h"
 #include "rules/rule_pack.h"
 
 #include <map>
@@ -17,15 +16,12 @@ namespace rules {
 // One requirement for each check of the pack with the role, in order, without those for which the
 // row specifies nothing. What cannot be judged (a value that the pack does not know, a fact that is
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
-// a plane that faces another way than the role's) has its reason in `problem`. kernel: of the
-// plane; `scene`: as read and checked by the caller; plane: null if unknown; floor_z_m: of the room
-// around it. A plane at another height than the role's has that in `problem`, or in `note` where
-// the pack only says what is usual. Empty after an error, which is reported.
+// a plane that faces another way than the role's or is at another height) has its reason in
+// `problem`; a height that is merely not usual has it in `note`. `scene`: as read and checked by
+// the caller. Empty after an error, which is reported.
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
-                                             const std::vector<RulePack>& packs,
-                                             calc::ReceiverKernel kernel, const std::string& scene,
-                                             const calc::CalcPlane* plane = nullptr,
-                                             std::optional<double> floor_z_m = std::nullopt);
+                                             const RequirementContext& context,
+                                             const std::string& scene);
 
 // The attribute "pack", by "id" (the edition in force) or "id:edition". nullptr after an error.
 const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePack>& packs);

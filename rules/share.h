@@ -2,6 +2,7 @@
 // The share of a plane's points whose value lies in a range.
 
 #include "calc/field.h"
+#include "rules/derived_points.h"
 #include "rules/metrics.h"
 #include "rules/requirement.h"
 
@@ -21,5 +22,8 @@ struct ShareEstimate {
 // are in the range; high: those that may be. A point that no sample has reached, or that rests on a
 // single one, is open. values.points >= 1, confidence in (0, 1).
 ShareEstimate compute_share(const PointValues& values, const ValueRange& range, double confidence);
+// The same of derived points, at least one.
+ShareEstimate compute_share(const DerivedPoints& points, const ValueRange& range,
+                            double confidence);
 
 }  // namespace rules

@@ -157,7 +157,7 @@ class WorkplaceMaker {
 
   // Its points look somewhere: along the room's first wall and across it, to and fro.
   bool looks_around(const std::string& role) const {
-    return kernel_of(role) == calc::ReceiverKernel::semicylindrical;
+    return calc::has_look(kernel_of(role), find_quantity(role)->derived);
   }
 
   glm::dvec3 direction(std::size_t index) const {
@@ -208,6 +208,7 @@ class WorkplaceMaker {
     plane.where = workplace_.where;
     plane.area = std::move(made.area);
     plane.kernel = kernel_of(rule.role);
+    plane.derived = find_quantity(rule.role)->derived;
     if (looks_around(rule.role)) {
       plane.direction = direction(*part);
       made.words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,

@@ -1,5 +1,6 @@
 #include "calc/radiosity/grid_receivers.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace calc {
@@ -8,6 +9,14 @@ namespace {
 bool touches_surface(const Tracer& tracer, const glm::dvec3& position_m) {
   // The tracer takes its offset off the distance.
   return tracer.clear_distance(position_m, glm::dvec3(0.0), 2.0 * tracer.offset_m()) <= 0.0;
+}
+
+// Directions across the axis, 90 degrees apart; of a vertical axis +x, +y, -x, -y.
+glm::dvec3 side_of_axis(const glm::dvec3& axis, std::size_t quarter) {
+  const glm::dvec3 aside = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 first = glm::normalize(aside - glm::dot(aside, axis) * axis);
+  const glm::dvec3 side = quarter % 2 == 0 ? first : glm::cross(axis, first);
+  return quarter < 2 ? side : -side;
 }
 
 }  // namespace
@@ -21,6 +30,16 @@ std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid)
       receiver.position_m = tracer.lift(receiver.position_m, grid.front(i));
     }
     receivers.push_back(receiver);
+  }
+  const std::size_t points = receivers.size();
+  receivers.reserve(points * receivers_per_point(grid.derived));
+  for (std::size_t part = 1; part < receivers_per_point(grid.derived); ++part) {
+    for (std::size_t i = 0; i < points; ++i) {
+      const glm::dvec3 axis = grid.derived == DerivedQuantity::modelling
+                                  ? grid.normal[i]
+                                  : side_of_axis(grid.normal[i], part - 1);
+      receivers.push_back({receivers[i].position_m, axis, ReceiverKernel::planar});
+    }
   }
   return receivers;
 }

@@ -83,6 +83,15 @@ bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point
   }
 }
 
+double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards) {
+  const LuminousOpening& opening = luminaire.opening;
+  const glm::dvec3 direction = glm::transpose(luminaire.world_from_luminaire) * towards;
+  if (opening.is_body()) return outline_m2(opening, 0.5 * opening.size_m(), direction);
+  const double fill = opening.shape == OpeningShape::disk ? 0.25 * kPi : 1.0;
+  const glm::dvec3 size_m = opening.size_m();
+  return fill * size_m.x * size_m.y * std::abs(direction.z);
+}
+
 OpeningView::OpeningView(const PlacedLuminaire& luminaire, const glm::dvec3& towards)
     : luminaire_(luminaire),
       is_flat_(!luminaire.opening.is_body()),

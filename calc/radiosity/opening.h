@@ -20,6 +20,10 @@ glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t)
 bool is_inside_opening(const PlacedLuminaire& luminaire, const glm::dvec3& point_m,
                        double distance_m);
 
+// Area (m2) of the opening's outline seen from far away in the unit direction `towards`: 0 of a
+// point, and of a flat opening edge-on.
+double seen_opening_m2(const PlacedLuminaire& luminaire, const glm::dvec3& towards);
+
 // The opening seen along one direction. The luminaire's intensity I(w) is spread evenly over what
 // an observer far away in direction w sees of it: a flat opening's whole area, a body's outline.
 // For a receiver nearer by, dE = I(w_x) k / d^2 times the share of x's surface element in the

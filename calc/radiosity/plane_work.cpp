@@ -3,6 +3,7 @@
 #include "calc/planner/predicates.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
+#include "calc/radiosity/glare.h"
 #include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/random.h"
@@ -80,6 +81,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
       near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
       draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
   receiver_ = receivers_of(tracer, grid);
+  is_eyes_ = grid.derived == DerivedQuantity::ugr;
   const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
@@ -95,7 +97,11 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   const PreparedScene& scene = tracer.scene();
   const std::vector<glm::dvec3> local_m = local_positions_m(scene, grid);
   const PointSet set{local_m, grid.normal, grid.kernel};
-  sees_reflection_ = find_reflection_view(scene, set).sees_reflection;
+  // A point's other receivers see nothing that the first one does not.
+  const std::vector<std::uint8_t> sees = find_reflection_view(scene, set).sees_reflection;
+  for (std::size_t part = 0; part < receivers_per_point(grid.derived); ++part) {
+    sees_reflection_.insert(sees_reflection_.end(), sees.begin(), sees.end());
+  }
   may_be_sampled_ = has_indirect_ = sees_reflection_;
   if (settings.skips.allows(Skip::dark_pairs) && points() > 0) {
     is_dark_ = find_dark_luminaires(scene, beams, bounds_of(set));
@@ -105,7 +111,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
     const int touching =
         find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m());
     if (touching < 0) continue;
-    const glm::dvec3& p = grid.position_m[i];
+    const glm::dvec3& p = grid.position_m[i % grid.position_m.size()];
     const bool is_inside =
         tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
     refuse(fmt::format("the point ({:.6g} {:.6g} {:.6g}) lies {}", p.x, p.y, p.z,
@@ -136,6 +142,7 @@ void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
 
 void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
+  if (is_eyes_) return add_glare(deadline_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
     return add_point_sources(tracer_, receiver_[i], {is_dark_, has_shadows_},
@@ -144,7 +151,29 @@ void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
   });
 }
 
+void PlaneWork::add_glare(double deadline_s) {
+  std::vector<GlareSum> sums(points() * channels());  // [point][channel]
+  field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
+    if (is_past(deadline_s)) return std::uint64_t{0};
+    return add_glare_sources(tracer_, receiver_[i], has_shadows_,
+                             std::span(sums).subspan(i * channels(), channels()));
+  });
+  GlareField& glare = field_.glare;
+  for (std::size_t c = 0; c < channels(); ++c) {
+    for (std::size_t i = 0; i < points(); ++i) {
+      const GlareSum& sum = sums[i * channels() + c];
+      glare.value.push_back(sum.value);
+      glare.low.push_back(sum.low);
+      glare.high.push_back(sum.high);
+      if (!sum.refusal) continue;
+      glare.refusals.push_back(*sum.refusal);
+      glare.refusals.back().point = i;
+    }
+  }
+}
+
 void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
+  if (is_eyes_) return;
   if (most_rounds_ > 0 && !opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   direct_sum_lx_.resize(values());

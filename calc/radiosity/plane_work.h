@@ -71,7 +71,9 @@ class PlaneWork {
   // (ConvexSpace::holds()): no ray is traced to find out. Other planes do not matter.
   void leave_out_shadows() { has_shadows_ = false; }
 
-  // Direct light from point openings, once. deadline_s: as in VertexBatch, for all that follows.
+  // False for eyes, whose direct light is glare: add_exact() is all they need of luminaires.
+  bool measures_direct() const { return !is_eyes_; }
+  // Direct light from point openings, or the glare of all openings, once. deadline_s: as in VertexBatch, for all that follows.
   void add_exact(double deadline_s, SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
@@ -95,6 +97,7 @@ class PlaneWork {
  private:
   struct TileSums;
 
+  void add_glare(double deadline_s);
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
@@ -142,6 +145,7 @@ class PlaneWork {
   std::vector<std::uint64_t> replicate_connection_rays_, replicate_near_rays_;
   bool is_active_ = true;
   bool has_shadows_ = true;
+  bool is_eyes_ = false;  // DerivedQuantity::ugr
   PlaneField field_;
 };
 

@@ -92,7 +92,8 @@ class Solver {
     }
     // What needs no samples is done, whatever becomes of the other planes.
     for (PlaneWork& plane : planes_) {
-      const bool is_sampled = samples_openings_ || (samples_indirect_ && plane.sees_reflection());
+      const bool is_sampled = (samples_openings_ && plane.measures_direct()) ||
+                              (samples_indirect_ && plane.sees_reflection());
       if (plane.is_active() && !is_sampled) plane.finish(StopReason::exact);
     }
     if (any_active() && is_endless()) {
@@ -118,7 +119,11 @@ class Solver {
     for (std::size_t p = 0; p < tasks.size(); ++p) {
       const SensorGrid& grid = *tasks[p].grid;
       const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), grid);
-      const PointSet points{local_m, grid.normal, grid.kernel};
+      // Of several receivers of a point some are lifted across its axis, as half-cylinders are.
+      const ReceiverKernel kernel = receivers_per_point(grid.derived) > 1
+                                        ? ReceiverKernel::semicylindrical
+                                        : grid.kernel;
+      const PointSet points{local_m, grid.normal, kernel};
       if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) continue;
       planes_[p].leave_out_shadows();
     }

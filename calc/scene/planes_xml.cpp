@@ -265,7 +265,13 @@ class PlaneReader {
   const PlaneSurroundings& around_;
 };
 
-constexpr std::string_view kSemicylindrical = "quantity=\"semicylindrical\"";
+constexpr std::string_view kLooking = "quantity=\"semicylindrical\" or \"ugr\"";
+
+Names plane_quantity_names() {
+  Names names;
+  for (const PlaneQuantity& quantity : kPlaneQuantities) names.push_back(quantity.name);
+  return names;
+}
 
 bool is_horizontal(const glm::dvec3& unit) { return std::abs(unit.z) <= kHorizontalSine; }
 
@@ -276,14 +282,13 @@ glm::dvec3 made_horizontal(const glm::dvec3& unit) {
 }
 
 // Where the points of an area look, 0 if their quantity needs no such direction.
-glm::dvec3 read_look(ElementReader& reader, ReceiverKernel kernel) {
+glm::dvec3 read_look(ElementReader& reader, const PlaneQuantity& quantity) {
   constexpr std::string_view kName = "direction";
-  const bool is_semicylindrical = kernel == ReceiverKernel::semicylindrical;
-  if (reader.has(kName) != is_semicylindrical) {
-    const std::string_view given = is_semicylindrical ? kSemicylindrical : kName;
-    const std::string_view missing = is_semicylindrical ? kName : kSemicylindrical;
-    reader.report(DiagnosticId::missing_partner,
-                  reader.where(is_semicylindrical ? "quantity" : kName), "plane", given, missing);
+  const bool looks = has_look(quantity.kernel, quantity.derived);
+  if (reader.has(kName) != looks) {
+    const std::string own = fmt::format("quantity=\"{}\"", quantity.name);
+    reader.report(DiagnosticId::missing_partner, reader.where(looks ? "quantity" : kName), "plane",
+                  looks ? std::string_view(own) : kName, looks ? kName : kLooking);
   }
   if (!reader.has(kName)) return glm::dvec3(0.0);
   const std::size_t errors = reader.diagnostics().error_count();
@@ -312,11 +317,13 @@ void check_looks(ElementReader& reader, PointList& list) {
 // What the points measure, and where those of an area look.
 void read_quantity(ElementReader& reader, CalcPlane& plane) {
   const std::size_t errors = reader.diagnostics().error_count();
-  plane.kernel = static_cast<ReceiverKernel>(reader.choice_or(
-      "quantity", Names(kReceiverKernelNames.begin(), kReceiverKernelNames.end()), 0));
+  const PlaneQuantity& quantity =
+      kPlaneQuantities[reader.choice_or("quantity", plane_quantity_names(), 0)];
+  plane.kernel = quantity.kernel;
+  plane.derived = quantity.derived;
   if (reader.diagnostics().error_count() > errors) return;  // unknown: nothing follows from it
   if (!reader.has("file")) {
-    plane.direction = read_look(reader, plane.kernel);
+    plane.direction = read_look(reader, quantity);
   } else if (reader.has("direction")) {
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("direction"), "plane",
                   "direction", "file");
@@ -329,7 +336,8 @@ RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnos
   reader.allow_attributes({"id",   "quantity", "at-least",       "at-most",   "percent",
                            "at",   "state",    "scene",          "clause",    "unit",
                            "pack", "row",      "level",          "role",      "facts",
-                           "from", "to",       "waived-because", "waived-by", "waived-until"});
+                           "from", "to",       "light",          "waived-because", "waived-by",
+                           "waived-until"});
   reader.allow_children({});
   RequirementText requirement{{}, element.where};
   for (const XmlAttribute& attribute : element.attributes) {
@@ -366,7 +374,7 @@ std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& read
   if (reader.has("on") || reader.has("on-top-of")) context.planes_on_surfaces.insert(plane.id);
   plane.area = std::move(*area);
   auto* list = std::get_if<PointList>(&plane.area);
-  if (list != nullptr && plane.kernel == ReceiverKernel::semicylindrical) {
+  if (list != nullptr && has_look(plane.kernel, plane.derived)) {
     check_looks(reader, *list);
     if (!reader.ok()) return std::nullopt;
   }

@@ -131,8 +131,10 @@ struct CalcPlane {
   std::string name;
   std::variant<PlanarArea, PointList> area;
   ReceiverKernel kernel = ReceiverKernel::planar;
-  // Of an area's semicylindrical points: where they look, unit and horizontal; else 0. Points of a
-  // list look along their normals, and all other kernels of an area have its normal for an axis.
+  DerivedQuantity derived = DerivedQuantity::none;
+  // Of an area's points that look somewhere (has_look()): where, unit and horizontal; else 0.
+  // Points of a list look along their normals, and all others of an area have its normal for an
+  // axis.
   glm::dvec3 direction{0.0};
   std::vector<RequirementText> requirements;
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;

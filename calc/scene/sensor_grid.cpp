@@ -199,6 +199,7 @@ class GridMaker {
 
   std::optional<SensorGrid> run() {
     grid_.kernel = plane_.kernel;
+    grid_.derived = plane_.derived;
     grid_.room_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const auto* area = std::get_if<PlanarArea>(&plane_.area);
@@ -273,8 +274,7 @@ class GridMaker {
     GridBuilder builder(space_, grid_);
     const glm::dvec2 cell_m(grid_.spacing_u_m, grid_.spacing_v_m);
     const glm::dvec3 normal = area.normal();
-    const glm::dvec3 axis =
-        plane_.kernel == ReceiverKernel::semicylindrical ? plane_.direction : normal;
+    const glm::dvec3 axis = has_look(plane_.kernel, plane_.derived) ? plane_.direction : normal;
     for (int row = 0; row < grid_.rows; ++row) {
       for (int column = 0; column < grid_.columns; ++column) {
         const glm::dvec2 at = inner.lower + glm::dvec2(column + 0.5, row + 0.5) * cell_m;

@@ -37,6 +37,7 @@ struct SensorGrid {
   bool has_unknown_walls = false;     // in a room of a building file without outline
   std::vector<glm::dvec3> position_m;
   ReceiverKernel kernel = ReceiverKernel::planar;
+  DerivedQuantity derived = DerivedQuantity::none;
   std::vector<glm::dvec3> normal;  // unit: the kernel's axis
   std::vector<int> column, row;
   std::vector<DroppedPoint> dropped;

@@ -220,6 +220,7 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  part.power = calc::installed_power(loaded.project, space);
   if (context.pictures != nullptr) {
     context.pictures->add_pictures(loaded.project.path, space, scene, part);
   }

@@ -54,6 +54,14 @@ bool choose_planes(const ConvergeOptions& options, Subject& subject,
         options.planes.empty() ||
         std::find(options.planes.begin(), options.planes.end(), plane.id) != options.planes.end();
     if (!is_wanted) continue;
+    if (plane.derived != calc::DerivedQuantity::none) {
+      if (options.planes.empty()) continue;
+      diagnostics.report(calc::DiagnosticId::converge_not_possible, plane.where,
+                         fmt::format("plane '{}' is of quantity '{}', which is made of several "
+                                     "illuminances; only those are compared",
+                                     plane.id, calc::quantity_name(plane.kernel, plane.derived)));
+      continue;
+    }
     std::optional<calc::SensorGrid> grid =
         calc::make_sensor_grid(plane, *subject.space, diagnostics);
     if (!grid) continue;

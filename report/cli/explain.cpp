@@ -60,6 +60,19 @@ std::string light_text(const RuleCheck& check) {
   return text;
 }
 
+// Where it is measured, of quantities that are more than an illuminance.
+std::string measured_on(const rules::Quantity& quantity) {
+  if (quantity.dimension == rules::Dimension::power_density) {
+    return "on any plane of the room: installed power of its luminaires by its floor area";
+  }
+  if (!quantity.kernel || quantity.derived == calc::DerivedQuantity::none) return {};
+  return fmt::format("on a plane with quantity=\"{}\"{}",
+                     calc::quantity_name(*quantity.kernel, quantity.derived),
+                     calc::has_look(*quantity.kernel, quantity.derived)
+                         ? " and the direction that is looked in, direction=\"x y z\""
+                         : "");
+}
+
 std::string check_text(const RulePack& pack, const RuleCheck& check) {
   std::string text =
       fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, metric_name(check.metric),
@@ -69,6 +82,9 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
   if (check.severity == rules::Severity::advice) text += ", advice";
   if (check.trust != rules::Trust::confirmed)
     text += fmt::format(" [{}]", trust_remark(check.trust));
+  if (const std::string where = measured_on(*check.quantity); !where.empty()) {
+    text += "\n    " + where;
+  }
   if (!check.clause.empty()) text += fmt::format("\n    {}: {}", pack.title, check.clause);
   if (!check.note.empty()) text += "\n    " + check.note;
   return text + "\n";

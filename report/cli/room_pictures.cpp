@@ -5,6 +5,7 @@
 #include "report/cli/outputs.h"
 #include "report/exr.h"
 #include "report/png.h"
+#include "report/words.h"
 
 #include <algorithm>
 #include <array>
@@ -81,7 +82,7 @@ SharedSides share_sides(const std::vector<View>& views, std::size_t triangles) {
 std::vector<double> point_values(const report::SpacePart& part) {
   std::vector<double> values;
   for (const report::PlanePart& plane : part.planes) {
-    if (plane.kernel != calc::ReceiverKernel::planar) continue;
+    if (!report::is_plain_illuminance(plane)) continue;
     for (const report::PointRow& point : plane.points) values.push_back(point.maintained_lx.value);
   }
   return values;
@@ -101,7 +102,7 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
   for (const report::PlanePart& plane : part.planes) {
     if (!plane.is_computed) continue;
     const calc::SensorGrid& grid = plane.grid;
-    const bool is_planar = plane.kernel == calc::ReceiverKernel::planar;
+    const bool is_planar = report::is_plain_illuminance(plane);
     // What it measures is on the side that the eye does not see.
     const bool is_turned =
         is_planar && grid.columns > 0 &&

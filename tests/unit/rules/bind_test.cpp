@@ -297,6 +297,119 @@ TEST(BindRequirements, ReadsAShareAndItsRange) {
   EXPECT_EQ(r.limit, 0.9);
 }
 
+// A project with one plane of a quantity that is more than one illuminance.
+Bound bind_derived(calc::DerivedQuantity derived, const Attributes& attributes) {
+  calc::CalcPlane plane = plane_of("desk", {attributes});
+  plane.derived = derived;
+  plane.kernel = derived == calc::DerivedQuantity::ugr ? calc::ReceiverKernel::planar
+                                                       : calc::ReceiverKernel::cylindrical;
+  return bind_project(project_of({plane}));
+}
+
+TEST(BindRequirements, LeavesReflectedLightOutWhereAsked) {
+  EXPECT_FALSE(bound_requirement({{"quantity", "average"}, {"at-least", "5"}}).direct_only);
+  EXPECT_TRUE(bound_requirement({{"quantity", "average"}, {"at-least", "5"}, {"light", "direct"}})
+                  .direct_only);
+  EXPECT_THAT(bind_derived(calc::DerivedQuantity::ugr,
+                           {{"quantity", "maximum"}, {"at-most", "19"}, {"light", "direct"}})
+                  .messages,
+              ElementsAre(testing::HasSubstr("'light' has no meaning together with 'ugr points'")));
+}
+
+TEST(BindRequirements, ReadsLimitsOfRatingsAsPlainNumbers) {
+  const Bound glare = bind_derived(calc::DerivedQuantity::ugr,
+                                   {{"quantity", "maximum"}, {"at-most", "19"}});
+  ASSERT_EQ(glare.requirements.size(), 1u);
+  EXPECT_EQ(glare.requirements[0].limit, 19.0);
+  EXPECT_EQ(glare.requirements[0].derived, calc::DerivedQuantity::ugr);
+  EXPECT_STREQ(unit_of(glare.requirements[0]), "");
+  const Bound modelling = bind_derived(
+      calc::DerivedQuantity::modelling,
+      {{"quantity", "share"}, {"from", "0.3"}, {"to", "0.6"}, {"at-least", "0.9"}});
+  ASSERT_EQ(modelling.requirements.size(), 1u);
+  EXPECT_EQ(modelling.requirements[0].range.to, 0.6);
+}
+
+TEST(BindRequirements, TakesGlareAndModellingOfRows) {
+  const Bound glare =
+      bind_derived(calc::DerivedQuantity::ugr,
+                   {{"pack", "en12464-1:2021"}, {"row", "34.2"}, {"role", "observer"}});
+  ASSERT_EQ(glare.requirements.size(), 1u) << testing::PrintToString(glare.messages);
+  EXPECT_EQ(glare.requirements[0].metric, Metric::maximum);
+  EXPECT_EQ(glare.requirements[0].limit, 19.0);
+  EXPECT_EQ(glare.requirements[0].comparison, Comparison::at_most);
+  EXPECT_EQ(glare.requirements[0].state, LightState::initial);
+  EXPECT_EQ(glare.requirements[0].problem, "");
+  const Bound modelling =
+      bind_derived(calc::DerivedQuantity::modelling,
+                   {{"pack", "en12464-1:2021"}, {"row", "34.2"}, {"role", "modelling"}});
+  ASSERT_EQ(modelling.requirements.size(), 2u) << testing::PrintToString(modelling.messages);
+  EXPECT_EQ(modelling.requirements[0].metric, Metric::minimum);
+  EXPECT_EQ(modelling.requirements[1].limit, 0.6);
+}
+
+// A room of 4 m x 5 m with luminaires of these powers; 0: not stated.
+Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& attributes) {
+  calc::Project project = project_of({plane_of("desk", {attributes})});
+  calc::Space& space = project.spaces.front();
+  space.shell = calc::RoomShell{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}, 0.0, 3.0};
+  for (const double power_w : powers_w) {
+    calc::LuminaireType type;
+    type.power_w = power_w;
+    calc::Luminaire luminaire;
+    luminaire.type = project.luminaire_types.size();
+    project.luminaire_types.push_back(type);
+    space.luminaires.push_back(luminaire);
+  }
+  return bind_project(project);
+}
+
+TEST(BindRequirements, KnowsThePowerDensityOfTheRoom) {
+  const Attributes attributes{{"quantity", "power-density"}, {"at-most", "6.5"}};
+  const Bound bound = bind_in_lit_room({30, 50, 50}, attributes);
+  ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
+  EXPECT_EQ(bound.requirements[0].power_density_w_m2, 6.5);
+  EXPECT_EQ(bound.requirements[0].limit, 6.5);
+  EXPECT_EQ(bound.requirements[0].problem, "");
+  EXPECT_STREQ(unit_of(bound.requirements[0]), "W/m2");
+}
+
+TEST(BindRequirements, CannotJudgePowerThatNobodyStates) {
+  const Bound bound =
+      bind_in_lit_room({30, 0}, {{"quantity", "power-per-100-lx"}, {"at-most", "2"}});
+  ASSERT_EQ(bound.requirements.size(), 1u);
+  EXPECT_EQ(bound.requirements[0].problem,
+            "1 of 2 luminaires state no power: neither the project (power-w) nor their photometry "
+            "does");
+  const Bound open = bind_one({{"quantity", "power-density"}, {"at-most", "6.5"}});
+  ASSERT_EQ(open.requirements.size(), 1u);
+  EXPECT_EQ(open.requirements[0].problem, "the floor area of the space is not known");
+}
+
+TEST(BindRequirements, TakesPowerOfRows) {
+  const Bound bound = bind_in_lit_room({100}, {{"pack", "ashrae90-1"}, {"row", "open-office"}});
+  ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
+  EXPECT_EQ(bound.requirements[0].metric, Metric::power_density);
+  EXPECT_EQ(bound.requirements[0].power_density_w_m2, 5.0);
+  EXPECT_NEAR(bound.requirements[0].limit, 0.61 * 10.7639, 1e-4);
+  EXPECT_EQ(bound.requirements[0].problem, "");
+}
+
+TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
+  const auto messages = [](const Attributes& attributes) {
+    return bind_derived(calc::DerivedQuantity::ugr, attributes).messages;
+  };
+  EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
+              ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
+                          "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
+                          "share or power-density"));
+  EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
+              ElementsAre(testing::HasSubstr("'unit' has no meaning")));
+  EXPECT_THAT(
+      messages({{"pack", "en12464-1"}, {"row", "34.2"}, {"role", "task"}}),
+      ElementsAre(testing::HasSubstr("is about the quantity 'planar'; this plane measures 'ugr'")));
+}
+
 TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
   const Attributes waiver{
       {"waived-because", "r"}, {"waived-by", "o"}, {"waived-until", "2028-02-29"}};
@@ -332,8 +445,9 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
                           "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
-                          "from, to, unit, state, scene, clause, pack, row, level, role, facts, "
-                          "waived-because, waived-by or waived-until; did you mean 'at-least'?"));
+                          "from, to, unit, state, scene, clause, light, pack, row, level, role, "
+                          "facts, waived-because, waived-by or waived-until; did you mean "
+                          "'at-least'?"));
 }
 
 TEST(BindRequirementsMessage, MissingQuantity) {
@@ -346,7 +460,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
   EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
-                          "Uo, Ud, percentile, value or share; did you mean 'average'?"));
+                          "Uo, Ud, percentile, value, share, power-density or power-per-100-lx; "
+                          "did you mean 'average'?"));
 }
 
 TEST(BindRequirementsMessage, NoLimit) {

@@ -52,6 +52,38 @@ TEST(Measure, CountsThePointsOfTheMaskOnly) {
   EXPECT_EQ(result.points_used, 2u);
 }
 
+TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::power_per_100_lx;
+  requirement.power_density_w_m2 = 13.0;
+  requirement.direct_only = true;
+  const calc::Estimate exact =
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  EXPECT_DOUBLE_EQ(exact.value, 200.0);  // 6.5 lx
+  EXPECT_EQ(exact.low, exact.high);
+  requirement.direct_only = false;
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  const calc::Estimate power =
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  const calc::Estimate lx =
+      measure(average, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  EXPECT_DOUBLE_EQ(power.low, 1300.0 / lx.high);
+  EXPECT_DOUBLE_EQ(power.high, 1300.0 / lx.low);
+  EXPECT_LT(power.low, power.value);
+}
+
+TEST(Measure, PowerDensityIsKnownBeforehand) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::power_density;
+  requirement.power_density_w_m2 = 6.5;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.low, 6.5);
+  EXPECT_EQ(result.metric->estimate.high, 6.5);
+  EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
+}
+
 TEST(Measure, LeavesReflectedLightOut) {
   Requirement requirement = minimum_at_least(1);
   EXPECT_EQ(

@@ -162,6 +162,19 @@ TEST(PlanesXml, PointsMeasurePlanarIlluminanceUnlessAQuantityIsGiven) {
   }
 }
 
+TEST(PlanesXml, QuantitiesOfSeveralIlluminancesHaveAKernelToStartFrom) {
+  const CalcPlane eyes = plane_in_room("<plane id='p' height='1' quantity='ugr' direction='0 2 0'/>");
+  EXPECT_EQ(eyes.kernel, ReceiverKernel::planar);
+  EXPECT_EQ(eyes.derived, DerivedQuantity::ugr);
+  EXPECT_EQ(eyes.direction, glm::dvec3(0, 1, 0));
+  const CalcPlane modelling = plane_in_room("<plane id='p' height='1' quantity='modelling'/>");
+  EXPECT_EQ(modelling.kernel, ReceiverKernel::cylindrical);
+  EXPECT_EQ(modelling.derived, DerivedQuantity::modelling);
+  const CalcPlane four = plane_in_room("<plane id='p' height='1' quantity='cylindrical-4'/>");
+  EXPECT_EQ(four.kernel, ReceiverKernel::cylindrical);
+  EXPECT_EQ(four.derived, DerivedQuantity::four_planes);
+}
+
 TEST(PlanesXml, SemicylindricalPointsLookInTheDirectionGiven) {
   const CalcPlane plane = plane_in_room(
       "<plane id='p' height='1' quantity='semicylindrical' direction='3 -4 0.000004'/>");

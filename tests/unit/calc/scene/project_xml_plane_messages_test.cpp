@@ -91,8 +91,8 @@ const std::vector<MessageCase> kCases{
      "dir/empty.csv:1: error[point-list-empty]: no points after the header line"},
     {"UnknownQuantity", in_room(R"(<plane id="p" height="1.2" quantity="cylindric"/>)"),
      "dir/p.xml:5:28: error[unknown-value]: attribute 'quantity' of <plane>: unknown value "
-     "'cylindric'; allowed: planar, cylindrical, semicylindrical, hemispherical or scalar; did you "
-     "mean 'cylindrical'?"},
+     "'cylindric'; allowed: planar, cylindrical, semicylindrical, hemispherical, scalar, ugr, "
+     "modelling or cylindrical-4; did you mean 'cylindrical'?"},
     {"SemicylindricalWithoutDirection",
      in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical"/>)"),
      "dir/p.xml:5:28: error[missing-partner]: <plane> has 'quantity=\"semicylindrical\"' without "
@@ -100,7 +100,18 @@ const std::vector<MessageCase> kCases{
     {"DirectionWithoutSemicylindrical",
      in_room(R"(<plane id="p" height="1.5" quantity="cylindrical" direction="1 0 0"/>)"),
      "dir/p.xml:5:51: error[missing-partner]: <plane> has 'direction' without "
-     "'quantity=\"semicylindrical\"'; the two belong together"},
+     "'quantity=\"semicylindrical\" or \"ugr\"'; the two belong together"},
+    {"UgrWithoutDirection", in_room(R"(<plane id="p" height="1.2" quantity="ugr"/>)"),
+     "dir/p.xml:5:28: error[missing-partner]: <plane> has 'quantity=\"ugr\"' without "
+     "'direction'; the two belong together"},
+    {"UgrLooksHorizontally",
+     in_room(R"(<plane id="p" height="1.2" quantity="ugr" direction="1 0 -1"/>)"),
+     "dir/p.xml:5:43: error[not-horizontal]: attribute 'direction' of <plane>: the direction must "
+     "be horizontal, but it rises by -45 degrees"},
+    {"DirectionOfModelling",
+     in_room(R"(<plane id="p" height="1.2" quantity="modelling" direction="1 0 0"/>)"),
+     "dir/p.xml:5:49: error[missing-partner]: <plane> has 'direction' without "
+     "'quantity=\"semicylindrical\" or \"ugr\"'; the two belong together"},
     {"DirectionZero",
      in_room(R"(<plane id="p" height="1.5" quantity="semicylindrical" direction="0 0 0"/>)"),
      "dir/p.xml:5:55: error[zero-vector]: attribute 'direction' of <plane>: the direction must not "
@@ -126,13 +137,14 @@ const std::vector<MessageCase> kCases{
     {"SemicylindricalPointListFacesUp",
      in_room(R"(<plane id="p" file="looks.csv" quantity="semicylindrical"/>)"),
      "dir/p.xml:5:15: error[point-list-not-horizontal]: 2 of the 3 normals in 'looks.csv' are not "
-     "horizontal, as the directions that semicylindrical points look in must be; the first is "
-     "(0,0,1) in line 4"},
+     "horizontal, as the directions that semicylindrical and UGR points look in must be; the first "
+     "is (0,0,1) in line 4"},
     {"UnknownRequirementAttribute",
      in_room(R"(<plane id="p" height="0.8"><require quantity="average" atleast="500"/></plane>)"),
      "dir/p.xml:5:56: error[unknown-attribute]: unknown attribute 'atleast' of <require>; allowed: "
      "id, quantity, at-least, at-most, percent, at, state, scene, clause, unit, pack, row, level, "
-     "role, facts, from, to, waived-because, waived-by or waived-until; did you mean 'at-least'?"},
+     "role, facts, from, to, light, waived-because, waived-by or waived-until; did you mean "
+     "'at-least'?"},
     {"LuminaireOutsideRoom", in_room(R"(<luminaire id="k" type="spot" position="1 1 2.6"/>)"),
      "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r': its light "
      "does not reach the room"},

@@ -1,0 +1,56 @@
+#pragma once
+// The luminaires that an eye sees, as the unified glare rating weighs them.
+//
+//   UGR = 8 log10( 0.25 / Lb  sum L^2 w / p^2 ),  Lb = E_ind / pi     [CIE 117:1995]
+//
+// Here: the sum, of the direct light, without noise. E_ind, the illuminance of the eye by reflected
+// light alone, is sampled like every other (DerivedQuantity::ugr); rules/glare_rating.h joins them.
+//
+// L = I / A: luminous intensity towards the eye over the opening's area as seen from there; w = A /
+// r^2, r to the opening's centre; both as for an eye far away, of the whole opening. Of an opening
+// that is partly hidden, L stays and w is the share that is seen, counted on kSightLines^2 lines of
+// sight spread evenly over the opening; one straight edge across it is then off by no more than
+// 1 / kSightLines of the opening.
+
+#include "calc/field.h"
+#include "calc/radiosity/rays.h"
+#include "calc/radiosity/receiver.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace calc {
+
+// The range of w that CIE 117 states the formula for, sr.
+inline constexpr double kSmallestGlareSource_sr = 3.0e-4;
+inline constexpr double kLargestGlareSource_sr = 0.1;
+// The field that position indices are tabulated for: sideways and upwards from the line of sight,
+// as multiples of the distance along it.  [CIE 117:1995, table of position indices]
+inline constexpr double kWidestSource = 3.0, kHighestSource = 2.0;
+
+inline constexpr std::size_t kSightLines = 16;
+
+// Guth's position index of a source at `to_source` (any length) from an eye that looks along the
+// unit, horizontal direction `look`:
+//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5 s^2
+// with s the angle between the source and the line of sight, t that between the vertical and the
+// plane of both, in degrees.  [closed form of the IES Lighting Handbook; within 12 % of the table
+// of CIE 117] Empty outside the field above and for sources below the line of sight, for which
+// there is no index.
+std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& look);
+
+// What all luminaires send to one eye. sums: one per channel; refused: per channel, the first
+// reason why the formula cannot be used for a source that this eye sees, see GlareField.
+struct GlareSum {
+  double value = 0.0, low = 0.0, high = 0.0;  // sum of L^2 w / p^2, cd^2 sr / m^4
+  std::optional<GlareRefusal> refusal;
+};
+// receiver: planar, its axis the direction that the eye looks in. Returns the rays traced.
+std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,
+                                std::span<GlareSum> channel_sums);
+
+}  // namespace calc

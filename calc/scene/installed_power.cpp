@@ -1,0 +1,38 @@
+#include "calc/scene/installed_power.h"
+
+#include "calc/scene/polygon.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace calc {
+
+std::string InstalledPower::problem() const {
+  if (without_power > 0) {
+    return fmt::format(
+        "{} of {} luminaires state no power: neither the project (power-w) nor their photometry does",
+        without_power, luminaires);
+  }
+  // A building file's rooms and the open space have no outline here.
+  return area_m2 > 0.0 ? "" : "the floor area of the space is not known";
+}
+
+std::optional<double> InstalledPower::density_w_m2() const {
+  if (!problem().empty()) return std::nullopt;
+  return power_w / area_m2;
+}
+
+InstalledPower installed_power(const Project& project, const Space& space) {
+  InstalledPower power;
+  for (const Luminaire& luminaire : space.luminaires) {
+    const double power_w = project.luminaire_types[luminaire.type].power_w;
+    ++power.luminaires;
+    power.power_w += power_w;
+    if (!(power_w > 0.0)) ++power.without_power;
+  }
+  if (space.shell) power.area_m2 = std::abs(signed_area(space.shell->footprint_m));
+  return power;
+}
+
+}  // namespace calc

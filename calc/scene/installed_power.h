@@ -1,0 +1,26 @@
+#pragma once
+// Installed power of a space's luminaires.
+
+#include "calc/scene/project.h"
+
+#include <optional>
+#include <string>
+
+namespace calc {
+
+// At full output. Power is what the project states, else the photometry file.
+struct InstalledPower {
+  double power_w = 0.0;   // of the luminaires that state it
+  double area_m2 = 0.0;   // of the room's floor; 0 = not known
+  int luminaires = 0;     // all
+  int without_power = 0;  // of them: nobody states their power
+
+  // Why there is no power density; "" = there is one.
+  std::string problem() const;
+  std::optional<double> density_w_m2() const;  // empty with a problem
+};
+
+// project.luminaire_types must hold the types of the space's luminaires.
+InstalledPower installed_power(const Project& project, const Space& space);
+
+}  // namespace calc

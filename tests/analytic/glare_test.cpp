@@ -1,0 +1,309 @@
+// UGR: Guth's index, one source in a uniform field, a hand-computed installation, what is refused.
+#include "calc/radiosity/glare.h"
+#include "calc/radiosity/opening.h"
+#include "rules/derived_points.h"
+#include "rules/measure.h"
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace {
+
+using namespace test_support;
+using rules::Measurement;
+
+const calc::LuminousOpening kPanel{calc::OpeningShape::rectangle, 0.6, 0.6, 0.0};
+const glm::dvec3 kAhead(1, 0, 0);
+
+calc::SensorGrid eyes(std::vector<glm::dvec3> positions_m, const glm::dvec3& look = kAhead) {
+  calc::SensorGrid grid;
+  grid.derived = calc::DerivedQuantity::ugr;
+  grid.normal.assign(positions_m.size(), look);
+  grid.position_m = std::move(positions_m);
+  return grid;
+}
+
+calc::PreparedScene room_with(const calc::PhotometricWeb& web,
+                              const std::vector<glm::dvec3>& luminaires_m,
+                              double reflectance = 0.5) {
+  calc::PreparedScene scene;
+  add_box(scene, {0, 0, 0}, {8, 6, 2.8}, reflectance);
+  for (const glm::dvec3& at : luminaires_m) add_luminaire(scene, web, at);
+  set_extent(scene);
+  return scene;
+}
+
+calc::PlaneField solve_eyes(const calc::PreparedScene& scene, const calc::SensorGrid& grid,
+                            std::uint64_t paths = 1024) {
+  return solve_with_paths(scene, grid, 1, paths).fields[0];
+}
+
+Measurement measure_ugr(const calc::SensorGrid& grid, const calc::PlaneField& field,
+                        rules::Metric metric = rules::Metric::maximum) {
+  rules::Requirement requirement;
+  requirement.metric = metric;
+  requirement.comparison = rules::Comparison::at_most;
+  requirement.limit = 19.0;
+  requirement.state = rules::LightState::initial;
+  requirement.derived = calc::DerivedQuantity::ugr;
+  return rules::measure(requirement, grid, field, {}, 0.95);
+}
+
+double mean_indirect_lx(const calc::PlaneField& field, std::size_t i) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < field.replicates; ++r) sum += field.indirect_lx[r * field.points + i];
+  return sum / static_cast<double>(field.replicates);
+}
+
+// Values of the closed form, computed by hand.
+TEST(GuthIndex, IsThatOfTheClosedForm) {
+  EXPECT_NEAR(calc::guth_index({2, 0, 0}, kAhead).value(), 1.0, 1e-12);
+  EXPECT_NEAR(calc::guth_index({3, 0, 3}, kAhead).value(), 7.059329, 1e-6);
+  EXPECT_NEAR(calc::guth_index({3, -3, 0}, kAhead).value(), 2.049807, 1e-6);
+  EXPECT_NEAR(calc::guth_index({2, 0, 1}, kAhead).value(), 2.860161, 1e-6);
+  const double sine = std::sqrt(0.5) * std::tan(calc::radians_from_degrees(30.0));
+  EXPECT_NEAR(calc::guth_index({1, sine, sine}, kAhead).value(), 2.383327, 1e-6);
+  // The line of sight turns with the eye.
+  EXPECT_NEAR(calc::guth_index({0, -2, 1}, {0, -1, 0}).value(), 2.860161, 1e-6);
+}
+
+TEST(GuthIndex, ExistsInItsFieldAboveTheLineOfSightOnly) {
+  EXPECT_TRUE(calc::guth_index({1, 2.99, 0}, kAhead));
+  EXPECT_FALSE(calc::guth_index({1, 3.01, 0}, kAhead));
+  EXPECT_TRUE(calc::guth_index({1, 0, 1.99}, kAhead));
+  EXPECT_FALSE(calc::guth_index({1, 0, 2.01}, kAhead));
+  EXPECT_FALSE(calc::guth_index({1, 0, -0.1}, kAhead));
+  EXPECT_FALSE(calc::guth_index({-1, 0, 0.1}, kAhead));
+  EXPECT_FALSE(calc::guth_index({0, 1, 0}, kAhead));
+}
+
+// A luminous ball of 0.1 m in the middle of a sphere of radius R: all of the wall gets I / R^2 and
+// the reflected light is the same everywhere, E = I / R^2 rho / (1 - rho), to any direction.
+TEST(Ugr, OfOneSourceInAUniformFieldIsTheFormula) {
+  constexpr double kCandela = 100.0, kRadius = 3.0, kReflectance = 0.5;
+  const calc::PhotometricWeb ball = calc::PhotometricWeb::make(
+      {0.0}, {0.0, calc::kPi}, {kCandela, kCandela},
+      {calc::OpeningShape::ellipsoid, 0.1, 0.1, 0.1}, {});
+  calc::PreparedScene scene;
+  add_sphere(scene, kRadius, 5, kReflectance);
+  add_luminaire(scene, ball, {0, 0, 0});
+  set_extent(scene);
+  const calc::SensorGrid grid = eyes({{-2, 0, -1}});
+  const calc::PlaneField field = solve_eyes(scene, grid, 4096);
+  const Measurement measured = measure_ugr(grid, field);
+  ASSERT_TRUE(measured.metric);
+
+  const double area_m2 = 3.14159265 * 0.05 * 0.05;
+  const double luminance = kCandela / area_m2;
+  const double solid_angle = area_m2 / 5.0;
+  const double background = kCandela / 9.0 * 0.5 / 0.5 / 3.14159265;
+  const double expected =
+      8.0 * std::log10(0.25 / background * luminance * luminance * solid_angle /
+                       (2.860161 * 2.860161));
+  // The sphere is made of triangles: its wall is up to 0.3 % nearer.
+  EXPECT_NEAR(measured.metric->estimate.value, expected, 0.05);
+  EXPECT_LT(measured.metric->estimate.low, measured.metric->estimate.value);
+  EXPECT_GT(measured.metric->estimate.high, measured.metric->estimate.value);
+  EXPECT_LT(measured.metric->estimate.half_width(), 0.2);
+}
+
+// Four panels of 500 cd on their axis in two rows, seen from one end of the room: the two above
+// x = 2 and 6 m. Everything by the panel's dimensions, with nothing of the program.
+TEST(Ugr, OfAnInstallationIsTheHandComputedSum) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 720, kPanel);
+  const std::vector<glm::dvec3> panels_m{{3, 1.5, 2.8}, {3, 4.5, 2.8}, {6, 1.5, 2.8}, {6, 4.5, 2.8}};
+  const calc::PreparedScene scene = room_with(web, panels_m);
+  const glm::dvec3 eye_m(0.5, 2.5, 1.2);
+  const calc::SensorGrid grid = eyes({eye_m});
+  const calc::PlaneField field = solve_eyes(scene, grid, 4096);
+
+  double sum = 0.0;
+  for (const glm::dvec3& panel_m : panels_m) {
+    const double ahead = panel_m.x - 0.5, aside = std::abs(panel_m.y - 2.5), above = 1.6;
+    const double r2 = ahead * ahead + aside * aside + above * above;
+    const double cosine = above / std::sqrt(r2);
+    const double luminance = 500.0 / 0.36;           // I cos / (A cos)
+    const double solid_angle = 0.36 * cosine / r2;   // A cos / r^2
+    const double t = std::atan2(aside, above) * 57.29577951;
+    const double s = std::atan(std::sqrt(aside * aside + above * above) / ahead) * 57.29577951;
+    const double index = std::exp((35.2 - 0.31889 * t - 1.22 * std::exp(-2.0 * t / 9.0)) / 1000 * s +
+                                  (21.0 + 0.26667 * t - 0.002963 * t * t) / 100000 * s * s);
+    sum += luminance * luminance * solid_angle / (index * index);
+  }
+  ASSERT_EQ(field.glare.value.size(), 1u);
+  EXPECT_NEAR(field.glare.value[0] / sum, 1.0, 1e-5);
+  EXPECT_EQ(field.glare.low[0], field.glare.value[0]);
+  EXPECT_EQ(field.glare.high[0], field.glare.value[0]);
+  // The eye's illuminance is that of reflected light alone.
+  EXPECT_EQ(field.direct_exact_lx[0], 0.0);
+  EXPECT_TRUE(field.direct_sampled_lx.empty());
+  const double background = mean_indirect_lx(field, 0) / 3.14159265;
+  EXPECT_GT(background, 0.0);
+  EXPECT_NEAR(measure_ugr(grid, field).metric->estimate.value,
+              8.0 * std::log10(0.25 / background * sum), 1e-4);
+}
+
+// The background is what a planar receiver facing the line of sight gets of reflected light.
+TEST(Ugr, BackgroundIsTheVerticalIlluminanceOfReflectedLight) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+  const calc::SensorGrid grid = eyes({{0.5, 2.5, 1.2}, {6, 3, 1.2}});
+  calc::SensorGrid plane = grid;
+  plane.derived = calc::DerivedQuantity::none;
+  EXPECT_EQ(solve_eyes(scene, grid).indirect_lx, solve_eyes(scene, plane).indirect_lx);
+}
+
+// One more luminaire adds its own part to the sum (and light to the background, which may outweigh
+// it); a brighter room lowers the rating, and one moved out of the field changes nothing but that.
+TEST(Ugr, RisesWithTheSumAndFallsWithTheBackground) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::SensorGrid grid = eyes({{0.5, 2.5, 1.2}});
+  const auto field = [&](const std::vector<glm::dvec3>& panels_m, double reflectance) {
+    return solve_eyes(room_with(web, panels_m, reflectance), grid);
+  };
+  const auto ugr = [&](const calc::PlaneField& of) {
+    return measure_ugr(grid, of).metric->estimate.value;
+  };
+  const calc::PlaneField near = field({{3, 2, 2.8}}, 0.5), far = field({{6, 2, 2.8}}, 0.5),
+                         both = field({{3, 2, 2.8}, {6, 2, 2.8}}, 0.5);
+  EXPECT_NEAR(both.glare.value[0], near.glare.value[0] + far.glare.value[0],
+              1e-9 * both.glare.value[0]);
+  EXPECT_GT(ugr(field({{3, 2, 2.8}, {6, 2, 2.8}}, 0.2)), ugr(both) + 1.0);
+  // Straight above the eye, three times as high as far: out of the field.
+  const calc::PlaneField above = field({{3, 2, 2.8}, {1.0, 2.5, 2.8}}, 0.5);
+  EXPECT_EQ(above.glare.value[0], near.glare.value[0]);
+  EXPECT_LT(ugr(above), ugr(near));
+}
+
+// 8 log10 of the dimming level: L^2 falls with its square, the background with itself.
+TEST(Ugr, FollowsTheDimmingLevel) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  calc::PreparedScene scene = room_with(web, {{3, 2, 2.8}, {6, 2, 2.8}});
+  scene.channels = {{"all", 0.8}};
+  const calc::SensorGrid grid = eyes({{0.5, 2.5, 1.2}});
+  const calc::PlaneField field = solve_eyes(scene, grid);
+  rules::Requirement requirement;
+  requirement.metric = rules::Metric::maximum;
+  requirement.scene = "half";
+  const std::vector<calc::LightScene> scenes{{"half", {{"all", 0.5}}, {}}};
+  EXPECT_NEAR(rules::measure(requirement, grid, field, scenes, 0.95).metric->estimate.value -
+                  measure_ugr(grid, field).metric->estimate.value,
+              8.0 * std::log10(0.4), 1e-9);
+}
+
+// The point that names the maximum is the grid's; observers without a source do not matter to it.
+TEST(Ugr, MaximumIsOfTheObserversThatSeeASource) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+  const calc::SensorGrid grid = eyes({{6, 3, 1.2}, {0.5, 3, 1.2}, {1.2, 3, 1.2}});
+  const calc::PlaneField field = solve_eyes(scene, grid);
+  EXPECT_EQ(field.glare.value[0], 0.0);  // behind
+  const Measurement measured = measure_ugr(grid, field);
+  ASSERT_TRUE(measured.metric);
+  EXPECT_EQ(measured.metric->point, 1u);
+  EXPECT_EQ(measured.points_used, 3u);
+}
+
+TEST(Ugr, IsNotJudgedWhereNobodySeesASource) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+  const calc::SensorGrid grid = eyes({{6, 3, 1.2}});
+  const Measurement measured = measure_ugr(grid, solve_eyes(scene, grid));
+  EXPECT_FALSE(measured.metric);
+  EXPECT_EQ(measured.reason, "no observer sees a glare source");
+}
+
+TEST(Ugr, IsNotJudgedInABlackRoom) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}}, 0.0);
+  const calc::SensorGrid grid = eyes({{0.5, 3, 1.2}});
+  const Measurement measured = measure_ugr(grid, solve_eyes(scene, grid));
+  EXPECT_FALSE(measured.metric);
+  EXPECT_NE(measured.reason.find("no reflected light"), std::string::npos) << measured.reason;
+}
+
+void expect_refused(const calc::PreparedScene& scene, const glm::dvec3& eye_m, const char* words) {
+  const calc::SensorGrid grid = eyes({{1.0, 0.5, 1.2}, eye_m});
+  const Measurement measured = measure_ugr(grid, solve_eyes(scene, grid, 64));
+  EXPECT_FALSE(measured.metric);
+  EXPECT_NE(measured.reason.find(words), std::string::npos) << measured.reason;
+  EXPECT_NE(measured.reason.find("observer 2"), std::string::npos) << measured.reason;
+}
+
+TEST(Ugr, RefusesWhatTheFormulaIsNotFor) {
+  const calc::PhotometricWeb panel = lambert_web(500.0, 90, kPanel);
+  const calc::PhotometricWeb point = lambert_web(500.0, 90);
+  const calc::PhotometricWeb lamp = calc::PhotometricWeb::make(
+      {0.0}, {0.0, calc::kPi}, {50.0, 50.0}, {calc::OpeningShape::ellipsoid, 0.2, 0.2, 0.2}, {});
+  // Seen by the second eye only: the first one has all of it behind or out of the field.
+  expect_refused(room_with(panel, {{0.4, 3, 2.8}}), {0.1, 3, 2.6}, "fills");
+  expect_refused(room_with(lamp, {{0.9, 3, 0.8}}), {0.1, 3, 1.2}, "below the line of sight");
+  expect_refused(room_with(point, {{0.9, 3, 2.8}}), {0.1, 3, 2.0}, "no luminous area");
+}
+
+// 4 cm at 5 m: 5e-5 sr. It stands in the upper end only, and alone gives no rating.
+TEST(Ugr, OfSourcesThatAreTooSmallIsOpenDownwards) {
+  const calc::PhotometricWeb panel = lambert_web(500.0, 90, kPanel);
+  const calc::PhotometricWeb spot =
+      lambert_web(100.0, 90, {calc::OpeningShape::disk, 0.04, 0.04, 0.0});
+  calc::PreparedScene scene = room_with(spot, {{5.5, 3, 2.8}});
+  const calc::SensorGrid grid = eyes({{0.5, 3, 1.2}});
+  const Measurement alone = measure_ugr(grid, solve_eyes(scene, grid));
+  EXPECT_FALSE(alone.metric);
+  EXPECT_NE(alone.reason.find("0.0003 sr"), std::string::npos) << alone.reason;
+
+  add_luminaire(scene, panel, {3, 3, 2.8});
+  const calc::PlaneField field = solve_eyes(scene, grid);
+  EXPECT_LT(field.glare.low[0], field.glare.value[0]);
+  EXPECT_EQ(field.glare.high[0], field.glare.value[0]);
+  const Measurement both = measure_ugr(grid, field);
+  ASSERT_TRUE(both.metric);
+  const double gap = 8.0 * std::log10(field.glare.high[0] / field.glare.low[0]);
+  EXPECT_GT(both.metric->estimate.value - both.metric->estimate.low, gap);
+  EXPECT_FALSE(both.remark.empty());
+}
+
+// A screen in front of the eye hides all, or the half of the panel beyond y = 3.
+TEST(Ugr, CountsWhatIsSeenOfAnOpening) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::SensorGrid grid = eyes({{0.5, 3, 1.2}});
+  const auto sum_behind = [&](double from_y, double to_y) {
+    calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+    add_quad(scene, {1.0, from_y, 1.0}, {0, to_y - from_y, 0}, {0, 0, 1.5}, 0.5);
+    set_extent(scene);
+    const calc::PlaneField field = solve_eyes(scene, grid, 64);
+    return std::array{field.glare.low[0], field.glare.value[0], field.glare.high[0]};
+  };
+  const auto open = sum_behind(4.5, 5.0), hidden = sum_behind(2.0, 4.0), half = sum_behind(3.0, 4.0);
+  EXPECT_GT(open[1], 0.0);
+  EXPECT_EQ(open[0], open[2]);
+  EXPECT_EQ(hidden[2], 0.0);
+  EXPECT_NEAR(half[1] / open[1], 0.5, 1e-9);
+  EXPECT_NEAR(half[0] / open[1], 0.5 - 1.0 / 16.0, 1e-9);
+  EXPECT_NEAR(half[2] / open[1], 0.5 + 1.0 / 16.0, 1e-9);
+}
+
+// Areas along a direction, of every shape.
+TEST(SeenOpening, IsTheOutlineOfTheShape) {
+  const auto area = [](calc::OpeningShape shape, const glm::dvec3& direction) {
+    calc::PlacedLuminaire luminaire;
+    luminaire.opening = {shape, 0.4, 0.2, 0.1};
+    return calc::seen_opening_m2(luminaire, glm::normalize(direction));
+  };
+  using enum calc::OpeningShape;
+  EXPECT_NEAR(area(rectangle, {0, 0, -1}), 0.08, 1e-12);
+  EXPECT_NEAR(area(rectangle, {std::sqrt(3.0), 0, -1}), 0.04, 1e-12);
+  EXPECT_NEAR(area(disk, {0, 0, -1}), calc::kPi * 0.02, 1e-12);
+  EXPECT_NEAR(area(box, {1, 0, 0}), 0.02, 1e-12);
+  EXPECT_NEAR(area(box, {0, 0, 1}), 0.08, 1e-12);
+  EXPECT_NEAR(area(cylinder, {0, 1, 0}), 0.04, 1e-12);
+  EXPECT_NEAR(area(ellipsoid, {0, 1, 0}), calc::kPi * 0.01, 1e-12);
+  EXPECT_EQ(area(point, {0, 0, -1}), 0.0);
+}
+
+}  // namespace
