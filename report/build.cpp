@@ -184,7 +184,7 @@ std::string ratings_remark(const calc::PlaneField& field, const std::vector<doub
   const std::string refusal = rules::glare_refusal(field.glare, weights, all);
   if (rated < all.size()) {
     words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
-             " observers have no rating";
+             (refusal.empty() ? " observers see no glare source in the field" : " observers have no rating");
   }
   return refusal.empty() ? words : words + ": " + refusal;
 }

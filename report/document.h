@@ -96,7 +96,7 @@ struct PlanePart {
   bool is_computed = false;  // false: `reason` says why; the rest is then empty
   std::string reason;
   std::string made_by, changed;  // see calc::CalcPlane
-  calc::SensorGrid grid;  // rule, counts, spacing, margin, dropped points
+  calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
   calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
       uniformity_min_max;  // maintained

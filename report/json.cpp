@@ -129,7 +129,8 @@ Json finding_json(const rules::Finding& finding) {
   if (requirement.metric == rules::Metric::share) {
     const bool is_plain = calc::is_plain_number(requirement.derived);
     json[is_plain ? "from" : "from_lx"] = requirement.range.from;
-    json[is_plain ? "to" : "to_lx"] = std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
+    json[is_plain ? "to" : "to_lx"] =
+        std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
   }
   if (!requirement.mask.id.empty()) {
     json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};
@@ -209,7 +210,8 @@ Json plane_json(const PlanePart& plane) {
                {"is_computed", plane.is_computed},
                {"reason", plane.reason},
                {"findings", list_of(plane.findings, finding_json)}};
-  if (!plane.made_by.empty()) json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
+  if (!plane.made_by.empty())
+    json["zone"] = {{"made_by", plane.made_by}, {"changed", plane.changed}};
   if (!plane.is_computed) return json;
   if (!plane.remarks.empty()) json["remarks"] = plane.remarks;
   json["statistics"] = statistics_json(plane);

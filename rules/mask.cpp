@@ -82,8 +82,8 @@ bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::s
             const Rectangle* rectangle) {
   if (operation.step == MaskStep::walls) {
     const glm::dvec2 at(grid.position_m[point]);
-    return grid.room_m.empty() || calc::distance_to_boundary(grid.room_m, at) >=
-                                      operation.metres - kTolerance_m;
+    return grid.room_m.empty() ||
+           calc::distance_to_boundary(grid.room_m, at) >= operation.metres - kTolerance_m;
   }
   if (rectangle == nullptr) {
     const glm::dvec3 offset_m = grid.position_m[point] - grid.origin_m;
@@ -103,9 +103,10 @@ std::string problem_of(const Mask& mask, const MaskOperation& operation,
                        const calc::SensorGrid& grid) {
   if (operation.step == MaskStep::walls) {
     if (!grid.has_unknown_walls) return {};
-    return fmt::format("mask '{}' needs to know the walls: the building file has no outline of this "
-                       "room",
-                       mask.id);
+    return fmt::format(
+        "mask '{}' needs to know the walls: the building file has no outline of this "
+        "room",
+        mask.id);
   }
   const bool has_outline = grid.columns > 0 && !grid.outline_m.empty();
   if (!is_rectangle(grid) && (needs_rectangle(operation) || !has_outline)) {

@@ -73,15 +73,16 @@ void read_key_or_number(const calc::XmlElement& element, RuleTable& table,
   table.entries.push_back(entry);
 }
 
-// Two heights in ascending order, in metres; empty if there is no such attribute, or after an error.
+// Two heights in ascending order, in metres; empty if there is no such attribute, or after an
+// error.
 std::optional<std::pair<double, double>> read_heights(ElementReader& reader,
                                                       std::string_view name) {
   if (!reader.has(name)) return std::nullopt;
   const std::vector<double> heights =
       reader.numbers(name, 2, "2 numbers (lowest highest) in metres", calc::kNonNegative);
   if (heights[1] < heights[0]) {
-    reader.report(DiagnosticId::rule_not_ascending, reader.where(name), name,
-                  reader.element().name, "the lowest, or equal");
+    reader.report(DiagnosticId::rule_not_ascending, reader.where(name), name, reader.element().name,
+                  "the lowest, or equal");
   }
   return std::pair(heights[0], heights[1]);
 }

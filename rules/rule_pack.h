@@ -164,7 +164,6 @@ struct RuleGrid {
 };
 std::string grid_text(const RuleGrid& grid);  // "p = 0.2 * 5^log10 d, ..., rounding nearest"
 
-
 // What a workplace makes of a role.
 enum class ZoneArea {
   none,           // nothing
@@ -184,7 +183,7 @@ struct RulePlane {
   std::string around;              // role inside a band
   double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
   std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
-  double margin_m = 0.0;  // left out along walls, along all edges of walls and ceilings
+  double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings
 };
 
 struct RulePack {
@@ -222,7 +221,7 @@ struct RulePack {
   const RuleName* find_fact(std::string_view fact_id) const;
   const RuleGrid* find_grid(std::string_view grid_id) const;
   const RulePlane* find_plane(std::string_view role) const;  // the first of the role
-  std::vector<std::string> roles() const;  // in order of the checks, each once
+  std::vector<std::string> roles() const;                    // in order of the checks, each once
 };
 
 // Reads a pack from XML text. `file` is used in messages. Anything unknown, repeated or out of

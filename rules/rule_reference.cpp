@@ -54,8 +54,8 @@ const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& pa
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
     reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack",
-                  reader.element().name,
-                  "rule pack", name, "allowed: " + list_of(all), calc::suggestion(name, names));
+                  reader.element().name, "rule pack", name, "allowed: " + list_of(all),
+                  calc::suggestion(name, names));
   } else {
     reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
   }
@@ -153,8 +153,7 @@ std::string wrong_orientation(const RuleCheck& check, const Reference& reference
   const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
                               reference.derived == calc::DerivedQuantity::none;
   const bool faces_somewhere =
-      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) &&
-      !is_power(check);
+      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) && !is_power(check);
   if (reference.plane == nullptr || !faces_somewhere) return {};
   std::vector<glm::dvec3> normals;
   if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
@@ -191,8 +190,8 @@ std::pair<double, double> heights_of(const calc::CalcPlane& plane, double floor_
   return {lowest, highest};
 }
 
-// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it may
-// be.
+// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it
+// may be.
 std::string wrong_height(const RuleCheck& check, const Reference& reference, bool is_usual) {
   // What is laid a little above a floor, so as not to lie in it.
   constexpr double kTolerance_m = 0.05;
@@ -200,8 +199,8 @@ std::string wrong_height(const RuleCheck& check, const Reference& reference, boo
   const RulePlane* role = reference.pack.find_plane(check.role);
   if (role == nullptr || !role->has_heights || role->are_heights_usual != is_usual) return {};
   double from_m = role->lowest_m, to_m = role->highest_m;
-  const bool follows_task = role->area == ZoneArea::task ||
-                            (role->area == ZoneArea::band && !role->height_m);
+  const bool follows_task =
+      role->area == ZoneArea::task || (role->area == ZoneArea::band && !role->height_m);
   if (follows_task && reference.row != nullptr && reference.row->task_heights_m) {
     from_m = reference.row->task_heights_m->lowest_m;
     to_m = reference.row->task_heights_m->highest_m;
@@ -253,7 +252,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
   const bool is_of_points = !is_power(check);
-  if (is_of_points && (check.quantity->kernel != reference.kernel || check.quantity->derived != reference.derived)) {
+  if (is_of_points && (check.quantity->kernel != reference.kernel ||
+                       check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
                   reference.pack.full_id(), check.quantity->name,
                   calc::quantity_name(reference.kernel, reference.derived));

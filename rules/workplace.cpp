@@ -100,8 +100,8 @@ class WorkplaceMaker {
   void check_fit(const ZoneText& zone) {
     const RulePlane* plane = pack_.find_plane(zone.role);
     if (plane == nullptr) plane = pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
-    const bool is_surface = plane != nullptr && (plane->area == ZoneArea::walls ||
-                                                 plane->area == ZoneArea::ceiling);
+    const bool is_surface =
+        plane != nullptr && (plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling);
     const auto refuse = [&](const char* what, std::string_view beside) {
       diagnostics_.report(DiagnosticId::attribute_without_meaning, zone.where, "zone", what,
                           fmt::format("role=\"{}\"{}", zone.role, beside));
@@ -138,8 +138,7 @@ class WorkplaceMaker {
       if (first == nullptr) first = &check;
       // Of a ceiling without a value in the row a uniformity is not required either.
       const bool hangs_on_row = needs_row(check, pack_);
-      const bool is_required =
-          evaluate_limit(check, scope_).status != LimitStatus::not_applicable;
+      const bool is_required = evaluate_limit(check, scope_).status != LimitStatus::not_applicable;
       if (hangs_on_row && !has_row_check) is_wanted = false;
       if (hangs_on_row || !has_row_check) is_wanted = is_wanted || is_required;
       has_row_check = has_row_check || hangs_on_row;
@@ -158,7 +157,7 @@ class WorkplaceMaker {
 
   // Its points look somewhere: along the room's first wall and across it, to and fro.
   bool looks_around(const std::string& role) const {
-    return kernel_of(role) == calc::ReceiverKernel::semicylindrical;
+    return calc::has_look(kernel_of(role), find_quantity(role)->derived);
   }
 
   glm::dvec3 direction(std::size_t index) const {
@@ -196,26 +195,27 @@ class WorkplaceMaker {
     if (!made.not_made.empty()) return leave_out(not_made_, name, made.not_made);
     if (!made.problem.empty()) {
       const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;
-      diagnostics_.report(made.is_simple ? DiagnosticId::zone_vanishes
-                                         : DiagnosticId::zone_not_simple,
-                          where, workplace_.id, name, made.problem, name, name);
+      diagnostics_.report(
+          made.is_simple ? DiagnosticId::zone_vanishes : DiagnosticId::zone_not_simple, where,
+          workplace_.id, name, made.problem, name, name);
       return;
     }
     calc::CalcPlane& plane = planes_.emplace_back();
     plane.id = fmt::format("{}.{}", workplace_.id, name);
     const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
-    plane.name = fmt::format("{}: {}", title,
-                             part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
+    plane.name =
+        fmt::format("{}: {}", title, part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
     plane.where = workplace_.where;
     plane.area = std::move(made.area);
     plane.kernel = kernel_of(rule.role);
+    plane.derived = find_quantity(rule.role)->derived;
     if (looks_around(rule.role)) {
       plane.direction = direction(*part);
       made.words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
                                 plane.direction.y + 0.0);
     }
-    plane.made_by = fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name,
-                                made.words);
+    plane.made_by =
+        fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, made.words);
     plane.changed = std::move(made.changed);
     calc::RequirementText& requirement = plane.requirements.emplace_back();
     requirement.where = workplace_.where;

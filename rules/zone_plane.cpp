@@ -158,9 +158,9 @@ class ZoneMaker {
     }
     const glm::dvec2 side_m = size_of(room());
     if (std::min(side_m.x, side_m.y) <= 2.0 * zone_.area.margin_m) {
-      zone_.problem = fmt::format("the room is {} wide, and {} along its walls do not count",
-                                  metres(std::min(side_m.x, side_m.y)),
-                                  metres(zone_.area.margin_m));
+      zone_.problem =
+          fmt::format("the room is {} wide, and {} along its walls do not count",
+                      metres(std::min(side_m.x, side_m.y)), metres(zone_.area.margin_m));
     }
   }
 

@@ -33,8 +33,8 @@ struct ZonePlane {
 //
 // The task is the given area, or the whole room without the margin along its walls. Bands go round
 // the zone inside them and end at the room's walls, less the margin; of the first band nothing is
-// taken off where the task itself reaches into that margin. The cells of a band are at most as large
-// as it is wide, so that it has points all round.
+// taken off where the task itself reaches into that margin. The cells of a band are at most as
+// large as it is wide, so that it has points all round.
 ZonePlane make_zone_plane(const ZoneSource& source, const RulePlane& rule,
                           const calc::ZoneText* change, std::optional<std::size_t> wall);
 

@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 6> kForms{"height", "origin",    "points"
 GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
   for (const std::string_view name : {"count", "spacing"}) {
     if (!reader.has("rounding") || !reader.has(name)) continue;
-    reader.report(DiagnosticId::attribute_without_meaning, reader.where("rounding"), reader.element().name,
-                   "rounding", name);
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("rounding"),
+                  reader.element().name, "rounding", name);
   }
   GridByRule by_rule;
   by_rule.rounding =
@@ -39,9 +39,9 @@ GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
         reader.integers("count", 2, "2 whole numbers (along u and v)", 1);
     const double points = static_cast<double>(count[0]) * static_cast<double>(count[1]);
     if (points > kInstanceLimit) {
-      reader.report(DiagnosticId::number_out_of_range, reader.where("count"), "count", reader.element().name,
-                     fmt::format("{} x {}", count[0], count[1]),
-                     fmt::format("at most {:.0f} points", kInstanceLimit));
+      reader.report(DiagnosticId::number_out_of_range, reader.where("count"), "count",
+                    reader.element().name, fmt::format("{} x {}", count[0], count[1]),
+                    fmt::format("at most {:.0f} points", kInstanceLimit));
     }
     return GridByCount{count[0], count[1]};
   }
@@ -49,9 +49,8 @@ GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
   const std::vector<double> spacing =
       reader.number_groups("spacing", 1, 1, 2, "1 or 2 numbers (along u and v)", kPositive);
   if (spacing.empty()) return by_rule;
-  return GridBySpacing{spacing.front() * context.metres_per_unit,
-                       spacing.back() * context.metres_per_unit,
-                       {}};
+  return GridBySpacing{
+      spacing.front() * context.metres_per_unit, spacing.back() * context.metres_per_unit, {}};
 }
 
 class PlaneReader {

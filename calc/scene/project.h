@@ -74,8 +74,8 @@ struct LightScene {
   SourceLocation where;
 };
 
-// How side / spacing becomes a number of cells: the nearest number, the next one up, or the next odd
-// one up. Never below 1.
+// How side / spacing becomes a number of cells: the nearest number, the next one up, or the next
+// odd one up. Never below 1.
 enum class GridRounding { nearest, up, odd_up };
 
 // The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,

@@ -47,9 +47,9 @@ struct SensorGrid {
   glm::dvec3 front(std::size_t i) const { return columns > 0 ? glm::cross(u, v) : normal[i]; }
 };
 
-// Cells along both sides by a rule; the number is side / p, rounded as the rule says, at least 1 (of
-// EN 12464-1 to the nearest one; EN 12464-1:2021, 4.4). Sides in metres, > 0. Ties, whole numbers
-// and the ratio of the sides are taken with a relative tolerance of 1e-9.
+// Cells along both sides by a rule; the number is side / p, rounded as the rule says, at least 1
+// (of EN 12464-1 to the nearest one; EN 12464-1:2021, 4.4). Sides in metres, > 0. Ties, whole
+// numbers and the ratio of the sides are taken with a relative tolerance of 1e-9.
 struct GridCounts {
   int columns, rows;
 };
@@ -58,8 +58,8 @@ GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m)
 // "nearest", "up", "odd-up"
 const char* rounding_name(GridRounding rounding);
 
-// What a report prints: the rule, the side it went by, the spacing, both quotients, the rounding and
-// the counts.
+// What a report prints: the rule, the side it went by, the spacing, both quotients, the rounding
+// and the counts.
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m);
 
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's

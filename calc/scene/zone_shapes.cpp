@@ -23,10 +23,11 @@ glm::dvec2 outwards(glm::dvec2 from, glm::dvec2 to) {
 Polygon without_straight_corners(const Polygon& polygon) {
   Polygon corners;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec2 before = outwards(polygon[(i + polygon.size() - 1) % polygon.size()],
-                                       polygon[i]);
+    const glm::dvec2 before =
+        outwards(polygon[(i + polygon.size() - 1) % polygon.size()], polygon[i]);
     const glm::dvec2 after = outwards(polygon[i], polygon[(i + 1) % polygon.size()]);
-    if (std::abs(before.x * after.y - before.y * after.x) > kStraight) corners.push_back(polygon[i]);
+    if (std::abs(before.x * after.y - before.y * after.x) > kStraight)
+      corners.push_back(polygon[i]);
   }
   return corners;
 }

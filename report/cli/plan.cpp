@@ -6,11 +6,21 @@
 #include "rules/bind.h"
 #include "rules/workplace.h"
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace cli {
 namespace {
+
+std::string grid_text(const calc::SensorGrid& grid) {
+  if (grid.columns == 0) return grid.rule;
+  return fmt::format("{}; cells of {:.3g} x {:.3g} m in {} columns and {} rows, margin {:.3g} m",
+                     grid.rule, grid.spacing_u_m, grid.spacing_v_m, grid.columns, grid.rows,
+                     grid.margin_m);
+}
 
 SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
                      const calc::RadiositySettings& settings, calc::Diagnostics& diagnostics) {
@@ -23,7 +33,7 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
     planes.push_back(&plane);
   }
   std::vector<std::string> rule_of_grid;
-  for (const calc::SensorGrid& grid : grids) rule_of_grid.push_back(grid.rule);
+  for (const calc::SensorGrid& grid : grids) rule_of_grid.push_back(grid_text(grid));
   std::vector<calc::PlaneTask> tasks;
   for (std::size_t p = 0; p < planes.size(); ++p) tasks.push_back({planes[p]->id, &grids[p]});
 

@@ -5,6 +5,7 @@
 #include "report/cli/outputs.h"
 #include "report/exr.h"
 #include "report/png.h"
+#include "report/words.h"
 
 #include <algorithm>
 #include <array>

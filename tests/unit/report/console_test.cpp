@@ -65,6 +65,27 @@ TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
               HasSubstr("└ semicylindrical illuminance Esz: average 512.5 ± 4.0 lx, minimum"));
 }
 
+TEST(Console, RatingsHaveNoUnit) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.derived = calc::DerivedQuantity::ugr;
+  plane.minimum_lx = {15.5, 15.25, 15.75};
+  plane.maximum_lx = {18.5, 18.25, 18.75};
+  plane.remarks = {"how it was rated"};
+  rules::Finding finding = plane.findings[0];
+  finding.requirement.metric = rules::Metric::maximum;
+  finding.requirement.derived = plane.derived;
+  finding.measured = plane.maximum_lx;
+  plane.findings = {finding};
+  const std::string text = render_text(document);
+  EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));
+  EXPECT_THAT(text, HasSubstr("18.50 ± 0.25  "));
+  EXPECT_THAT(text, HasSubstr("└ how it was rated\n"));
+  plane.findings.clear();
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ glare rating UGR: minimum 15.50 ± 0.25, maximum 18.50 ± 0.25\n"));
+}
+
 TEST(Console, WhatWasNotJudgedSaysWhy) {
   const std::string text = render_text(sample_document());
   EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));

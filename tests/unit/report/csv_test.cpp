@@ -29,9 +29,21 @@ TEST(Csv, PointsOfSmallDocument) {
   EXPECT_EQ(
       render_points_csv(small_document()),
       "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
-      "indirect_lx\r\n"
-      "office.xml,r1,work,0,0,1.25,1,0.8,0,0,1,600.5,594.25,606.75,500.25,100.25\r\n"
-      "office.xml,r1,work,1,0,2.75,1,0.8,0,0,1,424.5,420.25,428.75,324,100.5\r\n");
+      "indirect_lx,quantity,rating,rating_low,rating_high\r\n"
+      "office.xml,r1,work,0,0,1.25,1,0.8,0,0,1,600.5,594.25,606.75,500.25,100.25,planar,,,\r\n"
+      "office.xml,r1,work,1,0,2.75,1,0.8,0,0,1,424.5,420.25,428.75,324,100.5,planar,,,\r\n");
+}
+
+// A column that is called lx holds nothing else; an eye without a rating has none.
+TEST(Csv, RatingsHaveColumnsOfTheirOwn) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.derived = calc::DerivedQuantity::ugr;
+  plane.points[0].maintained_lx = {18.5, 18.25, 18.75};
+  plane.points[1].maintained_lx = no_estimate();
+  const std::string csv = render_points_csv(document);
+  EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,500.25,100.25,ugr,18.5,18.25,18.75\r\n"));
+  EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,324,100.5,ugr,,,\r\n"));
 }
 
 TEST(Csv, FieldsAreQuotedWhereNeeded) {

@@ -347,6 +347,34 @@ TEST(Html, QuantitiesAreNamed) {
               HasSubstr("Average of semicylindrical illuminance Esz 512.5 ± 4.0 lx, minimum"));
 }
 
+TEST(Html, RatingsHaveNoUnit) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.derived = calc::DerivedQuantity::modelling;
+  plane.kernel = calc::ReceiverKernel::cylindrical;
+  plane.remarks = {"how it was come by"};
+  plane.points[0].maintained_lx = {0.5, 0.45, 0.55};
+  plane.points[1].maintained_lx = {0.4, 0.35, 0.45};
+  plane.minimum_lx = plane.points[1].maintained_lx;
+  plane.maximum_lx = plane.points[0].maintained_lx;
+  plane.average_lx = no_estimate();
+  plane.findings.clear();
+  const std::string html = render_html(document);
+  parsed(html);
+  for (const char* words :
+       {"modelling Ez/E: maximum 0.500 ± 0.050", "modelling Ez/E from 0.40 to 0.50, minimum at",
+        "Maintained modelling Ez/E, every luminaire", "Maintained modelling Ez/E; distances",
+        "how it was come by", "class=\"unit\"></text>"}) {
+    EXPECT_THAT(html, HasSubstr(words));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("0.400 lx")));
+  // No colour for what has no value: the list of values remains.
+  plane.points[0].maintained_lx = no_estimate();
+  const std::string without = render_html(document);
+  parsed(without);
+  EXPECT_THAT(without, Not(HasSubstr("Heat map of Work plane")));
+}
+
 TEST(Html, TimeAppearsOnlyOnRequest) {
   Document document = small_document();
   EXPECT_THAT(render_html(document), Not(HasSubstr("<caption>Time</caption>")));

@@ -98,6 +98,41 @@ TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
   }
 }
 
+// Eyes: no unit, no average, an observer without rating, a share between plain numbers.
+Document rated_document() {
+  Document document = sample_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.power = {540.0, 96.0, 15, 1};
+  PlanePart& plane = space.planes[0];
+  plane.derived = plane.grid.derived = calc::DerivedQuantity::ugr;
+  plane.remarks = {"how it was rated"};
+  plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  plane.points[0].maintained_lx = no_estimate();
+  rules::Finding maximum = sample_finding(rules::Metric::maximum, 19, estimate(18.5, 0.25));
+  rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
+  share.requirement.range.to = 19;
+  plane.findings = {maximum, share};
+  for (rules::Finding& finding : plane.findings) finding.requirement.derived = plane.derived;
+  return document;
+}
+
+TEST(ReadJson, RatingsAreReadBack) {
+  const Document document = rated_document();
+  const Document again = read_again(document);
+  EXPECT_EQ(render_json(again), render_json(document));
+  EXPECT_EQ(render_text(again, {}), render_text(document, {}));
+  EXPECT_EQ(render_html(again), render_html(document));
+  EXPECT_EQ(render_points_csv(again), render_points_csv(document));
+  const json plane = json::parse(render_json(document))["projects"][0]["spaces"][0]["planes"][0];
+  EXPECT_EQ(plane["quantity"], "ugr");
+  EXPECT_EQ(plane["findings"][0]["unit"], "");
+  EXPECT_EQ(plane["findings"][1]["to"], 19.0);
+  EXPECT_EQ(plane["points"]["columns"][8], "ugr");
+  EXPECT_TRUE(plane["points"]["rows"][0][8].is_null());
+  EXPECT_FALSE(plane["statistics"].contains("average_lx"));
+  EXPECT_EQ(again.projects[0].spaces[0].power.without_power, 1);
+}
+
 TEST(ReadJson, WhatIsNotFiniteStaysSo) {
   Document document = small_document();
   document.projects[0].spaces[0].planes[0].findings[0].measured.high =

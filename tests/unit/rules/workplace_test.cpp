@@ -74,8 +74,8 @@ Made make(const std::string& lines, const std::string& shape = "size='12 8 2.8'"
       "\n<luminaire id='l' type='spot' position='1 1 2.5'/></room></luxgate>";
   calc::Diagnostics diagnostics;
   Made made;
-  auto project = calc::load_project(
-      calc::MemoryFileReader({{"p.xml", xml}, {"spot.ies", kIes}}), "p.xml", diagnostics);
+  auto project = calc::load_project(calc::MemoryFileReader({{"p.xml", xml}, {"spot.ies", kIes}}),
+                                    "p.xml", diagnostics);
   if (project) {
     make_workplace_planes(*project, packs, diagnostics);
     made.requirements = bind_requirements(*project, packs, diagnostics);
@@ -105,8 +105,9 @@ std::vector<double> limits_of(const Made& made, const std::string& plane) {
 TEST(Workplace, AGivenTaskHasAllZonesWithTheRowsLimits) {
   const Made made = make(workplace(kDesk));
   EXPECT_THAT(made.messages, IsEmpty());
-  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
-                                      "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder"));
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                          "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder"));
   EXPECT_THAT(limits_of(made, "w.task"), ElementsAre(500, 0.6));
   EXPECT_THAT(limits_of(made, "w.surround"), ElementsAre(300, 0.4));
   EXPECT_THAT(limits_of(made, "w.background"), ElementsAre(100, 0.1));
@@ -214,8 +215,8 @@ TEST(Workplace, AConcaveRoomCutsItsZones) {
 
 TEST(Workplace, RolesForWhichTheRowHasNothingAreNotMade) {
   const Made made = make("<workplace id='w' pack='en12464-1:2021' row='14.1'/>");
-  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
-                                      "w.cylinder"));
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4", "w.cylinder"));
   EXPECT_THAT(made.space().notes.at(0), HasSubstr("ceiling (row 14.1 specifies nothing)"));
 }
 
@@ -227,22 +228,23 @@ TEST(Workplace, SomeRowsAreAboutFloors) {
 }
 
 TEST(Workplace, ANarrowWallIsNotMade) {
-  const Made made = make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");
+  const Made made =
+      make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");
   EXPECT_THAT(made.space().notes.at(0),
               HasSubstr("wall.3 (0.8 m wide, and 0.5 m along its edges do not count)"));
 }
 
 TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
-  const Made made = make(
-      workplace(kDesk + " height='1.1' level='modified' name='Bench'",
-                "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
-                "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
-                "<zone role='surround' rounding='up'/>"
-                "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
-                "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
+  const Made made = make(workplace(
+      kDesk + " height='1.1' level='modified' name='Bench'",
+      "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
+      "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
+      "<zone role='surround' rounding='up'/>"
+      "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
+      "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
   EXPECT_THAT(made.messages, IsEmpty());
-  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
-                                      "w.wall.4", "w.cylinder"));
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1",
+                                      "w.wall.2", "w.wall.4", "w.cylinder"));
   EXPECT_EQ(made.plane("w.task").name, "Bench: task");
   EXPECT_EQ(made.plane("w.task").changed, "height 1.1 m instead of 0.75 m");
   EXPECT_NEAR(made.height_m("w.surround"), 1.1, 1e-12) << "at the task's height";
@@ -333,8 +335,8 @@ TEST(WorkplaceMessage, ABandThatVanishes) {
       ElementsAre(HasSubstr("p.xml:5:1: error[zone-vanishes]: workplace 'w': nothing is left of "
                             "the zone 'surround' (band of 0.5 m around the task, without 0.5 m "
                             "along the walls)")));
-  const Made left_out = make(workplace("origin='0.5 0.5' size='11 7'",
-                                       "<without role='surround' because='none'/>"));
+  const Made left_out =
+      make(workplace("origin='0.5 0.5' size='11 7'", "<without role='surround' because='none'/>"));
   EXPECT_THAT(left_out.messages, IsEmpty());
   EXPECT_THAT(left_out.space().notes.at(0),
               HasSubstr("background (nothing of the room is left around the surround)"));
@@ -348,8 +350,7 @@ TEST(WorkplaceMessage, AMarginThatLeavesNothingOfTheRoom) {
 
 TEST(WorkplaceMessage, AZoneAboveTheCeiling) {
   EXPECT_THAT(make(workplace(""), "size='12 8 1.1'").messages,
-              testing::Contains(
-                  HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
+              testing::Contains(HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
 }
 
 TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {
@@ -367,7 +368,8 @@ TEST(WorkplaceMessage, AnIdThatIsTaken) {
 TEST(WorkplaceMessage, APackThatMakesNoWorkplaces) {
   EXPECT_THAT(make("<workplace id='w' pack='en12464-2' row='5.1-walkways'/>").messages,
               ElementsAre(HasSubstr("rule pack 'en12464-2:2014' does not say where the planes of a "
-                                    "workplace are, for row '5.1-walkways' or any other; give every <plane> with its <require>")));
+                                    "workplace are, for row '5.1-walkways' or any other; give "
+                                    "every <plane> with its <require>")));
 }
 
 }  // namespace

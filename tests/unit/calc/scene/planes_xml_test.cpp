@@ -49,8 +49,7 @@ TEST(PlanesXml, HeightCoversTheFootprintAndFacesUp) {
 TEST(PlanesXml, TheRoundingOfTheRuleCanBeChosen) {
   const PlanarArea area = area_in_room("<plane id='p' height='0.75' rounding='up'/>");
   EXPECT_EQ(std::get<GridByRule>(area.grid).rounding, GridRounding::up);
-  const Loaded loaded =
-      load(in_room("<plane id='p' height='0.75' rounding='up' spacing='0.5'/>"));
+  const Loaded loaded = load(in_room("<plane id='p' height='0.75' rounding='up' spacing='0.5'/>"));
   EXPECT_NE(loaded.messages.find("'rounding' has no meaning together with 'spacing'"),
             std::string::npos)
       << loaded.messages;

@@ -91,8 +91,8 @@ TEST(GridRuleEn12464, AllNineSizesRoundedUp) {
   const struct {
     double d_m;
     int up, odd_up;
-  } cases[] = {{0.4, 4, 5},  {0.6, 5, 5},   {1, 5, 5},    {2, 7, 7},   {5, 9, 9},
-               {10, 10, 11}, {25, 14, 15},  {50, 17, 17}, {100, 20, 21}};
+  } cases[] = {{0.4, 4, 5},  {0.6, 5, 5},  {1, 5, 5},    {2, 7, 7},    {5, 9, 9},
+               {10, 10, 11}, {25, 14, 15}, {50, 17, 17}, {100, 20, 21}};
   for (const auto& c : cases) {
     expect_counts(c.d_m, c.d_m, c.up, c.up, up);
     expect_counts(c.d_m, c.d_m, c.odd_up, c.odd_up, odd);
@@ -120,9 +120,9 @@ TEST(GridRule, TheNumbersAreData) {
   rule.base = 10.0;
   rule.max_spacing_m = 3.0;
   rule.shorter_from_ratio = 4.0;
-  expect_counts(4, 2, 2, 1, rule);    // p = 2 m, d = 4 m although the sides have the ratio 2
-  expect_counts(8, 2, 8, 2, rule);    // p = 1 m, d = 2 m
-  expect_counts(30, 20, 10, 7, rule); // p = 3 m instead of 15 m
+  expect_counts(4, 2, 2, 1, rule);     // p = 2 m, d = 4 m although the sides have the ratio 2
+  expect_counts(8, 2, 8, 2, rule);     // p = 1 m, d = 2 m
+  expect_counts(30, 20, 10, 7, rule);  // p = 3 m instead of 15 m
 }
 
 TEST(GridRule, WhatIsPrintedLeadsFromTheSidesToTheCounts) {

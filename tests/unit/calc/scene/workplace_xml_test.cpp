@@ -62,15 +62,15 @@ TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
 }
 
 TEST(WorkplacesXmlMessage, TaskLargerThanTheRoom) {
-  expect_message(load_workplace("origin='1 1' size='4 1'"),
-                 "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
-                 "m2 lie outside room 'r'; it must lie within the room");
+  expect_message(
+      load_workplace("origin='1 1' size='4 1'"),
+      "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
+      "m2 lie outside room 'r'; it must lie within the room");
 }
 
 TEST(WorkplacesXmlMessage, AreaOfAZoneOutsideTheRoom) {
-  expect_message(
-      load_workplace("", "<zone role='background' footprint='0 0  9 0  9 3  0 3'/>"),
-      "attribute 'footprint' of <zone>: 15 of its 27 m2 lie outside room 'r'");
+  expect_message(load_workplace("", "<zone role='background' footprint='0 0  9 0  9 3  0 3'/>"),
+                 "attribute 'footprint' of <zone>: 15 of its 27 m2 lie outside room 'r'");
 }
 
 TEST(WorkplacesXmlMessage, AreasThatAreNone) {
@@ -82,9 +82,10 @@ TEST(WorkplacesXmlMessage, AreasThatAreNone) {
 }
 
 TEST(WorkplacesXmlMessage, HeightBeyondTheRoom) {
-  expect_message(load_workplace("height='2.5'"),
-                 "attribute 'height' of <workplace>: 2.5 is not allowed; expected a number from 0 to "
-                 "below the room's height 2.5");
+  expect_message(
+      load_workplace("height='2.5'"),
+      "attribute 'height' of <workplace>: 2.5 is not allowed; expected a number from 0 to "
+      "below the room's height 2.5");
 }
 
 TEST(WorkplacesXmlMessage, ZoneThatChangesNothing) {

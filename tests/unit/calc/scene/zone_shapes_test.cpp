@@ -31,9 +31,9 @@ TEST(MovedSides, NothingSimpleIsNothing) {
   EXPECT_TRUE(moved_sides(kSquare, -3.0).empty());
   EXPECT_TRUE(moved_sides(kEl, -1.0).empty());
   // A slot of 0.8 m closes when both its sides move by 0.5 m.
-  EXPECT_TRUE(moved_sides({{0, 0}, {4, 0}, {4, 3}, {2.4, 3}, {2.4, 1}, {1.6, 1}, {1.6, 3}, {0, 3}},
-                          0.5)
-                  .empty());
+  EXPECT_TRUE(
+      moved_sides({{0, 0}, {4, 0}, {4, 3}, {2.4, 3}, {2.4, 1}, {1.6, 1}, {1.6, 3}, {0, 3}}, 0.5)
+          .empty());
 }
 
 TEST(WithinBounds, CutsAtTheRegionsRectangle) {
@@ -52,8 +52,9 @@ TEST(PiecesOutside, AreWhatARegionDoesNotCover) {
 
 TEST(AreaLeft, CountsOverlappingHolesOnce) {
   EXPECT_NEAR(area_left(kSquare, {}), 16.0, 1e-12);
-  EXPECT_NEAR(area_left(kSquare, {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{2, 2}, {9, 2}, {9, 9}, {2, 9}}}),
-              16 - 4 - 4 + 1, 1e-12);
+  EXPECT_NEAR(
+      area_left(kSquare, {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{2, 2}, {9, 2}, {9, 9}, {2, 9}}}),
+      16 - 4 - 4 + 1, 1e-12);
 }
 
 }  // namespace
