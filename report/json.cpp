@@ -128,7 +128,8 @@ Json finding_json(const rules::Finding& finding) {
   if (requirement.metric == rules::Metric::share) {
     const bool is_plain = calc::is_plain_number(requirement.derived);
     json[is_plain ? "from" : "from_lx"] = requirement.range.from;
-    json[is_plain ? "to" : "to_lx"] = std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
+    json[is_plain ? "to" : "to_lx"] =
+        std::isfinite(requirement.range.to) ? Json(requirement.range.to) : Json();
   }
   if (!requirement.mask.id.empty()) {
     json["mask"] = {{"id", requirement.mask.id}, {"points_used", finding.points_used}};

@@ -43,7 +43,8 @@ class PlaneIds {
 };
 
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
-                const calc::InstalledPower& power, calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
+                const calc::InstalledPower& power, calc::Diagnostics& diagnostics,
+                std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : read_requirement(text, context, diagnostics)) {

@@ -28,8 +28,8 @@ constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
 constexpr std::array<std::string_view, 13> kOwnAttributes{
-    "id",   "quantity", "at-least", "at-most", "percent", "at",
-    "from", "to",       "unit",     "state",   "scene",   "clause", "light"};
+    "id", "quantity", "at-least", "at-most", "percent", "at",   "from",
+    "to", "unit",     "state",    "scene",   "clause",  "light"};
 constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
 // Beside either.
 constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
@@ -162,12 +162,12 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
 
 // Whether reflected light is left out. A glare rating is nothing without it.
 bool read_light(ElementReader& reader, const Requirement& requirement) {
-  const bool is_free =
-      requirement.metric != Metric::power_density && requirement.derived != calc::DerivedQuantity::ugr;
+  const bool is_free = requirement.metric != Metric::power_density &&
+                       requirement.derived != calc::DerivedQuantity::ugr;
   if (!is_free && reader.has("light")) {
-    report_unfit(reader, "light",
-                 requirement.metric == Metric::power_density ? "quantity=\"power-density\""
-                                                             : "ugr points");
+    report_unfit(
+        reader, "light",
+        requirement.metric == Metric::power_density ? "quantity=\"power-density\"" : "ugr points");
     return false;
   }
   return reader.choice_or("light", {"all", "direct"}, 0) == 1;
@@ -209,8 +209,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  std::vector<Requirement> requirements =
-      read_rule_reference(reader, context, scene);
+  std::vector<Requirement> requirements = read_rule_reference(reader, context, scene);
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {

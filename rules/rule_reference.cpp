@@ -143,8 +143,7 @@ std::string wrong_orientation(const RuleCheck& check, const Reference& reference
   const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
                               reference.derived == calc::DerivedQuantity::none;
   const bool faces_somewhere =
-      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) &&
-      !is_power(check);
+      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) && !is_power(check);
   if (reference.plane == nullptr || !faces_somewhere) return {};
   std::vector<glm::dvec3> normals;
   if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
@@ -192,7 +191,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
   const bool is_of_points = !is_power(check);
-  if (is_of_points && (check.quantity->kernel != reference.kernel || check.quantity->derived != reference.derived)) {
+  if (is_of_points && (check.quantity->kernel != reference.kernel ||
+                       check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
                   reference.pack.full_id(), check.quantity->name,
                   calc::quantity_name(reference.kernel, reference.derived));
@@ -297,10 +297,9 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
-  return requirements_of_role(
-      reader, role,
-      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel,
-       context.derived, scene, context.plane});
+  return requirements_of_role(reader, role,
+                              {*pack, row, LimitScope{*pack, row, level, std::move(facts)},
+                               context.kernel, context.derived, scene, context.plane});
 }
 
 }  // namespace rules
