@@ -161,8 +161,7 @@ std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& 
 
 std::string average_words(const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return fmt::format("{}: maximum {}", plane_words(plane),
-                       format_measured(plane.maximum_lx, ""));
+    return fmt::format("{}: maximum {}", plane_words(plane), format_measured(plane.maximum_lx, ""));
   }
   const std::string value = format_measured(plane.average_lx, "lx");
   if (is_plain_illuminance(plane)) return "Average " + value;

@@ -165,7 +165,8 @@ std::string value_matrix(const PlanePart& plane) {
     value_lx[{point.row, point.column}] = point.maintained_lx.value;
   std::string html =
       "<table class=\"matrix\"><caption>Maintained " + std::string(plane_words(plane)) +
-      (*plane_unit(plane) == '\0' ? "" : " in lx") + "; distances from the grid's corner "
+      (*plane_unit(plane) == '\0' ? "" : " in lx") +
+      "; distances from the grid's corner "
       "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   for (int column = 0; column < grid.columns; ++column) {
     html +=
@@ -208,8 +209,9 @@ std::string value_list(const PlanePart& plane) {
         "<td class=\"num strong\">{}</td><td class=\"num\">{} lx</td><td class=\"num\">{} "
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(point.position_m)),
-        with_minus(format_position(point.normal)), format_measured(point.maintained_lx, plane_unit(plane)),
-        format_cell_lx(point.direct_lx), format_cell_lx(point.indirect_lx));
+        with_minus(format_position(point.normal)),
+        format_measured(point.maintained_lx, plane_unit(plane)), format_cell_lx(point.direct_lx),
+        format_cell_lx(point.indirect_lx));
   }
   return html + "</tbody></table>";
 }
