@@ -174,8 +174,8 @@ std::vector<std::uint8_t> rated_points(const calc::PlaneField& field,
 std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
                            const std::vector<std::size_t>& all, const PlanePart& part) {
   std::string words =
-      "UGR after CIE 117 with Guth's position index in closed form; background: reflected light at "
-      "the eye";
+      "UGR after CIE 117 of the new installation, with Guth's position index in closed form, which "
+      "the table of CIE 117 can differ from by up to 0.8; background: reflected light at the eye";
   const auto rated = static_cast<std::size_t>(std::count_if(
       part.points.begin(), part.points.end(),
       [](const PointRow& point) { return std::isfinite(point.maintained_lx.value); }));
@@ -188,13 +188,17 @@ std::string ratings_remark(const calc::PlaneField& field, const std::vector<doub
   return refusal.empty() ? words : words + ": " + refusal;
 }
 
-void add_ratings(const calc::PlaneField& field, const rules::PointValues& maintained,
-                 double confidence, PlanePart& part) {
+// Glare is rated for the new installation, when it is worst; ratios as maintained.
+void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& part) {
   const calc::DerivedQuantity derived = part.grid.derived;
-  const auto weights = rules::channel_weights(field, rules::LightState::maintained, {});
+  const rules::LightState state = derived == calc::DerivedQuantity::ugr
+                                      ? rules::LightState::initial
+                                      : rules::LightState::maintained;
+  const auto weights = rules::channel_weights(field, state, {});
+  const rules::PointValues receivers = rules::combine_channels(field, state, {});
   std::vector<std::size_t> all(part.grid.position_m.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto points = rules::make_derived_points(derived, field, maintained, weights, all);
+  const auto points = rules::make_derived_points(derived, field, receivers, weights, all);
   const double t = rules::one_sided_t(points->replicates(), 0.5 * (1.0 - confidence));
   const bool is_glare = derived == calc::DerivedQuantity::ugr;
   const std::vector<std::uint8_t> is_rated =
@@ -253,11 +257,10 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
   count_doubt(field, part);
   part.counters = field.counters;
 
-  rules::PointValues maintained =
-      rules::combine_channels(field, rules::LightState::maintained, {});
-  part.groups = build_groups(field, level);
+  rules::PointValues maintained = rules::combine_channels(field, rules::LightState::maintained, {});
+  part.groups = build_groups(field, grid.derived, level);
   if (calc::is_plain_number(grid.derived)) {
-    add_ratings(field, maintained, level, part);
+    add_ratings(field, level, part);
   } else {
     if (grid.derived == calc::DerivedQuantity::four_planes) {
       part.remarks.push_back(four_planes_remark(maintained, level));

@@ -1,6 +1,7 @@
 #include "report/build_evidence.h"
 
 #include "calc/units.h"
+#include "rules/derived_points.h"
 #include "rules/error_spending.h"
 #include "rules/metrics.h"
 
@@ -14,6 +15,16 @@ namespace report {
 namespace {
 
 using Levels = std::vector<std::pair<std::string, double>>;
+
+// One value per point of the plane. Not for ratings and ratios, which are no illuminances.
+rules::PointValues maintained(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                              const Levels& levels,
+                              rules::LightParts parts = rules::LightParts::all) {
+  rules::PointValues receivers =
+      rules::combine_channels(field, rules::LightState::maintained, levels, parts);
+  return derived == calc::DerivedQuantity::four_planes ? rules::mean_of_four_planes(receivers)
+                                                       : receivers;
+}
 
 calc::Estimate statistic(const rules::PointValues& values, rules::Metric metric, double level) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -32,15 +43,16 @@ std::vector<std::string> groups_of(const calc::PlaneField& field) {
 
 }  // namespace
 
-std::vector<GroupShare> build_groups(const calc::PlaneField& field, double level) {
+std::vector<GroupShare> build_groups(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                                     double level) {
+  if (calc::is_plain_number(derived)) return {};
   const std::vector<std::string> groups = groups_of(field);
   std::vector<GroupShare> shares;
   for (const std::string& group : groups) {
     Levels alone;
     for (const std::string& other : groups) alone.emplace_back(other, other == group ? 1.0 : 0.0);
     const auto average = [&](rules::LightParts parts) {
-      return statistic(rules::combine_channels(field, rules::LightState::maintained, alone, parts),
-                       rules::Metric::average, level);
+      return statistic(maintained(field, derived, alone, parts), rules::Metric::average, level);
     };
     shares.push_back(
         {group, average(rules::LightParts::all), average(rules::LightParts::direct).value});
@@ -48,16 +60,18 @@ std::vector<GroupShare> build_groups(const calc::PlaneField& field, double level
   return shares;
 }
 
-PlaneLook build_look(const calc::PlaneField& field, const std::vector<rules::Finding>& findings,
-                     double confidence) {
+PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                     const std::vector<rules::Finding>& findings, double confidence) {
   PlaneLook look;
   look.paths = field.counters.paths;
-  look.rays = field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
-  look.points = field.counters.active_points.empty() ? field.points
-                                                     : field.counters.active_points.back();
-  look.average_lx = statistic(rules::combine_channels(field, rules::LightState::maintained, {}),
-                              rules::Metric::average,
-                              rules::look_confidence(confidence, field.looks_planned));
+  look.rays =
+      field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
+  look.points =
+      field.counters.active_points.empty() ? field.points : field.counters.active_points.back();
+  const double level = rules::look_confidence(confidence, field.looks_planned);
+  look.average_lx = calc::is_plain_number(derived)
+                        ? no_estimate()
+                        : statistic(maintained(field, derived, {}), rules::Metric::average, level);
   for (const rules::Finding& finding : findings)
     look.findings.push_back({finding.verdict, finding.measured});
   return look;

@@ -11,12 +11,14 @@
 namespace report {
 
 // Maintained light of each dimming group at full output, reflections of its light included, in
-// order of the field's channels. level: of the intervals. Averages add up to the plane's.
-std::vector<GroupShare> build_groups(const calc::PlaneField& field, double level);
+// order of the field's channels. derived: what the plane measures; empty for ratings and ratios.
+// level: of the intervals. Averages add up to the plane's.
+std::vector<GroupShare> build_groups(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                                     double level);
 
-// The plane after one look. findings: judged on this field.
-PlaneLook build_look(const calc::PlaneField& field, const std::vector<rules::Finding>& findings,
-                     double confidence);
+// The plane after one look. findings: judged on this field. Ratings and ratios have no average.
+PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                     const std::vector<rules::Finding>& findings, double confidence);
 
 // Intensities in the half planes C and C + 180 degrees, every kPolarStep_deg of gamma from -180
 // (in C + 180) to 180 (in C), in cd.

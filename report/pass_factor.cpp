@@ -34,6 +34,8 @@ double down(double factor) { return std::floor(factor * 100.0 + 1e-6) / 100.0; }
 std::optional<calc::Estimate> pass_factor(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const calc::Estimate& measured = finding.measured;
+  // Ratings and ratios do not grow with the light.
+  if (calc::is_plain_number(requirement.derived)) return std::nullopt;
   if (!is_unmet(finding) || !is_linear(requirement.metric) || !requirement.policy.is_default() ||
       !(requirement.limit > 0.0) || !(measured.low > 0.0) || !std::isfinite(measured.high)) {
     return std::nullopt;

@@ -20,8 +20,9 @@ Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double
     return meets(compared, comparand.comparison, loosened(limit, comparand.comparison, tolerance));
   };
   int met = 0;
-  for (const double value : {comparand.measured.low * (1.0 - policy.guard),
-                             comparand.measured.high * (1.0 + policy.guard)}) {
+  const calc::Estimate& measured = comparand.measured;
+  for (const double value : {measured.low - policy.guard * std::abs(measured.low),
+                             measured.high + policy.guard * std::abs(measured.high)}) {
     for (const double limit : {comparand.limit.low, comparand.limit.high}) {
       if (is_met(value, limit)) ++met;
     }

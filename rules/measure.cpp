@@ -160,6 +160,10 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
                     "is no UGR",
                     masked.points[i] + 1));
   }
+  bool has_source = false;
+  for (std::size_t i = 0; i < points.points(); ++i)
+    has_source = has_source || points.sees_source(i);
+  if (!has_source) return nothing_to_measure("no observer sees a glare source");
   Measurement result = measure_derived(points, request);
   if (points.has_inexact_sources()) {
     result.remark =
@@ -231,6 +235,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
       combine_channels(field, requirement.state, *levels,
                        requirement.direct_only ? LightParts::direct : LightParts::all);
   const std::size_t parts = calc::receivers_per_point(grid.derived);
+  if (!is_metric_of(requirement.metric, grid.derived)) {
+    return nothing_to_measure("the points of the plane have no such statistic");
+  }
   if (calc::is_plain_number(grid.derived)) {
     const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal,
                                  grid.derived};

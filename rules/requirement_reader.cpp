@@ -179,7 +179,9 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   requirement.derived = context.derived;
   if (reader.has("id")) requirement.id = reader.id();
   read_quantity(reader, context, requirement);
-  requirement.state = reader.choice_or("state", {"maintained", "initial"}, 0) == 0
+  // Glare is worst when everything is new.
+  const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;
+  requirement.state = reader.choice_or("state", {"maintained", "initial"}, usual) == 0
                           ? LightState::maintained
                           : LightState::initial;
   // Installed power is that of full output.

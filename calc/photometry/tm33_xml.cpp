@@ -141,8 +141,11 @@ class Tm33Reader {
     const std::optional<double> quantity = quantity_of(emitter);
     const std::optional<Tm33Table> read = read_tm33_table(root_, emitter, diagnostics_);
     const double rated_lm = amount_in(child_of(emitter, "RatedLumens"));
-    source_.input_power_w +=
-        quantity.value_or(1.0) * amount_in(child_of(emitter, {"InputWattage", "InputWatts"}));
+    const double power_w = amount_in(child_of(emitter, {"InputWattage", "InputWatts"}));
+    has_all_powers_ = has_all_powers_ && power_w > 0.0;
+    emitters_power_w_ += quantity.value_or(1.0) * power_w;
+    // A sum without one of them would be too little.
+    source_.input_power_w = has_all_powers_ ? emitters_power_w_ : 0.0;
     warn_of_unused(emitter);
     if (!quantity || !read || diagnostics_.error_count() != errors) return false;
 
@@ -210,7 +213,8 @@ class Tm33Reader {
   std::vector<Emitter> all_, used_;
   FileTable sum_;
   PhotometrySource source_;
-  bool all_rated_ = true, all_stated_ = true;
+  bool all_rated_ = true, all_stated_ = true, has_all_powers_ = true;
+  double emitters_power_w_ = 0.0;
   double rated_in_any_case_lm_ = 0.0, stated_lm_ = 0.0;
 };
 

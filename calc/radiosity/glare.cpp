@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace calc {
 namespace {
 
-// Of a source as the eye sees it, by its centre; multiples of the distance along the line of sight.
+// Of a source, or a part of one, as the eye sees it: multiples of the distance along the line of
+// sight.
 struct SeenAt {
   double along_m, sideways, upwards;
 
@@ -30,25 +32,41 @@ struct SeenAt {
   static constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 };
 
-// Lines of sight from an eye to an opening: how many could reach it, and how many do.
+// Lines of sight from an eye to an opening: how much could reach it, and how much does. Each line
+// stands for the same part of the opening and weighs 1, or 1 / p^2 of its own end.
 struct Sight {
-  double open = 0.0;
-  std::size_t lines = 0;
+  double open = 0.0, all = 0.0;
+  std::size_t facing = 0;  // ends that face the eye, whatever they weigh
 };
 
-Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
-              bool has_shadows, std::uint64_t& rays) {
-  ShadowBatch batch(tracer, has_shadows);
-  const glm::vec3 from(tracer.lift(receiver));
+// The ends of lines of sight, evenly spread over an opening: a Hammersley set, of which no row or
+// column hides behind the slats of a louvre.
+std::vector<OpeningView::Point> sight_ends(const PlacedLuminaire& luminaire,
+                                           const Receiver& receiver) {
   const glm::dvec3 towards = glm::normalize(receiver.position_m - luminaire.position_m);
   const OpeningView view(luminaire, towards);
   const bool is_point = luminaire.opening.shape == OpeningShape::point;
-  const std::size_t side = is_point ? 1 : kSightLines;
+  const std::uint32_t count = is_point ? 1 : kSightLines * kSightLines;
+  std::vector<OpeningView::Point> ends;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    double reversed = 0.0, digit = 0.5;
+    for (std::uint32_t bits = k; bits != 0; bits >>= 1, digit *= 0.5) {
+      if ((bits & 1u) != 0) reversed += digit;
+    }
+    ends.push_back(view.point((k + 0.5) / count, reversed + 0.5 / count));
+  }
+  return ends;
+}
+
+// weights: one per end.
+Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
+              bool has_shadows, const std::vector<OpeningView::Point>& ends,
+              const std::vector<double>& weights, std::uint64_t& rays) {
+  ShadowBatch batch(tracer, has_shadows);
+  const glm::vec3 from(tracer.lift(receiver));
   Sight sight;
-  for (std::size_t k = 0; k < side * side; ++k) {
-    const OpeningView::Point at =
-        view.point((static_cast<double>(k % side) + 0.5) / static_cast<double>(side),
-                   (static_cast<double>(k / side) + 0.5) / static_cast<double>(side));
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const OpeningView::Point& at = ends[k];
     glm::dvec3 to =
         lifted_source_m(luminaire, at.position_m, receiver.position_m, tracer.offset_m());
     if (luminaire.opening.is_body()) {
@@ -56,8 +74,10 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
       if (!(glm::dot(at.normal, receiver.position_m - at.position_m) > 0.0)) continue;
       to = at.position_m + tracer.offset_m() * at.normal;
     }
-    ++sight.lines;
-    batch.add(from, glm::vec3(to), 1.0, &sight.open);
+    ++sight.facing;
+    if (!(weights[k] > 0.0)) continue;
+    sight.all += weights[k];
+    batch.add(from, glm::vec3(to), weights[k], &sight.open);
   }
   batch.flush();
   rays += batch.rays();
@@ -78,22 +98,37 @@ class GlareEye {
   void add(const PlacedLuminaire& luminaire) {
     const glm::dvec3 to_source = luminaire.position_m - receiver_.position_m;
     const SeenAt seen(to_source, receiver_.axis);
-    if (!seen.is_in_field()) return;
+    const std::vector<OpeningView::Point> ends = sight_ends(luminaire, receiver_);
+    // Usually a source counts by its centre. One whose centre is outside the field may still reach
+    // into it, and then counts with the parts that do, each with its own index.
+    const bool is_whole = seen.is_in_field();
+    bool is_below = is_whole && seen.is_below();
+    std::vector<double> weights(ends.size(), is_whole ? 1.0 : 0.0);
+    for (std::size_t k = 0; !is_whole && k < ends.size(); ++k) {
+      const glm::dvec3 to_end = ends[k].position_m - receiver_.position_m;
+      const SeenAt end(to_end, receiver_.axis);
+      if (!end.is_in_field()) continue;
+      is_below = is_below || end.is_below();
+      const double index = guth_index(to_end, receiver_.axis).value_or(1.0);
+      weights[k] = 1.0 / (index * index);
+    }
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.0; })) return;
     const double r2 = glm::dot(to_source, to_source);
     const glm::dvec3 out = to_source / -std::sqrt(r2);
     const double cd = intensity_cd(luminaire, out);
     if (!(cd > 0.0)) return;
-    const Sight sight = look_at(tracer_, luminaire, receiver_, has_shadows_, rays_);
+    const Sight sight = look_at(tracer_, luminaire, receiver_, has_shadows_, ends, weights, rays_);
     if (!(sight.open > 0.0)) return;
     const double area_m2 = seen_opening_m2(luminaire, out);
     const double solid_angle_sr = area_m2 / r2;
     if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
-    if (seen.is_below()) return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
+    if (is_below) return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
     if (solid_angle_sr > kLargestGlareSource_sr) {
       return refuse(luminaire, GlareProblem::too_large, solid_angle_sr);
     }
-    const double index = guth_index(to_source, receiver_.axis).value();
-    const double whole = cd * cd / (area_m2 * r2) / (index * index);
+    const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
+    const double part = is_whole ? 1.0 : sight.all / static_cast<double>(sight.facing);
+    const double whole = cd * cd / (area_m2 * r2) / (index * index) * part;
     add(sums_[luminaire.channel], whole, sight, solid_angle_sr < kSmallestGlareSource_sr);
   }
 
@@ -101,7 +136,7 @@ class GlareEye {
 
  private:
   static void add(GlareSum& sum, double whole, const Sight& sight, bool is_too_small) {
-    const double share = sight.open / static_cast<double>(sight.lines);
+    const double share = sight.open / sight.all;
     const double doubt = share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0;
     sum.value += whole * share;
     sum.high += whole * std::min(1.0, share + doubt);

@@ -7,10 +7,11 @@
 // light alone, is sampled like every other (DerivedQuantity::ugr); rules/glare_rating.h joins them.
 //
 // L = I / A: luminous intensity towards the eye over the opening's area as seen from there; w = A /
-// r^2, r to the opening's centre; both as for an eye far away, of the whole opening. Of an opening
-// that is partly hidden, L stays and w is the share that is seen, counted on kSightLines^2 lines of
-// sight spread evenly over the opening; one straight edge across it is then off by no more than
-// 1 / kSightLines of the opening.
+// r^2, r to the opening's centre; both as for an eye far away, of the whole opening. The index p is
+// that of the centre. If the centre is outside the field of indices but parts of the opening are in
+// it, each of them counts with its own. Of an opening that is partly hidden, L stays and w is the
+// share that is seen, counted on kSightLines^2 lines of sight spread evenly over the opening; one
+// straight edge across it is then off by no more than 1 / kSightLines of the opening.
 
 #include "calc/field.h"
 #include "calc/radiosity/rays.h"
@@ -36,7 +37,8 @@ inline constexpr std::size_t kSightLines = 16;
 
 // Guth's position index of a source at `to_source` (any length) from an eye that looks along the
 // unit, horizontal direction `look`:
-//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5 s^2
+//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5
+//   s^2
 // with s the angle between the source and the line of sight, t that between the vertical and the
 // plane of both, in degrees.  [closed form of the IES Lighting Handbook; within 12 % of the table
 // of CIE 117] Empty outside the field above and for sources below the line of sight, for which

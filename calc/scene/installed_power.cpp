@@ -9,6 +9,7 @@
 namespace calc {
 
 std::string InstalledPower::problem() const {
+  if (luminaires == 0) return "there is no luminaire in the space";
   if (without_power > 0) {
     return fmt::format(
         "{} of {} luminaires state no power: neither the project (power-w) nor their photometry "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -72,7 +73,9 @@ LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader
   const PhotometricWeb& web = context.project.webs[*index];
   type.web = *index;
   if (flux_lm) type.flux_scale = *flux_lm / web.flux_lm();
-  type.power_w = power_w.value_or(web.source().input_power_w);
+  // What another flux takes is not known from the file.
+  const bool is_other_light = flux_lm && std::abs(type.flux_scale - 1.0) > 1e-3;
+  type.power_w = power_w.value_or(is_other_light ? 0.0 : web.source().input_power_w);
   return type;
 }
 

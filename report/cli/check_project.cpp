@@ -127,7 +127,7 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
     const PlaneJob& job = *tasks.job[task];
     tasks.looks[task].push_back(report::build_look(
-        field,
+        field, job.grid->derived,
         rules::judge_plane(job.requirements, *job.grid, field, project.scenes, options.confidence),
         options.confidence));
     rules::StopAnswer answer =

@@ -22,14 +22,14 @@ calc::PlaneField field_of_groups() {
 
 TEST(Evidence, GroupsAddUpToThePlane) {
   const calc::PlaneField field = field_of_groups();
-  const std::vector<GroupShare> groups = build_groups(field, 0.95);
+  const std::vector<GroupShare> groups = build_groups(field, calc::DerivedQuantity::none, 0.95);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].group, "a");
   EXPECT_DOUBLE_EQ(groups[0].direct_lx, 0.8 * 150 + 10);
   EXPECT_DOUBLE_EQ(groups[0].average_lx.value, 0.8 * (150 + 11) + 11);
   EXPECT_DOUBLE_EQ(groups[1].average_lx.value, 0.5 * (50 + 5));
   EXPECT_LT(groups[1].average_lx.low, groups[1].average_lx.value);
-  const PlaneLook look = build_look(field, {}, 0.95);
+  const PlaneLook look = build_look(field, calc::DerivedQuantity::none, {}, 0.95);
   EXPECT_DOUBLE_EQ(look.average_lx.value,
                    groups[0].average_lx.value + groups[1].average_lx.value);
 }
@@ -37,7 +37,7 @@ TEST(Evidence, GroupsAddUpToThePlane) {
 TEST(Evidence, LookSaysWhatWasDoneAndFound) {
   const std::vector<rules::Finding> findings{
       sample_finding(rules::Metric::average, 500, estimate(400, 8))};
-  const PlaneLook look = build_look(field_of_groups(), findings, 0.95);
+  const PlaneLook look = build_look(field_of_groups(), calc::DerivedQuantity::none, findings, 0.95);
   EXPECT_EQ(look.paths, 4096U);
   EXPECT_EQ(look.rays, 60U);
   EXPECT_EQ(look.points, 1U);  // of the last look
