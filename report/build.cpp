@@ -217,7 +217,7 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
   part.minimum_lx = part.maximum_lx = no_estimate();
   if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
   if (rated.empty()) return;
-  const auto chosen = rules::make_derived_points(derived, field, maintained, weights, rated);
+  const auto chosen = rules::make_derived_points(derived, field, receivers, weights, rated);
   const auto statistic = [&](rules::Metric metric) {
     rules::Requirement wanted;
     wanted.metric = metric;
