@@ -383,8 +383,9 @@ void PlaneWork::connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes
         for (std::size_t t = first; t < short_rays.last_tile; ++t) {
           TileSums& sum = sums[t - range.begin()];
           if (is_past(batch.deadline_s)) return;
-          if (reach_m_ > 0.0)
+          if (reach_m_ > 0.0) {
             near_rays += add_near(tiles_[t], batch, short_rays.of(t - first), sum);
+          }
           store(tiles_[t], batch, sum);
         }
         first = short_rays.last_tile;
