@@ -38,11 +38,10 @@ std::size_t Comparison::beyond() const {
 
 void compare_points(Comparison& comparison) {
   const int freedom = std::max(1, comparison.replicates - 1);
-  const double each = kFamilyError / static_cast<double>(std::max<std::size_t>(
-                                         1, comparison.points()));
+  const double each =
+      kFamilyError / static_cast<double>(std::max<std::size_t>(1, comparison.points()));
   const double stated = calc::student_t_quantile(0.5 + 0.5 * comparison.confidence, freedom);
-  comparison.widening =
-      std::max(1.0, calc::student_t_quantile(1.0 - 0.5 * each, freedom) / stated);
+  comparison.widening = std::max(1.0, calc::student_t_quantile(1.0 - 0.5 * each, freedom) / stated);
   for (ComparedPlane& plane : comparison.planes) {
     const auto n = static_cast<double>(plane.points.size());
     double low_a = 1e300, low_b = 1e300, sum = 0.0, squares = 0.0;

@@ -47,7 +47,8 @@ std::string scatter(const ComparedPlane& plane, const Comparison& comparison) {
     return kTop + (kHeight - kTop - kBottom) * 0.5 * (1.0 - inside / most);
   };
   std::string svg = fmt::format(
-      "<svg class=\"scatter\" viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Difference of A and "
+      "<svg class=\"scatter\" viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Difference of A "
+      "and "
       "B in per cent of B, over B\">\n",
       kWidth, kHeight);
   for (const double tick : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
@@ -73,10 +74,11 @@ std::string scatter(const ComparedPlane& plane, const Comparison& comparison) {
       svg += fmt::format("<path class=\"bar\" d=\"M{0},{1}V{2}\"/>", svg_number(x(p.b.lx)),
                          svg_number(y(d - h)), svg_number(y(d + h)));
     }
-    svg += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"3\"><title>{}</title></circle>\n",
-                       is_beyond ? "beyond" : "dot", svg_number(x(p.b.lx)), svg_number(y(d)),
-                       escape_html(fmt::format("{}: {:.5g} and {:.5g} lx",
-                                               format_position(p.position_m), p.a.lx, p.b.lx)));
+    svg +=
+        fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"3\"><title>{}</title></circle>\n",
+                    is_beyond ? "beyond" : "dot", svg_number(x(p.b.lx)), svg_number(y(d)),
+                    escape_html(fmt::format("{}: {:.5g} and {:.5g} lx",
+                                            format_position(p.position_m), p.a.lx, p.b.lx)));
   }
   return svg + "</svg>\n";
 }
@@ -94,15 +96,17 @@ std::string plane_html(const ComparedPlane& plane, const Comparison& comparison,
                fmt::format("{} of {}", plane.held, plane.points.size())) +
           fact("Beyond what is allowed", std::to_string(plane.beyond)) + "</table>\n";
   if (worst == 0) return html;
-  html += "<h3>Furthest apart</h3>\n<table><thead><tr><th>Point, m</th><th class=\"num\">A, lx</th>"
-          "<th class=\"num\">B, lx</th><th class=\"num\">difference</th><th class=\"num\">combined "
-          "interval, lx</th></tr></thead><tbody>\n";
+  html +=
+      "<h3>Furthest apart</h3>\n<table><thead><tr><th>Point, m</th><th class=\"num\">A, lx</th>"
+      "<th class=\"num\">B, lx</th><th class=\"num\">difference</th><th class=\"num\">combined "
+      "interval, lx</th></tr></thead><tbody>\n";
   for (const std::size_t i : worst_points(plane, worst)) {
     const ComparedPoint& p = plane.points[i];
-    html += fmt::format("<tr><td>{}</td><td class=\"num\">{:.5g}</td><td class=\"num\">{:.5g}</td>"
-                        "<td class=\"num\">{}</td><td class=\"num\">±{:.2g}</td></tr>\n",
-                        escape_html(format_position(p.position_m)), p.a.lx, p.b.lx,
-                        p.b.lx != 0.0 ? percent(p.difference_lx() / p.b.lx) : "–", p.interval_lx());
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"num\">{:.5g}</td><td class=\"num\">{:.5g}</td>"
+        "<td class=\"num\">{}</td><td class=\"num\">±{:.2g}</td></tr>\n",
+        escape_html(format_position(p.position_m)), p.a.lx, p.b.lx,
+        p.b.lx != 0.0 ? percent(p.difference_lx() / p.b.lx) : "–", p.interval_lx());
   }
   return html + "</tbody></table>\n";
 }
@@ -115,12 +119,14 @@ std::string render_comparison_html(const Comparison& comparison, std::size_t wor
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta "
       "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
       "'unsafe-inline'\"/>\n<title>Comparison</title>\n<style>\n" +
-      html_style() + kStyle + "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate compare</p>\n";
+      html_style() + kStyle +
+      "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate compare</p>\n";
   const std::size_t beyond = comparison.beyond();
-  html += fmt::format("<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
-                      beyond == 0 ? "Alike" : fmt::format("Different at {} of {} points", beyond,
-                                                          comparison.points()),
-                      escape_html(comparison.name_a), escape_html(comparison.name_b));
+  html += fmt::format(
+      "<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
+      beyond == 0 ? "Alike"
+                  : fmt::format("Different at {} of {} points", beyond, comparison.points()),
+      escape_html(comparison.name_a), escape_html(comparison.name_b));
   for (const std::string& note : comparison.notes) {
     html += "<p class=\"message\">" + escape_html(note) + "</p>\n";
   }

@@ -25,8 +25,8 @@ std::string point_line(const ComparedPoint& p) {
 }  // namespace
 
 std::string render_comparison_text(const Comparison& comparison, std::size_t worst) {
-  std::string text = fmt::format("A  {}\nB  {}\n", printable(comparison.name_a),
-                                 printable(comparison.name_b));
+  std::string text =
+      fmt::format("A  {}\nB  {}\n", printable(comparison.name_a), printable(comparison.name_b));
   for (const ComparedPlane& plane : comparison.planes) {
     text += fmt::format(
         "\nPlane {}, {} points\n"
@@ -47,9 +47,8 @@ std::string render_comparison_text(const Comparison& comparison, std::size_t wor
       "{}: {} of {} points differ by more than their intervals (times {:.2f}, so that all of them\n"
       "together do so by chance in 1 of 20 comparisons){}\n",
       beyond == 0 ? "Alike" : "DIFFERENT", beyond, comparison.points(), comparison.widening,
-      comparison.tolerance > 0.0
-          ? fmt::format(" and {} of B", format_percent(comparison.tolerance))
-          : "");
+      comparison.tolerance > 0.0 ? fmt::format(" and {} of B", format_percent(comparison.tolerance))
+                                 : "");
   return text;
 }
 

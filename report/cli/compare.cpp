@@ -131,8 +131,8 @@ class Comparer {
     if (!table) return false;
     rows_ = std::move(table->rows);
     if (!table->unused_columns.empty()) {
-      comparison_.notes.push_back(
-          fmt::format("columns of B that were not used: {}", fmt::join(table->unused_columns, ", ")));
+      comparison_.notes.push_back(fmt::format("columns of B that were not used: {}",
+                                              fmt::join(table->unused_columns, ", ")));
     }
     return true;
   }
@@ -186,7 +186,8 @@ class Comparer {
   }
 
   bool is_there(const TableRow& row, const report::ComparedPoint& point) const {
-    if (row.position_m) return glm::distance(*row.position_m, point.position_m) <= options_.distance_m;
+    if (row.position_m)
+      return glm::distance(*row.position_m, point.position_m) <= options_.distance_m;
     return point.column == row.cell->x && point.row == row.cell->y;
   }
 
@@ -199,7 +200,8 @@ class Comparer {
       double nearest = 1e300;
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (!is_there(row, points[i])) continue;
-        const double d = row.position_m ? glm::distance(*row.position_m, points[i].position_m) : 0.0;
+        const double d =
+            row.position_m ? glm::distance(*row.position_m, points[i].position_m) : 0.0;
         if (d >= nearest) continue;
         if (nearest == 1e300) ++planes;
         nearest = d;
@@ -217,8 +219,9 @@ class Comparer {
                                            planes));
     }
     if (has_b_[at_plane][at_point]) {
-      return fail(where(row) + ": this point was given before; give --distance a smaller value if "
-                               "these are different points");
+      return fail(where(row) +
+                  ": this point was given before; give --distance a smaller value if "
+                  "these are different points");
     }
     has_b_[at_plane][at_point] = true;
     comparison_.planes[at_plane].points[at_point].b = row.value;

@@ -11,12 +11,11 @@ ValueParser output_item(std::vector<ConvergeOutput>& target) {
   return [&target](const std::string& text) -> std::string {
     const std::size_t equals = text.find('=');
     ConvergeOutput output;
-    const std::string problem =
-        choice<ConvergeFormat>(output.kind, {{"text", ConvergeFormat::text},
-                                             {"csv", ConvergeFormat::csv},
-                                             {"json", ConvergeFormat::json},
-                                             {"html", ConvergeFormat::html}})(
-            text.substr(0, equals));
+    const std::string problem = choice<ConvergeFormat>(
+        output.kind, {{"text", ConvergeFormat::text},
+                      {"csv", ConvergeFormat::csv},
+                      {"json", ConvergeFormat::json},
+                      {"html", ConvergeFormat::html}})(text.substr(0, equals));
     if (!problem.empty()) return problem;
     if (equals != std::string::npos) output.file = text.substr(equals + 1);
     if (equals != std::string::npos && output.file.empty())
@@ -30,9 +29,10 @@ ValueParser output_item(std::vector<ConvergeOutput>& target) {
 
 ListedCommand compare_command(CompareOptions& options) {
   ListedCommand command;
-  command.places = {{"a", "A.json", "A result of 'check --format json'", &options.a},
-                    {"b", "B.json|B.csv",
-                     "Another one, or a table of another program's or measured values", &options.b}};
+  command.places = {
+      {"a", "A.json", "A result of 'check --format json'", &options.a},
+      {"b", "B.json|B.csv", "Another one, or a table of another program's or measured values",
+       &options.b}};
   command.flags = {{"--partial", "Compare what both have; what one lacks is noted, not an error",
                     &options.is_partial}};
   command.values = {
@@ -58,9 +58,11 @@ ListedCommand compare_command(CompareOptions& options) {
        "default text; may be repeated",
        output_item(options.outputs), true}};
   command.footer =
-      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) with\n"
+      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
+      "with\n"
       "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
-      "'low_lx,high_lx'. 'points.csv' of 'check' is one. Values are maintained illuminances at full\n"
+      "'low_lx,high_lx'. 'points.csv' of 'check' is one. Values are maintained illuminances at "
+      "full\n"
       "output.\n"
       "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
       "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";

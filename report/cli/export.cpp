@@ -34,9 +34,10 @@ std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std
   std::vector<calc::SensorGrid> grids;
   for (const calc::CalcPlane& plane : space.planes) {
     if (plane.kernel != calc::ReceiverKernel::planar) {
-      changed.push_back(fmt::format("plane '{}' is {} illuminance, which rtrace -I does not give: "
-                                    "it is missing",
-                                    plane.id, calc::kernel_name(plane.kernel)));
+      changed.push_back(
+          fmt::format("plane '{}' is {} illuminance, which rtrace -I does not give: "
+                      "it is missing",
+                      plane.id, calc::kernel_name(plane.kernel)));
       continue;
     }
     std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
@@ -92,7 +93,8 @@ std::string obstacle(const ExportOptions& options, const std::vector<ExportedFil
     }
     std::error_code ignored;
     if (!options.overwrites && fs::exists(path, ignored)) {
-      return fmt::format("'{}' is there already; --force replaces files of an earlier export", path);
+      return fmt::format("'{}' is there already; --force replaces files of an earlier export",
+                         path);
     }
     const std::string problem = writability(path);
     if (!problem.empty()) return problem;
@@ -119,8 +121,7 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
     if (!failure.empty()) problem = fmt::format("cannot write '{}': {}", path, failure);
     if (file.name == "run.sh" && failure.empty()) {
       std::error_code ignored;  // without it the script runs by 'sh run.sh'
-      fs::permissions(path,
-                      fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+      fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                       fs::perm_options::add, ignored);
     }
   }

@@ -13,10 +13,12 @@ ListedCommand export_command(ExportOptions& options) {
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
       {"--space", "ID", "Which space; needed if there are several", some_text(options.space)}};
   command.footer =
-      "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with their\n"
+      "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
+      "their\n"
       "photometry, the points of all planes, a script and a README.md.\n"
       "Example: luxgate export radiance office.xml -o office-radiance\n"
-      "         office-radiance/run.sh && luxgate compare result.json office-radiance/radiance.csv\n"
+      "         office-radiance/run.sh && luxgate compare result.json "
+      "office-radiance/radiance.csv\n"
       "Exit codes: 0 written, 2 an error.";
   return command;
 }

@@ -15,10 +15,24 @@
 namespace cli {
 namespace {
 
-enum Column { kPlane, kColumn, kRow, kX, kY, kZ, kLx, kFc, kErrorLx, kErrorFc, kLow, kHigh, kCount };
-constexpr std::array<std::string_view, kCount> kNames{
-    "plane", "column", "row", "x", "y", "z", "lx", "fc", "error_lx", "error_fc", "low_lx",
-    "high_lx"};
+enum Column {
+  kPlane,
+  kColumn,
+  kRow,
+  kX,
+  kY,
+  kZ,
+  kLx,
+  kFc,
+  kErrorLx,
+  kErrorFc,
+  kLow,
+  kHigh,
+  kCount
+};
+constexpr std::array<std::string_view, kCount> kNames{"plane",    "column",   "row",    "x",
+                                                      "y",        "z",        "lx",     "fc",
+                                                      "error_lx", "error_fc", "low_lx", "high_lx"};
 constexpr int kLargeFreedom = 1'000'000;  // Student's t is normal there
 
 std::string_view plain_name(std::string_view name) {
@@ -82,8 +96,8 @@ class TableReader {
       return fail("columns 'plane', 'column' and 'row', or 'x', 'y' and 'z', are needed");
     }
     if (has(kLx) == has(kFc)) return fail("either a column 'lx' or a column 'fc' is needed");
-    const int errors = (has(kErrorLx) ? 1 : 0) + (has(kErrorFc) ? 1 : 0) +
-                       (has(kLow) || has(kHigh) ? 1 : 0);
+    const int errors =
+        (has(kErrorLx) ? 1 : 0) + (has(kErrorFc) ? 1 : 0) + (has(kLow) || has(kHigh) ? 1 : 0);
     if (errors > 1 || has(kLow) != has(kHigh)) {
       return fail("errors are wanted as 'error_lx', as 'error_fc' or as 'low_lx' and 'high_lx'");
     }

@@ -1,4 +1,5 @@
-// A few ratios and nothing else, for a look at every change: times would say more about the machine.
+// A few ratios and nothing else, for a look at every change: times would say more about the
+// machine.
 #include "tests/bench/experiments.h"
 #include "tests/bench/path_tracing.h"
 #include "tests/bench/ray_limit.h"
@@ -21,8 +22,8 @@ Curve climb(const BenchScene& scene, const Truth& truth, const Options& options,
             calc::Method method, int threads) {
   Curve curve;
   for (std::uint64_t paths = options.min_paths; paths <= options.max_paths; paths *= 2) {
-    const Run best = best_of(
-        scene, {method, paths, options.replicates, options.seed, threads, 0.0}, options.repeats);
+    const Run best = best_of(scene, {method, paths, options.replicates, options.seed, threads, 0.0},
+                             options.repeats);
     curve.error.push_back(errors_of(best.field, truth).mean);
     curve.seconds.push_back(best.seconds);
     curve.rays.push_back(best.rays_per_point());
@@ -59,10 +60,10 @@ void measure(const std::string& name, const Options& options) {
   const BenchScene scene = make_scene(find_room(name));
   const Truth truth = find_truth(scene, options);
   const int threads = options.threads.back();
-  const Run run = best_of(scene,
-                          {calc::Method::light_pool, options.max_paths, options.replicates,
-                           options.seed, threads, 0.0},
-                          options.repeats);
+  const Run run = best_of(
+      scene,
+      {calc::Method::light_pool, options.max_paths, options.replicates, options.seed, threads, 0.0},
+      options.repeats);
   const RayLimit limit = limit_of(run, measure_rays(scene, threads, options.repeats));
   print_ratio(name, "run: share that the ray tracer alone would need", limit.whole_s / run.seconds,
               false);

@@ -33,8 +33,8 @@ bool same_line(const std::string& a, const std::string& b) {
     const auto u = number(x[k]), v = number(y[k]);
     if (!u || !v) return false;
     const bool is_percent = k + 1 < x.size() && x[k + 1] == "%";
-    const double allowed = std::max(0.02 * std::max(std::abs(*u), std::abs(*v)),
-                                    is_percent ? 0.1 : 0.0);
+    const double allowed =
+        std::max(0.02 * std::max(std::abs(*u), std::abs(*v)), is_percent ? 0.1 : 0.0);
     if (!(std::abs(*u - *v) <= allowed)) return false;
   }
   return true;

@@ -24,8 +24,8 @@ std::string vertex(const glm::dvec3& p) {
   return fmt::format(" {} {} {}\n", number(p.x), number(p.y), number(p.z));
 }
 
-// The gamma angles of a table in degrees, darkness added beyond both ends; and where each of them is
-// in the table (-1: dark).
+// The gamma angles of a table in degrees, darkness added beyond both ends; and where each of them
+// is in the table (-1: dark).
 struct GammaAngles {
   std::vector<double> degrees;
   std::vector<int> index;
@@ -78,8 +78,9 @@ class LightWriter {
 
   std::string sphere(double radius_m) {
     modifier("lg_even", factor_ / (calc::kPi * radius_m * radius_m), glm::dvec3(0.0));
-    text_ += fmt::format("{0}_shine sphere {0}\n0\n0\n4", id_) + fmt::format(
-        " {} {} {} {}\n\n", number(at_.x), number(at_.y), number(at_.z), number(radius_m));
+    text_ += fmt::format("{0}_shine sphere {0}\n0\n0\n4", id_) +
+             fmt::format(" {} {} {} {}\n\n", number(at_.x), number(at_.y), number(at_.z),
+                         number(radius_m));
     return text_;
   }
 
@@ -95,7 +96,8 @@ class LightWriter {
     }
     if (above) {
       std::vector<glm::dvec3> face;
-      for (const glm::dvec2& c : corners) face.push_back(at_ + c.x * x_ + c.y * y_ + kPanelGap_m * z_);
+      for (const glm::dvec2& c : corners)
+        face.push_back(at_ + c.x * x_ + c.y * y_ + kPanelGap_m * z_);
       polygon("above", face);
     }
     return text_;
@@ -121,9 +123,9 @@ class LightWriter {
  private:
   void modifier(const char* function, double factor, const glm::dvec3& areas) {
     text_ = fmt::format("void brightdata {}_web\n", id_);
-    text_ += is_axial_ ? fmt::format("4 {} light-{}.dat luxgate.cal lg_gamma\n", function, data_)
-                       : fmt::format("5 {} light-{}.dat luxgate.cal lg_c lg_gamma\n", function,
-                                     data_);
+    text_ += is_axial_
+                 ? fmt::format("4 {} light-{}.dat luxgate.cal lg_gamma\n", function, data_)
+                 : fmt::format("5 {} light-{}.dat luxgate.cal lg_c lg_gamma\n", function, data_);
     text_ += "0\n13 " + number(factor) + "\n" + vertex(x_) + vertex(y_) + vertex(z_) +
              vertex(areas) + "\n";
     text_ += fmt::format("{0}_web light {0}_shine\n0\n0\n3 1 1 1\n\n", id_);

@@ -23,15 +23,15 @@ struct LightFiles {
   struct Data {
     std::string name, text;  // "light-1.dat"
   };
-  std::vector<Data> data;             // one per web, as brightdata wants it
-  std::vector<std::string> changed;   // what is not exactly as luxgate has it, in words
+  std::vector<Data> data;            // one per web, as brightdata wants it
+  std::vector<std::string> changed;  // what is not exactly as luxgate has it, in words
 };
 
 // Every luminaire at full output with its maintenance factor, in world coordinates.
 LightFiles write_lights(const calc::PreparedScene& scene);
 
-// A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and no
-// change if the web cannot be put so (a lateral table whose beam falls between the angles).
+// A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and
+// no change if the web cannot be put so (a lateral table whose beam falls between the angles).
 bool web_data(const calc::PhotometricWeb& web, std::string& text, bool& is_axial);
 
 }  // namespace cli::radiance

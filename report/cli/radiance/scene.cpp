@@ -106,7 +106,8 @@ std::string write_readme(const calc::Project& project, const calc::Space& space,
       report::printable(project.name.empty() ? project.path : project.name), program_version(),
       report::printable(project.path), report::printable(space.id), scene.triangle.size(),
       scene.luminaires.size(), points);
-  text += R"md(`./run.sh` needs oconv and rtrace and writes `radiance.csv`, which `luxgate compare RESULT.json radiance.csv` reads.
+  text +=
+      R"md(`./run.sh` needs oconv and rtrace and writes `radiance.csv`, which `luxgate compare RESULT.json radiance.csv` reads.
 
 | file | what it is |
 |---|---|
@@ -123,8 +124,10 @@ maintenance factors: results are those that luxgate calls maintained.
 
 )md";
   text += fmt::format(
-      "Luminaires without size are spheres of {} m radius. Flat openings shine as I / (A cos gamma) from each "
-      "side that the photometry lights. Points are lifted by {} m along their normals, off the surfaces they may lie "
+      "Luminaires without size are spheres of {} m radius. Flat openings shine as I / (A cos "
+      "gamma) from each "
+      "side that the photometry lights. Points are lifted by {} m along their normals, off the "
+      "surfaces they may lie "
       "in. In Radiance a source hides what lies behind it, in luxgate it does not.\n",
       number(kPointRadius_m), number(kLift_m));
   if (!changed.empty()) {

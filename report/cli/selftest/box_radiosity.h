@@ -57,8 +57,8 @@ class BoxRadiosity {
   std::vector<double> indirect_lx_;             // at the patches' centres
 };
 
-// How far the finer of two solutions may be off, relative: no more than they differ (beside a corner
-// the error falls as slowly as that), and a floor of its own.
+// How far the finer of two solutions may be off, relative: no more than they differ (beside a
+// corner the error falls as slowly as that), and a floor of its own.
 inline double mesh_error(double coarse_lx, double fine_lx) {
   const double difference = coarse_lx / fine_lx - 1.0;
   return (difference < 0.0 ? -difference : difference) + 3e-4;

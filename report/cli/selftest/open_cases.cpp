@@ -189,16 +189,23 @@ OpenCase run_case(const Row& row, const Tables& tables, const std::string& folde
     const std::vector<Row> points = rows_of(tables.points, id);
     if (points.empty()) throw NotCovered("it has averages or fluxes only, no points");
     Scene scene;
-    for (const Row& surface : rows_of(tables.surfaces, id)) add_surface(surface, scene);
-    for (const Row& lamp : rows_of(tables.luminaires, id)) add_lamp(lamp, folder, files, scene);
+    bool has_luminous = false;
+    for (const Row& surface : rows_of(tables.surfaces, id)) {
+      add_surface(surface, scene);
+      has_luminous = has_luminous || number(surface, "exitance_lm_m2") > 0.0;
+    }
+    // Beside a luminous surface the table of luminaires describes the same source once more.
+    for (const Row& lamp : rows_of(tables.luminaires, id)) {
+      if (!has_luminous) add_lamp(lamp, folder, files, scene);
+    }
     std::vector<Point> places;
     for (const Row& p : points) {
       if (!part_of(p.at("quantity"))) {
         throw NotCovered("'" + p.at("quantity") + "' is not what this compares");
       }
-      places.push_back({{number(p, "x"), number(p, "y"), number(p, "z")},
-                        glm::normalize(glm::dvec3(number(p, "nx"), number(p, "ny"),
-                                                  number(p, "nz")))});
+      places.push_back(
+          {{number(p, "x"), number(p, "y"), number(p, "z")},
+           glm::normalize(glm::dvec3(number(p, "nx"), number(p, "ny"), number(p, "nz")))});
     }
     Effort more = effort;
     more.paths = 4096;
@@ -230,10 +237,9 @@ OpenCases run_open_cases(const std::string& folder, const calc::FileReader& file
                          const std::function<bool(const std::string&)>& go_on) {
   OpenCases open;
   try {
-    const Tables tables{read_table(folder + "/cases.csv", files),
-                        read_table(folder + "/points.csv", files),
-                        read_table(folder + "/surfaces.csv", files),
-                        read_table(folder + "/luminaires.csv", files)};
+    const Tables tables{
+        read_table(folder + "/cases.csv", files), read_table(folder + "/points.csv", files),
+        read_table(folder + "/surfaces.csv", files), read_table(folder + "/luminaires.csv", files)};
     for (const Row& row : tables.cases) {
       if (!go_on(row.at("case_id"))) return open;
       open.cases.push_back(run_case(row, tables, folder, files, effort));

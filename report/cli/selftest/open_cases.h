@@ -24,6 +24,7 @@ struct OpenCases {
 
 // go_on: asked before every case; false ends the list there.
 OpenCases run_open_cases(const std::string& folder, const calc::FileReader& files,
-                         const Effort& effort, const std::function<bool(const std::string&)>& go_on);
+                         const Effort& effort,
+                         const std::function<bool(const std::string&)>& go_on);
 
 }  // namespace cli::selftest

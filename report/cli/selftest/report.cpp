@@ -16,7 +16,8 @@ namespace {
 // In a cell of a Markdown table.
 std::string cell(const std::string& text) {
   std::string safe;
-  for (const char c : report::printable(text)) safe += c == '|' ? std::string("\\|") : std::string(1, c);
+  for (const char c : report::printable(text))
+    safe += c == '|' ? std::string("\\|") : std::string(1, c);
   return safe;
 }
 
@@ -26,9 +27,8 @@ std::string exact_words(const JudgedNumber& n) {
 
 std::string case_row(const JudgedCase& item, bool has_timing) {
   const JudgedNumber* worst = item.worst();
-  std::string row =
-      fmt::format("| {} | {} | {} ", item.test.name, cell(item.test.title),
-                  item.numbers.size() + item.result.refused.size());
+  std::string row = fmt::format("| {} | {} | {} ", item.test.name, cell(item.test.title),
+                                item.numbers.size() + item.result.refused.size());
   row += worst == nullptr ? "| | | | "
                           : fmt::format("| {} | {} | {} | {} ", exact_words(*worst),
                                         value_words(worst->stated.value), interval_words(*worst),
@@ -121,7 +121,8 @@ const std::vector<std::string>& not_covered() {
 
 std::string render_report_markdown(const RunResult& result, bool has_timing) {
   std::string text = fmt::format(
-      "# Validation report\n\nWritten by `luxgate selftest --report FOLDER`, never by hand: {} cases, "
+      "# Validation report\n\nWritten by `luxgate selftest --report FOLDER`, never by hand: {} "
+      "cases, "
       "{} numbers, seed {}. {}\n\nEvery case is a situation whose light is known exactly: by a "
       "closed form, by quadrature or by a matrix solution\nthat shares nothing with the "
       "calculation. The row shows the number that is furthest off; the HTML report has all.\n"
@@ -132,9 +133,10 @@ std::string render_report_markdown(const RunResult& result, bool has_timing) {
       result.wrong() == 0 ? "All are right." : fmt::format("{} are OUT.", result.wrong()),
       result.sampled(), result.held());
   for (const Kind& kind : kinds()) {
-    text += fmt::format("\n## {}\n\n| case | what | numbers | exact | ours | 95 % interval | "
-                        "deviation |{} verdict |\n|---|---|---|---|---|---|---|{}---|\n",
-                        kind.title, has_timing ? " time |" : "", has_timing ? "---|" : "");
+    text += fmt::format(
+        "\n## {}\n\n| case | what | numbers | exact | ours | 95 % interval | "
+        "deviation |{} verdict |\n|---|---|---|---|---|---|---|{}---|\n",
+        kind.title, has_timing ? " time |" : "", has_timing ? "---|" : "");
     for (const JudgedCase& item : result.cases) {
       if (item.test.kind == kind.name) text += case_row(item, has_timing);
     }
@@ -164,14 +166,13 @@ std::string render_open_markdown(const OpenCases& open) {
     const JudgedCase& judged = item.judged;
     if (!item.not_covered.empty()) continue;
     const JudgedNumber* worst = judged.worst();
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", judged.test.name,
-                        cell(judged.test.title), held_of(judged), judged.numbers.size(),
-                        worst != nullptr ? exact_words(*worst) + " (" + cell(worst->measured.what) + ")"
-                                         : "",
-                        worst != nullptr ? value_words(worst->stated.value) : "",
-                        worst != nullptr ? deviation_words(*worst) : "",
-                        judged.result.problem.empty() ? verdict_name(judged.verdict)
-                                                      : cell(judged.result.problem));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} | {} |\n", judged.test.name, cell(judged.test.title),
+        held_of(judged), judged.numbers.size(),
+        worst != nullptr ? exact_words(*worst) + " (" + cell(worst->measured.what) + ")" : "",
+        worst != nullptr ? value_words(worst->stated.value) : "",
+        worst != nullptr ? deviation_words(*worst) : "",
+        judged.result.problem.empty() ? verdict_name(judged.verdict) : cell(judged.result.problem));
   }
   text += "\n## CIE 171:2006, point by point\n" + cie_tables(open) + "\n## Not calculated\n\n";
   for (const OpenCase& item : open.cases) {
@@ -187,12 +188,15 @@ std::string render_report_html(const RunResult& result, const OpenCases& open, b
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta "
       "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'\"/>\n<title>Validation report</title>\n<style>\n{}</style>\n</head>\n<body>\n"
-      "<p class=\"eyebrow\">luxgate {} · {}</p>\n<h1>Validation report</h1>\n<p>{} cases, {} numbers, "
-      "seed {}: <b>{}</b>. Of {} sampled numbers, {} lie in their stated 95 % interval. Verdicts are "
+      "'unsafe-inline'\"/>\n<title>Validation "
+      "report</title>\n<style>\n{}</style>\n</head>\n<body>\n"
+      "<p class=\"eyebrow\">luxgate {} · {}</p>\n<h1>Validation report</h1>\n<p>{} cases, {} "
+      "numbers, "
+      "seed {}: <b>{}</b>. Of {} sampled numbers, {} lie in their stated 95 % interval. Verdicts "
+      "are "
       "at a level that all numbers together miss in fewer than one of a thousand seeds.</p>\n",
-      report::html_style(), report::escape_html(result.program),
-      report::escape_html(result.tracer), result.cases.size(), result.numbers(), result.seed,
+      report::html_style(), report::escape_html(result.program), report::escape_html(result.tracer),
+      result.cases.size(), result.numbers(), result.seed,
       result.wrong() == 0 ? "all right" : fmt::format("{} OUT", result.wrong()), result.sampled(),
       result.held());
   for (const Kind& kind : kinds()) {

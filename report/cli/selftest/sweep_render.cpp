@@ -47,13 +47,13 @@ std::string plot(const Sweep& sweep) {
   for (const SweepStep& step : sweep.steps) {
     if (!step.said.empty()) continue;
     if (step.half_width > 0.0) {
-      spec.series[0].points.push_back(point(step, step.half_width,
-                                            value_of(sweep, step) + ": 95 % half-width " +
-                                                percent(step.half_width)));
+      spec.series[0].points.push_back(
+          point(step, step.half_width,
+                value_of(sweep, step) + ": 95 % half-width " + percent(step.half_width)));
     }
-    spec.series[1].points.push_back(point(step, std::max(1e-6, std::abs(step.deviation)),
-                                          value_of(sweep, step) + ": off by " +
-                                              percent(step.deviation)));
+    spec.series[1].points.push_back(
+        point(step, std::max(1e-6, std::abs(step.deviation)),
+              value_of(sweep, step) + ": off by " + percent(step.deviation)));
   }
   for (report::PlotSeries& series : spec.series) {
     std::sort(series.points.begin(), series.points.end(),
@@ -69,10 +69,11 @@ std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing)
   csv += has_timing ? ",seconds,said\n" : ",said\n";
   for (const Sweep& sweep : sweeps) {
     for (const SweepStep& step : sweep.steps) {
-      csv += fmt::format("{},{},{},{},{},{},{}", sweep.name, report::format_shortest(step.value),
-                         report::csv_field(sweep.unit), report::format_shortest(step.deviation),
-                         report::format_shortest(step.half_width),
-                         report::format_shortest(step.known_to), report::format_shortest(step.rays));
+      csv +=
+          fmt::format("{},{},{},{},{},{},{}", sweep.name, report::format_shortest(step.value),
+                      report::csv_field(sweep.unit), report::format_shortest(step.deviation),
+                      report::format_shortest(step.half_width),
+                      report::format_shortest(step.known_to), report::format_shortest(step.rays));
       if (has_timing) csv += "," + report::format_shortest(step.seconds);
       csv += "," + report::csv_field(step.said) + "\n";
     }
@@ -82,20 +83,22 @@ std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing)
 
 std::string render_sweeps_markdown(const std::vector<Sweep>& sweeps) {
   std::string text =
-      "# Numerical stability\n\nWritten by `luxgate selftest --sweep FOLDER`, never by hand: how far "
+      "# Numerical stability\n\nWritten by `luxgate selftest --sweep FOLDER`, never by hand: how "
+      "far "
       "the mean is off the truth, and the half-width of\nthe 95 % interval, towards the ends of "
       "what can be asked for.\n";
   for (const Sweep& sweep : sweeps) {
-    text += fmt::format("\n## {}\n\nCompared: {}.\n\n| {} | off by | half-width | rays | |\n"
-                        "|---|---|---|---|---|\n",
-                        sweep.title, sweep.what, sweep.unit);
+    text += fmt::format(
+        "\n## {}\n\nCompared: {}.\n\n| {} | off by | half-width | rays | |\n"
+        "|---|---|---|---|---|\n",
+        sweep.title, sweep.what, sweep.unit);
     for (const SweepStep& step : sweep.steps) {
       const bool is_number = step.said.empty() || step.half_width > 0.0;
-      text += fmt::format("| {:g} | {} | {} | {:.2g} | {} |\n", step.value,
-                          is_number ? percent(step.deviation) : "", 
-                          is_number ? (step.half_width > 0.0 ? percent(step.half_width) : "exact")
-                                    : "",
-                          step.rays, step.said);
+      text +=
+          fmt::format("| {:g} | {} | {} | {:.2g} | {} |\n", step.value,
+                      is_number ? percent(step.deviation) : "",
+                      is_number ? (step.half_width > 0.0 ? percent(step.half_width) : "exact") : "",
+                      step.rays, step.said);
     }
   }
   return text;
@@ -113,14 +116,14 @@ std::string render_sweeps_html(const std::vector<Sweep>& sweeps) {
       "var(--c)\">red</span>, at least 0.0001 %), and the half-width of the 95 % interval (<span "
       "class=\"m0\" style=\"color:var(--c)\">blue</span>).</p>\n";
   for (const Sweep& sweep : sweeps) {
-    html += fmt::format("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n{}",
-                        report::escape_html(sweep.title), report::escape_html(sweep.what),
-                        plot(sweep));
+    html +=
+        fmt::format("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n{}", report::escape_html(sweep.title),
+                    report::escape_html(sweep.what), plot(sweep));
     for (const SweepStep& step : sweep.steps) {
       if (step.said.empty()) continue;
-      html += fmt::format("<p class=\"message\">{}: {}</p>\n",
-                          report::escape_html(value_of(sweep, step)),
-                          report::escape_html(step.said));
+      html +=
+          fmt::format("<p class=\"message\">{}: {}</p>\n",
+                      report::escape_html(value_of(sweep, step)), report::escape_html(step.said));
     }
   }
   return html + "</body>\n</html>\n";

@@ -1,5 +1,5 @@
-// What `luxgate export radiance` writes, read by itself: field by field, and as light. The reader and
-// the path tracer here know nothing but the exported files.
+// What `luxgate export radiance` writes, read by itself: field by field, and as light. The reader
+// and the path tracer here know nothing but the exported files.
 #include "report/cli/export.h"
 
 #include "calc/radiosity/rays.h"
@@ -95,7 +95,7 @@ struct Source {
 // The exported files, as Radiance's reference manual has them.
 struct Exported {
   std::map<std::string, double> rho;
-  std::map<std::string, Web> webs;     // by the name of the light
+  std::map<std::string, Web> webs;  // by the name of the light
   std::map<std::string, Data> data;
   std::vector<Source> sources;
   calc::PreparedScene scene;
@@ -202,8 +202,8 @@ struct Exported {
     if (web.function == "lg_even") return web.arg[0] * cd;
     if (web.function == "lg_flat") return web.arg[0] * cd / std::max(std::abs(z), 1e-5);
     EXPECT_EQ(web.function, "lg_box");
-    return web.arg[0] * cd / (web.arg[10] * std::abs(x) + web.arg[11] * std::abs(y) +
-                              web.arg[12] * std::abs(z));
+    return web.arg[0] * cd /
+           (web.arg[10] * std::abs(x) + web.arg[11] * std::abs(y) + web.arg[12] * std::abs(z));
   }
 };
 
@@ -401,9 +401,9 @@ TEST(RadianceExport, NeverReplacesFilesUnasked) {
 // An asymmetric table that ends in the light: degrees, darkness beyond, one value at the pole.
 TEST(RadianceExport, TablesAreInDegreesAndDarkOutside) {
   const double right = 0.5 * calc::kPi;
-  const auto web = calc::PhotometricWeb::make({0.0, right, 2 * right, 3 * right, 4 * right},
-                                              {0.0, right}, {10, 1, 20, 2, 10, 3, 20, 4, 10, 1}, {},
-                                              {});
+  const auto web =
+      calc::PhotometricWeb::make({0.0, right, 2 * right, 3 * right, 4 * right}, {0.0, right},
+                                 {10, 1, 20, 2, 10, 3, 20, 4, 10, 1}, {}, {});
   std::string text;
   bool is_axial = true;
   ASSERT_TRUE(cli::radiance::web_data(web, text, is_axial));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace {
@@ -16,8 +17,13 @@ TEST(ClosedForms, GiveThePrintedNumbers) {
   EXPECT_NEAR(opposite_rectangles(1, 1, 1), 0.199824895698387, 1e-14);
   EXPECT_NEAR(opposite_rectangles(1, 1, 10), 0.00316205683876, 1e-12);
   EXPECT_NEAR(rectangles_with_edge(1, 1, 1), 0.200043776075403, 1e-14);
-  EXPECT_NEAR(rectangle_factor({0, 0, 0}, {0, 0, 1}, {-0.5, -0.5, 1}, {1, 0, 0}, {0, 1, 0}),
-              0.239041, 1e-6);
+  EXPECT_NEAR(3000.0 * calc::kPi *
+                  rectangle_factor({0, 0, 0}, {0, 0, 1}, {0, 0, 2.05}, {0, 1.2, 0}, {0.6, 0, 0}),
+              403.152371146, 1e-8);
+  EXPECT_NEAR(
+      3000.0 * calc::kPi *
+          rectangle_factor({1, 2, 0.5}, {-0.6, 0, 0.8}, {0, 0, 2.05}, {0, 1.2, 0}, {0.6, 0, 0}),
+      248.939053673, 1e-8);
   EXPECT_NEAR(5000.0 * calc::kPi * disc_factor_parallel(0.5, 2, 0.5), 829.166902934, 1e-8);
   EXPECT_NEAR(5000.0 * calc::kPi * disc_factor_perpendicular(0.5, 1, 1), 913.517112972, 1e-8);
   EXPECT_NEAR(8000.0 * calc::kPi * sphere_factor(0.2, 1.0, 0.5 * calc::kPi), 43.1899309414, 1e-8);
