@@ -52,12 +52,13 @@ PlaneLook build_look(const calc::PlaneField& field, const std::vector<rules::Fin
                      double confidence) {
   PlaneLook look;
   look.paths = field.counters.paths;
-  look.rays = field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
-  look.points = field.counters.active_points.empty() ? field.points
-                                                     : field.counters.active_points.back();
-  look.average_lx = statistic(rules::combine_channels(field, rules::LightState::maintained, {}),
-                              rules::Metric::average,
-                              rules::look_confidence(confidence, field.looks_planned));
+  look.rays =
+      field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
+  look.points =
+      field.counters.active_points.empty() ? field.points : field.counters.active_points.back();
+  look.average_lx =
+      statistic(rules::combine_channels(field, rules::LightState::maintained, {}),
+                rules::Metric::average, rules::look_confidence(confidence, field.looks_planned));
   for (const rules::Finding& finding : findings)
     look.findings.push_back({finding.verdict, finding.measured});
   return look;

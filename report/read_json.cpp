@@ -156,8 +156,8 @@ rules::Requirement requirement(const JsonCursor& at, const std::string& plane_id
 }
 
 rules::Verdict verdict(const JsonCursor& at) {
-  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
-                              rules::Verdict::undecided, rules::Verdict::not_judged},
+  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail, rules::Verdict::undecided,
+                              rules::Verdict::not_judged},
                    verdict_key);
 }
 
