@@ -68,9 +68,9 @@ struct PointRow {
 
 // What one dimming group gives to a plane, alone and at full output, reflections included.
 struct GroupShare {
-  std::string group;           // "" = luminaires without a group
-  calc::Estimate average_lx;   // maintained
-  double direct_lx = 0;        // of it, on average over the points
+  std::string group;          // "" = luminaires without a group
+  calc::Estimate average_lx;  // maintained
+  double direct_lx = 0;       // of it, on average over the points
 };
 
 // A plane as it was after one look at its growing results.
@@ -116,9 +116,9 @@ struct PlanePart {
 struct LuminaireMark {  // for plans
   glm::dvec3 position_m;
   std::string type_id;
-  std::string group = {};                    // dimming group; "" = none
-  std::vector<glm::dvec2> outline_m = {};    // of the opening from above, world; empty: a point
-  glm::dvec2 c0{0.0};                        // world direction of C0 from above; 0: it is vertical
+  std::string group = {};                  // dimming group; "" = none
+  std::vector<glm::dvec2> outline_m = {};  // of the opening from above, world; empty: a point
+  glm::dvec2 c0{0.0};                      // world direction of C0 from above; 0: it is vertical
 };
 
 struct BodyMark {  // furniture, for plans

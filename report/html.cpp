@@ -41,9 +41,8 @@ std::string head(const std::string& title, bool has_script) {
          "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'" +
-         (has_script ? "; script-src " + script_source(html_script()) : "") +
-         "\"/>\n<title>" + title + " – lighting compliance</title>\n<style>\n" + html_style() +
-         "</style>\n</head>\n";
+         (has_script ? "; script-src " + script_source(html_script()) : "") + "\"/>\n<title>" +
+         title + " – lighting compliance</title>\n<style>\n" + html_style() + "</style>\n</head>\n";
 }
 
 std::string page(const std::string& title, const std::string& masthead, const std::string& body,
@@ -81,9 +80,9 @@ std::string masthead(const Document& document, bool needs_attention) {
   const std::size_t projects = document.projects.size();
   for (std::size_t p = 0; p < std::min(projects, kMostProjects); ++p) {
     const ProjectPart& project = document.projects[p];
-    sections.push_back({fmt::format("#project{}", p + 1),
-                        projects == 1 ? "Planes"
-                                      : escape_html(title_of(project.name, project.path))});
+    sections.push_back(
+        {fmt::format("#project{}", p + 1),
+         projects == 1 ? "Planes" : escape_html(title_of(project.name, project.path))});
     if (projects > 1) continue;
     if (!project.luminaires.empty()) sections.push_back({"#luminaires1", "Luminaires"});
     if (!project.spaces.empty()) sections.push_back({"#calculation1", "Calculation"});
@@ -95,8 +94,7 @@ std::string masthead(const Document& document, bool needs_attention) {
 }
 
 std::string space_title(const SpacePart& space) {
-  return fmt::format("{} <span class=\"id\">{}</span>",
-                     escape_html(title_of(space.name, space.id)),
+  return fmt::format("{} <span class=\"id\">{}</span>", escape_html(title_of(space.name, space.id)),
                      space.name.empty() ? "" : escape_html(space.id));
 }
 
@@ -130,11 +128,10 @@ std::string project_html(const Document& document, std::size_t p, const std::str
     for (const HtmlPage& room : html_pages(document)) {
       if (room.project != p) continue;
       const SpacePart& space = project.spaces[room.space];
-      const std::string part =
-          room.planes == space.planes.size()
-              ? ""
-              : fmt::format(", planes {} to {}", room.first_plane + 1,
-                            room.first_plane + room.planes);
+      const std::string part = room.planes == space.planes.size()
+                                   ? ""
+                                   : fmt::format(", planes {} to {}", room.first_plane + 1,
+                                                 room.first_plane + room.planes);
       html += fmt::format("<li><a href=\"{}/{}\">{}</a><span class=\"quiet\">{}</span></li>\n",
                           folder, room.name, escape_html(title_of(space.name, space.id)), part);
     }
@@ -142,9 +139,8 @@ std::string project_html(const Document& document, std::size_t p, const std::str
   } else {
     for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_html(document, p, s);
   }
-  return html + html_luminaires(project, p) +
-         html_calculation(document.provenance, project, p) + html_inputs(project) +
-         "</section>\n";
+  return html + html_luminaires(project, p) + html_calculation(document.provenance, project, p) +
+         html_inputs(project) + "</section>\n";
 }
 
 std::string whole_page(const Document& document, const std::string& folder) {
@@ -188,13 +184,14 @@ std::string render_html_page(const Document& document, const HtmlPage& room,
   const ProjectPart& project = document.projects[room.project];
   const SpacePart& space = project.spaces[room.space];
   const std::string title = escape_html(title_of(space.name, space.id));
-  const std::string head =
-      "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
-      "\">All results</a> · luxgate · lighting compliance report</p>\n<h1>" + title +
-      "</h1>\n<p class=\"quiet paths\">" + escape_html(title_of(project.name, project.path)) +
-      "</p>\n</header>\n";
-  std::string body = "<section class=\"space\"><h2 class=\"unseen\">Planes</h2>\n<h3 "
-                     "class=\"unseen\">" + title + "</h3>\n";
+  const std::string head = "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
+                           "\">All results</a> · luxgate · lighting compliance report</p>\n<h1>" +
+                           title + "</h1>\n<p class=\"quiet paths\">" +
+                           escape_html(title_of(project.name, project.path)) + "</p>\n</header>\n";
+  std::string body =
+      "<section class=\"space\"><h2 class=\"unseen\">Planes</h2>\n<h3 "
+      "class=\"unseen\">" +
+      title + "</h3>\n";
   if (room.first_plane == 0) body += html_room(space);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane({room.project, room.space, k}, space, space.planes[k], true);

@@ -56,8 +56,7 @@ Curve curve_of(const PlanePart& plane, std::optional<std::size_t> finding) {
   std::optional<std::size_t> mark;
   for (std::size_t i = 0; i < plane.looks.size(); ++i) {
     const PlaneLook& look = plane.looks[i];
-    const bool is_judged =
-        finding && look.findings[*finding].verdict != rules::Verdict::not_judged;
+    const bool is_judged = finding && look.findings[*finding].verdict != rules::Verdict::not_judged;
     if (finding && !is_judged) continue;
     const auto place = place_of(look, finding ? look.findings[*finding].measured : look.average_lx);
     if (!place) continue;
@@ -164,6 +163,12 @@ std::string curve_svg(const Frame& frame, const Curve& curve) {
 std::string html_convergence(const ProjectPart& project) {
   const std::vector<Curve> curves = curves_of(project);
   if (curves.empty()) return {};
+  const bool is_still = std::all_of(curves.begin(), curves.end(),
+                                    [](const Curve& curve) { return curve.places.size() < 2; });
+  if (is_still)
+    return "<p class=\"quiet\">Every plane was finished at its first look: no error against work "
+           "to "
+           "show.</p>\n";
   Frame frame;
   for (const Curve& curve : curves) {
     for (const Place& place : curve.places) frame.add(place);
@@ -173,9 +178,8 @@ std::string html_convergence(const ProjectPart& project) {
   const std::size_t shown = std::min(curves.size(), kMostCurves);
   for (std::size_t i = 0; i < shown; ++i) lines += curve_svg(frame, curves[i]);
   const std::string left_out =
-      shown < curves.size()
-          ? fmt::format(" Shown are the first {} of {}.", shown, curves.size())
-          : "";
+      shown < curves.size() ? fmt::format(" Shown are the first {} of {}.", shown, curves.size())
+                            : "";
   return fmt::format(
       "<figure class=\"converge\"><svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" aria-label=\"Relative half width of {2} intervals over light paths, from {3} "
@@ -220,10 +224,9 @@ std::string html_looks(const PlanePart& plane) {
       "<details class=\"grid\"><summary>How the verdicts were reached: {} look{}</summary>\n{}"
       "</details>\n",
       plane.looks.size(), plane.looks.size() == 1 ? "" : "s",
-      scroll_box("Looks at " + name,
-                 "<table class=\"looks\"><caption class=\"unseen\">Looks at " + name +
-                     "</caption><thead><tr>" + head + "</tr></thead><tbody>\n" + rows +
-                     "</tbody></table>"));
+      scroll_box("Looks at " + name, "<table class=\"looks\"><caption class=\"unseen\">Looks at " +
+                                         name + "</caption><thead><tr>" + head +
+                                         "</tr></thead><tbody>\n" + rows + "</tbody></table>"));
 }
 
 }  // namespace report

@@ -202,8 +202,10 @@ std::string room_words(const SpacePart& space) {
   int waived = 0;
   for (const PlanePart& plane : space.planes) {
     for (const rules::Finding& finding : plane.findings) {
-      if (finding.is_waived) ++waived;
-      else ++counts.at(static_cast<std::size_t>(rank(finding.verdict)));
+      if (finding.is_waived)
+        ++waived;
+      else
+        ++counts.at(static_cast<std::size_t>(rank(finding.verdict)));
     }
   }
   std::string words;
@@ -222,10 +224,10 @@ std::string room_rows(const Document& document, std::size_t p, std::size_t s,
                       const std::string& folder) {
   const ProjectPart& project = document.projects[p];
   const SpacePart& space = project.spaces[s];
-  const std::string building = document.projects.size() == 1
-                                   ? ""
-                                   : escape_html(title_of(project.name, project.path)) +
-                                         " <span class=\"sep\">›</span> ";
+  const std::string building =
+      document.projects.size() == 1
+          ? ""
+          : escape_html(title_of(project.name, project.path)) + " <span class=\"sep\">›</span> ";
   std::string html = fmt::format(
       "<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{}{} <span "
       "class=\"quiet\">{}</span></th></tr>\n",

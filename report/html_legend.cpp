@@ -130,11 +130,11 @@ std::string html_plan_key(const PlanSigns& signs) {
   if (!signs.below.empty()) items += key_item(hatch, escape_html(signs.below));
   if (!signs.above.empty()) items += key_item(hatch, escape_html(signs.above));
   if (signs.luminaires > 0) {
-    items += key_item(
-        signs.has_openings ? "<path class=\"luminaire\" d=\"M1 5.5h14v5h-14z\"/>"
-                           : "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
-                             "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
-        fmt::format("luminaire ({})", signs.luminaires));
+    items +=
+        key_item(signs.has_openings ? "<path class=\"luminaire\" d=\"M1 5.5h14v5h-14z\"/>"
+                                    : "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
+                                      "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
+                 fmt::format("luminaire ({})", signs.luminaires));
   }
   if (signs.has_directions) {
     items += key_item("<path class=\"c0\" d=\"M1 8h11M9 4.5l5 3.5-5 3.5z\"/>", "direction of C0");

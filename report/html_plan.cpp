@@ -1,6 +1,7 @@
 #include "report/html_plan.h"
 
 #include "report/heatmap.h"
+#include "report/html_isolux.h"
 #include "report/html_legend.h"
 #include "report/html_markup.h"
 #include "report/isolux.h"
@@ -22,7 +23,8 @@ namespace report {
 namespace {
 
 constexpr std::size_t kMostSvgCells = 2500;  // more go in as one embedded picture
-constexpr int kPicturePixels = 1000;         // on its longer side: sharp in print
+constexpr std::size_t kMostIsoluxPoints = 20000;
+constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
 struct Drawing {
   const PlanePart& plane;
@@ -61,15 +63,6 @@ ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimi
     high = std::max(high, limit.limit_lx);
   }
   return make_colour_scale(low, high);
-}
-
-std::string polygon(const PlanLayout& layout, const std::vector<glm::dvec2>& corners) {
-  std::string path;
-  for (const glm::dvec2& corner : corners) {
-    const glm::dvec2 p = layout.pixel(corner);
-    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(p.x), svg_number(p.y));
-  }
-  return path.empty() ? path : path + "z";
 }
 
 std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
@@ -190,7 +183,7 @@ std::string svg_luminaires(const Drawing& drawing) {
   constexpr double kRadius = 5, kArrow = 15, kHead = 3.4;
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
     const glm::dvec2 p = drawing.layout.pixel(sign.place_m);
-    const std::string outline = polygon(drawing.layout, sign.outline_m);
+    const std::string outline = svg_path(drawing.layout, sign.outline_m);
     if (outline.empty()) {
       circles += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", svg_number(p.x),
                              svg_number(p.y), kRadius);
@@ -218,27 +211,13 @@ std::string svg_furniture(const Drawing& drawing) {
   std::string below, above;
   for (const PlanLine& line : drawing.layout.furniture_m) {
     const glm::dvec2 from = drawing.layout.pixel(line.from_m), to = drawing.layout.pixel(line.to_m);
-    (line.is_above ? above : below) +=
-        fmt::format("M{} {}L{} {}", svg_number(from.x), svg_number(from.y), svg_number(to.x),
-                    svg_number(to.y));
+    (line.is_above ? above : below) += fmt::format(
+        "M{} {}L{} {}", svg_number(from.x), svg_number(from.y), svg_number(to.x), svg_number(to.y));
   }
   std::string svg;
   if (!below.empty()) svg += "<path class=\"furniture\" d=\"" + below + "\"/>\n";
   if (!above.empty()) svg += "<path class=\"furniture above\" d=\"" + above + "\"/>\n";
   return svg;
-}
-
-// Axis-parallel boxes of what labels must not cover.
-struct LabelBox {
-  glm::dvec2 low, high;
-  bool meets(const LabelBox& other) const {
-    return low.x < other.high.x && high.x > other.low.x && low.y < other.high.y &&
-           high.y > other.low.y;
-  }
-};
-
-LabelBox box_around(const glm::dvec2& middle, const glm::dvec2& size) {
-  return {middle - 0.5 * size, middle + 0.5 * size};
 }
 
 std::vector<LabelBox> taken_places(const Drawing& drawing) {
@@ -255,76 +234,6 @@ std::vector<LabelBox> taken_places(const Drawing& drawing) {
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
     taken.push_back(box_around(drawing.layout.pixel(sign.place_m), glm::dvec2(kSign)));
   return taken;
-}
-
-// The place on a line nearest to its middle at which a label of that size covers nothing.
-std::optional<glm::dvec2> label_place(const Drawing& drawing, const IsoluxLine& line,
-                                      const glm::dvec2& size, const std::vector<LabelBox>& taken) {
-  const LabelBox picture{{0, 0}, {drawing.layout.width_px(), drawing.layout.height_px()}};
-  std::vector<glm::dvec2> places;
-  for (std::size_t i = 0; i + 1 < line.points_m.size(); ++i) {
-    const glm::dvec2 from = drawing.layout.pixel(line.points_m[i]);
-    const glm::dvec2 to = drawing.layout.pixel(line.points_m[i + 1]);
-    for (const double part : {0.0, 0.25, 0.5, 0.75}) places.push_back(from + part * (to - from));
-  }
-  for (std::size_t step = 0; step < places.size(); ++step) {
-    const std::size_t half = (step + 1) / 2, middle = places.size() / 2;
-    const glm::dvec2& place = places[step % 2 == 0 ? middle - half : middle + half];
-    const LabelBox box = box_around(place, size);
-    const bool is_inside = box.low.x > picture.low.x && box.low.y > picture.low.y &&
-                           box.high.x < picture.high.x && box.high.y < picture.high.y;
-    const bool is_free = is_inside && std::none_of(taken.begin(), taken.end(), [&](const auto& b) {
-                           return b.meets(box);
-                         });
-    if (is_free) return place;
-  }
-  return std::nullopt;
-}
-
-double length_m(const IsoluxLine& line) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < line.points_m.size(); ++i)
-    length += glm::distance(line.points_m[i], line.points_m[i + 1]);
-  return length;
-}
-
-struct IsoluxDrawing {
-  std::string lines, labels;
-};
-
-// Every line of a level is drawn; its longest one with a free place has the label.
-IsoluxDrawing svg_isolux(const Drawing& drawing) {
-  constexpr double kFont = 10.5, kDigitWidth = 0.62;
-  std::vector<LabelBox> taken = taken_places(drawing);
-  IsoluxDrawing svg;
-  for (const IsoluxLevel& level : drawing.isolux) {
-    std::vector<IsoluxLine> lines = isolux_lines(drawing.plane, level.lx);
-    std::string path;
-    for (const IsoluxLine& line : lines) {
-      std::string part = polygon(drawing.layout, line.points_m);
-      if (!line.is_closed) part.pop_back();
-      path += part;
-    }
-    if (path.empty()) continue;
-    svg.lines += fmt::format(
-        "<path class=\"isolux halo{0}\" d=\"{1}\"/><path class=\"isolux{0}\" d=\"{1}\"/>\n",
-        level.is_required ? " required" : "", path);
-    std::stable_sort(lines.begin(), lines.end(), [](const IsoluxLine& a, const IsoluxLine& b) {
-      return length_m(a) > length_m(b);
-    });
-    const std::string text = format_shortest(level.lx);
-    const glm::dvec2 size(kDigitWidth * kFont * static_cast<double>(text.size()) + 4, kFont + 2);
-    for (const IsoluxLine& line : lines) {
-      const std::optional<glm::dvec2> place = label_place(drawing, line, size, taken);
-      if (!place) continue;
-      taken.push_back(box_around(*place, size));
-      svg.labels += fmt::format("<text class=\"isolux-label{}\" x=\"{}\" y=\"{}\">{}</text>\n",
-                                level.is_required ? " required" : "", svg_number(place->x),
-                                svg_number(place->y + 0.36 * kFont), text);
-      break;
-    }
-  }
-  return svg;
 }
 
 // A frame around the cell, never smaller than can be seen.
@@ -383,16 +292,16 @@ std::string svg_plan(const Drawing& drawing) {
   svg += hatch_pattern(drawing.anchor);
   svg += fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width,
                      svg_number(layout.height_px()));
-  const std::string room = polygon(layout, layout.room_m);
+  const std::string room = svg_path(layout, layout.room_m);
   if (!room.empty()) svg += fmt::format("<path class=\"floor\" d=\"{}\"/>\n", room);
   svg += drawing.plane.points.size() > kMostSvgCells ? png_cells(drawing) : svg_cells(drawing);
   svg += svg_hatch(drawing);
-  std::string outline = polygon(layout, drawing.plane.outline_m);
-  for (const auto& hole : drawing.plane.holes_m) outline += polygon(layout, hole);
+  std::string outline = svg_path(layout, drawing.plane.outline_m);
+  for (const auto& hole : drawing.plane.holes_m) outline += svg_path(layout, hole);
   if (!outline.empty()) svg += fmt::format("<path class=\"outline\" d=\"{}\"/>\n", outline);
   svg += svg_furniture(drawing);
   if (!room.empty()) svg += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", room);
-  const IsoluxDrawing isolux = svg_isolux(drawing);
+  const IsoluxDrawing isolux = svg_isolux(drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
          isolux.labels + "</svg>\n";
   return svg + svg_scale_bar(layout) + "</svg>\n";
@@ -441,7 +350,7 @@ PlanSigns signs_of(const Drawing& drawing) {
   signs.has_above = std::any_of(layout.furniture_m.begin(), layout.furniture_m.end(),
                                 [](const PlanLine& line) { return line.is_above; });
   for (const IsoluxLevel& level : drawing.isolux) {
-    if (isolux_lines(drawing.plane, level.lx).empty()) continue;
+    if (level.lines.empty()) continue;
     if (!level.is_required) signs.has_isolux = true;
     if (level.is_required)
       signs.required += (signs.required.empty() ? "" : ", ") + format_limit(level.lx, "lx");
@@ -466,17 +375,22 @@ PlanSigns signs_of(const Drawing& drawing) {
 std::string html_plan(const SpacePart& space, const PlanePart& plane, std::string_view anchor) {
   const std::vector<PlanLimit> limits = plan_limits(plane);
   Drawing drawing{plane,
-                        lay_out_plan(space, plane, {640, 460}),
-                        scale_with_limits(plane, limits),
-                        limits,
-                        point_threshold(plane, rules::Comparison::at_least),
-                        point_threshold(plane, rules::Comparison::at_most),
-                        std::string(anchor)};
+                  lay_out_plan(space, plane, {640, 460}),
+                  scale_with_limits(plane, limits),
+                  limits,
+                  point_threshold(plane, rules::Comparison::at_least),
+                  point_threshold(plane, rules::Comparison::at_most),
+                  std::string(anchor)};
   // Lines between numbers must leave them readable.
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
+  const bool has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
+  std::string left_out;
+  if (!has_all) left_out += " Isolux lines with too many corners are left out.";
+  if (space.bodies_left_out > 0)
+    left_out += fmt::format(" {} pieces of furniture are not drawn.", space.bodies_left_out);
   return "<figure>\n" + svg_plan(drawing) +
          html_colour_bar(drawing.scale, limits, band_counts(drawing), plane_unit(plane)) +
-         html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) +
+         html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
          "</figcaption></figure>\n";
 }
 

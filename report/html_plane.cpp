@@ -67,7 +67,8 @@ std::string share_bar(const PlanePart& plane) {
 // What each dimming group gives, and what it would take for it alone to make up for what is
 // missing; "" where all light is in one nameless group.
 std::string groups_table(const PlanePart& plane) {
-  if (plane.groups.empty() || (plane.groups.size() == 1 && plane.groups[0].group.empty())) return {};
+  if (plane.groups.empty() || (plane.groups.size() == 1 && plane.groups[0].group.empty()))
+    return {};
   std::string rows;
   for (const GroupShare& share : plane.groups) {
     std::string notes;
@@ -245,7 +246,9 @@ std::string badges(const PlanePart& plane) {
     const auto count = std::count_if(
         plane.findings.begin(), plane.findings.end(),
         [verdict](const rules::Finding& finding) { return finding.verdict == verdict; });
-    if (count > 0) html += badge(verdict) + (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
+    if (count > 0)
+      html += badge(verdict) +
+              (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
   }
   if (!plane.is_computed) return html;
   return html + fmt::format("<span class=\"brief\">Ē {} · Uo {}</span>",

@@ -22,9 +22,9 @@ std::string curve_path(const std::vector<double>& cd, double outer_cd) {
     const double gamma =
         calc::radians_from_degrees((static_cast<int>(i) - kPolarHalfSteps) * kPolarStep_deg);
     const double r = kRadius * cd[i] / outer_cd;
-    path += fmt::format("{}{} {}", path.empty() ? "M" : "L",
-                        svg_number(kMiddle + r * std::sin(gamma)),
-                        svg_number(kMiddle + r * std::cos(gamma)));
+    path +=
+        fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(kMiddle + r * std::sin(gamma)),
+                    svg_number(kMiddle + r * std::cos(gamma)));
   }
   return path;
 }

@@ -38,9 +38,9 @@ std::string luminaire_row(const LuminaireRow& row) {
       "<td class=\"num\">{}</td><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
       "class=\"num\">{}</td>"
       "<td class=\"num\">{} cd</td><td class=\"num\">{}</td></tr>\n",
-      escape_html(row.type_id), escape_html(row.name), html_polar(row), escape_html(row.photometry_file),
-      escape_html(row.format), escape_html(row.sha256), row.count, format_lumens(row.flux_lm),
-      has_power ? format_watts(row.power_w) + " W" : "not stated",
+      escape_html(row.type_id), escape_html(row.name), html_polar(row),
+      escape_html(row.photometry_file), escape_html(row.format), escape_html(row.sha256), row.count,
+      format_lumens(row.flux_lm), has_power ? format_watts(row.power_w) + " W" : "not stated",
       has_power ? format_fixed(row.flux_lm / row.power_w, 0) + " lm/W" : "",
       format_lumens(row.max_intensity_cd), maintenance_html(row));
 }

@@ -170,7 +170,7 @@ std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale
       return std::abs(known.lx - limit.limit_lx) <= kSame * limit.limit_lx;
     });
     if (!is_known && limit.limit_lx > low && limit.limit_lx < high) {
-      levels.push_back({limit.limit_lx, true});
+      levels.push_back({limit.limit_lx, true, {}});
     }
   }
   const std::size_t required = levels.size();
@@ -190,11 +190,33 @@ std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale
                     [&](const IsoluxLevel& known) {
                       return std::abs(known.lx - lx) <= kSame * scale.high_lx();
                     });
-    if (!is_known) levels.push_back({lx, false});
+    if (!is_known) levels.push_back({lx, false, {}});
   }
   std::sort(levels.begin(), levels.end(),
             [](const IsoluxLevel& a, const IsoluxLevel& b) { return a.lx < b.lx; });
   return levels;
+}
+
+bool trace_isolux(const PlanePart& plane, std::size_t most_points,
+                  std::vector<IsoluxLevel>& levels) {
+  std::size_t points = 0;
+  std::vector<double> refused;
+  for (const bool required : {true, false}) {
+    for (IsoluxLevel& level : levels) {
+      if (level.is_required != required) continue;
+      level.lines = isolux_lines(plane, level.lx);
+      std::size_t more = 0;
+      for (const IsoluxLine& line : level.lines) more += line.points_m.size();
+      if (points + more > most_points)
+        refused.push_back(level.lx);
+      else
+        points += more;
+    }
+  }
+  std::erase_if(levels, [&](const IsoluxLevel& level) {
+    return std::find(refused.begin(), refused.end(), level.lx) != refused.end();
+  });
+  return refused.empty();
 }
 
 }  // namespace report

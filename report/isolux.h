@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace report {
@@ -26,13 +27,20 @@ std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level_lx);
 
 struct IsoluxLevel {
   double lx = 0.0;
-  bool is_required = false;  // a limit of the drawing: drawn thicker
+  bool is_required = false;            // a limit of the drawing: drawn thicker
+  std::vector<IsoluxLine> lines = {};  // filled by trace_isolux()
 };
 
-// Every border of the scale's bands, or only the multiples of two or five steps where there are more
-// than `most`, that lies between the plane's lowest and highest value, and its limits in the same
-// range; ascending.
+// Every border of the scale's bands, or only the multiples of two or five steps where there are
+// more than `most`, that lies between the plane's lowest and highest value, and its limits in the
+// same range; ascending.
 std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale& scale,
                                        const std::vector<PlanLimit>& limits, int most);
+
+// Fills the lines of levels, required ones first, as long as all of them together have at most
+// most_points; a level that would have more is taken out. False if any was: a noisy field of a
+// million cells would make a picture that no browser shows.
+bool trace_isolux(const PlanePart& plane, std::size_t most_points,
+                  std::vector<IsoluxLevel>& levels);
 
 }  // namespace report

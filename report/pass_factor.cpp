@@ -26,8 +26,22 @@ bool is_unmet(const rules::Finding& finding) {
 }
 
 // 1e-6: 1.09 must not become 1.10 because of its last bit.
-double up(double factor) { return std::ceil(factor * 100.0 - 1e-6) / 100.0; }
-double down(double factor) { return std::floor(factor * 100.0 + 1e-6) / 100.0; }
+double up(double factor, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::ceil(factor * scale - 1e-6) / scale;
+}
+double down(double factor, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::floor(factor * scale + 1e-6) / scale;
+}
+
+// Two, or as many as tell the ends of the interval apart.
+int decimals_of(const calc::Estimate& factor) {
+  int decimals = 2;
+  const double width = factor.high - factor.low;
+  while (decimals < 5 && width > 0.0 && width < 2.0 * std::pow(10.0, -decimals)) ++decimals;
+  return decimals;
+}
 
 }  // namespace
 
@@ -59,19 +73,20 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
   return 1.0 + missing / share.average_lx.value;
 }
 
-std::string factor_text(double factor) { return "×" + format_fixed(up(factor), 2); }
+std::string factor_text(double factor) { return "×" + format_fixed(up(factor, 2), 2); }
 
 std::string pass_factor_words(const rules::Finding& finding) {
   const std::optional<calc::Estimate> factor = pass_factor(finding);
   if (!factor) return {};
-  const double value =
-      needs_more(finding.requirement.comparison) ? up(factor->value) : down(factor->value);
+  const int digits = decimals_of(*factor);
+  const double value = needs_more(finding.requirement.comparison) ? up(factor->value, digits)
+                                                                  : down(factor->value, digits);
   const std::string range =
       factor->low == factor->high
           ? ""
-          : fmt::format(" ({} to {})", format_fixed(down(factor->low), 2),
-                        format_fixed(up(factor->high), 2));
-  return fmt::format("Would be met with all light at ×{}{}.", format_fixed(value, 2), range);
+          : fmt::format(" ({} to {})", format_fixed(down(factor->low, digits), digits),
+                        format_fixed(up(factor->high, digits), digits));
+  return fmt::format("Would be met with all light at ×{}{}.", format_fixed(value, digits), range);
 }
 
 }  // namespace report

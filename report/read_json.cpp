@@ -160,8 +160,8 @@ rules::Requirement requirement(const JsonCursor& at, const PlanePart& plane) {
 }
 
 rules::Verdict verdict(const JsonCursor& at) {
-  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail,
-                              rules::Verdict::undecided, rules::Verdict::not_judged},
+  return at.one_of(std::array{rules::Verdict::pass, rules::Verdict::fail, rules::Verdict::undecided,
+                              rules::Verdict::not_judged},
                    verdict_key);
 }
 

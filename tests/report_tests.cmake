@@ -41,3 +41,22 @@ else()
   add_test(NAME result_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-jsonschema is not installed")
   set_tests_properties(result_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
 endif()
+
+# Reports in a real browser: layout, contrast, heads and landmarks, sorting, printing, hostile names.
+add_executable(make_reports tools/make_reports.cpp)
+target_link_libraries(make_reports PRIVATE report fmt::fmt)
+target_include_directories(make_reports PRIVATE ${PROJECT_SOURCE_DIR})
+find_program(LUXGATE_BROWSER NAMES chromium chromium-browser google-chrome)
+if(LUXGATE_BROWSER)
+  add_test(NAME report_browser COMMAND ${CMAKE_COMMAND} -DBROWSER=${LUXGATE_BROWSER} -DMAKE=$<TARGET_FILE:make_reports>
+    -DPROBE=${CMAKE_CURRENT_SOURCE_DIR}/tools/browser_probe.js -DWORK=${CMAKE_CURRENT_BINARY_DIR}/report_browser
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_browser.cmake)
+  set_tests_properties(report_browser PROPERTIES TIMEOUT 300)
+else()
+  add_test(NAME report_browser COMMAND ${CMAKE_COMMAND} -E echo "skipped: chromium is not installed")
+  set_tests_properties(report_browser PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+endif()
+
+add_test(NAME html_split COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+  -DPROJECT=${PROJECT_SOURCE_DIR}/examples/04-office/project.xml -DWORK=${CMAKE_CURRENT_BINARY_DIR}/html_split
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_html_split.cmake)

@@ -257,9 +257,10 @@ void add_listed(CLI::App& app, const ListedCommand& command) {
 
 bool writes_html_file(const Options& options) {
   return !options.output_folder.empty() ||
-         std::any_of(options.formats.begin(), options.formats.end(), [](const OutputFormat& format) {
-           return format.kind == FormatKind::html && !format.file.empty();
-         });
+         std::any_of(options.formats.begin(), options.formats.end(),
+                     [](const OutputFormat& format) {
+                       return format.kind == FormatKind::html && !format.file.empty();
+                     });
 }
 
 // What can only be seen with all options together; "" = nothing is wrong.

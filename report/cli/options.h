@@ -84,9 +84,9 @@ struct Options {
   std::vector<OutputFormat> formats;
   std::string output_folder;  // "" = none
   bool images = false;
-  bool html_split = false;    // HTML as an index and a page per room
-  bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
-  std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
+  bool html_split = false;  // HTML as an index and a page per room
+  bool pictures = true;     // of rooms, in HTML and with --images, where OpenGL can draw
+  std::string timestamp;    // "2024-05-01T12:00:00Z" or ""
   bool timing = false;
   bool explain_cost = false;
   bool quiet = false;

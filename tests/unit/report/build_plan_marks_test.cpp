@@ -105,8 +105,8 @@ TEST(PlanMarks, LuminairesHaveTheirOpeningAndDirection) {
   luminaire.position_m = {1, 2, 2.8};
   luminaire.group = "row 1";
   const double turn = 0.5;
-  luminaire.world_from_luminaire = glm::dmat3(std::cos(turn), std::sin(turn), 0, -std::sin(turn),
-                                              std::cos(turn), 0, 0, 0, 1);
+  luminaire.world_from_luminaire =
+      glm::dmat3(std::cos(turn), std::sin(turn), 0, -std::sin(turn), std::cos(turn), 0, 0, 0, 1);
   room.space.luminaires = {luminaire, luminaire};
   calc::PlacedLuminaire placed;
   placed.world_from_luminaire = luminaire.world_from_luminaire;
@@ -122,9 +122,8 @@ TEST(PlanMarks, LuminairesHaveTheirOpeningAndDirection) {
   ASSERT_EQ(mark.outline_m.size(), 4U);
   const glm::dvec2 corner(1 + 0.6 * std::cos(turn) - 0.15 * std::sin(turn),
                           2 + 0.6 * std::sin(turn) + 0.15 * std::cos(turn));
-  EXPECT_TRUE(std::any_of(mark.outline_m.begin(), mark.outline_m.end(), [&](const glm::dvec2& p) {
-    return glm::distance(p, corner) < 1e-12;
-  }));
+  EXPECT_TRUE(std::any_of(mark.outline_m.begin(), mark.outline_m.end(),
+                          [&](const glm::dvec2& p) { return glm::distance(p, corner) < 1e-12; }));
   EXPECT_TRUE(part.luminaires[1].outline_m.empty());  // a point
 }
 

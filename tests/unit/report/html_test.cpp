@@ -4,6 +4,7 @@
 #include "report/html_markup.h"
 #include "report/html_pages.h"
 #include "report/html_script.h"
+#include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -126,6 +127,38 @@ TEST(Html, SummaryIsGroupedByRoomAndCanBeSorted) {
     EXPECT_TRUE(row.node().child("th").attribute("data-v")) << text_of(row.node());
 }
 
+TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  PlanePart& plane = project.spaces[0].planes[0];
+  const auto look = [&](std::uint64_t paths, double half_width, rules::Verdict verdict) {
+    PlaneLook result{paths, 4 * paths, 2, estimate(512.5, half_width), {}};
+    for (const rules::Finding& finding : plane.findings)
+      result.findings.push_back({verdict, estimate(finding.measured.value, half_width)});
+    return result;
+  };
+  using enum rules::Verdict;
+  plane.looks = {look(1024, 16, undecided), look(2048, 8, pass), look(4096, 4, pass)};
+  plane.groups = {{"row <2>", estimate(400, 3), 300}, {"", estimate(112.5, 1), 50}};
+  LuminaireRow row;
+  row.c0_cd.assign(2 * kPolarHalfSteps + 1, 0);
+  row.c0_cd[kPolarHalfSteps] = 480;
+  project.luminaires = {row};
+  const std::string html = render_html(document);
+  const pugi::xml_document tree = parsed(html);
+  const pugi::xml_node chart = tree.select_node("//figure[@class='converge']/svg").node();
+  EXPECT_EQ(chart.select_nodes(".//path[@class='curve']").size(), 2U);
+  // The dot is where the verdict came: at the second of three looks, so in the middle of a picture
+  // whose work doubles from look to look.
+  const double x = chart.select_node(".//circle/@cx").attribute().as_double();
+  EXPECT_NEAR(x, (58 + 640 - 16) / 2.0, 0.01);
+  EXPECT_EQ(tree.select_nodes("//table[@class='looks']/tbody/tr").size(), 3U);
+  EXPECT_THAT(html, HasSubstr("row &lt;2&gt;"));
+  EXPECT_EQ(tree.select_nodes("//svg[@class='polar']").size(), 1U);
+  EXPECT_THAT(html, HasSubstr("outer ring 500 cd"));
+  EXPECT_THAT(html, HasSubstr("Would be met with all light at ×1.07 (1.04 to 1.08)."));
+}
+
 TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
@@ -200,6 +233,23 @@ TEST(Html, NoFieldEscapesItsPlace) {
   project.diagnostics = found.all();
   const pugi::xml_document tree = parsed(render_html(document));
   EXPECT_TRUE(tree.select_nodes("//img | //@onerror").empty());
+}
+
+// What a browser makes of it, the browser test sees.
+TEST(Html, HostileNamesStayText) {
+  const Document document = hostile_document();
+  std::vector<std::string> all{render_html(document), render_html_index(document, "x-rooms")};
+  for (const HtmlPage& page : html_pages(document))
+    all.push_back(render_html_page(document, page, "../x.html"));
+  for (const std::string& html : all) {
+    const pugi::xml_document tree = parsed(html);
+    EXPECT_LE(tree.select_nodes("//script").size(), 1U);
+    EXPECT_TRUE(tree.select_nodes("//img | //@onerror | //@onload | //@src").empty());
+    EXPECT_EQ(tree.select_nodes("//style").size(), 1U);
+    EXPECT_EQ(html.find_first_of("\x01\x1B"), std::string::npos);
+  }
+  // Nothing is lost, either.
+  EXPECT_THAT(all[0], HasSubstr("&lt;script&gt;window.hacked=1&lt;/script&gt;"));
 }
 
 TEST(Html, LinksAndIdsMatch) {

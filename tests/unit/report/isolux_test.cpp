@@ -38,8 +38,8 @@ TEST(Isolux, LinearFieldIsMetExactly) {
   for (const glm::dvec2& p : lines[0].points_m) EXPECT_NEAR(lx(p.x, p.y), 140, 1e-9);
 }
 
-// A point source 2.5 m above the middle: E = I cos^3 / h^2, so that isolux lines are circles. On the
-// side between two centres the error of linear interpolation is at most h^2 / 8 max|E''|.
+// A point source 2.5 m above the middle: E = I cos^3 / h^2, so that isolux lines are circles. On
+// the side between two centres the error of linear interpolation is at most h^2 / 8 max|E''|.
 TEST(Isolux, PointSourceGivesCirclesWithinWhatTheGridAllows) {
   constexpr double kHeight = 2.5, kIntensity = 3000, kMiddle = 4.0;
   const auto of_radius = [](double r) {
@@ -58,8 +58,8 @@ TEST(Isolux, PointSourceGivesCirclesWithinWhatTheGridAllows) {
       // |E''| <= 3 I / h^4 anywhere; E' = -3 I h r / (h^2 + r^2)^(5/2). A side is nowhere steeper
       // across the line than along the radius: 1 / sqrt(2) at worst.
       const double curvature = 3 * kIntensity / std::pow(kHeight, 4);
-      const double slope = 3 * kIntensity * kHeight * radius /
-                           std::pow(kHeight * kHeight + radius * radius, 2.5);
+      const double slope =
+          3 * kIntensity * kHeight * radius / std::pow(kHeight * kHeight + radius * radius, 2.5);
       const double allowed = spacing * spacing / 8 * curvature / slope * 1.1;
       const std::vector<IsoluxLine> lines = isolux_lines(plane, level);
       ASSERT_EQ(lines.size(), 1U);
@@ -111,6 +111,18 @@ TEST(Isolux, MissingPointsEndTheLine) {
 TEST(Isolux, EvenFieldAndSingleRowsHaveNone) {
   EXPECT_TRUE(isolux_lines(field_plane(5, 5, 1, [](double, double) { return 300; }), 300).empty());
   EXPECT_TRUE(isolux_lines(field_plane(9, 1, 1, [](double u, double) { return u; }), 4).empty());
+}
+
+TEST(Isolux, TooManyCornersAreLeftOutTheRequiredLevelLast) {
+  const PlanePart plane = field_plane(40, 40, 1, [](double u, double) { return 100 * u; });
+  std::vector<IsoluxLevel> levels{{1000, false, {}}, {2000, true, {}}, {3000, false, {}}};
+  std::vector<IsoluxLevel> few = levels;
+  EXPECT_TRUE(trace_isolux(plane, 1000, levels));
+  EXPECT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0].lines.at(0).points_m.size(), 40U);
+  EXPECT_FALSE(trace_isolux(plane, 60, few));
+  ASSERT_EQ(few.size(), 1U);
+  EXPECT_TRUE(few[0].is_required);
 }
 
 TEST(IsoluxLevels, AreRoundAndHoldTheLimit) {

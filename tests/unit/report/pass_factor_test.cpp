@@ -19,6 +19,12 @@ TEST(PassFactor, IsLimitOverMeasuredWithTheIntervalTurned) {
   EXPECT_EQ(pass_factor_words(finding), "Would be met with all light at ×1.25 (1.22 to 1.28).");
 }
 
+TEST(PassFactor, TellsTheEndsOfNarrowIntervalsApart) {
+  EXPECT_EQ(
+      pass_factor_words(sample_finding(rules::Metric::average, 353.8, estimate(353.75, 0.09))),
+      "Would be met with all light at ×1.0002 (0.9998 to 1.0004).");
+}
+
 TEST(PassFactor, LessLightForAnUpperLimit) {
   rules::Finding finding = sample_finding(rules::Metric::maximum, 60, estimate(80, 0));
   finding.requirement.comparison = rules::Comparison::at_most;

@@ -73,6 +73,20 @@ Document rich_document() {
   plane.findings.push_back(share);
   plane.findings.push_back(value);
   plane.findings.push_back(percentile);
+  plane.groups = {{"row <1>", estimate(300, 3), 200}, {"", estimate(100, 1), 50}};
+  PlaneLook look{1024, 4096, 12, estimate(400, 9), {}};
+  for (const rules::Finding& finding : plane.findings)
+    look.findings.push_back({finding.verdict, finding.measured});
+  plane.looks = {look, look};
+  plane.looks[1].paths = 2048;
+  project.luminaires.at(0).c0_cd.assign(2 * kPolarHalfSteps + 1, 120.5);
+  project.luminaires.at(0).c90_cd.assign(2 * kPolarHalfSteps + 1, 90.25);
+  LuminaireMark& mark = project.spaces[0].luminaires.at(0);
+  mark.group = "row <1>";
+  mark.outline_m = {{1, 1}, {2, 1}, {2, 1.5}};
+  mark.c0 = {0.6, 0.8};
+  project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}}};
+  project.spaces[0].bodies_left_out = 3;
   document.provenance.timestamp = "2024-05-01T12:00:00Z";
   document.provenance.goal = rules::Goal::accuracy;
   return document;
