@@ -206,7 +206,12 @@ std::string wrong_height(const RuleCheck& check, const Reference& reference, boo
     to_m = reference.row->task_heights_m->highest_m;
   }
   const auto [lowest_m, highest_m] = heights_of(*reference.plane, *reference.floor_z_m);
-  if (lowest_m >= from_m - kTolerance_m && highest_m <= to_m + kTolerance_m) return {};
+  // An upright plane has a height of its own: it must reach the height that is asked for.
+  const bool is_upright = role->orientation == "vertical";
+  const bool fits = is_upright
+                        ? highest_m >= from_m - kTolerance_m && lowest_m <= to_m + kTolerance_m
+                        : lowest_m >= from_m - kTolerance_m && highest_m <= to_m + kTolerance_m;
+  if (fits) return {};
   const auto range = [](double from, double to) {
     return std::abs(to - from) < 5e-4 ? fmt::format("{:.3g} m", from)
                                       : fmt::format("{:.3g} to {:.3g} m", from, to);

@@ -277,9 +277,11 @@ class ZoneMaker {
 
   // With the pack's name, and as wide as a band at most.
   void name_grid(const RuleGrid* grid) {
-    std::string name = fmt::format("{}:{}", source_.pack.title, source_.pack.edition);
-    if (grid == nullptr) return;
-    if (grid->trust != Trust::confirmed) name += fmt::format(" [{}]", trust_remark(grid->trust));
+    std::string name = calc::GridByRule().name;
+    if (grid != nullptr) name = fmt::format("{}:{}", source_.pack.title, source_.pack.edition);
+    if (grid != nullptr && grid->trust != Trust::confirmed) {
+      name += fmt::format(" [{}]", trust_remark(grid->trust));
+    }
     const double widest_m = rule_.area == ZoneArea::band ? rule_.width_m : 1.0e9;
     const glm::dvec2 side_m = size_of(zone_.area.outline_m);
     const bool is_v_longer = side_m.y > side_m.x;
@@ -289,6 +291,8 @@ class ZoneMaker {
     } else if (auto* spacing = std::get_if<calc::GridBySpacing>(&zone_.area.grid)) {
       spacing->name = name;
       if (is_v_longer) std::swap(spacing->along_u_m, spacing->along_v_m);
+      spacing->along_u_m = std::min(spacing->along_u_m, widest_m);
+      spacing->along_v_m = std::min(spacing->along_v_m, widest_m);
     } else if (auto* count = std::get_if<calc::GridByCount>(&zone_.area.grid)) {
       if (is_v_longer) std::swap(count->columns, count->rows);
     }

@@ -714,6 +714,28 @@ TEST(BindRequirements, APlaneAtAnotherHeightThanItsRoleIsNotJudged) {
             "0.75 m");
 }
 
+// 1.5 m above the pavement: an upright plane must reach that height, not lie in it.
+TEST(BindRequirements, AnUprightPlaneMustReachTheHeightOfItsRole) {
+  const auto bind_upright = [](double z_m) {
+    calc::CalcPlane plane =
+        plane_of("p", {{{"pack", "rp-20"}, {"row", "lot-enhanced"}, {"role", "vertical"}}});
+    calc::PlanarArea area;
+    area.origin_m = {0, 0, z_m};
+    area.v = {0, 0, 1};
+    area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+    plane.area = area;
+    calc::Project project = project_of({plane});
+    project.spaces[0].shell = calc::RoomShell{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, 2.0, 3.0};
+    return bind_project(project);
+  };
+  const Bound reaching = bind_upright(3.0), below = bind_upright(2.0);
+  ASSERT_FALSE(reaching.requirements.empty()) << testing::PrintToString(reaching.messages);
+  EXPECT_EQ(reaching.requirements.at(0).problem, "");
+  EXPECT_EQ(below.requirements.at(0).problem,
+            "planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and this one is 0 "
+            "to 1 m");
+}
+
 TEST(BindRequirements, WhereAPackSaysWhatIsUsualAnotherHeightIsARemark) {
   const Attributes task{{"pack", "en12464-1"}, {"row", "34.2"}};
   EXPECT_EQ(bind_at_height(2.75, task).requirements.at(0).note, "");

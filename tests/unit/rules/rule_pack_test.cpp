@@ -188,7 +188,7 @@ TEST(RulePackMessage, UnknownThings) {
                             "<row ref='1' nam='a' name='a' trust='confirmed'>"
                             "<value of='F' required='1'/></row>")),
       ElementsAre("own.xml:4:14: error[unknown-attribute]: unknown attribute 'nam' of <row>; "
-                  "allowed: ref, name, trust, sources or note; did you mean 'name'?",
+                  "allowed: ref, name, trust, sources, note or task-heights; did you mean 'name'?",
                   "own.xml:4:56: error[unknown-reference]: attribute 'of' of <value>: there is no "
                   "parameter 'F'; allowed: E; did you mean 'E'?"));
 }

@@ -107,7 +107,8 @@ TEST(Workplace, AGivenTaskHasAllZonesWithTheRowsLimits) {
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_THAT(made.ids(),
               ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
-                          "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder"));
+                          "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder", "w.modelling",
+                          "w.observer.1", "w.observer.2", "w.observer.3", "w.observer.4"));
   EXPECT_THAT(limits_of(made, "w.task"), ElementsAre(500, 0.6));
   EXPECT_THAT(limits_of(made, "w.surround"), ElementsAre(300, 0.4));
   EXPECT_THAT(limits_of(made, "w.background"), ElementsAre(100, 0.1));
@@ -116,6 +117,12 @@ TEST(Workplace, AGivenTaskHasAllZonesWithTheRowsLimits) {
   EXPECT_THAT(limits_of(made, "w.cylinder"), ElementsAre(150, 0.1));
   EXPECT_EQ(made.plane("w.cylinder").kernel, calc::ReceiverKernel::cylindrical);
   EXPECT_EQ(made.plane("w.wall.2").name, "w: wall 2");
+  EXPECT_EQ(made.plane("w.modelling").derived, calc::DerivedQuantity::modelling);
+  const calc::CalcPlane& observer = made.plane("w.observer.3");
+  EXPECT_EQ(observer.derived, calc::DerivedQuantity::ugr);
+  EXPECT_NEAR(glm::length(observer.direction), 1.0, 1e-12);
+  EXPECT_THAT(limits_of(made, "w.observer.3"), ElementsAre(19));
+  EXPECT_NEAR(made.height_m("w.observer.3"), 1.2, 1e-12);
 }
 
 TEST(Workplace, ZonesAreWhereTheStandardWantsThem) {
@@ -174,16 +181,15 @@ TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
   const Made made = make(workplace(""));
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
-                                      "w.ceiling", "w.cylinder"));
+                                      "w.ceiling", "w.cylinder", "w.modelling", "w.observer.1",
+                                      "w.observer.2", "w.observer.3", "w.observer.4"));
   EXPECT_EQ(made.area("w.task").margin_m, 0.5);
   EXPECT_NEAR(made.area_m2("w.task"), 96.0, 1e-9);
   EXPECT_EQ(made.area("w.cylinder").margin_m, 0.5);
   ASSERT_EQ(made.space().notes.size(), 1u);
   EXPECT_EQ(made.space().notes[0],
             "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
-            "background (the task is the whole room), modelling (modelling is not measured on "
-            "planes), observer (UGR is not measured on planes), lamp (Ra is not measured on "
-            "planes)");
+            "background (the task is the whole room), lamp (Ra is not measured on planes)");
 }
 
 TEST(Workplace, WhereTheTaskReachesIntoTheWallZoneItsSurroundGoesToTheWall) {
@@ -215,8 +221,9 @@ TEST(Workplace, AConcaveRoomCutsItsZones) {
 
 TEST(Workplace, RolesForWhichTheRowHasNothingAreNotMade) {
   const Made made = make("<workplace id='w' pack='en12464-1:2021' row='14.1'/>");
-  EXPECT_THAT(made.ids(),
-              ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4", "w.cylinder"));
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                                      "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
+                                      "w.observer.3", "w.observer.4"));
   EXPECT_THAT(made.space().notes.at(0), HasSubstr("ceiling (row 14.1 specifies nothing)"));
 }
 
@@ -243,8 +250,10 @@ TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
       "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
       "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
   EXPECT_THAT(made.messages, IsEmpty());
-  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.surround", "w.background", "w.wall.1",
-                                      "w.wall.2", "w.wall.4", "w.cylinder"));
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                          "w.wall.4", "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
+                          "w.observer.3", "w.observer.4"));
   EXPECT_EQ(made.plane("w.task").name, "Bench: task");
   EXPECT_EQ(made.plane("w.task").changed, "height 1.1 m instead of 0.75 m");
   EXPECT_NEAR(made.height_m("w.surround"), 1.1, 1e-12) << "at the task's height";
@@ -319,11 +328,12 @@ TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {
                                     "<workplace>: there is no row '34.9'; allowed: 9.4, ")));
   EXPECT_THAT(make(workplace("scene='day'")).messages,
               ElementsAre(HasSubstr("there is no scene 'day'; allowed: night")));
-  EXPECT_THAT(
-      make(workplace("", "<without role='sealing' because='x'/>")).messages,
-      ElementsAre(HasSubstr("attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
-                            "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
-                            "ceiling or cylinder; did you mean 'ceiling'?")));
+  EXPECT_THAT(make(workplace("", "<without role='sealing' because='x'/>")).messages,
+              ElementsAre(HasSubstr(
+                  "attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
+                  "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
+                  "ceiling, cylinder, modelling, observer, observer.1, observer.2, observer.3 or "
+                  "observer.4; did you mean 'ceiling'?")));
   EXPECT_THAT(make(workplace("", "<zone role='wall.5' margin='0'/>")).messages,
               ElementsAre(HasSubstr("there is no zone 'wall.5'")));
 }
