@@ -160,12 +160,20 @@ std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& 
 }
 
 std::string average_words(const PlanePart& plane) {
-  if (calc::is_plain_number(plane.derived)) {
-    return fmt::format("{}: maximum {}", plane_words(plane), format_measured(plane.maximum_lx, ""));
-  }
   const std::string value = format_measured(plane.average_lx, "lx");
   if (is_plain_illuminance(plane)) return "Average " + value;
   return fmt::format("Average of {} {}", plane_words(plane), value);
+}
+
+std::string statistics_words(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return fmt::format("{}: minimum {}, maximum {}", plane_words(plane),
+                       format_measured(plane.minimum_lx, ""),
+                       format_measured(plane.maximum_lx, ""));
+  }
+  return fmt::format("{}, minimum {}, Uo {}", average_words(plane),
+                     format_measured(plane.minimum_lx, "lx"),
+                     format_measured(plane.uniformity_min_avg, ""));
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
@@ -178,9 +186,8 @@ std::string plain_row(const std::string& head, const PlanePart& plane) {
   }
   return fmt::format(
       "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">no limit</td><td "
-      "class=\"quiet\" colspan=\"6\">{}, minimum {}, Uo {}.</td></tr>\n",
-      head, average_words(plane), format_measured(plane.minimum_lx, plane_unit(plane)),
-      format_measured(plane.uniformity_min_avg, ""));
+      "class=\"quiet\" colspan=\"6\">{}.</td></tr>\n",
+      head, statistics_words(plane));
 }
 
 std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart& plane,

@@ -34,16 +34,19 @@ std::string statistics_table(const PlanePart& plane) {
   const std::string of =
       is_plain_illuminance(plane) ? "" : std::string(" of ") + plane_words(plane);
   const char* unit = plane_unit(plane);
+  const bool has_average = !calc::is_plain_number(plane.derived);
+  const std::string extremes =
+      statistic("Minimum", plane.minimum_lx, unit) + statistic("Maximum", plane.maximum_lx, unit);
   return "<table class=\"facts\"><caption>Statistics" + of +
          "</caption><thead><tr><th "
          "scope=\"col\">Maintained</th>"
          "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
          "class=\"num\">Interval</th></tr></thead><tbody>\n" +
-         statistic("Average Ē", plane.average_lx, unit) +
-         statistic("Minimum", plane.minimum_lx, unit) +
-         statistic("Maximum", plane.maximum_lx, unit) +
-         statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
-         statistic("Ud, min/max", plane.uniformity_min_max, "") + "</tbody></table>\n";
+         (has_average ? statistic("Average Ē", plane.average_lx, unit) + extremes +
+                            statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
+                            statistic("Ud, min/max", plane.uniformity_min_max, "")
+                      : extremes) +
+         "</tbody></table>\n";
 }
 
 // Averages of the two parts as a bar; "" where there is no light at all.
