@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -43,9 +45,9 @@ report::Document planes_document(int planes) {
     plane.id = fmt::format("plane-{}", i + 1);
     plane.name = fmt::format("Work plane {}", i + 1);
     const double average = plane.average_lx.value;
-    const double limit = i % 7 == 0    ? 1.05 * average
-                         : i % 11 == 0 ? 1.001 * average
-                                       : 0.9 * average;
+    const double limit = i % 7 == 0    ? std::round(1.05 * average)
+                         : i % 11 == 0 ? std::round(10.0 * average) / 10.0
+                                       : std::round(0.9 * average);
     plane.findings = {
         report::sample_finding(rules::Metric::average, limit, plane.average_lx, "34.2")};
     for (int look = 0; look < 4; ++look) {
