@@ -59,7 +59,7 @@ enum class GlareProblem {
 struct GlareRefusal {
   std::size_t point = 0, channel = 0;
   GlareProblem problem = GlareProblem::below_sight;
-  double number = 0.0;  // solid angle in sr of too_large
+  double number = 0.0;                  // solid angle in sr of too_large
   std::array<double, 3> luminaire_m{};  // world
 };
 
@@ -77,8 +77,8 @@ struct GlareField {
 // independent and identically distributed, each an unbiased estimate. No value is clamped.
 struct PlaneField {
   std::string plane_id;
-  std::string problem;  // why the plane could not be computed; "" = it was
-  std::size_t points = 0;  // of a derived quantity: receivers, [receiver of the point][point]
+  std::string problem;         // why the plane could not be computed; "" = it was
+  std::size_t points = 0;      // of a derived quantity: receivers, [receiver of the point][point]
   std::size_t replicates = 0;  // >= 2; the sampled parts are empty when nothing was sampled
   std::vector<LightChannel> channels;
   // Of DerivedQuantity::ugr, where all illuminance is of reflected light; else empty.

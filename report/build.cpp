@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <string>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -137,8 +137,8 @@ void count_doubt(const calc::PlaneField& field, PlanePart& part) {
     return static_cast<std::size_t>(std::count(found.begin(), found.end(), std::uint8_t{1}));
   };
   part.unseen_points = count(field.unseen, [](std::uint8_t mark) { return mark != 0; });
-  part.single_sample_points = count(
-      field.largest_share, [](float share) { return share > rules::kLargestTrustedShare; });
+  part.single_sample_points =
+      count(field.largest_share, [](float share) { return share > rules::kLargestTrustedShare; });
 }
 
 void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,
@@ -149,8 +149,7 @@ void add_illuminances(const calc::PlaneField& field, const rules::PointValues& m
     const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, confidence);
     return found ? found->estimate : no_estimate();
   };
-  part.points =
-      build_points(part.grid, field, rules::point_estimates(maintained, confidence));
+  part.points = build_points(part.grid, field, rules::point_estimates(maintained, confidence));
   part.average_lx = statistic(rules::Metric::average);
   part.minimum_lx = statistic(rules::Metric::minimum);
   part.maximum_lx = statistic(rules::Metric::maximum);
@@ -173,14 +172,14 @@ std::string ratings_remark(const calc::PlaneField& field, const std::vector<doub
   std::string words =
       "UGR after CIE 117 with Guth's position index in closed form; background: reflected light at "
       "the eye";
-  const auto rated = static_cast<std::size_t>(
-      std::count_if(part.points.begin(), part.points.end(), [](const PointRow& point) {
-        return std::isfinite(point.maintained_lx.value);
-      }));
+  const auto rated = static_cast<std::size_t>(std::count_if(
+      part.points.begin(), part.points.end(),
+      [](const PointRow& point) { return std::isfinite(point.maintained_lx.value); }));
   const std::string refusal = rules::glare_refusal(field.glare, weights, all);
   if (rated < all.size()) {
     words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
-             (refusal.empty() ? " observers see no glare source in the field" : " observers have no rating");
+             (refusal.empty() ? " observers see no glare source in the field"
+                              : " observers have no rating");
   }
   return refusal.empty() ? words : words + ": " + refusal;
 }
@@ -191,8 +190,7 @@ void add_ratings(const calc::PlaneField& field, const rules::PointValues& mainta
   const auto weights = rules::channel_weights(field, rules::LightState::maintained, {});
   std::vector<std::size_t> all(part.grid.position_m.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto points =
-      rules::make_derived_points(derived, field, maintained, weights, all);
+  const auto points = rules::make_derived_points(derived, field, maintained, weights, all);
   const double t = rules::one_sided_t(points->replicates(), 0.5 * (1.0 - confidence));
   const bool is_glare = derived == calc::DerivedQuantity::ugr;
   const std::vector<std::uint8_t> is_rated =
@@ -211,8 +209,7 @@ void add_ratings(const calc::PlaneField& field, const rules::PointValues& mainta
   part.minimum_lx = part.maximum_lx = no_estimate();
   if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
   if (rated.empty()) return;
-  const auto chosen =
-      rules::make_derived_points(derived, field, maintained, weights, rated);
+  const auto chosen = rules::make_derived_points(derived, field, maintained, weights, rated);
   const auto statistic = [&](rules::Metric metric) {
     rules::Requirement wanted;
     wanted.metric = metric;
@@ -252,8 +249,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
   count_doubt(field, part);
   part.counters = field.counters;
 
-  rules::PointValues maintained =
-      rules::combine_channels(field, rules::LightState::maintained, {});
+  rules::PointValues maintained = rules::combine_channels(field, rules::LightState::maintained, {});
   if (calc::is_plain_number(grid.derived)) {
     add_ratings(field, maintained, level, part);
   } else {

@@ -85,9 +85,8 @@ void add_point(const std::string& place, const PlanePart& plane, const PointRow&
   const calc::Estimate& value = point.maintained_lx;
   add_row({place, std::to_string(point.column), std::to_string(point.row),
            number(point.position_m.x), number(point.position_m.y), number(point.position_m.z),
-           number(point.normal.x), number(point.normal.y), number(point.normal.z),
-           lux(value.value), lux(value.low), lux(value.high), number(point.direct_lx),
-           number(point.indirect_lx),
+           number(point.normal.x), number(point.normal.y), number(point.normal.z), lux(value.value),
+           lux(value.low), lux(value.high), number(point.direct_lx), number(point.indirect_lx),
            std::string(calc::quantity_name(plane.kernel, plane.derived)), rating(value.value),
            rating(value.low), rating(value.high)},
           csv);

@@ -66,7 +66,7 @@ struct PlanePart {
   // Of ratings and ratios every "lx" below is without unit, but for direct and indirect light.
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
   std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
-  bool is_computed = false;  // false: `reason` says why; the rest is then empty
+  bool is_computed = false;          // false: `reason` says why; the rest is then empty
   std::string reason;
   std::string made_by, changed;  // see calc::CalcPlane
   calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points

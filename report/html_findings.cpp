@@ -118,13 +118,20 @@ std::string plane_link(PlaneIndex index, const SpacePart& space, const PlanePart
 }
 
 std::string average_words(const PlanePart& plane) {
-  if (calc::is_plain_number(plane.derived)) {
-    return fmt::format("{}: maximum {}", plane_words(plane),
-                       format_measured(plane.maximum_lx, ""));
-  }
   const std::string value = format_measured(plane.average_lx, "lx");
   if (is_plain_illuminance(plane)) return "Average " + value;
   return fmt::format("Average of {} {}", plane_words(plane), value);
+}
+
+std::string statistics_words(const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return fmt::format("{}: minimum {}, maximum {}", plane_words(plane),
+                       format_measured(plane.minimum_lx, ""),
+                       format_measured(plane.maximum_lx, ""));
+  }
+  return fmt::format("{}, minimum {}, Uo {}", average_words(plane),
+                     format_measured(plane.minimum_lx, "lx"),
+                     format_measured(plane.uniformity_min_avg, ""));
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
@@ -137,10 +144,8 @@ std::string plain_row(PlaneIndex index, const SpacePart& space, const PlanePart&
   }
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"quiet\">no limit</td><td class=\"quiet\" "
-      "colspan=\"6\">{}, minimum {}, "
-      "Uo {}.</td></tr>\n",
-      link, average_words(plane), format_measured(plane.minimum_lx, plane_unit(plane)),
-      format_measured(plane.uniformity_min_avg, ""));
+      "colspan=\"6\">{}.</td></tr>\n",
+      link, statistics_words(plane));
 }
 
 std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart& plane) {

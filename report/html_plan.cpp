@@ -235,7 +235,8 @@ std::string spoken(const Drawing& drawing) {
   return fmt::format("Heat map of {}: {} points, {} from {} to {}{}, minimum at {} m",
                      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
                      plane_words(plane), format_cell_lx(plane.minimum_lx.value),
-                     format_cell_lx(plane.maximum_lx.value), unit_words(plane), format_position(lowest.position_m));
+                     format_cell_lx(plane.maximum_lx.value), unit_words(plane),
+                     format_position(lowest.position_m));
 }
 
 std::string svg_plan(const Drawing& drawing) {
@@ -290,8 +291,8 @@ PlanSigns signs_of(const Drawing& drawing) {
   signs.anchor = drawing.anchor;
   signs.luminaires = drawing.layout.luminaires_m.size();
   const PointRow& lowest = lowest_point(drawing.plane);
-  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane) + " at " +
-                  with_minus(format_position(lowest.position_m));
+  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane) +
+                  " at " + with_minus(format_position(lowest.position_m));
   for (const PointRow& point : drawing.plane.points) {
     const double lx = point.maintained_lx.value;
     if (drawing.at_least && lx < drawing.at_least->limit) {
@@ -315,7 +316,8 @@ std::string html_plan(const SpacePart& space, const PlanePart& plane, std::strin
                         point_threshold(plane, rules::Comparison::at_least),
                         point_threshold(plane, rules::Comparison::at_most),
                         std::string(anchor)};
-  return "<figure>\n" + svg_plan(drawing) + html_colour_bar(drawing.scale, limits, plane_unit(drawing.plane)) +
+  return "<figure>\n" + svg_plan(drawing) +
+         html_colour_bar(drawing.scale, limits, plane_unit(drawing.plane)) +
          html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) +
          "</figcaption></figure>\n";
 }

@@ -31,16 +31,19 @@ std::string statistics_table(const PlanePart& plane) {
   const std::string of =
       is_plain_illuminance(plane) ? "" : std::string(" of ") + plane_words(plane);
   const char* unit = plane_unit(plane);
+  const bool has_average = !calc::is_plain_number(plane.derived);
+  const std::string extremes =
+      statistic("Minimum", plane.minimum_lx, unit) + statistic("Maximum", plane.maximum_lx, unit);
   return "<table class=\"facts\"><caption>Statistics" + of +
          "</caption><thead><tr><th "
          "scope=\"col\">Maintained</th>"
          "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
          "class=\"num\">Interval</th></tr></thead><tbody>\n" +
-         statistic("Average Ē", plane.average_lx, unit) +
-         statistic("Minimum", plane.minimum_lx, unit) +
-         statistic("Maximum", plane.maximum_lx, unit) +
-         statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
-         statistic("Ud, min/max", plane.uniformity_min_max, "") + "</tbody></table>\n";
+         (has_average ? statistic("Average Ē", plane.average_lx, unit) + extremes +
+                            statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
+                            statistic("Ud, min/max", plane.uniformity_min_max, "")
+                      : extremes) +
+         "</tbody></table>\n";
 }
 
 // Averages of the two parts as a bar; "" where there is no light at all.
@@ -133,7 +136,8 @@ std::string value_matrix(const PlanePart& plane) {
     value_lx[{point.row, point.column}] = point.maintained_lx.value;
   std::string html =
       "<table class=\"matrix\"><caption>Maintained " + std::string(plane_words(plane)) +
-      (*plane_unit(plane) == '\0' ? "" : " in lx") + "; distances from the grid's corner "
+      (*plane_unit(plane) == '\0' ? "" : " in lx") +
+      "; distances from the grid's corner "
       "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   for (int column = 0; column < grid.columns; ++column) {
     html +=
@@ -176,8 +180,9 @@ std::string value_list(const PlanePart& plane) {
         "<td class=\"num strong\">{}</td><td class=\"num\">{} lx</td><td class=\"num\">{} "
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(point.position_m)),
-        with_minus(format_position(point.normal)), format_measured(point.maintained_lx, plane_unit(plane)),
-        format_cell_lx(point.direct_lx), format_cell_lx(point.indirect_lx));
+        with_minus(format_position(point.normal)),
+        format_measured(point.maintained_lx, plane_unit(plane)), format_cell_lx(point.direct_lx),
+        format_cell_lx(point.indirect_lx));
   }
   return html + "</tbody></table>";
 }

@@ -66,7 +66,8 @@ void mark_candidates(const DerivedPoints& points, const Indices& indices, Metric
     if (metric == Metric::maximum) {
       matters = points.is_doubtful(i) || limits.high >= (limit ? std::max(*limit, of.low) : of.low);
     } else if (metric == Metric::minimum) {
-      matters = points.is_doubtful(i) || limits.low <= (limit ? std::min(*limit, of.high) : of.high);
+      matters =
+          points.is_doubtful(i) || limits.low <= (limit ? std::min(*limit, of.high) : of.high);
     } else if (metric == Metric::value_at_point) {
       matters = result.point == i;
     }

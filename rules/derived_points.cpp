@@ -45,10 +45,9 @@ double ugr_of(double sum, double background_lx) {
 }
 
 std::string refusal_text(const calc::GlareRefusal& refusal) {
-  const std::string luminaire =
-      fmt::format("the luminaire at ({:.3f}, {:.3f}, {:.3f}) m, as observer {} sees it,",
-                  refusal.luminaire_m[0], refusal.luminaire_m[1], refusal.luminaire_m[2],
-                  refusal.point + 1);
+  const std::string luminaire = fmt::format(
+      "the luminaire at ({:.3f}, {:.3f}, {:.3f}) m, as observer {} sees it,",
+      refusal.luminaire_m[0], refusal.luminaire_m[1], refusal.luminaire_m[2], refusal.point + 1);
   switch (refusal.problem) {
     case calc::GlareProblem::below_sight:
       return luminaire + " lies below the line of sight, where UGR has no position index";
@@ -82,11 +81,10 @@ ModellingPoints::ModellingPoints(const PointValues& receivers,
     cylinder_.push_back({a.mean, a.standard_error * a.standard_error});
     plane_.push_back({b.mean, b.standard_error * b.standard_error});
     covariance_.push_back(covariance_of(cylinder, a.mean, plane, b.mean));
-    const bool is_unseen =
-        has_mark(receivers.unseen, i) || has_mark(receivers.unseen, all + i);
+    const bool is_unseen = has_mark(receivers.unseen, i) || has_mark(receivers.unseen, all + i);
     unseen_.push_back(is_unseen ? 1 : 0);
-    single_sample_.push_back(
-        is_untrusted(receivers, i) || is_untrusted(receivers, all + i) ? 1 : 0);
+    single_sample_.push_back(is_untrusted(receivers, i) || is_untrusted(receivers, all + i) ? 1
+                                                                                            : 0);
     if (!is_unseen && !(a.mean > 0.0) && !(b.mean > 0.0)) ++dark_points_;
   }
 }

@@ -25,7 +25,9 @@ class DerivedPoints {
   std::size_t replicates() const { return replicates_; }
   bool is_unseen(std::size_t point) const { return unseen_[point] != 0; }
   bool rests_on_one_sample(std::size_t point) const { return single_sample_[point] != 0; }
-  bool is_doubtful(std::size_t point) const { return is_unseen(point) || rests_on_one_sample(point); }
+  bool is_doubtful(std::size_t point) const {
+    return is_unseen(point) || rests_on_one_sample(point);
+  }
 
  protected:
   std::size_t replicates_ = 1;

@@ -23,8 +23,9 @@ int digits_for(const calc::Estimate& estimate, double limit, const Requirement& 
     return sign(rounded(value, digits) - limit) == sign(value - limit);
   };
   constexpr int kMostDigits = 9;
-  int digits =
-      is_ratio(requirement.metric) ? 2 : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
+  int digits = is_ratio(requirement.metric)
+                   ? 2
+                   : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
   while (digits < kMostDigits &&
          !(is_kept(estimate.low, digits) && is_kept(estimate.high, digits))) {
     ++digits;
@@ -35,7 +36,8 @@ int digits_for(const calc::Estimate& estimate, double limit, const Requirement& 
 std::string undecided_text(const calc::Estimate& estimate, double limit,
                            const Requirement& requirement) {
   const int digits = digits_for(estimate, limit, requirement);
-  const std::string unit = *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
+  const std::string unit =
+      *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
   return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
                      digits, estimate.high, digits, unit, limit, unit);
 }
@@ -54,8 +56,8 @@ std::string single_sample_text(std::size_t doubtful, std::size_t points) {
 
 int digits_of(const Requirement& requirement) {
   // A modelling ratio is printed as all ratios are, a glare rating as other numbers.
-  const bool is_of_two = is_ratio(requirement.metric) ||
-                         requirement.derived == calc::DerivedQuantity::modelling;
+  const bool is_of_two =
+      is_ratio(requirement.metric) || requirement.derived == calc::DerivedQuantity::modelling;
   return requirement.policy.digits(
       is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
 }

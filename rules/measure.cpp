@@ -107,10 +107,9 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   if (!(requirement.range.from > 0.0)) {
     requirement.range.from = -std::numeric_limits<double>::infinity();
   }
-  const auto limit = request.goal == Goal::verdict ? std::optional<double>(requirement.limit)
-                                                   : std::nullopt;
-  const auto found =
-      compute_derived(points, requirement, request.point, limit, request.confidence);
+  const auto limit =
+      request.goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
+  const auto found = compute_derived(points, requirement, request.point, limit, request.confidence);
   if (!found) return nothing_to_measure("no observer sees a glare source");
   result.active = found->active;
   result.unseen_points = found->unseen_points;
@@ -248,7 +247,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
         repeated(spread_marks(result.active, masked.points, grid.position_m.size()), parts);
     return result;
   }
-  if (grid.derived == calc::DerivedQuantity::four_planes) receivers = mean_of_four_planes(receivers);
+  if (grid.derived == calc::DerivedQuantity::four_planes)
+    receivers = mean_of_four_planes(receivers);
   const PointValues values = select_points(receivers, masked.points);
   Measurement result;
   result.points_used = values.points;
@@ -256,7 +256,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   if (metric == Metric::share) {
     const ShareEstimate share = compute_share(values, requirement.range, confidence);
     result.metric = MetricEstimate{share.estimate, std::nullopt};
-    result.active = 
+    result.active =
         repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
     return result;
   }

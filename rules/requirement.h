@@ -54,7 +54,7 @@ struct Requirement {
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
   Metric metric = Metric::average;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
-  double percent = 0.0;               // of Metric::percentile, [0, 100]
+  double percent = 0.0;                                         // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   ValueRange range;                   // of Metric::share, lx or plain as the points' values are
   double power_density_w_m2 = 0.0;    // of the two about power: what it is
@@ -74,8 +74,8 @@ struct Requirement {
 };
 
 // Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx". metric_names(): without
-// those about power, which are no statistics of points.
+// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx". metric_names():
+// without those about power, which are no statistics of points.
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 std::vector<std::string_view> metric_names();

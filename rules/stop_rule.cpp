@@ -10,12 +10,13 @@
 namespace rules {
 namespace {
 
-std::vector<Requirement> default_quantities() {
-  Requirement average;
-  average.metric = Metric::average;
+// Ratings and ratios of points have no average.
+std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
+  Requirement first;
+  first.metric = calc::is_plain_number(derived) ? Metric::maximum : Metric::average;
   Requirement minimum;
   minimum.metric = Metric::minimum;
-  return {average, minimum};
+  return {first, minimum};
 }
 
 bool is_accurate(const Measurement& measurement, double tolerance) {
@@ -65,7 +66,7 @@ StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& r
   ActivePoints active;
   bool is_finished = true;
   const std::vector<Requirement> judged =
-      requirements.empty() ? default_quantities() : requirements;
+      requirements.empty() ? default_quantities(grid.derived) : requirements;
   for (const Requirement& requirement : judged) {
     const Measurement measurement = measure(requirement, grid, field, scenes, level, goal);
     if (goal == Goal::verdict ? is_decided(requirement, measurement, grid)

@@ -49,7 +49,8 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
     const OpeningView::Point at =
         view.point((static_cast<double>(k % side) + 0.5) / static_cast<double>(side),
                    (static_cast<double>(k / side) + 0.5) / static_cast<double>(side));
-    glm::dvec3 to = lifted_source_m(luminaire, at.position_m, receiver.position_m, tracer.offset_m());
+    glm::dvec3 to =
+        lifted_source_m(luminaire, at.position_m, receiver.position_m, tracer.offset_m());
     if (luminaire.opening.is_body()) {
       // The outline is that for a far eye; a near one sees less of a body.
       if (!(glm::dot(at.normal, receiver.position_m - at.position_m) > 0.0)) continue;

@@ -36,7 +36,8 @@ inline constexpr std::size_t kSightLines = 16;
 
 // Guth's position index of a source at `to_source` (any length) from an eye that looks along the
 // unit, horizontal direction `look`:
-//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5 s^2
+//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5
+//   s^2
 // with s the angle between the source and the line of sight, t that between the vertical and the
 // plane of both, in degrees.  [closed form of the IES Lighting Handbook; within 12 % of the table
 // of CIE 117] Empty outside the field above and for sources below the line of sight, for which

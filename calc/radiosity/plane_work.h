@@ -73,7 +73,8 @@ class PlaneWork {
 
   // False for eyes, whose direct light is glare: add_exact() is all they need of luminaires.
   bool measures_direct() const { return !is_eyes_; }
-  // Direct light from point openings, or the glare of all openings, once. deadline_s: as in VertexBatch, for all that follows.
+  // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
+  // VertexBatch, for all that follows.
   void add_exact(double deadline_s, SolveTimes& times);
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.

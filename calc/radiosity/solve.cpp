@@ -120,9 +120,8 @@ class Solver {
       const SensorGrid& grid = *tasks[p].grid;
       const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), grid);
       // Of several receivers of a point some are lifted across its axis, as half-cylinders are.
-      const ReceiverKernel kernel = receivers_per_point(grid.derived) > 1
-                                        ? ReceiverKernel::semicylindrical
-                                        : grid.kernel;
+      const ReceiverKernel kernel =
+          receivers_per_point(grid.derived) > 1 ? ReceiverKernel::semicylindrical : grid.kernel;
       const PointSet points{local_m, grid.normal, kernel};
       if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) continue;
       planes_[p].leave_out_shadows();

@@ -11,7 +11,8 @@ namespace calc {
 std::string InstalledPower::problem() const {
   if (without_power > 0) {
     return fmt::format(
-        "{} of {} luminaires state no power: neither the project (power-w) nor their photometry does",
+        "{} of {} luminaires state no power: neither the project (power-w) nor their photometry "
+        "does",
         without_power, luminaires);
   }
   // A building file's rooms and the open space have no outline here.

@@ -333,11 +333,10 @@ void read_quantity(ElementReader& reader, CalcPlane& plane) {
 // Attributes are kept as written; rules/ knows their meaning.
 RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id",   "quantity", "at-least",       "at-most",   "percent",
-                           "at",   "state",    "scene",          "clause",    "unit",
-                           "pack", "row",      "level",          "role",      "facts",
-                           "from", "to",       "light",          "waived-because", "waived-by",
-                           "waived-until"});
+  reader.allow_attributes(
+      {"id",     "quantity", "at-least",       "at-most",   "percent",     "at",   "state", "scene",
+       "clause", "unit",     "pack",           "row",       "level",       "role", "facts", "from",
+       "to",     "light",    "waived-because", "waived-by", "waived-until"});
   reader.allow_children({});
   RequirementText requirement{{}, element.where};
   for (const XmlAttribute& attribute : element.attributes) {

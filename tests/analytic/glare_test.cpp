@@ -86,9 +86,9 @@ TEST(GuthIndex, ExistsInItsFieldAboveTheLineOfSightOnly) {
 // the reflected light is the same everywhere, E = I / R^2 rho / (1 - rho), to any direction.
 TEST(Ugr, OfOneSourceInAUniformFieldIsTheFormula) {
   constexpr double kCandela = 100.0, kRadius = 3.0, kReflectance = 0.5;
-  const calc::PhotometricWeb ball = calc::PhotometricWeb::make(
-      {0.0}, {0.0, calc::kPi}, {kCandela, kCandela},
-      {calc::OpeningShape::ellipsoid, 0.1, 0.1, 0.1}, {});
+  const calc::PhotometricWeb ball =
+      calc::PhotometricWeb::make({0.0}, {0.0, calc::kPi}, {kCandela, kCandela},
+                                 {calc::OpeningShape::ellipsoid, 0.1, 0.1, 0.1}, {});
   calc::PreparedScene scene;
   add_sphere(scene, kRadius, 5, kReflectance);
   add_luminaire(scene, ball, {0, 0, 0});
@@ -102,9 +102,8 @@ TEST(Ugr, OfOneSourceInAUniformFieldIsTheFormula) {
   const double luminance = kCandela / area_m2;
   const double solid_angle = area_m2 / 5.0;
   const double background = kCandela / 9.0 * 0.5 / 0.5 / 3.14159265;
-  const double expected =
-      8.0 * std::log10(0.25 / background * luminance * luminance * solid_angle /
-                       (2.860161 * 2.860161));
+  const double expected = 8.0 * std::log10(0.25 / background * luminance * luminance * solid_angle /
+                                           (2.860161 * 2.860161));
   // The sphere is made of triangles: its wall is up to 0.3 % nearer.
   EXPECT_NEAR(measured.metric->estimate.value, expected, 0.05);
   EXPECT_LT(measured.metric->estimate.low, measured.metric->estimate.value);
@@ -116,7 +115,8 @@ TEST(Ugr, OfOneSourceInAUniformFieldIsTheFormula) {
 // x = 2 and 6 m. Everything by the panel's dimensions, with nothing of the program.
 TEST(Ugr, OfAnInstallationIsTheHandComputedSum) {
   const calc::PhotometricWeb web = lambert_web(500.0, 720, kPanel);
-  const std::vector<glm::dvec3> panels_m{{3, 1.5, 2.8}, {3, 4.5, 2.8}, {6, 1.5, 2.8}, {6, 4.5, 2.8}};
+  const std::vector<glm::dvec3> panels_m{
+      {3, 1.5, 2.8}, {3, 4.5, 2.8}, {6, 1.5, 2.8}, {6, 4.5, 2.8}};
   const calc::PreparedScene scene = room_with(web, panels_m);
   const glm::dvec3 eye_m(0.5, 2.5, 1.2);
   const calc::SensorGrid grid = eyes({eye_m});
@@ -127,12 +127,13 @@ TEST(Ugr, OfAnInstallationIsTheHandComputedSum) {
     const double ahead = panel_m.x - 0.5, aside = std::abs(panel_m.y - 2.5), above = 1.6;
     const double r2 = ahead * ahead + aside * aside + above * above;
     const double cosine = above / std::sqrt(r2);
-    const double luminance = 500.0 / 0.36;           // I cos / (A cos)
-    const double solid_angle = 0.36 * cosine / r2;   // A cos / r^2
+    const double luminance = 500.0 / 0.36;          // I cos / (A cos)
+    const double solid_angle = 0.36 * cosine / r2;  // A cos / r^2
     const double t = std::atan2(aside, above) * 57.29577951;
     const double s = std::atan(std::sqrt(aside * aside + above * above) / ahead) * 57.29577951;
-    const double index = std::exp((35.2 - 0.31889 * t - 1.22 * std::exp(-2.0 * t / 9.0)) / 1000 * s +
-                                  (21.0 + 0.26667 * t - 0.002963 * t * t) / 100000 * s * s);
+    const double index =
+        std::exp((35.2 - 0.31889 * t - 1.22 * std::exp(-2.0 * t / 9.0)) / 1000 * s +
+                 (21.0 + 0.26667 * t - 0.002963 * t * t) / 100000 * s * s);
     sum += luminance * luminance * solid_angle / (index * index);
   }
   ASSERT_EQ(field.glare.value.size(), 1u);
@@ -279,7 +280,8 @@ TEST(Ugr, CountsWhatIsSeenOfAnOpening) {
     const calc::PlaneField field = solve_eyes(scene, grid, 64);
     return std::array{field.glare.low[0], field.glare.value[0], field.glare.high[0]};
   };
-  const auto open = sum_behind(4.5, 5.0), hidden = sum_behind(2.0, 4.0), half = sum_behind(3.0, 4.0);
+  const auto open = sum_behind(4.5, 5.0), hidden = sum_behind(2.0, 4.0),
+             half = sum_behind(3.0, 4.0);
   EXPECT_GT(open[1], 0.0);
   EXPECT_EQ(open[0], open[2]);
   EXPECT_EQ(hidden[2], 0.0);

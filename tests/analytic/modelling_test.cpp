@@ -25,8 +25,8 @@ calc::SensorGrid grid_of(calc::DerivedQuantity derived, std::vector<glm::dvec3> 
   return grid;
 }
 
-calc::Estimate measured(const calc::SensorGrid& grid, const calc::PlaneField& field,
-                        Metric metric, rules::ValueRange range = {}) {
+calc::Estimate measured(const calc::SensorGrid& grid, const calc::PlaneField& field, Metric metric,
+                        rules::ValueRange range = {}) {
   rules::Requirement requirement;
   requirement.metric = metric;
   requirement.range = range;
@@ -73,8 +73,7 @@ TEST(Modelling, RatioIsKnownBetterThanItsParts) {
   const calc::Estimate a = calc::t_interval(cylinder, 0.95), b = calc::t_interval(plane, 0.95);
   EXPECT_NEAR(ratio.value, a.value / b.value, 1e-12);
   EXPECT_GT(ratio.half_width(), 0.0);
-  EXPECT_LT(ratio.half_width() / ratio.value,
-            a.half_width() / a.value + b.half_width() / b.value);
+  EXPECT_LT(ratio.half_width() / ratio.value, a.half_width() / a.value + b.half_width() / b.value);
 }
 
 TEST(Modelling, IsNotJudgedInTheDark) {
@@ -82,12 +81,11 @@ TEST(Modelling, IsNotJudgedInTheDark) {
   calc::PreparedScene scene;
   add_luminaire(scene, web, {0, 0, 1});
   set_extent(scene);
-  const calc::SensorGrid grid =
-      grid_of(calc::DerivedQuantity::modelling, {{1, 0, 0}, {1, 0, 2}});
+  const calc::SensorGrid grid = grid_of(calc::DerivedQuantity::modelling, {{1, 0, 0}, {1, 0, 2}});
   rules::Requirement requirement;
   requirement.metric = Metric::minimum;
-  const rules::Measurement m = rules::measure(
-      requirement, grid, solve_with_paths(scene, grid, 1, 16).fields[0], {}, 0.95);
+  const rules::Measurement m =
+      rules::measure(requirement, grid, solve_with_paths(scene, grid, 1, 16).fields[0], {}, 0.95);
   EXPECT_FALSE(m.metric);
   EXPECT_NE(m.reason.find("1 of 2 points are dark"), std::string::npos) << m.reason;
 }

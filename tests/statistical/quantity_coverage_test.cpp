@@ -48,8 +48,7 @@ calc::SensorGrid grid_of(const Quantity& quantity) {
   for (const double x : {0.4, 1.1, 1.8, 2.5, 3.2}) {
     for (const double y : {0.5, 1.2, 1.9, 2.6}) grid.position_m.emplace_back(x, y, 1.2);
   }
-  grid.normal.assign(grid.position_m.size(),
-                     is_eye ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
+  grid.normal.assign(grid.position_m.size(), is_eye ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
   return grid;
 }
 
@@ -95,12 +94,24 @@ INSTANTIATE_TEST_SUITE_P(
         Quantity{"Minimum", kPlanar, kNone, Metric::minimum, {}, kSeeds},
         Quantity{"Uo", kPlanar, kNone, Metric::uniformity_min_avg, {}, kSeeds},
         Quantity{"EzAverage", kCylinder, kNone, Metric::average, {}, kSeeds - 1},
-        Quantity{"EzOfFourPlanesAverage", kCylinder, calc::DerivedQuantity::four_planes,
-                 Metric::average, {}, kSeeds - 1},
-        Quantity{"ModellingShare", kCylinder, calc::DerivedQuantity::modelling,
-                 Metric::share, {0.30, 0.45}, kSeeds},
-        Quantity{"ModellingMaximum", kCylinder, calc::DerivedQuantity::modelling,
-                 Metric::maximum, {}, kSeeds},
+        Quantity{"EzOfFourPlanesAverage",
+                 kCylinder,
+                 calc::DerivedQuantity::four_planes,
+                 Metric::average,
+                 {},
+                 kSeeds - 1},
+        Quantity{"ModellingShare",
+                 kCylinder,
+                 calc::DerivedQuantity::modelling,
+                 Metric::share,
+                 {0.30, 0.45},
+                 kSeeds},
+        Quantity{"ModellingMaximum",
+                 kCylinder,
+                 calc::DerivedQuantity::modelling,
+                 Metric::maximum,
+                 {},
+                 kSeeds},
         Quantity{"UgrMaximum", kPlanar, calc::DerivedQuantity::ugr, Metric::maximum, {}, kSeeds}),
     testing::PrintToStringParamName());
 

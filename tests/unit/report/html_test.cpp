@@ -232,12 +232,14 @@ TEST(Html, RatingsHaveNoUnit) {
   const std::string html = render_html(document);
   parsed(html);
   for (const char* words :
-       {"modelling Ez/E: maximum 0.500 ± 0.050", "modelling Ez/E from 0.40 to 0.50, minimum at",
+       {"modelling Ez/E: minimum 0.400 ± 0.050, maximum 0.500 ± 0.050.",
+        "modelling Ez/E from 0.400 to 0.500, minimum at",
         "Maintained modelling Ez/E, every luminaire", "Maintained modelling Ez/E; distances",
         "how it was come by", "class=\"unit\"></text>"}) {
     EXPECT_THAT(html, HasSubstr(words));
   }
   EXPECT_THAT(html, Not(HasSubstr("0.400 lx")));
+  EXPECT_THAT(html, Not(HasSubstr("Uo")));
   // No colour for what has no value: the list of values remains.
   plane.points[0].maintained_lx = no_estimate();
   const std::string without = render_html(document);

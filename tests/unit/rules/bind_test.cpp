@@ -317,15 +317,15 @@ TEST(BindRequirements, LeavesReflectedLightOutWhereAsked) {
 }
 
 TEST(BindRequirements, ReadsLimitsOfRatingsAsPlainNumbers) {
-  const Bound glare = bind_derived(calc::DerivedQuantity::ugr,
-                                   {{"quantity", "maximum"}, {"at-most", "19"}});
+  const Bound glare =
+      bind_derived(calc::DerivedQuantity::ugr, {{"quantity", "maximum"}, {"at-most", "19"}});
   ASSERT_EQ(glare.requirements.size(), 1u);
   EXPECT_EQ(glare.requirements[0].limit, 19.0);
   EXPECT_EQ(glare.requirements[0].derived, calc::DerivedQuantity::ugr);
   EXPECT_STREQ(unit_of(glare.requirements[0]), "");
-  const Bound modelling = bind_derived(
-      calc::DerivedQuantity::modelling,
-      {{"quantity", "share"}, {"from", "0.3"}, {"to", "0.6"}, {"at-least", "0.9"}});
+  const Bound modelling =
+      bind_derived(calc::DerivedQuantity::modelling,
+                   {{"quantity", "share"}, {"from", "0.3"}, {"to", "0.6"}, {"at-least", "0.9"}});
   ASSERT_EQ(modelling.requirements.size(), 1u);
   EXPECT_EQ(modelling.requirements[0].range.to, 0.6);
 }

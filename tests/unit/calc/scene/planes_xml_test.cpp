@@ -163,7 +163,8 @@ TEST(PlanesXml, PointsMeasurePlanarIlluminanceUnlessAQuantityIsGiven) {
 }
 
 TEST(PlanesXml, QuantitiesOfSeveralIlluminancesHaveAKernelToStartFrom) {
-  const CalcPlane eyes = plane_in_room("<plane id='p' height='1' quantity='ugr' direction='0 2 0'/>");
+  const CalcPlane eyes =
+      plane_in_room("<plane id='p' height='1' quantity='ugr' direction='0 2 0'/>");
   EXPECT_EQ(eyes.kernel, ReceiverKernel::planar);
   EXPECT_EQ(eyes.derived, DerivedQuantity::ugr);
   EXPECT_EQ(eyes.direction, glm::dvec3(0, 1, 0));
