@@ -92,9 +92,9 @@ std::string cie_tables(const OpenCases& open) {
   for (const OpenCase& item : open.cases) {
     if (!is_cie(item)) continue;
     text += fmt::format(
-        "\n### {}: {}\n\n| point | exact, lx | ours, lx | deviation | printed | ours to printed |\n"
+        "\n### {}\n\n| point | exact, lx | ours, lx | deviation | printed | ours to printed |\n"
         "|---|---|---|---|---|---|\n",
-        item.judged.test.name, cell(item.judged.test.title));
+        item.judged.test.name);
     for (std::size_t k = 0; k < item.judged.numbers.size(); ++k) {
       const JudgedNumber& n = item.judged.numbers[k];
       const double printed = calc::parse_number(item.printed[k]).value_or(0.0);
@@ -159,16 +159,16 @@ std::string render_open_markdown(const OpenCases& open) {
       "# Open validation cases\n\nWritten by `luxgate selftest --report FOLDER` with "
       "LUXGATE_SHARED_DATA: {} of {} cases were calculated, {} of {}\nnumbers lie in their "
       "interval. Photometry files are held to their own linear interpolation.\n\n"
-      "| case | what | in | of | worst exact | ours | deviation | verdict |\n"
-      "|---|---|---|---|---|---|---|---|\n",
+      "| case | in | of | worst exact | ours | deviation | verdict |\n"
+      "|---|---|---|---|---|---|---|\n",
       run, open.cases.size(), held, numbers);
   for (const OpenCase& item : open.cases) {
     const JudgedCase& judged = item.judged;
     if (!item.not_covered.empty()) continue;
     const JudgedNumber* worst = judged.worst();
     text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} |\n", judged.test.name, cell(judged.test.title),
-        held_of(judged), judged.numbers.size(),
+        "| {} | {} | {} | {} | {} | {} | {} |\n", judged.test.name, held_of(judged),
+        judged.numbers.size(),
         worst != nullptr ? exact_words(*worst) + " (" + cell(worst->measured.what) + ")" : "",
         worst != nullptr ? value_words(worst->stated.value) : "",
         worst != nullptr ? deviation_words(*worst) : "",
@@ -177,8 +177,7 @@ std::string render_open_markdown(const OpenCases& open) {
   text += "\n## CIE 171:2006, point by point\n" + cie_tables(open) + "\n## Not calculated\n\n";
   for (const OpenCase& item : open.cases) {
     if (item.not_covered.empty()) continue;
-    text += fmt::format("- {}, {}: {}\n", item.judged.test.name, cell(item.judged.test.title),
-                        item.not_covered);
+    text += fmt::format("- {}: {}\n", item.judged.test.name, item.not_covered);
   }
   return text;
 }
