@@ -3,6 +3,7 @@
 #include "rules/candidates.h"
 #include "rules/derived_metrics.h"
 #include "rules/mask.h"
+#include "rules/outage.h"
 #include "rules/share.h"
 
 #include <fmt/format.h>
@@ -213,6 +214,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   if (requirement.metric == Metric::power_density) return known_density(requirement, grid);
   if (requirement.metric == Metric::power_per_100_lx) {
     return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
+  }
+  if (requirement.any_one_unit_out) {
+    return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
   }
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {

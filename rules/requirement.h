@@ -65,9 +65,10 @@ struct Requirement {
   std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
   std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
   Severity severity = Severity::shall;
-  Mask mask;                 // which points of the plane count
-  bool direct_only = false;  // reflected light is left out
-  std::string problem;       // why it cannot be judged, whatever the light; "" = it can
+  Mask mask;                      // which points of the plane count
+  bool direct_only = false;       // reflected light is left out
+  bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
+  std::string problem;            // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
   calc::SourceLocation where;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -229,14 +230,39 @@ std::string unnamed_luminaires(const std::string& scene, const RequirementContex
       scene, unnamed, first);
 }
 
+// Why no single luminaire can be put out: what dims together goes out together. "" = each can.
+std::string outage_problem(const std::string& scene, const RequirementContext& context) {
+  if (scene.empty()) return "which luminaires may be out is said by a scene, and none is named";
+  if (context.space == nullptr) return {};
+  const auto chosen = std::find_if(context.scenes.begin(), context.scenes.end(),
+                                   [&](const auto& candidate) { return candidate.id == scene; });
+  if (chosen == context.scenes.end()) return {};
+  std::map<std::string, std::string> first_of_group;
+  for (const calc::Luminaire& luminaire : context.space->luminaires) {
+    const auto& levels = chosen->level_of_group;
+    const bool is_dark = std::any_of(levels.begin(), levels.end(), [&](const auto& level) {
+      return level.first == luminaire.group && level.second == 0.0;
+    });
+    if (is_dark) continue;
+    const auto [first, is_new] = first_of_group.emplace(luminaire.group, luminaire.id);
+    if (is_new && !luminaire.group.empty()) continue;
+    return fmt::format(
+        "luminaire '{}' has no dimming group of its own in scene '{}': give each one, so that it "
+        "can "
+        "be out alone",
+        luminaire.id, scene);
+  }
+  return {};
+}
+
 // The scene is the project's choice; everything else is the pack's.
 std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
   for (const std::string_view name : kOwnAttributes) {
     if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
   }
   const std::string scene = read_scene(reader, context.scenes);
-  std::vector<Requirement> requirements =
-      read_rule_reference(reader, context, {scene, unnamed_luminaires(scene, context)});
+  std::vector<Requirement> requirements = read_rule_reference(
+      reader, context, {scene, unnamed_luminaires(scene, context), outage_problem(scene, context)});
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {

@@ -103,7 +103,6 @@ bool is_power(const RuleCheck& check) {
 
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
-  if (check.any_one_unit_out) return "luxgate does not yet put out one luminaire after the other";
   if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
   if (!is_metric_of(check.metric, check.quantity->derived)) {
     return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
@@ -246,6 +245,11 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   if (const std::string remark = wrong_height(check, reference, true); !remark.empty()) {
     requirement.note += (requirement.note.empty() ? "" : "; ") + remark;
   }
+  requirement.any_one_unit_out = check.any_one_unit_out;
+  if (check.any_one_unit_out) {
+    requirement.note += std::string(requirement.note.empty() ? "" : "; ") + "any one luminaire out";
+    if (requirement.problem.empty()) requirement.problem = reference.scene.outage_problem;
+  }
   if (requirement.problem.empty() && check.sources == LightSources::emergency) {
     requirement.problem = reference.scene.problem;
   }
@@ -378,8 +382,8 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   if (!reader.ok() || role.empty()) return {};
   return requirements_of_role(
       reader, role,
-      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel,
-       context.derived, scene, context.plane, floor_of(context.space)});
+      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel, context.derived,
+       scene, context.plane, floor_of(context.space)});
 }
 
 }  // namespace rules

@@ -17,6 +17,7 @@ namespace rules {
 struct ChosenScene {
   std::string id;
   std::string problem;
+  std::string outage_problem;  // why no single luminaire can be put out in it
 };
 
 // One requirement for each check of the pack with the role, in order, without those for which the

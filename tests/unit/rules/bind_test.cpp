@@ -306,11 +306,25 @@ TEST(BindRequirements, CannotJudgeWithoutTheFact) {
   EXPECT_EQ(bound.requirements[0].problem, "fact 'task-illuminance' is not stated");
 }
 
-TEST(BindRequirements, CannotYetPutOutOneUnitAfterTheOther) {
-  const Bound bound =
-      bind_one({{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}});
-  ASSERT_EQ(bound.requirements.size(), 1u);
-  EXPECT_THAT(bound.requirements[0].problem, testing::HasSubstr("one luminaire after the other"));
+TEST(BindRequirements, PutsOutOnlyLuminairesWithAGroupOfTheirOwn) {
+  const auto bound_with = [](const std::string& group) {
+    calc::Project project = project_of(
+        {plane_of("p", {{{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}}})});
+    project.scenes.back().level_of_group = {{"a", 0.2}, {"b", 0.2}};
+    calc::Luminaire first, second;
+    first.id = "E1";
+    first.group = "a";
+    second.id = "E2";
+    second.group = group;
+    project.spaces[0].luminaires = {first, second};
+    return bind_project(project).requirements.at(0);
+  };
+  EXPECT_TRUE(bound_with("b").any_one_unit_out);
+  EXPECT_EQ(bound_with("b").problem, "");
+  EXPECT_THAT(bound_with("b").note, testing::HasSubstr("any one luminaire out"));
+  EXPECT_EQ(bound_with("a").problem,
+            "luminaire 'E2' has no dimming group of its own in scene 'night': give each one, so "
+            "that it can be out alone");
 }
 
 TEST(BindRequirements, ReadsAShareAndItsRange) {
