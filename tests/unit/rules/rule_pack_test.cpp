@@ -1,6 +1,7 @@
 #include "rules/rule_pack.h"
 
 #include "rules/builtin_packs.h"
+#include "rules/rule_lint.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -293,6 +294,17 @@ TEST(RulePackMessage, ScaleAndTableOutOfOrder) {
                                     kParameter + kCheck)),
               ElementsAre(HasSubstr("attribute 'key' of <entry>: must be larger than the entry "
                                     "before")));
+}
+
+// Whatever number a shipped pack says itself, it says how well the number is known.
+TEST(BuiltinPacks, StateTheTrustOfTheirNumbers) {
+  for (const RulePack& pack : builtin_rule_packs()) {
+    calc::Diagnostics diagnostics;
+    lint_rule_pack(pack, diagnostics);
+    for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
+      EXPECT_NE(diagnostic.id, calc::DiagnosticId::rule_without_trust) << diagnostic.message;
+    }
+  }
 }
 
 // The reader and the published schema agree about these files; xmllint checks the other half.
