@@ -227,13 +227,13 @@ CaseResult plates(const Effort& effort) {
   Effort more = effort;
   more.paths = 8192;
   const Solution solution = solve(scene, points, more);
-  result.add_points(solution, points, exact, 0.0, 0.05);
+  result.add_points(solution, points, exact, 0.0, 0.1);
   // The walls take little more from each of the few reflections than from the direct light.
   const double infinite = exitance / (1.0 - rho[4] * rho[5]);
   const double lost =
       1.0 - rectangle_factor(points[0].position_m, kUp, ceiling.corner, ceiling.u, ceiling.v);
   result.measured.push_back({"middle of the floor, as between infinite plates", "lx", infinite,
-                             4.0 * lost * infinite, solution.replicates(0), 0.05});
+                             4.0 * lost * infinite, solution.replicates(0), 0.1});
   return result;
 }
 
