@@ -16,7 +16,8 @@ struct Measured {
   double exact = 0.0;
   double known_to = 0.0;           // absolute: as far as `exact` itself may be off
   std::vector<double> replicates;  // one: nothing was sampled, it must be exact
-  double widest = 0.0;             // relative half-width of the 95 % interval that is too vague
+  // Relative half-width of the 95 % interval that is too vague: about twice what is reached.
+  double widest = 0.0;
 };
 
 // What the program must refuse, and how.
