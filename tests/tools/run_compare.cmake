@@ -95,7 +95,7 @@ execute_process(COMMAND ${LUXGATE} check ${RATINGS}/project.xml --quiet --pictur
 run(0 compare r.json r.json)
 expect("${out}" "Alike: 0 of")
 expect("${out}" "plane 'away' of A is of quantity 'ugr', no illuminance: not compared")
-if(out MATCHES "nan")
+if(out MATCHES "[^a-z]nan[^a-z]")
   message(SEND_ERROR "NaN in\n${out}")
 endif()
 run(0 compare r.json r.csv)

@@ -482,7 +482,7 @@ TEST(RadianceExport, KnowsTheUsersRulePacks) {
          "<source id='s' note='n'/><parameter id='E' unit='lx' meaning='m'/>"
          "<grid id='g' method='formula-power' count='nearest'/>"
          "<plane role='task' orientation='horizontal-up' heights='0.7 0.8' grid='g' "
-         "area='task'/>"
+         "area='task' height='0.75'/>"
          "<row ref='1' name='desk' trust='confirmed' sources='s'><value of='E' required='300'/>"
          "</row><check id='a' role='task' quantity='planar' statistic='average' "
          "at-least='row(E)'/></rule-pack>";
