@@ -48,6 +48,7 @@ struct CaseResult {
   // known_to); too few: coordinates, 0.
   std::vector<std::string> labels;
   std::vector<double> known_each;
+  std::vector<double> widest_each;  // in place of `widest`; too few, 0: `widest`
 };
 
 struct SelftestCase {
