@@ -68,7 +68,7 @@ class TableReader {
       }
     }
     if (is_good_ && width_ == 0) fail("it has no line of column names");
-    if (is_good_ && table_.rows.empty()) fail("it has no illuminances");
+    if (is_good_ && table_.rows.empty()) fail("it has no values of illuminance");
     if (!is_good_) return std::nullopt;
     return std::move(table_);
   }
