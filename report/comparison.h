@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct ComparedPoint {
 struct ComparedPlane {
   std::string id;
   std::vector<ComparedPoint> points;  // >= 1
+  // Half-widths of the averages' intervals, which are no sum of the points': errors of points may
+  // go together. Without either the average is not judged.
+  std::optional<double> average_half_width_a_lx = {}, average_half_width_b_lx = {};
 
   // Filled by compare_points().
   double average_a_lx = 0.0, average_b_lx = 0.0;
@@ -33,6 +37,10 @@ struct ComparedPlane {
   double bias = 0.0, rms = 0.0;   // mean and root mean square difference, over B's average
   std::size_t held = 0;           // points whose combined interval holds the difference
   std::size_t beyond = 0;         // points beyond `allowed`, see Comparison
+  bool is_average_beyond = false;
+
+  // Half-width of the interval of the averages' difference; empty: not known, not judged.
+  std::optional<double> average_interval_lx() const;
 };
 
 struct Comparison {
@@ -43,15 +51,18 @@ struct Comparison {
   std::vector<ComparedPlane> planes;
   std::vector<std::string> notes;  // what was not compared, and why
 
-  // A point is beyond if the difference exceeds tolerance x B plus the combined interval widened by
-  // this factor: all points together then exceed it by chance in 1 of 20 comparisons.
+  // A point or average is beyond if the difference exceeds tolerance x B plus the combined interval
+  // widened by this factor: all together then exceed it by chance in 1 of 20 comparisons.
   double widening = 1.0;
 
   std::size_t points() const;
-  std::size_t beyond() const;
+  std::size_t beyond() const;  // points
+  std::size_t averages_judged() const;
+  std::size_t averages_beyond() const;
+  bool is_alike() const { return beyond() == 0 && averages_beyond() == 0; }
 };
 
-// Fills all that follows from the points.
+// Fills all that follows from the points. Two values that are both no number are alike, one is not.
 void compare_points(Comparison& comparison);
 
 // The `count` points furthest apart for what they are known, worst first: indices into points.

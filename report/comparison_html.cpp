@@ -67,6 +67,7 @@ std::string scatter(const ComparedPlane& plane, const Comparison& comparison) {
                      svg_number(0.5 * kWidth), svg_number(kHeight - 6));
   for (const ComparedPoint& p : plane.points) {
     const double d = share_of(p, p.difference_lx()), h = share_of(p, p.interval_lx());
+    if (std::isnan(d) || std::isnan(h)) continue;
     const bool is_beyond =
         std::abs(p.difference_lx()) >
         comparison.widening * p.interval_lx() + (comparison.tolerance + 1e-9) * std::abs(p.b.lx);
@@ -90,6 +91,9 @@ std::string plane_html(const ComparedPlane& plane, const Comparison& comparison,
           fact("Average of A", fmt::format("{:.5g} lx", plane.average_a_lx)) +
           fact("Average of B", fmt::format("{:.5g} lx", plane.average_b_lx)) +
           fact("Mean difference, of B's average", percent(plane.bias)) +
+          fact("Average", !plane.average_interval_lx() ? "not judged: its interval is not known"
+                          : plane.is_average_beyond    ? "beyond what is allowed"
+                                                       : "within what is allowed") +
           fact("RMS difference, of B's average", percent(plane.rms).substr(1)) +
           fact("Uo of A and B", fmt::format("{:.3f}, {:.3f}", plane.uo_a, plane.uo_b)) +
           fact("Within the combined interval",
@@ -121,12 +125,13 @@ std::string render_comparison_html(const Comparison& comparison, std::size_t wor
       "'unsafe-inline'\"/>\n<title>Comparison</title>\n<style>\n" +
       html_style() + kStyle +
       "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate compare</p>\n";
-  const std::size_t beyond = comparison.beyond();
-  html += fmt::format(
-      "<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
-      beyond == 0 ? "Alike"
-                  : fmt::format("Different at {} of {} points", beyond, comparison.points()),
-      escape_html(comparison.name_a), escape_html(comparison.name_b));
+  html += fmt::format("<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
+                      comparison.is_alike()
+                          ? "Alike"
+                          : fmt::format("Different at {} of {} points and in {} of {} averages",
+                                        comparison.beyond(), comparison.points(),
+                                        comparison.averages_beyond(), comparison.averages_judged()),
+                      escape_html(comparison.name_a), escape_html(comparison.name_b));
   for (const std::string& note : comparison.notes) {
     html += "<p class=\"message\">" + escape_html(note) + "</p>\n";
   }

@@ -18,4 +18,5 @@ add_test(NAME cli.selftest_is_right COMMAND ${CMAKE_COMMAND}
 set_tests_properties(cli.selftest_is_right PROPERTIES TIMEOUT 900)
 add_test(NAME cli.compare_says_what_differs COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/03-cornell-box
+  -DRATINGS=${CMAKE_CURRENT_SOURCE_DIR}/golden/ratings-and-power
   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/compare -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_compare.cmake)

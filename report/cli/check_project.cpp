@@ -2,19 +2,18 @@
 
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/build.h"
 #include "report/build_evidence.h"
 #include "report/build_plan_marks.h"
 #include "report/cli/interrupt.h"
+#include "report/cli/load_judged_project.h"
 #include "report/cli/plan.h"
 #include "report/cli/vpl.h"
 #include "rules/bind.h"
 #include "rules/judge.h"
 #include "rules/stop_rule.h"
 #include "rules/waiver.h"
-#include "rules/workplace.h"
 
 #include <fmt/chrono.h>
 
@@ -47,9 +46,8 @@ struct LoadedProject {
 std::optional<LoadedProject> load(const std::string& path, const calc::FileReader& files,
                                   const std::vector<rules::RulePack>& packs,
                                   calc::Diagnostics& diagnostics) {
-  std::optional<calc::Project> project = calc::load_project(files, path, diagnostics);
+  std::optional<calc::Project> project = load_judged_project(path, files, packs, diagnostics);
   if (!project) return std::nullopt;
-  rules::make_workplace_planes(*project, packs, diagnostics);
   LoadedProject loaded{std::move(*project), {}};
   loaded.requirements = rules::bind_requirements(loaded.project, packs, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;

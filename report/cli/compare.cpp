@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -38,9 +40,11 @@ class Comparer {
     comparison_.tolerance = options_.tolerance;
     add_planes(*a);
     if (!read_b() || !keep_chosen()) return std::nullopt;
+    if (!are_of_one_quantity()) return std::nullopt;
     for (const TableRow& row : rows_) place(row);
     find_missing();
     if (diagnostics_.has_errors()) return std::nullopt;
+    know_averages();
     report::compare_points(comparison_);
     return std::move(comparison_);
   }
@@ -70,6 +74,79 @@ class Comparer {
     return document;
   }
 
+  // Ratings and ratios are no illuminances: said, not compared.
+  void leave_out(const std::string& id, const report::PlanePart& plane, std::string_view side) {
+    const std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
+    comparison_.notes.push_back(fmt::format(
+        "plane '{}' of {} is of quantity '{}', no illuminance: not compared", id, side, quantity));
+    (side == "A" ? ratings_a_ : ratings_b_)[id] = quantity;
+  }
+
+  // Of --plane A=B; what is not chosen keeps its name.
+  std::string name_in_a(const std::string& in_b) const {
+    for (const std::string& item : options_.planes) {
+      const std::size_t equals = item.find('=');
+      if (equals != std::string::npos && item.substr(equals + 1) == in_b) {
+        return item.substr(0, equals);
+      }
+    }
+    return in_b;
+  }
+
+  bool is_chosen(const std::string& in_a) const {
+    return options_.planes.empty() ||
+           std::any_of(options_.planes.begin(), options_.planes.end(),
+                       [&](const auto& item) { return item.substr(0, item.find('=')) == in_a; });
+  }
+
+  // The same quantity on both sides, plane by plane.
+  bool are_of_one_quantity() {
+    std::map<std::string, std::string> in_b;
+    for (const auto& [id, quantity] : ratings_b_) in_b[name_in_a(id)] = quantity;
+    for (const TableRow& row : rows_) {  // by A's names already
+      if (row.plane && !row.quantity.empty()) in_b[*row.plane] = row.quantity;
+    }
+    bool is_good = true;
+    for (const auto& [id, quantity] : in_b) {
+      const auto plane = quantity_.find(id);
+      const auto rating = ratings_a_.find(id);
+      const std::string in_a = plane != quantity_.end()     ? plane->second
+                               : rating != ratings_a_.end() ? rating->second
+                                                            : quantity;
+      if (in_a == quantity || !is_chosen(id)) continue;
+      fail(fmt::format("plane '{}' is of quantity '{}' in A and '{}' in B: they are not comparable",
+                       id, in_a, quantity));
+      is_good = false;
+    }
+    return is_good;
+  }
+
+  // Averages are judged where their own intervals are known: of a result, and of all its points; of
+  // a table at worst, as if its errors went together.
+  void know_averages() {
+    for (std::size_t p = 0; p < comparison_.planes.size(); ++p) {
+      report::ComparedPlane& plane = comparison_.planes[p];
+      double sum_a = 0.0, sum_b = 0.0, errors_b = 0.0;
+      for (const report::ComparedPoint& point : plane.points) {
+        sum_a += point.a.lx;
+        sum_b += point.b.lx;
+        errors_b += point.b.half_width_lx;
+      }
+      const auto count = static_cast<double>(plane.points.size());
+      const auto half_width = [&](const std::map<std::string, calc::Estimate>& averages,
+                                  double average_lx) -> std::optional<double> {
+        const auto found = averages.find(plane.id);
+        if (found == averages.end()) return std::nullopt;
+        const calc::Estimate& e = found->second;
+        const bool is_of_these_points = std::abs(e.value - average_lx) <= 1e-6 * std::abs(e.value);
+        return is_of_these_points ? std::optional(e.half_width()) : std::nullopt;
+      };
+      plane.average_half_width_a_lx = half_width(average_a_, sum_a / count);
+      plane.average_half_width_b_lx =
+          is_table_ ? std::optional(errors_b / count) : half_width(average_b_, sum_b / count);
+    }
+  }
+
   template <class Visit>
   void for_each_plane(const report::Document& document, Visit visit) {
     for (const report::ProjectPart& project : document.projects) {
@@ -86,8 +163,11 @@ class Comparer {
       if (!plane.is_computed) {
         return lack(fmt::format("plane '{}' was not computed in A: {}", id, plane.reason));
       }
+      if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "A");
       report::ComparedPlane compared;
       compared.id = id;
+      quantity_[id] = calc::quantity_name(plane.kernel, plane.derived);
+      average_a_[id] = plane.average_lx;
       for (const report::PointRow& point : plane.points) {
         const calc::Estimate& e = point.maintained_lx;
         report::ComparedPoint p{point.position_m, point.column, point.row, {}, {}};
@@ -113,9 +193,16 @@ class Comparer {
         if (!plane.is_computed) {
           return lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
         }
+        if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "B");
+        average_b_[name_in_a(id)] = plane.average_lx;
         for (const report::PointRow& point : plane.points) {
           const calc::Estimate& e = point.maintained_lx;
-          rows_.push_back({id, point.position_m, std::nullopt, {e.value, e.half_width()}, 0});
+          rows_.push_back({id,
+                           point.position_m,
+                           std::nullopt,
+                           std::string(calc::quantity_name(plane.kernel, plane.derived)),
+                           {e.value, e.half_width()},
+                           0});
         }
       });
       return true;
@@ -129,7 +216,12 @@ class Comparer {
     std::optional<ValueTable> table =
         read_value_table(content.bytes, options_.b, comparison_.confidence, diagnostics_);
     if (!table) return false;
+    is_table_ = true;
     rows_ = std::move(table->rows);
+    if (table->ratings > 0) {
+      comparison_.notes.push_back(fmt::format(
+          "{} values of B are ratings or ratios, no illuminances: not compared", table->ratings));
+    }
     if (!table->unused_columns.empty()) {
       comparison_.notes.push_back(fmt::format("columns of B that were not used: {}",
                                               fmt::join(table->unused_columns, ", ")));
@@ -149,6 +241,13 @@ class Comparer {
       const std::string in_b = equals == std::string::npos ? in_a : item.substr(equals + 1);
       const auto found = std::find_if(comparison_.planes.begin(), comparison_.planes.end(),
                                       [&](const auto& plane) { return plane.id == in_a; });
+      if (const auto rating = ratings_a_.find(in_a); rating != ratings_a_.end()) {
+        fail(
+            fmt::format("plane '{}' of A is of quantity '{}', no illuminance: only illuminances "
+                        "are compared",
+                        in_a, rating->second));
+        return false;
+      }
       if (found == comparison_.planes.end()) {
         std::vector<std::string_view> ids;
         for (const auto& plane : comparison_.planes) ids.push_back(plane.id);
@@ -196,6 +295,7 @@ class Comparer {
     std::size_t planes = 0, at_plane = 0, at_point = 0;
     for (std::size_t p = 0; p < comparison_.planes.size(); ++p) {
       if (row.plane && *row.plane != comparison_.planes[p].id) continue;
+      if (!row.quantity.empty() && row.quantity != quantity_[comparison_.planes[p].id]) continue;
       const auto& points = comparison_.planes[p].points;
       double nearest = 1e300;
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -258,7 +358,10 @@ class Comparer {
   const calc::FileReader& files_;
   calc::Diagnostics& diagnostics_;
   report::Comparison comparison_;
-  std::vector<std::vector<bool>> has_b_;  // [plane][point]
+  std::vector<std::vector<bool>> has_b_;                                 // [plane][point]
+  std::map<std::string, std::string> quantity_, ratings_a_, ratings_b_;  // by plane
+  std::map<std::string, calc::Estimate> average_a_, average_b_;          // by A's plane
+  bool is_table_ = false;                                                // B
   std::vector<TableRow> rows_;
   std::size_t strangers_ = 0;
   std::string first_stranger_;
@@ -317,7 +420,7 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
                          fmt::format("cannot write '{}': {}", output.file, problem));
     }
     outcome.text = render(to_stdout, *comparison, worst);
-    if (!diagnostics.has_errors()) outcome.code = comparison->beyond() == 0 ? kAllMet : kNotMet;
+    if (!diagnostics.has_errors()) outcome.code = comparison->is_alike() ? kAllMet : kNotMet;
   }
   outcome.diagnostics = diagnostics.all();
   return outcome;

@@ -61,9 +61,12 @@ ListedCommand compare_command(CompareOptions& options) {
       "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
       "with\n"
       "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
-      "'low_lx,high_lx'. 'points.csv' of 'check' is one. Values are maintained illuminances at "
-      "full\n"
-      "output.\n"
+      "'low_lx,high_lx'; perhaps 'quantity', as planar. 'points.csv' of 'check' is one.\n"
+      "Values are maintained illuminances at full output. Ratings and ratios are named and left\n"
+      "out.\n"
+      "Points are judged, all together, and each plane's average, which shows a common bias that "
+      "no\n"
+      "point does; an average whose interval is not known (--partial, some points) is not judged.\n"
       "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
       "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";
   return command;

@@ -2,19 +2,17 @@
 
 #include "calc/radiosity/phase_timer.h"
 #include "calc/scene/prepared_scene.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "calc/text.h"
 #include "report/cli/chosen_space.h"
 #include "report/cli/converge_measure.h"
 #include "report/cli/converge_reference.h"
+#include "report/cli/load_judged_project.h"
 #include "report/cli/outputs.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
 #include "report/number_format.h"
 #include "report/write.h"
-#include "rules/rule_pack.h"
-#include "rules/workplace.h"
 
 #include <fmt/format.h>
 
@@ -79,10 +77,9 @@ bool choose_planes(const ConvergeOptions& options, Subject& subject,
 bool load(const ConvergeOptions& options, const calc::FileReader& files, Subject& subject,
           report::ConvergeDocument& document, calc::Diagnostics& diagnostics) {
   const double begin_s = calc::now_s();
-  std::optional<calc::Project> project = calc::load_project(files, options.project, diagnostics);
-  if (!project || diagnostics.has_errors()) return false;
-  rules::make_workplace_planes(*project, rules::builtin_rule_packs(), diagnostics);
-  if (diagnostics.has_errors()) return false;
+  std::optional<calc::Project> project =
+      load_judged_project(options.project, files, options.rule_files, diagnostics);
+  if (!project) return false;
   subject.project = std::move(*project);
   document.load_s = calc::now_s() - begin_s;
   subject.space = find_chosen_space(subject.project, options.space, diagnostics);

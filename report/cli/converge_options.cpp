@@ -101,6 +101,7 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
       {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
       {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
        plane_list(options.planes), true},
+      rule_files_option(options.rule_files),
       {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
       {"--gl-device", "N",
        "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"

@@ -1,9 +1,9 @@
 #include "report/cli/export.h"
 
 #include "calc/scene/prepared_scene.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/cli/chosen_space.h"
+#include "report/cli/load_judged_project.h"
 #include "report/cli/outputs.h"
 #include "report/cli/radiance/lights.h"
 #include "report/cli/radiance/scene.h"
@@ -27,17 +27,17 @@ struct ExportedFile {
   std::string name, text;
 };
 
-// Grids of all planar planes; what is left out is said.
+// Grids of all planes of planar illuminance; what is left out is said.
 std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std::string>& ids,
                                        std::vector<std::string>& changed,
                                        calc::Diagnostics& diagnostics) {
   std::vector<calc::SensorGrid> grids;
   for (const calc::CalcPlane& plane : space.planes) {
-    if (plane.kernel != calc::ReceiverKernel::planar) {
-      changed.push_back(
-          fmt::format("plane '{}' is {} illuminance, which rtrace -I does not give: "
-                      "it is missing",
-                      plane.id, calc::kernel_name(plane.kernel)));
+    if (plane.kernel != calc::ReceiverKernel::planar ||
+        plane.derived != calc::DerivedQuantity::none) {
+      changed.push_back(fmt::format(
+          "plane '{}' is of quantity '{}', which rtrace -I does not give: it is missing", plane.id,
+          calc::quantity_name(plane.kernel, plane.derived)));
       continue;
     }
     std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
@@ -66,6 +66,9 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
   radiance::LightFiles lights = radiance::write_lights(scene);
   changed.insert(changed.end(), lights.changed.begin(), lights.changed.end());
   notes = changed;
+  std::size_t all = 0;
+  for (const calc::Space& each : project.spaces) all += each.planes.size();
+  const bool is_partial = planes.size() < all;
   std::vector<ExportedFile> files = {
       {"materials.rad", radiance::write_materials(scene)},
       {"surfaces.rad", radiance::write_surfaces(scene)},
@@ -73,8 +76,8 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
       {"luxgate.cal", radiance::kFunctions},
       {"points.txt", radiance::write_points(planes)},
       {"points.csv", radiance::write_point_table(planes)},
-      {"run.sh", radiance::write_script()},
-      {"README.md", radiance::write_readme(project, space, scene, planes, changed)}};
+      {"run.sh", radiance::write_script(is_partial)},
+      {"README.md", radiance::write_readme(project, space, scene, planes, is_partial, changed)}};
   for (radiance::LightFiles::Data& data : lights.data) {
     files.push_back({std::move(data.name), std::move(data.text)});
   }
@@ -106,8 +109,8 @@ std::string obstacle(const ExportOptions& options, const std::vector<ExportedFil
 std::string export_project(const ExportOptions& options, const RecordingReader& files,
                            calc::Diagnostics& diagnostics) {
   const std::optional<calc::Project> project =
-      calc::load_project(files, options.project, diagnostics);
-  if (!project || diagnostics.has_errors()) return "";
+      load_judged_project(options.project, files, options.rule_files, diagnostics);
+  if (!project) return "";
   const calc::Space* space = find_chosen_space(*project, options.space, diagnostics);
   if (space == nullptr) return "";
   std::vector<std::string> notes;

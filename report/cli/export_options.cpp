@@ -11,11 +11,13 @@ ListedCommand export_command(ExportOptions& options) {
   command.flags = {{"--force", "Replace files of an earlier export", &options.overwrites}};
   command.values = {
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
-      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)}};
+      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
+      rule_files_option(options.rule_files)};
   command.footer =
       "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
       "their\n"
-      "photometry, the points of all planes, a script and a README.md.\n"
+      "photometry, the points of all planes of planar illuminance (those of workplaces too), a "
+      "script and a README.md.\n"
       "Example: luxgate export radiance office.xml -o office-radiance\n"
       "         office-radiance/run.sh && luxgate compare result.json "
       "office-radiance/radiance.csv\n"

@@ -2,6 +2,7 @@
 // The options of `luxgate export`.
 
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -10,7 +11,8 @@ struct ListedCommand;
 struct ExportOptions {
   std::string target;  // "radiance"
   std::string project, folder;
-  std::string space;  // "" = the only one
+  std::string space;                    // "" = the only one
+  std::vector<std::string> rule_files;  // packs besides those delivered, folders too
   bool overwrites = false;
 };
 

@@ -127,6 +127,17 @@ ValueParser some_text(std::string& target) {
   };
 }
 
+ValueOption rule_files_option(std::vector<std::string>& target) {
+  return {"--rules", "FILE|DIR",
+          "Rule pack, or folder of rule packs, to know besides those delivered; may be repeated",
+          [&target](const std::string& text) -> std::string {
+            if (text.empty()) return "the name of a file or folder is needed";
+            target.push_back(text);
+            return "";
+          },
+          true};
+}
+
 ValueParser seconds(double& target) {
   return [&target](const std::string& text) -> std::string {
     const std::optional<double> value = calc::parse_number(text);

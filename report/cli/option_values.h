@@ -56,6 +56,8 @@ ValueParser positive_number(double& target);
 ValueParser visibility(std::uint32_t& target);
 // Not empty.
 ValueParser some_text(std::string& target);
+// --rules, as of 'check', for commands that list their options.
+ValueOption rule_files_option(std::vector<std::string>& target);
 // > 0
 ValueParser seconds(double& target);
 // "csv" or "csv=FILE", appended.

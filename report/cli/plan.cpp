@@ -1,10 +1,9 @@
 #include "report/cli/plan.h"
 
 #include "calc/scene/prepared_scene.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/cli/load_judged_project.h"
 #include "rules/bind.h"
-#include "rules/workplace.h"
 
 #include <fmt/format.h>
 
@@ -59,8 +58,7 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
-  if (std::optional<calc::Project> project = calc::load_project(files, path, diagnostics)) {
-    rules::make_workplace_planes(*project, packs, diagnostics);
+  if (std::optional<calc::Project> project = load_judged_project(path, files, packs, diagnostics)) {
     rules::bind_requirements(*project, packs, diagnostics);
     plan.name = project->name;
     if (!diagnostics.has_errors()) {

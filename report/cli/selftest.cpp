@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 namespace cli {
@@ -155,6 +156,9 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   result.cases = run_cases(std::move(cases), options, announce);
   announce.clear();
   if (interrupted()) return interrupted_outcome();
+  if (result.numbers() > selftest::kMostNumbers) {
+    throw std::logic_error("the selftest has more numbers than its level allows for");
+  }
   if (result.wrong() > 0) outcome.code = kNotMet;
   const selftest::TextStyle style{options.shows_all, options.has_timing,
                                   use_color(ColorChoice::automatic, environment)};

@@ -1,5 +1,6 @@
 #include "report/cli/value_table.h"
 
+#include "calc/scene/receiver_kernel.h"
 #include "calc/statistics.h"
 #include "calc/text.h"
 #include "calc/units.h"
@@ -28,11 +29,12 @@ enum Column {
   kErrorFc,
   kLow,
   kHigh,
+  kQuantity,
   kCount
 };
-constexpr std::array<std::string_view, kCount> kNames{"plane",    "column",   "row",    "x",
-                                                      "y",        "z",        "lx",     "fc",
-                                                      "error_lx", "error_fc", "low_lx", "high_lx"};
+constexpr std::array<std::string_view, kCount> kNames{
+    "plane", "column",   "row",      "x",      "y",       "z",       "lx",
+    "fc",    "error_lx", "error_fc", "low_lx", "high_lx", "quantity"};
 constexpr int kLargeFreedom = 1'000'000;  // Student's t is normal there
 
 std::string_view plain_name(std::string_view name) {
@@ -66,7 +68,7 @@ class TableReader {
       }
     }
     if (is_good_ && width_ == 0) fail("it has no line of column names");
-    if (is_good_ && table_.rows.empty()) fail("it has no values");
+    if (is_good_ && table_.rows.empty()) fail("it has no values of illuminance");
     if (!is_good_) return std::nullopt;
     return std::move(table_);
   }
@@ -118,6 +120,19 @@ class TableReader {
     }
     TableRow row;
     row.line = line_;
+    if (has(kQuantity)) {
+      row.quantity = cells[static_cast<std::size_t>(at_[kQuantity])];
+      const auto known =
+          std::find_if(calc::kPlaneQuantities.begin(), calc::kPlaneQuantities.end(),
+                       [&](const auto& candidate) { return candidate.name == row.quantity; });
+      if (known == calc::kPlaneQuantities.end()) {
+        return fail(fmt::format("'{}' in column 'quantity' is not known", row.quantity));
+      }
+      if (calc::is_plain_number(known->derived)) {
+        ++table_.ratings;
+        return;
+      }
+    }
     if (has(kPlane)) row.plane = cells[static_cast<std::size_t>(at_[kPlane])];
     if (has(kX) && has(kY) && has(kZ)) {
       row.position_m = glm::dvec3(number(cells, kX), number(cells, kY), number(cells, kZ));

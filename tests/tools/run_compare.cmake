@@ -87,3 +87,30 @@ run(2 compare a.json b.json --plane nothing)
 expect("${err}" "error[choose-plane]")
 run(2 compare a.json b.json --format html=a.json)
 expect("${err}" "is not overwritten")
+
+# Ratings are named and left out, with an observer who sees no source too; quantities must agree.
+execute_process(COMMAND ${LUXGATE} check ${RATINGS}/project.xml --quiet --pictures off
+  --format json=r.json --format points-csv=r.csv WORKING_DIRECTORY ${WORK}
+  OUTPUT_QUIET ERROR_QUIET)
+run(0 compare r.json r.json)
+expect("${out}" "Alike: 0 of")
+expect("${out}" "plane 'away' of A is of quantity 'ugr', no illuminance: not compared")
+if(out MATCHES "[^a-z]nan[^a-z]")
+  message(SEND_ERROR "NaN in\n${out}")
+endif()
+run(0 compare r.json r.csv)
+expect("${out}" "3 values of B are ratings or ratios")
+run(2 compare r.json r.json --plane towards)
+expect("${err}" "only illuminances are compared")
+run(2 compare r.json r.json --plane planar=four)
+expect("${err}" "of quantity 'planar' in A and 'cylindrical-4' in B")
+run(2 compare r.json r.json --plane planar=towards)
+expect("${err}" "of quantity 'planar' in A and 'ugr' in B")
+
+# Averages are judged by the intervals of both results.
+run(0 compare a.json b.json --format json)
+string(JSON judged GET "${out}" averages_judged)
+string(JSON planes LENGTH "${out}" planes)
+if(NOT judged EQUAL planes)
+  message(SEND_ERROR "${judged} of ${planes} averages were judged")
+endif()

@@ -16,7 +16,9 @@ namespace cli::radiance {
 namespace {
 
 constexpr double kPanelGap_m = 1e-4;  // faces of a flat opening stand off a ceiling they may lie in
-constexpr double kEdge_deg = 1e-6;    // from the table's last angle to darkness
+// From the table's last angle to darkness. Radiance reads angles as float, whose step is 1.5e-5 at
+// 180, and refuses two that are the same.
+constexpr double kEdge_deg = 1e-4;
 
 std::string number(double value) { return report::format_shortest(value + 0.0); }
 
@@ -50,6 +52,14 @@ struct GammaAngles {
     }
   }
 };
+
+// As Radiance reads them.
+bool are_increasing(const std::vector<double>& degrees) {
+  for (std::size_t k = 1; k < degrees.size(); ++k) {
+    if (!(static_cast<float>(degrees[k - 1]) < static_cast<float>(degrees[k]))) return false;
+  }
+  return true;
+}
 
 bool has_light_above(const calc::PhotometricWeb& web) {
   return web.zonal_flux_lm(0.5 * calc::kPi, calc::kPi) > 1e-9 * web.flux_lm();
@@ -223,17 +233,16 @@ bool web_data(const calc::PhotometricWeb& given, std::string& text, bool& is_axi
   const calc::PhotometricWeb& web = resampled ? resampled->web : given;
   const GammaAngles gamma(web);
   is_axial = web.is_axial();
+  std::vector<double> c_degrees;
+  for (const double rad : web.c_rad()) c_degrees.push_back(rad / calc::kRadiansPerDegree);
+  if (!are_increasing(gamma.degrees) || (!is_axial && !are_increasing(c_degrees))) return false;
   const auto axis = [](const std::vector<double>& degrees) {
     std::string line = fmt::format("0 0 {}\n", degrees.size());
     for (const double d : degrees) line += " " + number(d);
     return line + "\n";
   };
   text = is_axial ? "1\n" : "2\n";
-  if (!is_axial) {
-    std::vector<double> c;
-    for (const double rad : web.c_rad()) c.push_back(rad / calc::kRadiansPerDegree);
-    text += axis(c);
-  }
+  if (!is_axial) text += axis(c_degrees);
   text += axis(gamma.degrees);
   for (std::size_t c = 0; c < web.c_rad().size(); ++c) {
     for (std::size_t k = 0; k < gamma.index.size(); ++k) {
@@ -265,8 +274,9 @@ LightFiles write_lights(const calc::PreparedScene& scene) {
       bool axial = false;
       if (!web_data(*luminaire.web, text, axial)) {
         files.changed.emplace_back(
-            "a luminaire's narrow beam about another axis cannot be tabulated over C and gamma: it "
-            "is missing");
+            "a luminaire whose photometry cannot be tabulated over C and gamma (a narrow beam "
+            "about "
+            "another axis, or angles that Radiance cannot tell apart) is missing");
         continue;
       }
       if (luminaire.web->axis() != calc::TableAxis::vertical) {

@@ -31,7 +31,8 @@ struct LightFiles {
 LightFiles write_lights(const calc::PreparedScene& scene);
 
 // A web for brightdata: C and gamma in degrees, gamma fastest, cd; 0 outside the table. False and
-// no change if the web cannot be put so (a lateral table whose beam falls between the angles).
+// no change if the web cannot be put so (a lateral table whose beam falls between the angles;
+// angles that are the same as float, which is what Radiance reads).
 bool web_data(const calc::PhotometricWeb& web, std::string& text, bool& is_axial);
 
 }  // namespace cli::radiance

@@ -76,14 +76,21 @@ std::string write_point_table(const std::vector<Plane>& planes) {
   return text;
 }
 
-std::string write_script() {
-  return R"sh(#!/bin/sh
+std::string write_script(bool is_partial) {
+  std::string script = R"sh(#!/bin/sh
 # Illuminance at the points of points.txt by Radiance (https://www.radiance-online.org), in lux, to
 # radiance.csv. Options may follow and win: ./run.sh -ab 12 -ad 8192
 set -e
-cd "$(dirname "$0")"
-RAYPATH=".:${RAYPATH:-}"
-export RAYPATH
+LC_ALL=C
+export LC_ALL  # numbers with points
+CDPATH= cd -- "$(dirname -- "$0")"
+# Where RAYPATH is not set, Radiance looks here and then in its own library.
+if [ -n "${RAYPATH:-}" ]; then
+  RAYPATH=".:$RAYPATH"
+  export RAYPATH
+else
+  unset RAYPATH
+fi
 oconv materials.rad surfaces.rad luminaires.rad > scene.oct
 # No ambient interpolation (-aa 0) and no stray ambient light (-av 0 0 0): the error falls with -ad.
 rtrace -h -I -ab 8 -ad 4096 -as 0 -aa 0 -av 0 0 0 -lr -12 -lw 1e-6 -dt 0 -dc 1 -ds 0.05 -dj 0 \
@@ -91,13 +98,15 @@ rtrace -h -I -ab 8 -ad 4096 -as 0 -aa 0 -av 0 0 0 -lr -12 -lw 1e-6 -dt 0 -dc 1 -
 # W/m2 of red, green and blue to lux: 179 lm/W and Radiance's weights of luminance.
 awk '{ printf "%.7g\n", 179 * (0.265 * $1 + 0.670 * $2 + 0.065 * $3) }' irradiance.txt > lux.txt
 { printf 'plane,column,row,x,y,z,lx\n'; tail -n +2 points.csv | paste -d , - lux.txt; } > radiance.csv
-echo "Wrote radiance.csv. Next: luxgate compare RESULT.json $(pwd)/radiance.csv --tolerance 2%"
-)sh";
+echo "Wrote radiance.csv. Next: luxgate compare RESULT.json '$(pwd)/radiance.csv' --tolerance 2%)sh";
+  // What is not exported is only in the result.
+  script += is_partial ? " --partial\"\n" : "\"\n";
+  return script;
 }
 
 std::string write_readme(const calc::Project& project, const calc::Space& space,
                          const calc::PreparedScene& scene, const std::vector<Plane>& planes,
-                         const std::vector<std::string>& changed) {
+                         bool is_partial, const std::vector<std::string>& changed) {
   std::size_t points = 0;
   for (const Plane& plane : planes) points += plane.grid->position_m.size();
   std::string text = fmt::format(
@@ -106,9 +115,11 @@ std::string write_readme(const calc::Project& project, const calc::Space& space,
       report::printable(project.name.empty() ? project.path : project.name), program_version(),
       report::printable(project.path), report::printable(space.id), scene.triangle.size(),
       scene.luminaires.size(), points);
-  text +=
-      R"md(`./run.sh` needs oconv and rtrace and writes `radiance.csv`, which `luxgate compare RESULT.json radiance.csv` reads.
-
+  text += fmt::format(
+      "`./run.sh` needs oconv and rtrace and writes `radiance.csv`, which `luxgate compare "
+      "RESULT.json radiance.csv{}` reads.\n",
+      is_partial ? " --partial" : "");
+  text += R"md(
 | file | what it is |
 |---|---|
 | `materials.rad` | one plastic per reflectance: grey, no gloss |

@@ -62,7 +62,7 @@ void CaseResult::add_points(const Solution& solution, const std::vector<Point>& 
     m.exact = exact_lx[i];
     m.known_to = (known_to + (i < known_each.size() ? known_each[i] : 0.0)) * exact_lx[i];
     m.replicates = solution.replicates(i, part);
-    m.widest = widest;
+    m.widest = i < widest_each.size() && widest_each[i] > 0.0 ? widest_each[i] : widest;
     if (m.replicates.size() > 1 && m.exact > 0.0) {
       ratios_known_to = std::max(ratios_known_to, m.known_to / m.exact);
       ++sampled;

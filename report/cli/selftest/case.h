@@ -16,7 +16,8 @@ struct Measured {
   double exact = 0.0;
   double known_to = 0.0;           // absolute: as far as `exact` itself may be off
   std::vector<double> replicates;  // one: nothing was sampled, it must be exact
-  double widest = 0.0;             // relative half-width of the 95 % interval that is too vague
+  // Relative half-width of the 95 % interval that is too vague: about twice what is reached.
+  double widest = 0.0;
 };
 
 // What the program must refuse, and how.
@@ -47,6 +48,7 @@ struct CaseResult {
   // known_to); too few: coordinates, 0.
   std::vector<std::string> labels;
   std::vector<double> known_each;
+  std::vector<double> widest_each;  // in place of `widest`; too few, 0: `widest`
 };
 
 struct SelftestCase {

@@ -74,7 +74,7 @@ std::vector<SelftestCase> reflection_cases() {
       {"lit-ground", "reflection", "Ground lit by a lamp in black surroundings; the CIE points",
        "E = integral of rho E / pi cos cos / d^2, by Gauss quadrature",
        [](const Effort& e) {
-         return lit_ground({1.4, 2.3, 2.0}, 0.3, cie_points(), 4096, 0.02, e);
+         return lit_ground({1.4, 2.3, 2.0}, 0.3, cie_points(), 4096, 0.008, e);
        }},
       {"lamp-near-ground", "reflection", "Lamp 30 mm over the ground, points 1 mm to 1 m from it",
        "E = integral of rho E / pi cos cos / d^2, by Gauss quadrature", [](const Effort& e) {

@@ -23,7 +23,9 @@ std::string verdict_name(Verdict verdict) {
 }
 
 double JudgedNumber::deviation() const {
-  return measured.exact != 0.0 ? stated.value / measured.exact - 1.0 : stated.value;
+  if (measured.exact == 0.0) return stated.value;
+  const double share = stated.value / measured.exact - 1.0;
+  return std::abs(share) < kNoDeviation ? 0.0 : share;
 }
 
 const JudgedNumber* JudgedCase::worst() const {

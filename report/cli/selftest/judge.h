@@ -17,6 +17,9 @@ inline constexpr double kFamilyError = 1e-3;
 // Numbers that were not sampled must agree to this share; photometric tables and ray offsets are
 // below it.
 inline constexpr double kRounding = 1e-6;
+// Smaller shares are how a machine rounds: they are told as 0, and say nothing about which number
+// is furthest off.
+inline constexpr double kNoDeviation = 5e-12;
 
 enum class Verdict { right, wrong, too_vague, refused };
 std::string verdict_name(Verdict verdict);  // "in", "OUT", "TOO VAGUE", "refused as documented"
@@ -38,7 +41,8 @@ struct JudgedCase {
   Verdict verdict = Verdict::wrong;
   double seconds = 0.0;
 
-  const JudgedNumber* worst() const;  // by deviation, of those that are wrong if there are any
+  // By deviation, of those that are wrong if there are any; the first of several.
+  const JudgedNumber* worst() const;
 };
 
 JudgedNumber judge(const Measured& measured);

@@ -139,14 +139,6 @@ double Scene::surface_m2() const {
   return sum;
 }
 
-double Scene::emitted_lm() const {
-  double sum = 0.0;
-  for (const calc::Luminaire& luminaire : project_.spaces[0].luminaires) {
-    sum += project_.webs[project_.luminaire_types[luminaire.type].web].flux_lm();
-  }
-  return sum;
-}
-
 std::vector<double> Solution::replicates(std::size_t point, Part part) const {
   std::vector<double> values;
   const std::size_t count = is_sampled(field, part) ? field.replicates : 1;

@@ -49,7 +49,6 @@ class Scene {
 
   const calc::Project& project() const { return project_; }
   double surface_m2() const;
-  double emitted_lm() const;
 
  private:
   calc::Body& body() { return project_.spaces[0].bodies[0]; }

@@ -90,7 +90,7 @@ SweepStep closed_box(double value, const glm::dvec3& size, const glm::dvec3& lam
   return step_of(value, solution,
                  solution.problem.empty() ? solution.replicates(weights, Part::indirect)
                                           : std::vector<double>{},
-                 rho * scene.emitted_lm() / (scene.surface_m2() * (1.0 - rho)), 1e-3);
+                 rho * 4.0 * calc::kPi * kCd / (scene.surface_m2() * (1.0 - rho)), 1e-3);
 }
 
 // One white wall in a black room, seen from a point: total illuminance.

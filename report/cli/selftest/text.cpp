@@ -144,7 +144,7 @@ std::string value_words(double value) { return fmt::format("{:.6g}", value + 0.0
 std::string deviation_words(const JudgedNumber& n) {
   const double d = n.deviation();
   if (n.measured.exact == 0.0) return fmt::format("{:.2g}", d + 0.0);
-  if (std::abs(d) < 5e-12) return "0 %";
+  if (d == 0.0) return "0 %";
   return fmt::format("{:+.2g} %", 100.0 * d);
 }
 

@@ -57,6 +57,16 @@ TEST(Judge, NeitherWrongNorVagueIntervalsPass) {
   EXPECT_EQ(judge(number(100.1, wide)).verdict, Verdict::too_vague);
 }
 
+TEST(Judge, RoundingDoesNotChooseTheWorst) {
+  JudgedCase judged;
+  for (const double value : {100.0, 100.0 * (1.0 + 1e-15), 100.0 * (1.0 + 3e-12)}) {
+    judged.numbers.push_back(judge(number(100.0, {value})));
+  }
+  EXPECT_EQ(judged.worst(), &judged.numbers[0]);
+  judged.numbers.push_back(judge(number(100.0, {100.0 * (1.0 + 1e-11)})));
+  EXPECT_EQ(judged.worst(), &judged.numbers[3]);
+}
+
 TEST(Judge, WhatIsNotRefusedIsWrong) {
   CaseResult result;
   result.refused.push_back({"a room", "no steady state", ""});

@@ -35,7 +35,25 @@ TEST(ValueTable, ReadsThePointsOfCheck) {
   EXPECT_EQ(table->rows[0].value.half_width_lx, 4.0);
 }
 
+TEST(ValueTable, LeavesOutRatingsByTheirQuantity) {
+  calc::Diagnostics diagnostics;
+  const auto table = cli::read_value_table(
+      "plane,column,row,illuminance_lx,low_lx,high_lx,quantity,rating\r\np,0,0,100,96,104,planar,"
+      "\r\n"
+      "u,0,0,,,,ugr,19\r\nm,0,0,,,,modelling,nan\r\nc,0,0,50,49,51,cylindrical,\r\n",
+      "points.csv", 0.95, diagnostics);
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(table->rows[0].quantity, "planar");
+  EXPECT_EQ(table->rows[1].quantity, "cylindrical");
+  EXPECT_EQ(table->ratings, 2u);
+}
+
 TEST(ValueTable, RefusesWhatItCannotMean) {
+  EXPECT_NE(problem_with("plane,column,row,lx,quantity\np,0,0,5,E\n").find("'E' in column"),
+            std::string::npos);
+  EXPECT_NE(problem_with("plane,column,row,lx,quantity\np,0,0,,planar\n").find("is no number"),
+            std::string::npos);
   EXPECT_NE(problem_with("x,y,z\n1,2,3\n").find("'lx' or a column 'fc'"), std::string::npos);
   EXPECT_NE(problem_with("x,y,z,lx,fc\n").find("either"), std::string::npos);
   EXPECT_NE(problem_with("lx\n3\n").find("'x', 'y' and 'z'"), std::string::npos);
