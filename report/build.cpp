@@ -297,9 +297,14 @@ SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene
   part.triangles = scene.triangle.size();
   part.degenerate_triangles = scene.degenerate_triangles;
   part.balance = balance;
+  part.balance.absorbed_lm = settled(balance.absorbed_lm);
+  part.balance.escaped_lm = settled(balance.escaped_lm);
   part.notes = space.notes;
   part.planes = std::move(planes);
-  for (PlanePart& plane : part.planes) plane.space_id = space.id;
+  for (PlanePart& plane : part.planes) {
+    plane.space_id = space.id;
+    settle_estimates(plane);
+  }
   return part;
 }
 

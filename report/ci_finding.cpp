@@ -79,6 +79,20 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
 
 }  // namespace
 
+std::vector<std::string> ci_notes(const ProjectPart& project) {
+  std::vector<std::string> notes;
+  for (const SpacePart& space : project.spaces) {
+    const std::string room = printable(title_of(space.name, space.id));
+    for (const std::string& note : space.notes) notes.push_back(room + ": " + printable(note));
+    for (const PlanePart& plane : space.planes) {
+      if (plane.changed.empty()) continue;
+      notes.push_back(room + " / " + printable(title_of(plane.name, plane.id)) +
+                      ": changed: " + printable(plane.changed));
+    }
+  }
+  return notes;
+}
+
 std::vector<CiFinding> ci_findings(const Document& document) {
   std::vector<CiFinding> list;
   for (const ProjectPart& project : document.projects) {

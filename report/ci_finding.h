@@ -29,6 +29,10 @@ struct CiFinding {
   std::string fingerprint;
 };
 
+// What must be known of a project beside its findings: zones of workplaces that were not made or
+// left out, and planes that somebody changed. "room: what"; printable(), in document order.
+std::vector<std::string> ci_notes(const ProjectPart& project);
+
 // In document order: every requirement, every plane that was not computed although nothing
 // that counts is required of it, and every project that could not be judged. Text is printable().
 // Valid as long as the document.

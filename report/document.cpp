@@ -1,5 +1,6 @@
 #include "report/document.h"
 
+#include <cmath>
 #include <limits>
 
 namespace report {
@@ -27,6 +28,34 @@ void count(rules::Verdict verdict, VerdictCounts& counts) {
 calc::Estimate no_estimate() {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   return {kNone, kNone, kNone};
+}
+
+calc::Estimate settled(const calc::Estimate& estimate) {
+  if (!std::isfinite(estimate.value)) return no_estimate();
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  return {estimate.value, std::isfinite(estimate.low) ? estimate.low : -kOpen,
+          std::isfinite(estimate.high) ? estimate.high : kOpen};
+}
+
+void settle_estimates(PlanePart& plane) {
+  const auto settle = [](calc::Estimate& estimate) { estimate = settled(estimate); };
+  for (calc::Estimate* estimate : {&plane.average_lx, &plane.minimum_lx, &plane.maximum_lx,
+                                   &plane.uniformity_min_avg, &plane.uniformity_min_max}) {
+    settle(*estimate);
+  }
+  for (PointRow& point : plane.points) settle(point.maintained_lx);
+  for (GroupShare& share : plane.groups) settle(share.average_lx);
+  for (rules::Finding& finding : plane.findings) {
+    if (finding.verdict == rules::Verdict::not_judged) continue;
+    settle(finding.measured);
+    if (!std::isfinite(finding.margin)) finding.margin = no_estimate().value;
+  }
+  for (PlaneLook& look : plane.looks) {
+    settle(look.average_lx);
+    for (LookFinding& finding : look.findings) {
+      if (finding.verdict != rules::Verdict::not_judged) settle(finding.measured);
+    }
+  }
 }
 
 VerdictCounts count_verdicts(const ProjectPart& project) {

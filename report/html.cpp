@@ -98,13 +98,18 @@ std::string space_title(const SpacePart& space) {
                      space.name.empty() ? "" : escape_html(space.id));
 }
 
+// Zones that were not made, and why.
+std::string notes_html(const SpacePart& space) {
+  std::string html;
+  for (const std::string& note : space.notes)
+    html += "<p class=\"quiet note-of-room\">" + escape_html(note) + "</p>\n";
+  return html;
+}
+
 std::string space_html(const Document& document, std::size_t p, std::size_t s) {
   const SpacePart& space = document.projects[p].spaces[s];
   std::string html = "<section class=\"space\"><h3>" + space_title(space) + "</h3>\n";
-  html += html_room(space);
-  for (const std::string& note : space.notes) {
-    html += "<p class=\"quiet\">" + escape_html(note) + "</p>\n";
-  }
+  html += html_room(space) + notes_html(space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane({p, s, k}, space, space.planes[k], folds_passed_planes(document));
   return html + "</section>\n";
@@ -132,8 +137,9 @@ std::string project_html(const Document& document, std::size_t p, const std::str
                                    ? ""
                                    : fmt::format(", planes {} to {}", room.first_plane + 1,
                                                  room.first_plane + room.planes);
-      html += fmt::format("<li><a href=\"{}/{}\">{}</a><span class=\"quiet\">{}</span></li>\n",
-                          folder, room.name, escape_html(title_of(space.name, space.id)), part);
+      html += fmt::format("<li><a href=\"{}/{}\">{}</a><span class=\"quiet\">{}</span>{}</li>\n",
+                          folder, room.name, escape_html(title_of(space.name, space.id)), part,
+                          room.first_plane == 0 ? notes_html(space) : "");
     }
     html += "</ul>\n";
   } else {
@@ -192,11 +198,12 @@ std::string render_html_page(const Document& document, const HtmlPage& room,
       "<section class=\"space\"><h2 class=\"unseen\">Planes</h2>\n<h3 "
       "class=\"unseen\">" +
       title + "</h3>\n";
-  if (room.first_plane == 0) body += html_room(space);
+  if (room.first_plane == 0) body += html_room(space) + notes_html(space);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane({room.project, room.space, k}, space, space.planes[k], true);
   }
-  return page(title, head, body + "</section>\n", document, false);
+  // The script unfolds what is printed.
+  return page(title, head, body + "</section>\n", document, true);
 }
 
 }  // namespace report

@@ -212,11 +212,12 @@ std::string html_looks(const PlanePart& plane) {
       const bool is_judged = finding.verdict != rules::Verdict::not_judged;
       rows += fmt::format(
           "<td>{} {}</td>", badge(finding.verdict),
-          is_judged ? format_measured(finding.measured, rules::metric_unit(requirement.metric),
+          is_judged ? format_measured(finding.measured, rules::unit_of(requirement),
                                       Threshold{requirement.limit, requirement.comparison})
                     : "");
     }
-    if (plane.findings.empty()) rows += "<td>" + format_measured(look.average_lx, "lx") + "</td>";
+    if (plane.findings.empty())
+      rows += "<td>" + format_measured(look.average_lx, plane_unit(plane)) + "</td>";
     rows += "</tr>\n";
   }
   const std::string name = escape_html(title_of(plane.name, plane.id));

@@ -16,7 +16,7 @@ namespace report {
 namespace {
 
 struct Cells {
-  std::string requirement, required, measured, gauge, margin, place;
+  std::string requirement, notes, required, measured, gauge, margin, place;
 };
 
 constexpr double kGaugeReach = 0.1;  // the ends of the gauge, as a margin
@@ -41,7 +41,11 @@ std::string gauge_mark(const rules::Finding& finding) {
 // The interval against the limit: left of the mark is not met, right is met.
 std::string gauge(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
-  if (finding.verdict == rules::Verdict::not_judged || !(requirement.limit > 0.0)) return {};
+  if (finding.verdict == rules::Verdict::not_judged || !(requirement.limit > 0.0) ||
+      !std::isfinite(requirement.limit) || !std::isfinite(finding.measured.value) ||
+      std::isnan(finding.measured.low) || std::isnan(finding.measured.high)) {
+    return {};
+  }
   const double low = gauge_x(requirement, finding.measured.low);
   const double high = gauge_x(requirement, finding.measured.high);
   return fmt::format(
@@ -53,9 +57,9 @@ std::string gauge(const rules::Finding& finding) {
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
-std::string requirement_html(const rules::Finding& finding, calc::ReceiverKernel kernel) {
+// What must be read with the quantity: clause, state, scene, remarks; "" if there is nothing.
+std::string notes_html(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
-  std::string html = escape_html(quantity_words(requirement, kernel));
   std::string notes;
   const auto note = [&notes](const std::string& text) {
     notes += (notes.empty() ? "" : " · ") + text;
@@ -64,8 +68,7 @@ std::string requirement_html(const rules::Finding& finding, calc::ReceiverKernel
   if (requirement.state != rules::LightState::maintained) note(state_name(requirement.state));
   if (!requirement.scene.empty()) note("scene " + escape_html(requirement.scene));
   if (const std::string words = note_words(finding); !words.empty()) note(escape_html(words));
-  if (!notes.empty()) html += "<span class=\"note\">" + notes + "</span>";
-  return html;
+  return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
 
 Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
@@ -73,8 +76,9 @@ Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::unit_of(requirement);
   Cells cells;
-  cells.requirement = requirement_html(finding, plane.kernel);
-  cells.required = format_required(threshold, unit);
+  cells.notes = notes_html(finding);
+  cells.requirement = escape_html(quantity_words(requirement, plane.kernel)) + cells.notes;
+  cells.required = escape_html(format_required(threshold, unit));
   if (finding.verdict == rules::Verdict::not_judged) return cells;
   cells.measured = format_measured(finding.measured, unit, threshold);
   cells.gauge = gauge(finding);
@@ -247,12 +251,13 @@ std::string room_rows(const Document& document, std::size_t p, std::size_t s,
 std::string attention_item(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
                            const rules::Finding& finding, const std::string& folder) {
   const Cells cells = cells_of(plane, finding);
-  std::string told = cells.requirement + " " + cells.required;
+  std::string told = escape_html(quantity_words(finding.requirement, plane.kernel)) + " " +
+                     cells.required + cells.notes;
   if (!cells.measured.empty()) {
     told =
         fmt::format("<b>{}</b> for {} {}", cells.measured,
                     escape_html(quantity_words(finding.requirement, plane.kernel)), cells.required);
-    told += fmt::format(" (margin {})", cells.margin);
+    told += fmt::format(" (margin {})", cells.margin) + cells.notes;
   }
   const std::string remark = remarks(finding);
   return fmt::format(

@@ -140,11 +140,13 @@ std::string html_plan_key(const PlanSigns& signs) {
     items += key_item("<path class=\"c0\" d=\"M1 8h11M9 4.5l5 3.5-5 3.5z\"/>", "direction of C0");
   }
   if (signs.has_isolux) {
-    items += key_item("<path class=\"isolux\" d=\"M0 11C5 11 8 4 16 4\"/>", "isolux, lx");
+    items += key_item("<path class=\"isolux\" d=\"M0 11C5 11 8 4 16 4\"/>",
+                      signs.unit.empty() ? "line of equal value" : "isolux, " + signs.unit);
   }
   if (!signs.required.empty()) {
     items += key_item("<path class=\"isolux required\" d=\"M0 11C5 11 8 4 16 4\"/>",
-                      "isolux of the required " + escape_html(signs.required));
+                      (signs.unit.empty() ? "line of the required " : "isolux of the required ") +
+                          escape_html(signs.required));
   }
   if (signs.has_furniture) {
     items += key_item("<path class=\"furniture\" d=\"M2.5 4.5h11v7h-11z\"/>",

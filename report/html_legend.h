@@ -21,14 +21,15 @@ std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimi
 // What the key has to explain.
 struct PlanSigns {
   std::string anchor;        // of the plane, for the hatch pattern
+  std::string unit = "lx";   // of its values; "" of ratings and ratios
   std::string below, above;  // "below 300 lx": words of hatched cells; "" = none are hatched
   std::string minimum;       // "212 lx at (1.00, 2.00, 0.80)"
   std::size_t luminaires = 0;
   bool has_openings = false;    // their openings are drawn, not points
   bool has_directions = false;  // C0 is drawn at luminaires
   bool has_furniture = false, has_above = false;
-  bool has_isolux = false;
-  std::string required;  // "500 lx": of thick isolux lines; "" = there are none
+  bool has_isolux = false;  // lines of equal value
+  std::string required;     // "500 lx": of thick isolux lines; "" = there are none
 };
 std::string html_plan_key(const PlanSigns& signs);
 

@@ -42,9 +42,8 @@ struct Drawing {
   glm::dvec2 cell_corner_px(int column, int row) const {
     return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
   }
-  bool misses_a_limit(double lx) const {
-    return (at_least && lx < at_least->limit) || (at_most && lx > at_most->limit);
-  }
+  Thresholds thresholds() const { return {at_least, at_most}; }
+  bool misses_a_limit(double lx) const { return misses(at_least, lx) || misses(at_most, lx); }
 };
 
 // The limits widen the scale when that does not squeeze the colours; else they are marked off the
@@ -95,10 +94,11 @@ std::string svg_cells(const Drawing& drawing) {
     const std::string colour = hex_colour(band_colour(drawing.scale, band));
     svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
     for (const PointRow* point : points) {
-      svg += fmt::format("<path d=\"{}\"><title>{} (direct {}, indirect {})</title></path>\n",
-                         rectangle(drawing.cell_corner_px(point->column, point->row), size),
-                         format_measured(point->maintained_lx, plane_unit(drawing.plane)),
-                         format_cell_lx(point->direct_lx), format_cell_lx(point->indirect_lx));
+      svg += fmt::format(
+          "<path d=\"{}\"><title>{} (direct {}, indirect {})</title></path>\n",
+          rectangle(drawing.cell_corner_px(point->column, point->row), size),
+          format_measured(point->maintained_lx, plane_unit(drawing.plane), drawing.thresholds()),
+          format_cell_lx(point->direct_lx), format_cell_lx(point->indirect_lx));
     }
     svg += "</g>\n";
   }
@@ -139,8 +139,7 @@ std::string svg_hatch(const Drawing& drawing) {
 }
 
 std::string cell_text(const Drawing& drawing, double lx) {
-  const bool is_held_below = drawing.at_most && !drawing.at_least;
-  return format_cell_lx(lx, is_held_below ? drawing.at_most : drawing.at_least);
+  return format_cell_lx(lx, drawing.thresholds());
 }
 
 // Font size at which every number fits into its cell; 0: they do not fit.
@@ -275,8 +274,8 @@ std::string spoken(const Drawing& drawing) {
   const PointRow& lowest = lowest_point(plane);
   return fmt::format("Heat map of {}: {} points, {} from {} to {}{}, minimum at {} m",
                      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
-                     plane_words(plane), format_cell_lx(plane.minimum_lx.value),
-                     format_cell_lx(plane.maximum_lx.value), unit_words(plane),
+                     plane_words(plane), cell_text(drawing, plane.minimum_lx.value),
+                     cell_text(drawing, plane.maximum_lx.value), unit_words(plane),
                      format_position(lowest.position_m));
 }
 
@@ -321,9 +320,10 @@ std::string caption(const Drawing& drawing) {
   const calc::SensorGrid& grid = drawing.plane.grid;
   const bool is_planar = is_plain_illuminance(drawing.plane);
   return fmt::format(
-      "Maintained {}{}, every luminaire at full output. {}, {} to the right and {} "
+      "{} {}{}, every luminaire at full output. {}, {} to the right and {} "
       "up.",
-      plane_words(drawing.plane), *plane_unit(drawing.plane) == '\0' ? "" : " in lx",
+      state_words(drawing.plane), plane_words(drawing.plane),
+      *plane_unit(drawing.plane) == '\0' ? "" : " in lx",
       is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan"
       : is_planar                               ? "Seen from the measured side"
                                                 : "Seen from the plane's front",
@@ -340,6 +340,7 @@ std::vector<std::size_t> band_counts(const Drawing& drawing) {
 PlanSigns signs_of(const Drawing& drawing) {
   PlanSigns signs;
   signs.anchor = drawing.anchor;
+  signs.unit = plane_unit(drawing.plane);
   const PlanLayout& layout = drawing.layout;
   signs.has_openings = std::any_of(layout.luminaires_m.begin(), layout.luminaires_m.end(),
                                    [](const auto& sign) { return !sign.outline_m.empty(); });
@@ -353,18 +354,24 @@ PlanSigns signs_of(const Drawing& drawing) {
     if (level.lines.empty()) continue;
     if (!level.is_required) signs.has_isolux = true;
     if (level.is_required)
-      signs.required += (signs.required.empty() ? "" : ", ") + format_limit(level.lx, "lx");
+      signs.required +=
+          (signs.required.empty() ? "" : ", ") + format_limit(level.lx, plane_unit(drawing.plane));
   }
   const PointRow& lowest = lowest_point(drawing.plane);
   signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane) +
                   " at " + with_minus(format_position(lowest.position_m));
   for (const PointRow& point : drawing.plane.points) {
     const double lx = point.maintained_lx.value;
-    if (drawing.at_least && lx < drawing.at_least->limit) {
-      signs.below = "below " + format_limit(drawing.at_least->limit, plane_unit(drawing.plane));
+    const char* unit = plane_unit(drawing.plane);
+    if (misses(drawing.at_least, lx)) {
+      const bool is_strict = drawing.at_least->comparison == rules::Comparison::more_than;
+      signs.below =
+          (is_strict ? "not above " : "below ") + format_limit(drawing.at_least->limit, unit);
     }
-    if (drawing.at_most && lx > drawing.at_most->limit) {
-      signs.above = "above " + format_limit(drawing.at_most->limit, plane_unit(drawing.plane));
+    if (misses(drawing.at_most, lx)) {
+      const bool is_strict = drawing.at_most->comparison == rules::Comparison::less_than;
+      signs.above =
+          (is_strict ? "not below " : "above ") + format_limit(drawing.at_most->limit, unit);
     }
   }
   return signs;
@@ -378,8 +385,8 @@ std::string html_plan(const SpacePart& space, const PlanePart& plane, std::strin
                   lay_out_plan(space, plane, {640, 460}),
                   scale_with_limits(plane, limits),
                   limits,
-                  point_threshold(plane, rules::Comparison::at_least),
-                  point_threshold(plane, rules::Comparison::at_most),
+                  point_threshold(plane, PointSide::from_below),
+                  point_threshold(plane, PointSide::from_above),
                   std::string(anchor)};
   // Lines between numbers must leave them readable.
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);

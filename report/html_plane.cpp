@@ -5,6 +5,7 @@
 #include "report/html_findings.h"
 #include "report/html_plan.h"
 #include "report/pass_factor.h"
+#include "report/plan_layout.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -23,11 +24,13 @@ namespace {
 
 constexpr std::size_t kMostValues = 2500;  // longer tables are for the CSV file
 
-std::string statistic(const char* name, const calc::Estimate& estimate, const char* unit) {
+std::string statistic(const char* name, const calc::Estimate& estimate, const char* unit,
+                      const Thresholds& thresholds) {
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num "
       "quiet\">{}</td></tr>\n",
-      name, format_measured(estimate, unit), format_interval(estimate, unit));
+      name, format_measured(estimate, unit, thresholds),
+      format_interval(estimate, unit, thresholds));
 }
 
 std::string statistics_table(const PlanePart& plane) {
@@ -35,16 +38,23 @@ std::string statistics_table(const PlanePart& plane) {
       is_plain_illuminance(plane) ? "" : std::string(" of ") + plane_words(plane);
   const char* unit = plane_unit(plane);
   const bool has_average = !calc::is_plain_number(plane.derived);
-  const std::string extremes =
-      statistic("Minimum", plane.minimum_lx, unit) + statistic("Maximum", plane.maximum_lx, unit);
+  const auto row = [&plane](const char* name, const calc::Estimate& estimate, const char* of_unit,
+                            rules::Metric metric) {
+    return statistic(name, estimate, of_unit, statistic_thresholds(plane, metric));
+  };
+  using enum rules::Metric;
+  const std::string extremes = row("Minimum", plane.minimum_lx, unit, minimum) +
+                               row("Maximum", plane.maximum_lx, unit, maximum);
   return "<table class=\"facts\"><caption>Statistics" + of +
          "</caption><thead><tr><th "
-         "scope=\"col\">Maintained</th>"
+         "scope=\"col\">" +
+         state_words(plane) +
+         "</th>"
          "<th scope=\"col\" class=\"num\">Value</th><th scope=\"col\" "
          "class=\"num\">Interval</th></tr></thead><tbody>\n" +
-         (has_average ? statistic("Average Ē", plane.average_lx, unit) + extremes +
-                            statistic("Uo, min/avg", plane.uniformity_min_avg, "") +
-                            statistic("Ud, min/max", plane.uniformity_min_max, "")
+         (has_average ? row("Average Ē", plane.average_lx, unit, average) + extremes +
+                            row("Uo, min/avg", plane.uniformity_min_avg, "", uniformity_min_avg) +
+                            row("Ud, min/max", plane.uniformity_min_max, "", uniformity_min_max)
                       : extremes) +
          "</tbody></table>\n";
 }
@@ -78,10 +88,10 @@ std::string groups_table(const PlanePart& plane) {
     for (const rules::Finding& finding : plane.findings) {
       const std::optional<double> factor = group_pass_factor(finding, plane, share);
       if (!factor) continue;
-      notes = fmt::format(
-          "<span class=\"note\">{} meets {} {}</span>", factor_text(*factor),
-          quantity_words(finding.requirement),
-          format_required({finding.requirement.limit, finding.requirement.comparison}, "lx"));
+      notes += fmt::format("<span class=\"note\">{} meets {} {}</span>", factor_text(*factor),
+                           escape_html(quantity_words(finding.requirement)),
+                           escape_html(format_required(
+                               {finding.requirement.limit, finding.requirement.comparison}, "lx")));
     }
     rows += fmt::format(
         "<tr><th scope=\"row\">{}{}</th><td class=\"num strong\">{}</td><td class=\"num "
@@ -164,12 +174,13 @@ std::string grid_table(const SpacePart& space, const PlanePart& plane) {
 // Values as they lie in the plane: rows from large v to small, as in the drawing.
 std::string value_matrix(const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
+  const Thresholds thresholds = point_thresholds(plane);
   std::map<std::pair<int, int>, double> value_lx;
   for (const PointRow& point : plane.points)
     value_lx[{point.row, point.column}] = point.maintained_lx.value;
   std::string html =
-      "<table class=\"matrix\"><caption>Maintained " + std::string(plane_words(plane)) +
-      (*plane_unit(plane) == '\0' ? "" : " in lx") +
+      "<table class=\"matrix\"><caption>" + std::string(state_words(plane)) + " " +
+      plane_words(plane) + (*plane_unit(plane) == '\0' ? "" : " in lx") +
       "; distances from the grid's corner "
       "along u (columns) and v (rows) in m</caption><thead><tr><th scope=\"col\">v \\ u</th>";
   for (int column = 0; column < grid.columns; ++column) {
@@ -182,8 +193,9 @@ std::string value_matrix(const PlanePart& plane) {
         fmt::format("<tr><th scope=\"row\">{}</th>", format_metres((row + 0.5) * grid.spacing_v_m));
     for (int column = 0; column < grid.columns; ++column) {
       const auto found = value_lx.find({row, column});
-      html +=
-          found == value_lx.end() ? "<td></td>" : "<td>" + format_cell_lx(found->second) + "</td>";
+      html += found == value_lx.end()
+                  ? "<td></td>"
+                  : "<td>" + format_cell_lx(found->second, thresholds) + "</td>";
     }
     html += "</tr>\n";
   }
@@ -199,13 +211,15 @@ bool has_all_values(const PlanePart& plane) {
 
 std::string value_list(const PlanePart& plane) {
   std::string html =
-      "<table class=\"findings\"><caption>Maintained " + std::string(plane_words(plane)) +
+      "<table class=\"findings\"><caption>" + std::string(state_words(plane)) + " " +
+      plane_words(plane) +
       " at the listed "
       "points</caption><thead><tr>"
       "<th scope=\"col\">Point</th><th scope=\"col\" class=\"num\">Position, m</th>"
       "<th scope=\"col\" class=\"num\">Normal</th><th scope=\"col\" class=\"num\">Value</th>"
       "<th scope=\"col\" class=\"num\">Direct</th><th scope=\"col\" "
       "class=\"num\">Indirect</th></tr></thead><tbody>\n";
+  const Thresholds thresholds = point_thresholds(plane);
   for (std::size_t i = 0; i < plane.points.size(); ++i) {
     const PointRow& point = plane.points[i];
     html += fmt::format(
@@ -214,8 +228,8 @@ std::string value_list(const PlanePart& plane) {
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(point.position_m)),
         with_minus(format_position(point.normal)),
-        format_measured(point.maintained_lx, plane_unit(plane)), format_cell_lx(point.direct_lx),
-        format_cell_lx(point.indirect_lx));
+        format_measured(point.maintained_lx, plane_unit(plane), thresholds),
+        format_cell_lx(point.direct_lx), format_cell_lx(point.indirect_lx));
   }
   return html + "</tbody></table>";
 }
@@ -233,11 +247,13 @@ std::string values(const PlanePart& plane, const std::string& title) {
       scroll_box("Values of " + title, is_list ? value_list(plane) : value_matrix(plane)));
 }
 
+// Nothing of it needs a look: passes that are waived, close or due to a tolerance do.
 bool is_all_passed(const PlanePart& plane) {
-  return plane.is_computed && !plane.findings.empty() &&
+  return plane.is_computed && !plane.findings.empty() && doubt_words(plane).empty() &&
          std::all_of(plane.findings.begin(), plane.findings.end(),
                      [](const rules::Finding& finding) {
-                       return finding.verdict == rules::Verdict::pass || finding.is_waived;
+                       return finding.verdict == rules::Verdict::pass && !finding.is_waived &&
+                              !finding.is_close && !finding.by_tolerance;
                      });
 }
 
@@ -254,9 +270,18 @@ std::string badges(const PlanePart& plane) {
               (count > 1 ? fmt::format("<span class=\"quiet\">×{}</span> ", count) : " ");
   }
   if (!plane.is_computed) return html;
+  const auto brief = [&plane](const calc::Estimate& estimate, const char* unit,
+                              rules::Metric metric) {
+    return format_measured(estimate, unit, statistic_thresholds(plane, metric));
+  };
+  if (calc::is_plain_number(plane.derived)) {  // such have no average
+    return html + fmt::format("<span class=\"brief\">{} to {}</span>",
+                              brief(plane.minimum_lx, "", rules::Metric::minimum),
+                              brief(plane.maximum_lx, "", rules::Metric::maximum));
+  }
   return html + fmt::format("<span class=\"brief\">Ē {} · Uo {}</span>",
-                            format_measured(plane.average_lx, "lx"),
-                            format_measured(plane.uniformity_min_avg, ""));
+                            brief(plane.average_lx, "lx", rules::Metric::average),
+                            brief(plane.uniformity_min_avg, "", rules::Metric::uniformity_min_avg));
 }
 
 }  // namespace

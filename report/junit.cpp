@@ -90,6 +90,9 @@ std::string render_junit(const Document& document) {
     for (const CiFinding& entry : findings) {
       if (entry.project == &project) add_case(suite, entry);
     }
+    std::string notes;
+    for (const std::string& note : ci_notes(project)) notes += note + "\n";
+    if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
   }
   std::ostringstream out;
   xml.save(out, "  ", pugi::format_default, pugi::encoding_utf8);

@@ -79,6 +79,12 @@ std::string render_markdown(const Document& document) {
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", verdict_symbol(overall),
                                  outcome_words(document), summary_words(document));
   if (!others.empty()) text += "\n" + table(others);
+  for (const ProjectPart& project : document.projects) {
+    const std::vector<std::string> notes = ci_notes(project);
+    if (notes.empty()) continue;
+    text += fmt::format("\nNotes on {}:\n\n", escape_markdown(project.path));
+    for (const std::string& note : notes) text += fmt::format("- {}\n", escape_markdown(note));
+  }
   if (!passed.empty()) {
     text += fmt::format("\n<details>\n<summary>{} passed</summary>\n\n{}\n</details>\n",
                         passed.size(), table(passed));

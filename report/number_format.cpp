@@ -7,12 +7,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace report {
 namespace {
 
 constexpr const char* kNoNumber = "–";
 constexpr int kMostDecimals = 9;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // Place of the first significant digit: 0 for 1..9.99, 2 for 512, -1 for 0.5. value > 0.
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
@@ -24,11 +26,15 @@ double rounded(double value, int decimals) {
   return result;
 }
 
-bool meets(double value, const Threshold& threshold) {
-  return rules::meets(value, threshold.comparison, threshold.limit);
+// On the same side of every threshold.
+bool are_alike(double shown, double value, const Thresholds& thresholds) {
+  return std::all_of(thresholds.list.begin(), thresholds.list.end(), [&](const Threshold& t) {
+    return rules::meets(shown, t.comparison, t.limit) == rules::meets(value, t.comparison, t.limit);
+  });
 }
 
 double spread_of(const calc::Estimate& estimate) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kUnknown;
   return std::max(estimate.high - estimate.value, estimate.value - estimate.low);
 }
 
@@ -48,13 +54,13 @@ int plain_decimals(double value, double spread, std::string_view unit) {
 }
 
 bool tells_the_truth(const calc::Estimate& estimate, double spread, int decimals,
-                     const Threshold& threshold) {
+                     const Thresholds& thresholds) {
   const double value = rounded(estimate.value, decimals);
-  if (meets(value, threshold) != meets(estimate.value, threshold)) return false;
+  if (!are_alike(value, estimate.value, thresholds)) return false;
   if (!(spread > 0.0)) return true;
   const double width = rounded(spread, decimals);
-  return meets(value - width, threshold) == meets(estimate.value - spread, threshold) &&
-         meets(value + width, threshold) == meets(estimate.value + spread, threshold);
+  return are_alike(value - width, estimate.value - spread, thresholds) &&
+         are_alike(value + width, estimate.value + spread, thresholds);
 }
 
 std::string with_unit(std::string text, std::string_view unit) {
@@ -85,22 +91,21 @@ std::string format_shortest(double value) {
 }
 
 EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
-                             const std::optional<Threshold>& threshold) {
+                             const Thresholds& thresholds) {
   if (!std::isfinite(estimate.value)) return {kNoNumber, ""};
   const double spread = spread_of(estimate);
   if (!std::isfinite(spread)) {  // an unknown interval must not look like an exact value
     return {
-        format_estimate({estimate.value, estimate.value, estimate.value}, unit, threshold).value,
+        format_estimate({estimate.value, estimate.value, estimate.value}, unit, thresholds).value,
         kNoNumber};
   }
   int decimals = plain_decimals(estimate.value, spread, unit);
-  if (threshold) {
+  if (!thresholds.list.empty()) {
     int tried = decimals;
-    while (tried <= kMostDecimals && !tells_the_truth(estimate, spread, tried, *threshold)) ++tried;
+    while (tried <= kMostDecimals && !tells_the_truth(estimate, spread, tried, thresholds)) ++tried;
     if (tried <= kMostDecimals) {
       decimals = tried;
-    } else if (meets(rounded(estimate.value, decimals), *threshold) !=
-               meets(estimate.value, *threshold)) {
+    } else if (!are_alike(rounded(estimate.value, decimals), estimate.value, thresholds)) {
       return {format_shortest(estimate.value), spread > 0.0 ? format_shortest(spread) : ""};
     }
   }
@@ -114,29 +119,35 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
 }
 
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
-                            const std::optional<Threshold>& threshold) {
-  const EstimateText text = format_estimate(estimate, unit, threshold);
+                            const Thresholds& thresholds) {
+  const EstimateText text = format_estimate(estimate, unit, thresholds);
   return with_unit(text.spread.empty() ? text.value : text.value + " ± " + text.spread, unit);
 }
 
-std::string format_interval(const calc::Estimate& estimate, std::string_view unit) {
+std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds) {
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kNoNumber;
   if (estimate.low == estimate.high) return "exact";
-  const int decimals = plain_decimals(estimate.value, spread_of(estimate), unit);
+  int decimals = plain_decimals(estimate.value, spread_of(estimate), unit);
+  for (int tried = decimals; tried <= kMostDecimals; ++tried) {
+    if (!are_alike(rounded(estimate.low, tried), estimate.low, thresholds) ||
+        !are_alike(rounded(estimate.high, tried), estimate.high, thresholds)) {
+      continue;
+    }
+    decimals = tried;
+    break;
+  }
   return with_unit(
       format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
 }
 
-std::string format_cell_lx(double value_lx, const std::optional<Threshold>& threshold) {
+std::string format_cell_lx(double value_lx, const Thresholds& thresholds) {
   if (!std::isfinite(value_lx)) return kNoNumber;
   int decimals = std::min(decimals_for(value_lx, 3), 3);
-  if (threshold) {
-    const bool is_met = meets(value_lx, *threshold);
-    for (int tried = decimals; tried <= kMostDecimals; ++tried) {
-      if (meets(rounded(value_lx, tried), *threshold) != is_met) continue;
-      decimals = tried;
-      break;
-    }
+  for (int tried = decimals; tried <= kMostDecimals; ++tried) {
+    if (!are_alike(rounded(value_lx, tried), value_lx, thresholds)) continue;
+    decimals = tried;
+    break;
   }
   return format_fixed(value_lx, decimals);
 }
@@ -148,7 +159,8 @@ std::string format_limit(double limit, std::string_view unit) {
   std::string text = format_shortest(limit);
   if (text.size() > kMostCharacters) text = fmt::format("{:.9g}", limit);
   const bool is_plain = text.find('e') == std::string::npos;
-  if (unit.empty() && is_plain) {
+  constexpr double kLeastRating = 10.0;  // ratios are smaller, and their zeros usual
+  if (unit.empty() && is_plain && std::abs(limit) < kLeastRating) {
     const std::size_t point = text.find('.');
     const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
     if (decimals < 2) text = format_fixed(limit, 2);

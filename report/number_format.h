@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace report {
 
@@ -27,30 +28,47 @@ struct Threshold {
   rules::Comparison comparison = rules::Comparison::at_least;
 };
 
+// Several of them; from one, an optional one or two implicitly.
+struct Thresholds {
+  std::vector<Threshold> list;
+
+  Thresholds() = default;
+  Thresholds(const Threshold& one) : list{one} {}
+  Thresholds(const std::optional<Threshold>& one) { add(one); }
+  Thresholds(const std::optional<Threshold>& one, const std::optional<Threshold>& other) {
+    add(one);
+    add(other);
+  }
+  void add(const std::optional<Threshold>& one) {
+    if (one) list.push_back(*one);
+  }
+};
+
 // "512.3" and "4.1"; `spread` is empty for exact values. The half width has two significant digits
 // and the value ends at the same place (at most four significant digits, at most three decimals for
-// a ratio). With a threshold, digits are added until value and interval ends are on their true side
-// of it. spread is the larger of high - value and value - low.
+// a ratio). With thresholds, digits are added until value and interval ends are on their true side
+// of all of them. spread is the larger of high - value and value - low.
 struct EstimateText {
   std::string value, spread;
 };
 // unit: "lx", or "" for a ratio.
 EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
-                             const std::optional<Threshold>& threshold = std::nullopt);
+                             const Thresholds& thresholds = {});
 
 // "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact.
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
-                            const std::optional<Threshold>& threshold = std::nullopt);
+                            const Thresholds& thresholds = {});
 
-// "508.2 – 516.4 lx"; "exact" when nothing was sampled.
-std::string format_interval(const calc::Estimate& estimate, std::string_view unit);
+// "508.2 – 516.4 lx"; "exact" when nothing was sampled. Both ends are on their true side.
+std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds = {});
 
 // One illuminance without interval, short enough for a cell of a plan: "1240", "512", "51.2",
 // "5.12".
-std::string format_cell_lx(double value_lx,
-                           const std::optional<Threshold>& threshold = std::nullopt);
+std::string format_cell_lx(double value_lx, const Thresholds& thresholds = {});
 
-// "≥ 500 lx", "≤ 0.60": as many digits as the limit has, at least two decimals for a ratio.
+// "≥ 500 lx", "≤ 0.60", "≤ 19": as many digits as the limit has, but nine where that are more than
+// ten characters; at least two decimals for a number without unit below 10, which is a ratio.
 std::string format_required(const Threshold& threshold, std::string_view unit);
 std::string format_limit(double limit, std::string_view unit);
 

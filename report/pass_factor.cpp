@@ -17,12 +17,8 @@ bool is_linear(rules::Metric metric) {
   return std::find(kLinear.begin(), kLinear.end(), metric) != kLinear.end();
 }
 
-bool needs_more(rules::Comparison comparison) {
-  return comparison == rules::Comparison::at_least || comparison == rules::Comparison::more_than;
-}
-
-bool is_unmet(const rules::Finding& finding) {
-  return finding.verdict == rules::Verdict::fail || finding.verdict == rules::Verdict::undecided;
+bool is_strict(rules::Comparison comparison) {
+  return comparison == rules::Comparison::more_than || comparison == rules::Comparison::less_than;
 }
 
 // 1e-6: 1.09 must not become 1.10 because of its last bit.
@@ -50,7 +46,8 @@ std::optional<calc::Estimate> pass_factor(const rules::Finding& finding) {
   const calc::Estimate& measured = finding.measured;
   // Ratings and ratios do not grow with the light.
   if (calc::is_plain_number(requirement.derived)) return std::nullopt;
-  if (!is_unmet(finding) || !is_linear(requirement.metric) || !requirement.policy.is_default() ||
+  if (finding.verdict != rules::Verdict::fail || is_strict(requirement.comparison) ||
+      !is_linear(requirement.metric) || !requirement.policy.is_default() ||
       !(requirement.limit > 0.0) || !(measured.low > 0.0) || !std::isfinite(measured.high)) {
     return std::nullopt;
   }
@@ -62,15 +59,16 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
                                         const GroupShare& share) {
   const rules::Requirement& requirement = finding.requirement;
   const bool is_about_average =
-      requirement.metric == rules::Metric::average && needs_more(requirement.comparison) &&
+      requirement.metric == rules::Metric::average && !calc::is_plain_number(requirement.derived) &&
+      requirement.comparison == rules::Comparison::at_least &&
       requirement.state == rules::LightState::maintained && requirement.scene.empty() &&
       requirement.mask.operations.empty() && requirement.mask.id.empty() &&
       !requirement.direct_only && requirement.policy.is_default();
-  if (!is_unmet(finding) || !is_about_average || !(share.average_lx.value > 0.0))
+  if (finding.verdict != rules::Verdict::fail || !is_about_average || !(share.average_lx.low > 0.0))
     return std::nullopt;
-  const double missing = requirement.limit - plane.average_lx.value;
-  if (!(missing > 0.0)) return std::nullopt;
-  return 1.0 + missing / share.average_lx.value;
+  const double missing = requirement.limit - plane.average_lx.low;
+  if (!(missing > 0.0) || !std::isfinite(missing)) return std::nullopt;
+  return 1.0 + missing / share.average_lx.low;
 }
 
 std::string factor_text(double factor) { return "×" + format_fixed(up(factor, 2), 2); }
@@ -79,14 +77,10 @@ std::string pass_factor_words(const rules::Finding& finding) {
   const std::optional<calc::Estimate> factor = pass_factor(finding);
   if (!factor) return {};
   const int digits = decimals_of(*factor);
-  const double value = needs_more(finding.requirement.comparison) ? up(factor->value, digits)
-                                                                  : down(factor->value, digits);
-  const std::string range =
-      factor->low == factor->high
-          ? ""
-          : fmt::format(" ({} to {})", format_fixed(down(factor->low, digits), digits),
-                        format_fixed(up(factor->high, digits), digits));
-  return fmt::format("Would be met with all light at ×{}{}.", format_fixed(value, digits), range);
+  const bool needs_more = rules::is_lower_limit(finding.requirement.comparison);
+  return fmt::format(
+      "{} the limit with all light at ×{}.", needs_more ? "Reaches" : "Comes down to",
+      format_fixed(needs_more ? up(factor->high, digits) : down(factor->low, digits), digits));
 }
 
 }  // namespace report

@@ -1,6 +1,7 @@
 #include "report/plan_layout.h"
 
 #include "report/words.h"
+#include "rules/compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ std::vector<PlanLine> furniture(const SpacePart& space, const calc::SensorGrid& 
 
 bool is_about_points(const rules::Requirement& requirement) {
   return requirement.state == rules::LightState::maintained && requirement.scene.empty() &&
-         requirement.mask.operations.empty() && !requirement.direct_only;
+         requirement.mask.id.empty() && requirement.mask.operations.empty() &&
+         !requirement.direct_only;
 }
 
 }  // namespace
@@ -122,19 +124,41 @@ std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
   return limits;
 }
 
-std::optional<Threshold> point_threshold(const PlanePart& plane, rules::Comparison comparison) {
-  const bool is_minimum = comparison == rules::Comparison::at_least;
+std::optional<Threshold> point_threshold(const PlanePart& plane, PointSide side) {
+  const bool is_minimum = side == PointSide::from_below;
   const rules::Metric metric = is_minimum ? rules::Metric::minimum : rules::Metric::maximum;
   std::optional<Threshold> strictest;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& r = finding.requirement;
-    if (r.metric != metric || r.comparison != comparison || !is_about_points(r)) continue;
-    if (std::isnan(r.limit)) continue;
-    const bool is_stricter =
-        !strictest || (is_minimum ? r.limit > strictest->limit : r.limit < strictest->limit);
-    if (is_stricter) strictest = Threshold{r.limit, comparison};
+    if (r.metric != metric || rules::is_lower_limit(r.comparison) != is_minimum) continue;
+    if (!is_about_points(r) || std::isnan(r.limit)) continue;
+    const Threshold threshold{r.limit, r.comparison};
+    // Of equal limits the one that the limit itself misses.
+    if (!strictest || (is_minimum ? r.limit > strictest->limit : r.limit < strictest->limit) ||
+        (r.limit == strictest->limit && misses(threshold, r.limit))) {
+      strictest = threshold;
+    }
   }
   return strictest;
+}
+
+bool misses(const std::optional<Threshold>& threshold, double value) {
+  return threshold && !rules::meets(value, threshold->comparison, threshold->limit);
+}
+
+Thresholds statistic_thresholds(const PlanePart& plane, rules::Metric metric) {
+  Thresholds thresholds;
+  for (const rules::Finding& finding : plane.findings) {
+    const rules::Requirement& r = finding.requirement;
+    if (r.metric == metric && is_about_points(r) && !std::isnan(r.limit))
+      thresholds.add(Threshold{r.limit, r.comparison});
+  }
+  return thresholds;
+}
+
+Thresholds point_thresholds(const PlanePart& plane) {
+  return {point_threshold(plane, PointSide::from_below),
+          point_threshold(plane, PointSide::from_above)};
 }
 
 double scale_bar_m(double width_m) {

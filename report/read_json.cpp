@@ -34,7 +34,7 @@ glm::dvec2 vec2(const JsonCursor& at) {
 std::vector<glm::dvec2> polygon(const JsonCursor& at) { return at.list_of(vec2); }
 
 calc::Estimate estimate(const JsonCursor& at) {
-  return {at["value"].number(), at["low"].number(), at["high"].number()};
+  return settled({at["value"].number(), at["low"].number(), at["high"].number()});
 }
 
 std::optional<double> optional_number(const JsonCursor& at) {
@@ -327,6 +327,7 @@ PlanePart plane(const JsonCursor& at, const std::string& space_id) {
   p.outline_m = polygon(at["grid"]["outline_m"]);
   p.holes_m = at["grid"]["holes_m"].list_of(polygon);
   add_points(at["points"], p);
+  settle_estimates(p);
   return p;
 }
 

@@ -75,6 +75,10 @@ const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity deriv
   return kernel_words(kernel);
 }
 
+const char* state_words(const PlanePart& plane) {
+  return plane.derived == calc::DerivedQuantity::ugr ? "Initial" : "Maintained";
+}
+
 const char* value_key(const PlanePart& plane) {
   if (plane.derived == calc::DerivedQuantity::ugr) return "ugr";
   return plane.derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";

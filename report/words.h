@@ -30,6 +30,9 @@ inline bool is_plain_illuminance(const PlanePart& plane) {
 inline const char* plane_unit(const PlanePart& plane) {
   return calc::is_plain_number(plane.derived) ? "" : "lx";
 }
+// Of which light the plane's values are: "Maintained", or "Initial" of glare ratings, which are of
+// the new installation.
+const char* state_words(const PlanePart& plane);
 // What a point's value is called in data: "illuminance_lx", "ugr", "modelling".
 const char* value_key(const PlanePart& plane);
 

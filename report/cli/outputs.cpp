@@ -16,11 +16,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -74,12 +77,13 @@ class Writer {
 
   void write(const std::string& path, const std::function<std::string()>& make) {
     std::string problem =
-        inputs_.contains(path_identity(path))
-            ? fmt::format("'{}' was read as an input and is not overwritten", path)
-            : write_made(path, make);
+        is_input(path) ? fmt::format("'{}' was read as an input and is not overwritten", path)
+                       : write_made(path, make);
     if (!problem.empty()) problems_.push_back(std::move(problem));
   }
 
+  bool is_input(const std::string& path) const { return inputs_.contains(path_identity(path)); }
+  void add_problem(std::string problem) { problems_.push_back(std::move(problem)); }
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:
@@ -132,24 +136,101 @@ void write_images(const std::string& folder, const report::Document& document, W
   }
 }
 
+// Of the pages that belong to an index: the index's whole name, so that no two share it.
+fs::path rooms_folder(const fs::path& index) {
+  return index.parent_path() / (index.filename().string() + "-rooms");
+}
+
+// "p1s2.html", "p1s2-3.html": the names of pages, and of nothing else that we write.
+bool is_page_name(std::string_view name) {
+  const auto number = [&name] {
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    name.remove_prefix(digits);
+    return digits > 0;
+  };
+  const auto word = [&name](std::string_view expected) {
+    if (!name.starts_with(expected)) return false;
+    name.remove_prefix(expected.size());
+    return true;
+  };
+  if (!word("p") || !number() || !word("s") || !number()) return false;
+  if (name.starts_with("-") && !(word("-") && number())) return false;
+  return name == ".html";
+}
+
+// Whether this is or could be a page in that folder.
+bool is_page_of(const fs::path& folder, const std::string& file) {
+  const fs::path path = path_identity(file);
+  return is_page_name(path.filename().string()) &&
+         path.parent_path() == fs::path(path_identity(folder.string()));
+}
+
+// Pages of an earlier run that this one has not: nothing links to them, and they tell old results.
+std::vector<std::string> remove_stale_pages(const fs::path& folder,
+                                            const std::set<std::string>& written,
+                                            const Writer& writer) {
+  std::vector<fs::path> stale;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;
+    if (!is_page_name(name) || written.contains(name)) continue;
+    if (entry->is_regular_file(ignored) && !writer.is_input(entry->path().string()))
+      stale.push_back(entry->path());
+  }
+  std::vector<std::string> problems;
+  for (const fs::path& path : stale) {
+    fs::remove(path, failure);
+    if (failure) {
+      problems.push_back(fmt::format("cannot remove '{}', a page of an earlier report: {}",
+                                     path.string(), failure.message()));
+    }
+  }
+  return problems;
+}
+
 // The page of a room names its planes by position: it must not be a file that is there for another
 // reason, which the folder of its own sees to. The index comes last, since it links to the others.
 void write_html_pages(const std::string& file, const report::Document& document, Writer& writer) {
   const fs::path index = file;
-  const std::string folder = safe_name(index.stem().string()) + "-rooms";
+  const fs::path folder = rooms_folder(index);
   const std::string back = "../" + report::url_name(index.filename().string());
+  std::set<std::string> written;
   for (const report::HtmlPage& page : report::html_pages(document)) {
-    writer.write((index.parent_path() / folder / page.name).string(),
+    written.insert(page.name);
+    writer.write((folder / page.name).string(),
                  [&] { return report::render_html_page(document, page, back); });
   }
-  writer.write(file, [&] { return report::render_html_index(document, folder); });
+  const std::string address = report::url_name(folder.filename().string());
+  writer.write(file, [&] { return report::render_html_index(document, address); });
+  for (std::string& problem : remove_stale_pages(folder, written, writer))
+    writer.add_problem(std::move(problem));
+}
+
+// "" or why the pages beside an index cannot be written: an input or another planned file may be
+// one of them, or their folder is none.
+std::string pages_problem(const std::string& index, const std::vector<OutputFormat>& planned,
+                          const std::vector<std::string>& inputs) {
+  const fs::path folder = rooms_folder(index);
+  for (const std::string& input : inputs) {
+    if (is_page_of(folder, input))
+      return fmt::format("'{}' is an input and could be overwritten by a page of '{}'", input,
+                         index);
+  }
+  for (const OutputFormat& other : planned) {
+    if (is_page_of(folder, other.file))
+      return fmt::format("'{}' would be written twice: '{}' has pages of such names", other.file,
+                         index);
+  }
+  return writability((folder / "p1s1.html").string());
 }
 
 }  // namespace
 
 std::string path_identity(const std::string& file) {
   std::error_code ignored;
-  const fs::path path = fs::weakly_canonical(file, ignored);
+  const fs::path path = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
   return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
 }
 
@@ -169,11 +250,13 @@ std::vector<OutputFormat> planned_files(const Options& options) {
 }
 
 std::string check_outputs(const Options& options) {
+  std::vector<std::string> read = options.projects;
+  read.insert(read.end(), options.rule_files.begin(), options.rule_files.end());
+  if (!options.result_file.empty()) read.push_back(options.result_file);
   std::set<std::string> inputs, seen;
-  for (const std::string& file : options.projects) inputs.insert(path_identity(file));
-  for (const std::string& file : options.rule_files) inputs.insert(path_identity(file));
-  if (!options.result_file.empty()) inputs.insert(path_identity(options.result_file));
-  for (const OutputFormat& format : planned_files(options)) {
+  for (const std::string& file : read) inputs.insert(path_identity(file));
+  const std::vector<OutputFormat> planned = planned_files(options);
+  for (const OutputFormat& format : planned) {
     const std::string name = path_identity(format.file);
     if (inputs.contains(name)) {
       return fmt::format("'{}' is an input and would be overwritten", format.file);
@@ -182,6 +265,8 @@ std::string check_outputs(const Options& options) {
       return fmt::format("'{}' would be written twice", format.file);
     }
     std::string problem = writability(format.file);
+    if (problem.empty() && format.kind == FormatKind::html && options.html_split)
+      problem = pages_problem(format.file, planned, read);
     if (!problem.empty()) return problem;
   }
   return "";

@@ -226,5 +226,24 @@ TEST(Gitlab, FingerprintsAreUniqueEvenForEqualMessages) {
   EXPECT_EQ(different.size(), 4u);
 }
 
+// CI output must not hide that a zone was left out or changed.
+TEST(CiFormats, NotesOfRoomsAreTold) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  EXPECT_THAT(render_markdown(document), Not(HasSubstr("Notes on")));
+  EXPECT_THAT(render_junit(document), Not(HasSubstr("Office: ")));
+  space.notes = {"workplace desk: left out: ceiling | <open>"};
+  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
+  EXPECT_THAT(render_markdown(document),
+              HasSubstr("- Office: workplace desk: left out: ceiling &#124; &#60;open&#62;\n"
+                        "- Office / Work plane: changed: height 1.1 m instead of 0.75 m\n"));
+  pugi::xml_document tree;
+  ASSERT_TRUE(tree.load_string(render_junit(document).c_str()));
+  const std::string told = tree.select_node("//testsuite/system-out").node().text().as_string();
+  EXPECT_EQ(told,
+            "Office: workplace desk: left out: ceiling | <open>\n"
+            "Office / Work plane: changed: height 1.1 m instead of 0.75 m\n");
+}
+
 }  // namespace
 }  // namespace report

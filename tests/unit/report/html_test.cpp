@@ -156,7 +156,7 @@ TEST(Html, LooksGroupsAndPolarDiagramsAreShown) {
   EXPECT_THAT(html, HasSubstr("row &lt;2&gt;"));
   EXPECT_EQ(tree.select_nodes("//svg[@class='polar']").size(), 1U);
   EXPECT_THAT(html, HasSubstr("outer ring 500 cd"));
-  EXPECT_THAT(html, HasSubstr("Would be met with all light at ×1.07 (1.04 to 1.08)."));
+  EXPECT_THAT(html, HasSubstr("Reaches the limit with all light at ×1.08."));
 }
 
 TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
@@ -191,6 +191,32 @@ TEST(HtmlPages, HoldEveryPlaneOnceAndAllLinksLead) {
     EXPECT_TRUE(targets.contains(target.substr(13))) << target;
   }
   EXPECT_GE(links, 2 * kPlanesPerPage + 2 + pages.size());
+}
+
+// What a workplace left out is told where its room is, once, and beside the link to it.
+TEST(HtmlPages, NotesOfRoomsAreOnTheFirstPageAndOnTheIndex) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes.resize(kPlanesPerPage + 1, space.planes[0]);
+  space.notes = {"workplace desk: left out: ceiling <open>"};
+  const std::vector<HtmlPage> pages = html_pages(document);
+  ASSERT_EQ(pages.size(), 2U);
+  const char* told = "workplace desk: left out: ceiling &lt;open&gt;";
+  EXPECT_THAT(render_html_page(document, pages[0], "../r.html"), HasSubstr(told));
+  EXPECT_THAT(render_html_page(document, pages[1], "../r.html"), Not(HasSubstr(told)));
+  const std::string index = render_html_index(document, "r.html-rooms");
+  parsed(index);
+  const std::size_t at = index.find(told);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(index.find(told, at + 1), std::string::npos);
+}
+
+// Folded values are printed, too.
+TEST(HtmlPages, UnfoldWhenPrinted) {
+  const Document document = small_document();
+  const std::string html = render_html_page(document, html_pages(document)[0], "../r.html");
+  EXPECT_THAT(html, HasSubstr("beforeprint"));
+  EXPECT_THAT(html, HasSubstr("script-src 'sha256-"));
 }
 
 TEST(HtmlPages, NamesInAddressesAreQuoted) {
@@ -425,6 +451,144 @@ TEST(Html, RatingsHaveNoUnit) {
   const std::string without = render_html(document);
   parsed(without);
   EXPECT_THAT(without, Not(HasSubstr("Heat map of Work plane")));
+}
+
+Document rated_document(calc::DerivedQuantity derived) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.derived = plane.grid.derived = derived;
+  plane.points[0].maintained_lx = {18.5, 18.25, 18.75};
+  plane.points[1].maintained_lx = {16.5, 16.25, 16.75};
+  plane.minimum_lx = plane.points[1].maintained_lx;
+  plane.maximum_lx = plane.points[0].maintained_lx;
+  plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  rules::Finding finding = sample_finding(rules::Metric::maximum, 17, plane.maximum_lx);
+  finding.requirement.comparison = rules::Comparison::at_most;
+  finding.requirement.derived = derived;
+  finding.verdict = rules::Verdict::fail;
+  finding.margin = -1.5 / 17;
+  plane.findings = {finding};
+  PlaneLook look{1024, 4096, 2, no_estimate(), {{finding.verdict, finding.measured}}};
+  plane.looks = {look, look};
+  return document;
+}
+
+TEST(Html, GlareRatingsAreOfTheNewInstallation) {
+  const std::string glare = render_html(rated_document(calc::DerivedQuantity::ugr));
+  parsed(glare);
+  for (const char* words : {"Initial glare rating UGR, every luminaire at full output",
+                            "Initial glare rating UGR; distances", "scope=\"col\">Initial</th>"}) {
+    EXPECT_THAT(glare, HasSubstr(words));
+  }
+  EXPECT_THAT(glare, Not(HasSubstr("Maintained")));
+  EXPECT_THAT(render_html(rated_document(calc::DerivedQuantity::modelling)),
+              HasSubstr("Maintained modelling Ez/E, every luminaire"));
+}
+
+TEST(Html, RatingsHaveNoUnitInFindingsLooksAndKeys) {
+  for (const auto derived : {calc::DerivedQuantity::ugr, calc::DerivedQuantity::modelling}) {
+    Document document = rated_document(derived);
+    const std::string html = render_html(document);
+    parsed(html);
+    EXPECT_THAT(html, HasSubstr("18.50 ± 0.25"));
+    EXPECT_THAT(html, HasSubstr("How the verdicts were reached: 2 looks"));
+    EXPECT_THAT(html, HasSubstr("above 17<"));  // in the key of the hatching
+    for (const char* wrong : {"18.50 ± 0.25 lx", "isolux", "17 lx", "17.00"}) {
+      EXPECT_THAT(html, Not(HasSubstr(wrong))) << wrong;
+    }
+  }
+}
+
+// 499.96 lx under a limit of 500 lx must not become 500 lx anywhere.
+TEST(Html, NoValueIsRoundedOntoItsLimit) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.points[0].maintained_lx = estimate(600.04, 0.01);
+  plane.points[1].maintained_lx = estimate(499.96, 0.01);
+  plane.minimum_lx = plane.points[1].maintained_lx;
+  plane.maximum_lx = plane.points[0].maintained_lx;
+  plane.average_lx = estimate(549.96, 3);
+  plane.findings = {sample_finding(rules::Metric::average, 550, plane.average_lx),
+                    sample_finding(rules::Metric::minimum, 500, plane.minimum_lx),
+                    sample_finding(rules::Metric::maximum, 600, plane.maximum_lx)};
+  plane.findings[2].requirement.comparison = rules::Comparison::at_most;
+  plane.findings[2].verdict = rules::Verdict::fail;
+  const std::string html = render_html(document);
+  const pugi::xml_document tree = parsed(html);
+  EXPECT_THAT(html, HasSubstr("illuminance from 499.96 to 600.04 lx"));
+  EXPECT_EQ(tree.select_nodes("//table[@class='matrix']//td[.='499.96' or .='600.04']").size(), 2U);
+  EXPECT_EQ(tree.select_nodes("//g[@class='numbers']/text[.='499.96' or .='600.04']").size(), 2U);
+  EXPECT_EQ(tree.select_nodes(
+                    "//g[@class='cells']//title[contains(., '499.96') or contains(., '600.04')]")
+                .size(),
+            2U);
+  EXPECT_THAT(html, HasSubstr("<span class=\"brief\">Ē 549.96 ± 3.00 lx"));
+  const auto row = [&](const char* name) {
+    const std::string path = std::string("//table[@class='facts']//tr[th='") + name + "']/td[1]";
+    return text_of(tree.select_node(path.c_str()).node());
+  };
+  EXPECT_EQ(row("Average Ē"), "549.96 ± 3.00 lx");
+  EXPECT_EQ(row("Minimum"), "499.96 ± 0.01 lx");
+  EXPECT_EQ(row("Maximum"), "600.04 ± 0.01 lx");
+}
+
+TEST(Html, StrictLimitsAreHatchedWhereTheyAreReached) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.findings[1].requirement.limit = 424.5;  // the minimum itself
+  EXPECT_THAT(render_html(document), Not(HasSubstr("url(#hatch-p1s1k1)")));
+  plane.findings[1].requirement.comparison = rules::Comparison::more_than;
+  const std::string html = render_html(document);
+  EXPECT_THAT(html, HasSubstr("url(#hatch-p1s1k1)"));
+  EXPECT_THAT(html, HasSubstr("not above 424.5 lx"));
+}
+
+TEST(Html, ComparisonSignsAreEscaped) {
+  Document document = small_document();
+  for (rules::Finding& finding : document.projects[0].spaces[0].planes[0].findings)
+    finding.requirement.comparison = rules::Comparison::less_than;
+  const std::string html = render_html(document);
+  parsed(html);
+  EXPECT_THAT(html, HasSubstr("&lt; 500 lx"));
+  EXPECT_THAT(html, Not(HasSubstr("< 500 lx")));
+}
+
+TEST(Html, PassesThatNeedALookAreNotFolded) {
+  Document document = small_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes[0].findings.pop_back();
+  planes.resize(6, planes[0]);
+  planes[1].findings[0].is_waived = true;
+  planes[2].findings[0].is_close = true;
+  planes[3].findings[0].by_tolerance = true;
+  planes[4].single_sample_points = 1;
+  const pugi::xml_document tree = parsed(render_html(document));
+  EXPECT_EQ(tree.select_nodes("//details[@class='card'][not(@open)]").size(), 2U);
+  EXPECT_EQ(tree.select_nodes("//details[@class='card'][@open]").size(), 4U);
+}
+
+TEST(Html, WhatNeedsAttentionKeepsItsNotes) {
+  Document document = small_document();
+  rules::Requirement& requirement =
+      document.projects[0].spaces[0].planes[0].findings[1].requirement;
+  requirement.note = "unverified <requirement>";
+  requirement.scene = "night";
+  requirement.state = rules::LightState::initial;
+  const pugi::xml_document tree = parsed(render_html(document));
+  const std::string item = text_of(tree.select_node("//ul[@class='attention']/li").node());
+  for (const char* words : {"unverified <requirement>", "scene night", "initial"})
+    EXPECT_THAT(item, HasSubstr(words));
+}
+
+TEST(Html, EveryGroupNoteIsKept) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.groups = {{"row", estimate(400, 3), 300}, {"", estimate(112.5, 1), 50}};
+  plane.findings = {sample_finding(rules::Metric::average, 600, plane.average_lx),
+                    sample_finding(rules::Metric::average, 750, plane.average_lx)};
+  const pugi::xml_document tree = parsed(render_html(document));
+  EXPECT_EQ(tree.select_nodes("//table[@class='facts groups']//tr[1]//span[@class='note']").size(),
+            2U);
 }
 
 TEST(Html, TimeAppearsOnlyOnRequest) {

@@ -104,6 +104,8 @@ TEST(NumberFormat, LimitsKeepTheirDigits) {
 
 TEST(NumberFormat, LimitsInFootCandlesAndUnknownOnes) {
   EXPECT_EQ(format_limit(10.763910416709722, "lx"), "10.7639104 lx");
+  EXPECT_EQ(format_limit(6.5659853541929305, "W/m2"), "6.56598535 W/m2");  // 0.61 W/ft2
+  EXPECT_EQ(format_required(at_most(19), ""), "≤ 19");                     // a rating, no ratio
   EXPECT_EQ(format_required({kNan, rules::Comparison::at_least}, "lx"), "unknown limit");
 }
 
@@ -121,6 +123,24 @@ TEST(NumberFormat, CellsAreShortAndOnTheirSideOfTheLimit) {
   EXPECT_EQ(format_cell_lx(0.0), "0.0");
   EXPECT_EQ(format_cell_lx(499.7, at_least(500)), "499.7");
   EXPECT_EQ(format_cell_lx(499.2, at_least(500)), "499");
+}
+
+TEST(NumberFormat, DigitsRespectSeveralLimits) {
+  const Thresholds both(at_least(500), at_most(600));
+  EXPECT_EQ(format_cell_lx(499.96, both), "499.96");
+  EXPECT_EQ(format_cell_lx(600.04, both), "600.04");
+  EXPECT_EQ(format_cell_lx(550.04, both), "550");
+  EXPECT_EQ(format_measured({600.04, 590.04, 610.04}, "lx", both), "600.04 ± 10.00 lx");
+  EXPECT_EQ(format_interval({510, 499.96, 520.04}, "lx", both), "499.96 – 520.04 lx");
+}
+
+TEST(NumberFormat, OpenIntervalsAreNoExactOnes) {
+  const double open = std::numeric_limits<double>::infinity();
+  for (const calc::Estimate& estimate :
+       {calc::Estimate{512, 500, open}, calc::Estimate{512, -open, 520},
+        calc::Estimate{512, kNan, 520}, calc::Estimate{512, 500, kNan}}) {
+    EXPECT_EQ(format_measured(estimate, "lx"), "512.0 ± – lx");
+  }
 }
 
 TEST(NumberFormat, LengthsCountsAndTimes) {

@@ -79,8 +79,38 @@ TEST(PlanLimits, OnlyThoseThatTheDrawnPointsMustMeet) {
   plane.findings.push_back(initial);
   ASSERT_EQ(plan_limits(plane).size(), 2U);
   EXPECT_EQ(plan_limits(plane)[0].words, "average ≥ 500 lx");
-  EXPECT_EQ(point_threshold(plane, rules::Comparison::at_least)->limit, 450);
-  EXPECT_FALSE(point_threshold(plane, rules::Comparison::at_most));
+  EXPECT_EQ(point_threshold(plane, PointSide::from_below)->limit, 450);
+  EXPECT_FALSE(point_threshold(plane, PointSide::from_above));
+}
+
+// Results as files know a mask's name only, not its operations.
+TEST(PlanLimits, MaskedOnesAreOfOtherPoints) {
+  for (const bool has_operations : {false, true}) {
+    PlanePart plane = small_document().projects[0].spaces[0].planes[0];
+    for (rules::Finding& finding : plane.findings) {
+      finding.requirement.mask.id = "inner";
+      if (has_operations)
+        finding.requirement.mask.operations = {{rules::MaskStep::inset, 0.5, 0, 0}};
+    }
+    EXPECT_TRUE(plan_limits(plane).empty());
+    EXPECT_FALSE(point_threshold(plane, PointSide::from_below));
+  }
+}
+
+TEST(PlanLimits, StrictOnesCountAsTheirSides) {
+  PlanePart plane = small_document().projects[0].spaces[0].planes[0];
+  rules::Finding strict = plane.findings[1];
+  strict.requirement.comparison = rules::Comparison::more_than;
+  plane.findings.push_back(strict);
+  EXPECT_EQ(point_threshold(plane, PointSide::from_below)->comparison,
+            rules::Comparison::more_than);
+  EXPECT_TRUE(misses(point_threshold(plane, PointSide::from_below), 450));
+  strict.requirement.metric = rules::Metric::maximum;
+  strict.requirement.comparison = rules::Comparison::less_than;
+  plane.findings.push_back(strict);
+  EXPECT_TRUE(misses(point_threshold(plane, PointSide::from_above), 450));
+  EXPECT_FALSE(misses(point_threshold(plane, PointSide::from_above), 449));
+  EXPECT_EQ(point_thresholds(plane).list.size(), 2U);
 }
 
 TEST(ScaleBar, IsRoundAndAtMostAThird) {

@@ -24,6 +24,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 Document read_again(const Document& document) {
   std::string problem;
@@ -153,6 +154,36 @@ TEST(ReadJson, WhatIsNotFiniteStaysSo) {
       std::numeric_limits<double>::infinity();
   const Document again = read_again(document);
   EXPECT_FALSE(std::isfinite(again.projects[0].spaces[0].planes[0].findings[0].measured.high));
+}
+
+// Files have no infinity: before and after one the pages are the same, and no drawing gets a place
+// that is no number.
+TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
+  const double open = std::numeric_limits<double>::infinity();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const calc::Estimate& measured :
+       {calc::Estimate{512, 500, open}, calc::Estimate{512, -open, 520},
+        calc::Estimate{512, none, 520}, calc::Estimate{512, none, none},
+        calc::Estimate{open, 500, open}, calc::Estimate{-open, -open, -open}}) {
+    Document document = small_document();
+    PlanePart& plane = document.projects[0].spaces[0].planes[0];
+    plane.findings[0].measured = plane.average_lx = plane.points[0].maintained_lx = measured;
+    plane.groups = {{"row", measured, 200}, {"", estimate(100, 1), 50}};
+    PlaneLook look{1024, 4096, 2, measured, {}};
+    for (const rules::Finding& finding : plane.findings)
+      look.findings.push_back({finding.verdict, finding.measured});
+    plane.looks = {look, look};
+    settle_estimates(plane);
+    const Document again = read_again(document);
+    const std::string html = render_html(document);
+    EXPECT_EQ(render_html(again), html);
+    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(render_text(again), render_text(document));
+    EXPECT_EQ(render_junit(again), render_junit(document));
+    const std::string drawn = html.substr(0, html.find("<script>"));
+    for (const char* wrong : {"NaN", "nan ", "nan\"", "inf ", "inf\"", "M–", "H–", "L–", "\"–\""})
+      EXPECT_THAT(drawn, Not(HasSubstr(wrong))) << wrong;
+  }
 }
 
 TEST(ReadJson, OnlyWhatIsNotJudgedMayLackItsLimit) {

@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
 
 namespace {
 
@@ -67,6 +70,62 @@ TEST_F(Outputs, RefusesAFileWhereAFolderShouldBe) {
   std::ofstream(path("file")) << "x";
   add(cli::FormatKind::html, "file/report.html");
   EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+}
+
+TEST_F(Outputs, PagesOfRoomsAreInFoldersOfTheirOwn) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "büro.html");
+  add(cli::FormatKind::html, "bäro.html");
+  add(cli::FormatKind::html, "bäro.htm");
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  report::Document document;
+  document.projects.resize(1);
+  document.projects[0].spaces.resize(1);
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  for (const char* page :
+       {"büro.html-rooms/p1s1.html", "bäro.html-rooms/p1s1.html", "bäro.htm-rooms/p1s1.html"}) {
+    EXPECT_TRUE(fs::exists(path(page))) << page;
+  }
+  std::ifstream index(path("büro.html"));
+  const std::string html((std::istreambuf_iterator<char>(index)), {});
+  EXPECT_THAT(html, HasSubstr("href=\"b%C3%BCro.html-rooms/p1s1.html\""));
+}
+
+TEST_F(Outputs, PagesOfRoomsArePlannedFiles) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "r.html");
+  add(cli::FormatKind::json, "r.html-rooms/p1s2-3.html");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("written twice"));
+  options_.formats.back().file = path("r.html-rooms/result.json");
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  options_.projects = {path("sub/../r.html-rooms/p1s1.html")};
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is an input"));
+  options_.html_split = false;
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  options_.html_split = true;
+  options_.projects = {path("project.xml")};
+  std::ofstream(path("r.html-rooms")) << "x";
+  options_.formats.pop_back();
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+}
+
+// Nothing but pages is removed, and no input.
+TEST_F(Outputs, PagesOfAnEarlierRunAreRemoved) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "r.html");
+  fs::create_directories(path("r.html-rooms/p9s9.html"));
+  for (const char* name : {"p1s1.html", "p1s2.html", "p12s3-4.html", "p2s1.html", "notes.html",
+                           "p1s.html", "p1s2-.html", "p1s2.html.bak", "xp1s2.html"})
+    std::ofstream(path("r.html-rooms/") + name) << "old";
+  report::Document document;
+  document.projects.resize(1);
+  document.projects[0].spaces.resize(1);
+  EXPECT_TRUE(cli::write_outputs(options_, document, {path("r.html-rooms/p2s1.html")}).empty());
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(path("r.html-rooms")))
+    left.insert(entry.path().filename().string());
+  EXPECT_EQ(left, (std::set<std::string>{"p1s1.html", "p2s1.html", "p9s9.html", "notes.html",
+                                         "p1s.html", "p1s2-.html", "p1s2.html.bak", "xp1s2.html"}));
 }
 
 TEST_F(Outputs, ImageNamesAreSafeFileNames) {
