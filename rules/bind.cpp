@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -42,13 +44,39 @@ class PlaneIds {
   std::set<std::string> made_;
 };
 
+// The margin that a project gives to a zone of a workplace, of which this plane is made.
+std::optional<double> own_margin_m(const calc::Space& space, const calc::CalcPlane& plane) {
+  if (plane.made_by.empty()) return std::nullopt;
+  for (const calc::Workplace& workplace : space.workplaces) {
+    if (!plane.id.starts_with(workplace.id + ".")) continue;
+    const std::string name = plane.id.substr(workplace.id.size() + 1);
+    const calc::ZoneText* found = nullptr;
+    for (const calc::ZoneText& zone : workplace.zones) {
+      if (zone.role == name) return zone.margin_m;
+      if (name.starts_with(zone.role + ".")) found = &zone;
+    }
+    if (found != nullptr) return found->margin_m;
+  }
+  return std::nullopt;
+}
+
+// What the project has let into the zone must count, too.
+void narrow_strips(Mask& mask, double margin_m) {
+  for (MaskOperation& operation : mask.operations) {
+    const bool is_strip = operation.step == MaskStep::walls || operation.step == MaskStep::inset;
+    if (is_strip) operation.metres = std::min(operation.metres, margin_m);
+  }
+}
+
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
                 const calc::InstalledPower& power, calc::Diagnostics& diagnostics,
                 std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
+  const std::optional<double> margin_m = own_margin_m(*context.space, plane);
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
+      if (margin_m) narrow_strips(requirement.mask, *margin_m);
       if (is_about_power(requirement.metric)) {
         if (requirement.problem.empty()) requirement.problem = power.problem();
         requirement.power_density_w_m2 = power.density_w_m2().value_or(0.0);
@@ -68,8 +96,7 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   for (const calc::Space& space : project.spaces) {
     const calc::InstalledPower power = calc::installed_power(project, space);
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane,
-                 {plane.kernel, project.scenes, packs, &plane, &space, plane.derived}, power,
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived}, power,
                  diagnostics, bound);
     }
   }

@@ -1,5 +1,6 @@
 #include "rules/workplace.h"
 
+#include "calc/scene/sensor_grid.h"
 #include "calc/text.h"
 #include "calc/xml_document.h"
 #include "calc/xml_reader.h"
@@ -11,11 +12,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace rules {
 namespace {
@@ -39,6 +44,76 @@ calc::XmlElement element_of(const Workplace& workplace) {
 // Line of every plane of the project.
 using PlaneIds = std::map<std::string, int, std::less<>>;
 
+// Walls that go on straight are one wall, by the number of the first of them; those that the
+// project names stay by themselves. part_of: of every wall, the one that it has become a part of.
+std::vector<std::optional<std::size_t>> join_straight_walls(const RulePack& pack,
+                                                            Workplace& workplace) {
+  constexpr double kStraight = 1.0e-9;  // sine
+  const std::size_t n = workplace.walls.size();
+  std::vector<std::optional<std::size_t>> part_of(n);
+  const auto is_named = [&](std::size_t i) {
+    return std::any_of(workplace.zones.begin(), workplace.zones.end(), [&](const ZoneText& zone) {
+      const RulePlane* plane = pack.find_plane(zone.role.substr(0, zone.role.rfind('.')));
+      return plane != nullptr && plane->area == ZoneArea::walls &&
+             zone.role == fmt::format("{}.{}", plane->role, i + 1);
+    });
+  };
+  const auto goes_on = [&](std::size_t i) {
+    const calc::PlanarArea& one = workplace.walls[i];
+    const calc::PlanarArea& next = workplace.walls[(i + 1) % n];
+    return glm::length(glm::cross(one.u, next.u)) < kStraight && glm::dot(one.u, next.u) > 0.0 &&
+           !is_named(i) && !is_named((i + 1) % n);
+  };
+  std::size_t start = 0;  // behind a real corner
+  while (start < n && goes_on((start + n - 1) % n)) ++start;
+  const std::vector<calc::PlanarArea> walls = workplace.walls;
+  for (std::size_t k = 0; k < n;) {
+    std::vector<std::size_t> group{(start + k) % n};
+    while (++k < n && goes_on(group.back())) group.push_back((start + k) % n);
+    const std::size_t first = *std::min_element(group.begin(), group.end());
+    calc::PlanarArea& joined = workplace.walls[first];
+    double length_m = 0.0;
+    for (const std::size_t i : group) {
+      length_m += walls[i].outline_m[1].x;
+      if (glm::dot(walls[i].origin_m - joined.origin_m, joined.u) < 0.0) {
+        joined.origin_m = walls[i].origin_m;
+      }
+      if (i != first) part_of[i] = first;
+    }
+    if (group.size() == 1) continue;
+    joined.outline_m[1].x = joined.outline_m[2].x = length_m;
+  }
+  return part_of;
+}
+
+// More than any building needs, and what fits into memory.
+constexpr std::size_t kMostPlanes = 4000;
+constexpr double kMostPoints = 4.0e6;
+
+double cells_of(const calc::PlanarArea& area) {
+  glm::dvec2 lower = area.outline_m.at(0), upper = lower;
+  for (const glm::dvec2& corner : area.outline_m) {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const glm::dvec2 side_m = glm::max(upper - lower - 2.0 * area.margin_m, glm::dvec2(1.0e-6));
+  if (const auto* count = std::get_if<calc::GridByCount>(&area.grid)) {
+    return static_cast<double>(count->columns) * static_cast<double>(count->rows);
+  }
+  if (const auto* spacing = std::get_if<calc::GridBySpacing>(&area.grid)) {
+    return std::ceil(side_m.x / spacing->along_u_m) * std::ceil(side_m.y / spacing->along_v_m);
+  }
+  const calc::GridCounts counts =
+      calc::grid_counts(std::get<calc::GridByRule>(area.grid), side_m.x, side_m.y);
+  return static_cast<double>(counts.columns) * static_cast<double>(counts.rows);
+}
+
+// Of all workplaces of a project so far.
+struct Total {
+  std::size_t planes = 0;
+  double points = 0.0;
+};
+
 class WorkplaceMaker {
  public:
   WorkplaceMaker(const RulePack& pack, const RuleRow& row, LimitScope scope,
@@ -47,11 +122,12 @@ class WorkplaceMaker {
         row_(row),
         scope_(std::move(scope)),
         workplace_(workplace),
+        part_of_(join_straight_walls(pack, workplace_)),
         space_(space),
         diagnostics_(diagnostics) {}
 
   // Nothing is added after an error.
-  void run(PlaneIds& ids) {
+  void run(PlaneIds& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
     check_zone_names();
     if (diagnostics_.error_count() > errors) return;
@@ -60,6 +136,7 @@ class WorkplaceMaker {
       diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
                           fmt::format(", for row '{}' or any other", row_.ref));
     }
+    check_size(total);
     for (const calc::CalcPlane& plane : planes_) {
       const auto [first, is_new] = ids.try_emplace(plane.id, plane.where.line);
       if (is_new) continue;
@@ -73,6 +150,20 @@ class WorkplaceMaker {
 
  private:
   static bool has_area(const RulePlane& plane) { return plane.area != ZoneArea::none; }
+
+  void check_size(Total& total) {
+    total.planes += planes_.size();
+    for (const calc::CalcPlane& plane : planes_) {
+      total.points += cells_of(std::get<calc::PlanarArea>(plane.area));
+    }
+    if (total.planes <= kMostPlanes && total.points <= kMostPoints) return;
+    diagnostics_.report(
+        DiagnosticId::number_out_of_range, workplace_.where, "count", "workplace",
+        fmt::format("a total of {} planes with {:.3g} points, with those of the workplaces before",
+                    total.planes, total.points),
+        fmt::format("at most {} planes and {:.3g} points of all workplaces", kMostPlanes,
+                    kMostPoints));
+  }
 
   void check_zone_names() {
     std::vector<std::string> allowed;
@@ -155,13 +246,19 @@ class WorkplaceMaker {
     return *find_quantity(role)->kernel;
   }
 
-  // Its points look somewhere: along the room's first wall and across it, to and fro.
+  // Its points look somewhere: along the room's longest wall and across it, to and
+  // fro.
   bool looks_around(const std::string& role) const {
     return calc::has_look(kernel_of(role), find_quantity(role)->derived);
   }
 
   glm::dvec3 direction(std::size_t index) const {
-    const glm::dvec3 along = workplace_.walls.at(0).u;
+    constexpr double kTie = 1.0e-9;
+    const calc::PlanarArea* longest = &workplace_.walls.at(0);
+    for (const calc::PlanarArea& wall : workplace_.walls) {
+      if (wall.outline_m[1].x > longest->outline_m[1].x * (1.0 + kTie)) longest = &wall;
+    }
+    const glm::dvec3 along = longest->u;
     const glm::dvec3 across(-along.y, along.x, 0.0);
     const glm::dvec3 look = index % 2 == 0 ? along : across;
     return index < 2 ? look : -look;
@@ -179,12 +276,19 @@ class WorkplaceMaker {
       return leave_out(not_made_, role, reason);
     }
     const std::size_t parts = parts_of(role, *plane);
+    const std::size_t before = planes_.size(), not_made = not_made_.size();
     if (parts == 0) add_plane(role, *plane, find_zone(role), std::nullopt);
     for (std::size_t i = 0; i < parts; ++i) {
       const std::string name = fmt::format("{}.{}", role, i + 1);
+      if (plane->area == ZoneArea::walls && part_of_[i]) continue;
       const ZoneText* one = find_zone(name);
       add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
     }
+    // A requirement of the row must not go away because a wall is drawn in pieces.
+    const bool is_surface = plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling;
+    if (!is_surface || planes_.size() > before || not_made_.size() == not_made) return;
+    diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role,
+                        not_made_[not_made], role, role);
   }
 
   void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
@@ -242,7 +346,8 @@ class WorkplaceMaker {
   const RulePack& pack_;
   const RuleRow& row_;
   LimitScope scope_;
-  const Workplace& workplace_;
+  Workplace workplace_;  // with joined walls
+  std::vector<std::optional<std::size_t>> part_of_;
   calc::Space& space_;
   calc::Diagnostics& diagnostics_;
   std::vector<calc::CalcPlane> planes_;
@@ -262,7 +367,7 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
 
 void make_planes(const Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
-                 PlaneIds& ids, calc::Diagnostics& diagnostics) {
+                 PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
   const calc::XmlElement element = element_of(workplace);
   ElementReader reader(element, diagnostics);
   check_scene(reader, scenes);
@@ -274,7 +379,7 @@ void make_planes(const Workplace& workplace, calc::Space& space,
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok()) return;
   WorkplaceMaker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space, diagnostics)
-      .run(ids);
+      .run(ids, total);
 }
 
 }  // namespace
@@ -282,12 +387,13 @@ void make_planes(const Workplace& workplace, calc::Space& space,
 void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& packs,
                            calc::Diagnostics& diagnostics) {
   PlaneIds ids;
+  Total total;
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
   }
   for (calc::Space& space : project.spaces) {
     for (const Workplace& workplace : space.workplaces) {
-      make_planes(workplace, space, project.scenes, packs, ids, diagnostics);
+      make_planes(workplace, space, project.scenes, packs, ids, total, diagnostics);
     }
   }
 }

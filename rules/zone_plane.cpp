@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,6 +29,101 @@ glm::dvec2 size_of(const Polygon& outline) {
   return upper - lower;
 }
 
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Along the longest straight side, turned by right angles until it runs with +x as far as it can:
+// in a room along the axes it is +x itself.
+glm::dvec2 axis_of(const Polygon& outline) {
+  constexpr double kTie = 1.0e-9;
+  const std::size_t n = outline.size();
+  glm::dvec2 longest(0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    glm::dvec2 side = outline[(i + 1) % n] - outline[i];
+    const glm::dvec2 along = glm::normalize(side);
+    for (std::size_t k = 1; k < n; ++k) {
+      const glm::dvec2 next = outline[(i + k + 1) % n] - outline[(i + k) % n];
+      if (std::abs(cross(along, next)) > kTie * glm::length(next) || glm::dot(along, next) < 0.0) {
+        break;
+      }
+      side += next;
+    }
+    if (glm::length(side) > glm::length(longest) * (1.0 + kTie)) longest = side;
+  }
+  glm::dvec2 axis = glm::normalize(longest);
+  while (!(axis.x > 0.0 && std::abs(axis.y) <= axis.x * (1.0 + kTie))) axis = {-axis.y, axis.x};
+  if (std::abs(axis.y) < kTie) axis = {1.0, 0.0};
+  return axis;
+}
+
+// Coordinates along an axis and across it, and back.
+Polygon along_axis(const Polygon& polygon, glm::dvec2 axis) {
+  Polygon turned;
+  for (const glm::dvec2& p : polygon) turned.emplace_back(glm::dot(p, axis), cross(axis, p));
+  return turned;
+}
+
+Polygon back_from(const Polygon& polygon, glm::dvec2 axis) {
+  return along_axis(polygon, {axis.x, -axis.y});
+}
+
+// Between a polygon and another one inside it; 0 where they touch.
+double least_distance(const Polygon& inner, const Polygon& outer) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::dvec2& p : inner) least = std::min(least, calc::distance_to_boundary(outer, p));
+  for (const glm::dvec2& p : outer) least = std::min(least, calc::distance_to_boundary(inner, p));
+  return least;
+}
+
+// What is nearer to a wall than the width, one piece for each wall; at corners that point inwards
+// as sharp as the others.
+std::vector<Polygon> wall_strips(const Polygon& room, double width_m) {
+  const std::size_t n = room.size();
+  const auto along = [&](std::size_t i) { return glm::normalize(room[(i + 1) % n] - room[i % n]); };
+  // How far the strips of two walls are apart at the corner between them.
+  const auto gap_m = [&](glm::dvec2 before, glm::dvec2 after) {
+    const double turn = cross(before, after);
+    if (turn >= 0.0) return 0.0;
+    const double straight = std::max(1.0 + glm::dot(before, after), 1.0e-3);
+    return std::min(1.0, -turn / straight) * width_m;
+  };
+  std::vector<Polygon> strips;
+  for (std::size_t i = 0; i < n; ++i) {
+    const glm::dvec2 u = along(i), inwards = glm::dvec2(-u.y, u.x) * width_m;
+    const glm::dvec2 from = room[i] - gap_m(along(i + n - 1), u) * u;
+    const glm::dvec2 to = room[(i + 1) % n] + gap_m(u, along(i + 1)) * u;
+    strips.push_back({from, to, to + inwards, from + inwards});
+  }
+  return strips;
+}
+
+// Area of the parts of a room that are too narrow to hold anything so far from the walls. Sampled.
+double lost_to_margin_m2(const Polygon& room, double margin_m) {
+  constexpr double kReach = 2.0;  // margins from a point that counts; corners are nearer
+  const int samples = room.size() > 200 ? 24 : 64;
+  glm::dvec2 lower = room[0];
+  for (const glm::dvec2& corner : room) lower = glm::min(lower, corner);
+  const glm::dvec2 step = size_of(room) / static_cast<double>(samples);
+  const auto counts = [&](glm::dvec2 p) {
+    return calc::distance_to_boundary(room, p) >= margin_m && calc::contains_point(room, p);
+  };
+  const auto is_near = [&](glm::dvec2 p) {
+    constexpr int kTurns = 16, kSteps = 4;
+    if (counts(p)) return true;
+    for (int i = 0; i < kTurns * kSteps; ++i) {
+      const double angle = 6.283185307179586 * (i % kTurns) / kTurns;
+      const double radius = kReach * margin_m * (i / kTurns + 1) / kSteps;
+      if (counts(p + radius * glm::dvec2(std::cos(angle), std::sin(angle)))) return true;
+    }
+    return false;
+  };
+  int lost = 0;
+  for (int i = 0; i < samples * samples; ++i) {
+    const glm::dvec2 p = lower + step * glm::dvec2(i % samples + 0.5, i / samples + 0.5);
+    if (calc::contains_point(room, p) && !is_near(p)) ++lost;
+  }
+  return lost * step.x * step.y;
+}
+
 class ZoneMaker {
  public:
   ZoneMaker(const ZoneSource& source, const RulePlane& rule, const calc::ZoneText* change)
@@ -38,6 +135,7 @@ class ZoneMaker {
       make_surface(fmt::format("wall {}", *wall + 1));
     } else if (rule_.area == ZoneArea::ceiling) {
       zone_.area = source_.workplace.ceiling;
+      turn_area();
       make_surface("the ceiling");
     } else {
       make_horizontal();
@@ -80,6 +178,16 @@ class ZoneMaker {
     if (zone_.area.margin_m > 0.0) {
       zone_.words += fmt::format(", without {} along its edges", metres(zone_.area.margin_m));
     }
+  }
+
+  // Rules about sides and spacings are meant along the area's own sides.
+  void turn_area() {
+    calc::PlanarArea& area = zone_.area;
+    const glm::dvec2 axis = axis_of(area.outline_m);
+    const glm::dvec3 u = area.u, v = area.v;
+    area.u = axis.x * u + axis.y * v;
+    area.v = axis.x * v - axis.y * u;
+    area.outline_m = along_axis(area.outline_m, axis);
   }
 
   // The height that a rule gives to a plane, for this row.
@@ -126,12 +234,18 @@ class ZoneMaker {
     place(height);
   }
 
-  // Outlines so far in the world's x and y; planes are written from a corner of their own.
+  // Outlines so far in the world's x and y; planes are written from a corner of their own, along
+  // the longest side.
   void place(double height) {
     calc::PlanarArea& area = zone_.area;
+    area.u = glm::dvec3(axis_, 0.0);
+    area.v = glm::dvec3(-axis_.y, axis_.x, 0.0);
+    area.outline_m = along_axis(area.outline_m, axis_);
+    for (Polygon& hole : area.holes_m) hole = along_axis(hole, axis_);
     glm::dvec2 corner = area.outline_m[0];
     for (const glm::dvec2& other : area.outline_m) corner = glm::min(corner, other);
-    area.origin_m = glm::dvec3(corner, source_.space.shell->floor_z_m + height);
+    area.origin_m = corner.x * area.u + corner.y * area.v;
+    area.origin_m.z = source_.space.shell->floor_z_m + height;
     for (glm::dvec2& point : area.outline_m) point -= corner;
     for (Polygon& hole : area.holes_m) {
       for (glm::dvec2& point : hole) point -= corner;
@@ -151,12 +265,21 @@ class ZoneMaker {
 
   void make_whole_room() {
     zone_.area.outline_m = room();
+    axis_ = axis_of(room());
     zone_.area.margin_m = margin_m();
     zone_.words = "the whole room";
     if (zone_.area.margin_m > 0.0) {
       zone_.words += fmt::format(" without {} along its walls", metres(zone_.area.margin_m));
     }
-    const glm::dvec2 side_m = size_of(room());
+    constexpr double kWorthSaying_m2 = 1.0;
+    if (const double lost_m2 = lost_to_margin_m2(room(), zone_.area.margin_m);
+        zone_.area.margin_m > 0.0 && lost_m2 > kWorthSaying_m2) {
+      zone_.words += fmt::format(
+          " (about {:.2g} m2 are in parts of the room not wider than {}: "
+          "nothing is judged there)",
+          lost_m2, metres(2.0 * zone_.area.margin_m));
+    }
+    const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
     if (std::min(side_m.x, side_m.y) <= 2.0 * zone_.area.margin_m) {
       zone_.problem =
           fmt::format("the room is {} wide, and {} along its walls do not count",
@@ -168,6 +291,7 @@ class ZoneMaker {
   void make_given(const Polygon& outline) {
     const bool is_task = rule_.area == ZoneArea::task;
     zone_.area.outline_m = outline;
+    axis_ = axis_of(outline);
     if (change_ != nullptr && change_->margin_m) {
       zone_.area.margin_m = *change_->margin_m;
       note_change(fmt::format("margin {} along its outline", metres(zone_.area.margin_m)));
@@ -176,8 +300,13 @@ class ZoneMaker {
     if (!is_task) note_change("an area of the project's own");
     if (rule_.area == ZoneArea::band && !is_whole_room()) {
       const Polygon inner = outer_edge(rule_.around);
-      if (!inner.empty()) zone_.area.holes_m.push_back(inner);
       zone_.words += ", without what is inside the band";
+      if (inner.empty()) {
+        zone_.problem = zone_.words;
+        zone_.is_simple = false;
+        return;
+      }
+      zone_.area.holes_m.push_back(inner);
       check_area("the zone inside it covers all of it");
     }
   }
@@ -194,8 +323,8 @@ class ZoneMaker {
   }
 
   bool reaches_into_margin(double margin) const {
-    const Polygon inner_room = calc::moved_sides(room(), -margin);
-    return inner_room.empty() || !calc::pieces_outside(task(), inner_room).empty();
+    constexpr double kTie = 1.0e-9;
+    return least_distance(task(), room()) < margin * (1.0 - kTie);
   }
 
   void make_band() {
@@ -218,21 +347,23 @@ class ZoneMaker {
     } else if (margin > 0.0) {
       zone_.words += fmt::format(", without {} along the walls", metres(margin));
     }
-    const Polygon region = margin > 0.0 ? calc::moved_sides(room(), -margin) : room();
-    if (region.empty()) {
-      zone_.problem = fmt::format("the room has no inside {} from its walls", metres(margin));
-      return;
-    }
-    cut_band(outer, inner, region, is_band);
+    axis_ = axis_of(inner);
+    // A niche narrower than twice the margin has no sides to move: the strips are cut off instead.
+    const Polygon moved = margin > 0.0 ? calc::moved_sides(room(), -margin) : room();
+    const auto strips = moved.empty() ? wall_strips(room(), margin) : std::vector<Polygon>();
+    cut_band(outer, inner, moved.empty() ? room() : moved, strips, is_band);
   }
 
-  void cut_band(const Polygon& outer, const Polygon& inner, const Polygon& region, bool is_band) {
-    zone_.area.outline_m = calc::within_bounds(outer, region);
+  void cut_band(const Polygon& outer, const Polygon& inner, const Polygon& region,
+                const std::vector<Polygon>& strips, bool is_band) {
+    zone_.area.outline_m =
+        back_from(calc::within_bounds(along_axis(outer, axis_), along_axis(region, axis_)), axis_);
     if (zone_.area.outline_m.empty()) {
       zone_.problem = zone_.words;
       return;
     }
     zone_.area.holes_m = calc::pieces_outside(zone_.area.outline_m, region);
+    zone_.area.holes_m.insert(zone_.area.holes_m.end(), strips.begin(), strips.end());
     if (is_band) zone_.area.holes_m.push_back(inner);
     check_area(zone_.words);
   }
@@ -301,6 +432,7 @@ class ZoneMaker {
   const ZoneSource& source_;
   const RulePlane& rule_;
   const calc::ZoneText* change_;
+  glm::dvec2 axis_{1.0, 0.0};  // of horizontal areas, in the world
   ZonePlane zone_;
 };
 

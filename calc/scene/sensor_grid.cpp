@@ -1,5 +1,6 @@
 #include "calc/scene/sensor_grid.h"
 
+#include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 
@@ -16,6 +17,7 @@ namespace calc {
 namespace {
 
 constexpr double kTie = 1.0e-9;  // relative; sides like 5.999999999 m come out of CAD files
+constexpr double kOnFloor_m = 1.0e-6;
 constexpr double kMaxPoints = 4.0e6;
 constexpr double kMinCellAspect = 0.5, kMaxCellAspect = 2.0;  // EN 12464-1
 
@@ -179,19 +181,6 @@ class GridBuilder {
   SensorGrid& grid_;
 };
 
-// Points in a hole or on its edge are outside the area. The margin runs along the outline only.
-std::optional<DropReason> reason_to_drop(const PlanarArea& area, glm::dvec2 point) {
-  if (!contains_point(area.outline_m, point)) return DropReason::outside_area;
-  for (const std::vector<glm::dvec2>& hole : area.holes_m) {
-    if (contains_point(hole, point)) return DropReason::outside_area;
-  }
-  // In a rectangle the grid starts inside the margin, so that this drops nothing.
-  if (distance_to_boundary(area.outline_m, point) < area.margin_m * (1.0 - kTie)) {
-    return DropReason::within_margin;
-  }
-  return std::nullopt;
-}
-
 class GridMaker {
  public:
   GridMaker(const CalcPlane& plane, const Space& space, Diagnostics& diagnostics)
@@ -204,7 +193,7 @@ class GridMaker {
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const auto* area = std::get_if<PlanarArea>(&plane_.area);
     const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
-    if (!made || is_empty()) return std::nullopt;
+    if (!made || is_empty() || is_in_furniture()) return std::nullopt;
     warn_about_lost_points(area == nullptr);
     return std::move(grid_);
   }
@@ -234,6 +223,7 @@ class GridMaker {
     const Counts counts = cell_counts(area.grid, side_m);
     if (!is_small_enough(counts)) return false;
     describe(area, inner, counts);
+    if (!reach_every_part(area, inner, counts)) return false;
     check_cell_shape(area);
     add_cells(area, inner);
     return true;
@@ -247,12 +237,16 @@ class GridMaker {
     return false;
   }
 
-  void describe(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
-    grid_.rule = rule_words(area.grid, inner.side_m());
+  void set_counts(const Rectangle& inner, const Counts& counts) {
     grid_.columns = static_cast<int>(counts.columns);
     grid_.rows = static_cast<int>(counts.rows);
     grid_.spacing_u_m = inner.side_m().x / counts.columns;
     grid_.spacing_v_m = inner.side_m().y / counts.rows;
+  }
+
+  void describe(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
+    grid_.rule = rule_words(area.grid, inner.side_m());
+    set_counts(inner, counts);
     grid_.margin_m = area.margin_m;
     grid_.origin_m = area.origin_m + inner.lower.x * area.u + inner.lower.y * area.v;
     grid_.u = area.u;
@@ -260,6 +254,39 @@ class GridMaker {
     for (const glm::dvec2& corner : area.outline_m) {
       grid_.outline_m.push_back(corner - inner.lower);
     }
+  }
+
+  std::optional<MissedPart> find_missed_part(const PlanarArea& area, const Rectangle& inner) const {
+    return missed_part(
+        area, {inner.lower, {grid_.spacing_u_m, grid_.spacing_v_m}, grid_.columns, grid_.rows});
+  }
+
+  // The cells of a rule go by the bounding rectangle, and an arm of the area may lie between their
+  // centres. What a rule gives is the largest spacing: odd parts of it keep all points there are.
+  // Cells of the project's own stay as they are. False: the error is reported.
+  bool reach_every_part(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
+    const auto* spacing = std::get_if<GridBySpacing>(&area.grid);
+    const bool is_rule = std::holds_alternative<GridByRule>(area.grid);
+    if (!is_rule && (spacing == nullptr || spacing->name.empty())) return true;
+    const std::optional<MissedPart> missed = find_missed_part(area, inner);
+    if (!missed) return true;
+    for (const double parts : {3.0, 5.0, 7.0}) {
+      const Counts finer{parts * counts.columns, parts * counts.rows};
+      if (!(finer.columns * finer.rows <= kMaxPoints)) break;
+      set_counts(inner, finer);
+      if (find_missed_part(area, inner)) continue;
+      grid_.rule += fmt::format(
+          "; every cell in {:g} x {:g}, as a narrow part of the area would have no point", parts,
+          parts);
+      return true;
+    }
+    const glm::dvec3 at = area.origin_m + missed->at_m.x * area.u + missed->at_m.y * area.v;
+    diagnostics_.report(
+        DiagnosticId::plane_not_computed, plane_.where, plane_.id,
+        fmt::format("{:.2g} m2 of its area, at ({:.4g}, {:.4g}, {:.4g}) m, have no calculation "
+                    "point; give it a finer grid by 'spacing'",
+                    missed->area_m2, at.x, at.y, at.z));
+    return false;
   }
 
   void check_cell_shape(const PlanarArea& area) {
@@ -295,6 +322,41 @@ class GridMaker {
     if (outside == 0 && (inside == 0 || !is_list)) return;
     diagnostics_.report(DiagnosticId::points_left_out, plane_.where, plane_.id, outside + inside,
                         grid_.position_m.size() + grid_.dropped.size(), outside, inside);
+  }
+
+  // Where people work there is air: a desk top that swallows the points on it must not leave only
+  // those beside it. Of planes that a project has placed itself it is known what was meant; a floor
+  // is taken up by furniture.
+  bool is_work_plane() const {
+    const auto* area = std::get_if<PlanarArea>(&plane_.area);
+    return area != nullptr && !plane_.made_by.empty() && space_.shell &&
+           plane_.kernel == ReceiverKernel::planar && plane_.derived == DerivedQuantity::none &&
+           area->normal().z > 0.5 && area->origin_m.z > space_.shell->floor_z_m + kOnFloor_m;
+  }
+
+  bool is_in_furniture() {
+    constexpr double kMostInside = 0.1;  // of the points
+    if (!is_work_plane()) return false;
+    const DroppedPoint* first = nullptr;
+    std::size_t inside = 0;
+    for (const DroppedPoint& point : grid_.dropped) {
+      if (point.reason != DropReason::inside_solid) continue;
+      if (first == nullptr) first = &point;
+      ++inside;
+    }
+    if (first == nullptr) return false;
+    const std::size_t all = grid_.position_m.size() + inside;
+    if (static_cast<double>(inside) <= kMostInside * static_cast<double>(all)) {
+      diagnostics_.report(DiagnosticId::points_left_out, plane_.where, plane_.id, inside, all, 0,
+                          fmt::format("{}, the first in '{}',", inside, first->body));
+      return false;
+    }
+    diagnostics_.report(
+        DiagnosticId::plane_not_computed, plane_.where, plane_.id,
+        fmt::format("{} of its {} points are inside solids, the first in '{}'; give it a 'height' "
+                    "above that, or an area beside it",
+                    inside, all, first->body));
+    return true;
   }
 
   // A plane without points would pass every limit unnoticed.

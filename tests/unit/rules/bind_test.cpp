@@ -272,6 +272,7 @@ TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
     calc::Project project =
         project_of({plane_of("p", {{{"pack", "egress-us"}, {"role", role}, {"scene", "night"}}})});
     project.scenes.back().level_of_group = {{"exit", 0.2}};
+    project.luminaire_types.emplace_back();
     calc::Luminaire exit;
     exit.id = "E";
     exit.group = "exit";
