@@ -130,19 +130,25 @@ PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> 
   return part;
 }
 
-// Points of which a receiver is so.
+// Points of which a receiver is so; receivers of point i are at i, i + points, ...
+template <class Marks, class IsSo>
+std::size_t count_points(const Marks& marks, std::size_t points, const IsSo& is_so) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    bool found = false;
+    for (std::size_t k = i; k < marks.size() && !found; k += points) found = is_so(marks[k]);
+    if (found) ++count;
+  }
+  return count;
+}
+
 void count_doubt(const calc::PlaneField& field, PlanePart& part) {
   const std::size_t points = part.grid.position_m.size();
-  const auto count = [points](const auto& marks, const auto& is_so) {
-    std::vector<std::uint8_t> found(points, 0);
-    for (std::size_t k = 0; k < marks.size(); ++k) {
-      if (is_so(marks[k])) found[k % points] = 1;
-    }
-    return static_cast<std::size_t>(std::count(found.begin(), found.end(), std::uint8_t{1}));
-  };
-  part.unseen_points = count(field.unseen, [](std::uint8_t mark) { return mark != 0; });
-  part.single_sample_points =
-      count(field.largest_share, [](float share) { return share > rules::kLargestTrustedShare; });
+  part.unseen_points =
+      count_points(field.unseen, points, [](std::uint8_t mark) { return mark != 0; });
+  part.single_sample_points = count_points(field.largest_share, points, [](float share) {
+    return share > rules::kLargestTrustedShare;
+  });
 }
 
 void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,

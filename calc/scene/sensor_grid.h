@@ -68,7 +68,10 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
 // inside), or inside a closed body. A planar point on the face of a closed body stays if it does
 // not look into the body, one of any other kernel only if there is nothing but air in front of it,
 // on the plane's side: half of it would lie in the body otherwise. Errors, with empty result: a
-// margin that leaves nothing, more than 4 million points, no point left.
+// margin that leaves nothing, more than 4 million points, no point left; a part of the area that no
+// cell of a rule reaches (see grid_coverage.h), even if each is divided into 3, 5 or 7 along both
+// sides; more than a tenth of the points inside solids, if a workplace has made the plane and it is
+// horizontal and above the floor. Cells of the project's own stay as they are.
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
                                            Diagnostics& diagnostics);
 
