@@ -9,7 +9,6 @@
 namespace calc {
 
 std::string InstalledPower::problem() const {
-  if (luminaires == 0) return "there is no luminaire in the space";
   if (without_power > 0) {
     return fmt::format(
         "{} of {} luminaires state no power: neither the project (power-w) nor their photometry "
@@ -17,7 +16,8 @@ std::string InstalledPower::problem() const {
         without_power, luminaires);
   }
   // A building file's rooms and the open space have no outline here.
-  return area_m2 > 0.0 ? "" : "the floor area of the space is not known";
+  if (!(area_m2 > 0.0)) return "the floor area of the space is not known";
+  return luminaires > 0 ? "" : "there is no luminaire in the space";
 }
 
 std::optional<double> InstalledPower::density_w_m2() const {
