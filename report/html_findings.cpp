@@ -252,12 +252,12 @@ std::string attention_item(PlaneIndex index, const SpacePart& space, const Plane
                            const rules::Finding& finding, const std::string& folder) {
   const Cells cells = cells_of(plane, finding);
   std::string told = escape_html(quantity_words(finding.requirement, plane.kernel)) + " " +
-                     cells.required + cells.notes;
+                     cells.required + " " + cells.notes;
   if (!cells.measured.empty()) {
     told =
         fmt::format("<b>{}</b> for {} {}", cells.measured,
                     escape_html(quantity_words(finding.requirement, plane.kernel)), cells.required);
-    told += fmt::format(" (margin {})", cells.margin) + cells.notes;
+    told += fmt::format(" (margin {})", cells.margin) + " " + cells.notes;
   }
   const std::string remark = remarks(finding);
   return fmt::format(
