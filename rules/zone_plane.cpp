@@ -1,5 +1,6 @@
 #include "rules/zone_plane.h"
 
+#include "calc/scene/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
 
@@ -30,30 +31,6 @@ glm::dvec2 size_of(const Polygon& outline) {
 }
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-// Along the longest straight side, turned by right angles until it runs with +x as far as it can:
-// in a room along the axes it is +x itself.
-glm::dvec2 axis_of(const Polygon& outline) {
-  constexpr double kTie = 1.0e-9;
-  const std::size_t n = outline.size();
-  glm::dvec2 longest(0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    glm::dvec2 side = outline[(i + 1) % n] - outline[i];
-    const glm::dvec2 along = glm::normalize(side);
-    for (std::size_t k = 1; k < n; ++k) {
-      const glm::dvec2 next = outline[(i + k + 1) % n] - outline[(i + k) % n];
-      if (std::abs(cross(along, next)) > kTie * glm::length(next) || glm::dot(along, next) < 0.0) {
-        break;
-      }
-      side += next;
-    }
-    if (glm::length(side) > glm::length(longest) * (1.0 + kTie)) longest = side;
-  }
-  glm::dvec2 axis = glm::normalize(longest);
-  while (!(axis.x > 0.0 && std::abs(axis.y) <= axis.x * (1.0 + kTie))) axis = {-axis.y, axis.x};
-  if (std::abs(axis.y) < kTie) axis = {1.0, 0.0};
-  return axis;
-}
 
 // Coordinates along an axis and across it, and back.
 Polygon along_axis(const Polygon& polygon, glm::dvec2 axis) {
@@ -183,7 +160,7 @@ class ZoneMaker {
   // Rules about sides and spacings are meant along the area's own sides.
   void turn_area() {
     calc::PlanarArea& area = zone_.area;
-    const glm::dvec2 axis = axis_of(area.outline_m);
+    const glm::dvec2 axis = calc::long_axis(area.outline_m);
     const glm::dvec3 u = area.u, v = area.v;
     area.u = axis.x * u + axis.y * v;
     area.v = axis.x * v - axis.y * u;
@@ -265,7 +242,7 @@ class ZoneMaker {
 
   void make_whole_room() {
     zone_.area.outline_m = room();
-    axis_ = axis_of(room());
+    axis_ = calc::long_axis(room());
     zone_.area.margin_m = margin_m();
     zone_.words = "the whole room";
     if (zone_.area.margin_m > 0.0) {
@@ -291,7 +268,7 @@ class ZoneMaker {
   void make_given(const Polygon& outline) {
     const bool is_task = rule_.area == ZoneArea::task;
     zone_.area.outline_m = outline;
-    axis_ = axis_of(outline);
+    axis_ = calc::long_axis(outline);
     if (change_ != nullptr && change_->margin_m) {
       zone_.area.margin_m = *change_->margin_m;
       note_change(fmt::format("margin {} along its outline", metres(zone_.area.margin_m)));
@@ -347,7 +324,7 @@ class ZoneMaker {
     } else if (margin > 0.0) {
       zone_.words += fmt::format(", without {} along the walls", metres(margin));
     }
-    axis_ = axis_of(inner);
+    axis_ = calc::long_axis(inner);
     // A niche narrower than twice the margin has no sides to move: the strips are cut off instead.
     const Polygon moved = margin > 0.0 ? calc::moved_sides(room(), -margin) : room();
     const auto strips = moved.empty() ? wall_strips(room(), margin) : std::vector<Polygon>();

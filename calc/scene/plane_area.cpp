@@ -17,6 +17,8 @@ glm::dvec3 newell_normal(const std::vector<glm::dvec3>& corners) {
   return glm::normalize(sum);
 }
 
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
 double outline_size(const PlanarArea& area) {
   double size = 0.0;
   for (const glm::dvec2& corner : area.outline_m) {
@@ -37,12 +39,38 @@ PlanarArea rectangle_area(const Rectangle& rectangle) {
   return area;
 }
 
+glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline) {
+  constexpr double kTie = 1.0e-9;
+  const std::size_t n = outline.size();
+  glm::dvec2 longest(0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    glm::dvec2 side = outline[(i + 1) % n] - outline[i];
+    const glm::dvec2 along = glm::normalize(side);
+    for (std::size_t k = 1; k < n; ++k) {
+      const glm::dvec2 next = outline[(i + k + 1) % n] - outline[(i + k) % n];
+      if (std::abs(cross(along, next)) > kTie * glm::length(next) || glm::dot(along, next) < 0.0) {
+        break;
+      }
+      side += next;
+    }
+    if (glm::length(side) > glm::length(longest) * (1.0 + kTie)) longest = side;
+  }
+  glm::dvec2 axis = glm::normalize(longest);
+  while (!(axis.x > 0.0 && std::abs(axis.y) <= axis.x * (1.0 + kTie))) axis = {-axis.y, axis.x};
+  if (std::abs(axis.y) < kTie) axis = {1.0, 0.0};
+  return axis;
+}
+
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up) {
   PlanarArea area;
   area.origin_m = room.origin_m + glm::dvec3(0, 0, height_m);
   area.outline_m = room.outline();
+  const glm::dvec2 axis = long_axis(area.outline_m);
+  area.u = glm::dvec3(axis, 0.0);
+  area.v = glm::dvec3(-axis.y, axis.x, 0.0);
+  for (glm::dvec2& corner : area.outline_m) corner = {glm::dot(corner, axis), cross(axis, corner)};
   if (faces_up) return area;
-  area.v = {0, -1, 0};
+  area.v = -area.v;
   for (glm::dvec2& corner : area.outline_m) corner.y = -corner.y;
   std::reverse(area.outline_m.begin(), area.outline_m.end());
   return area;

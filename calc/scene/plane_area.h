@@ -14,8 +14,12 @@ namespace calc {
 // u and v: perpendicular within rounding, not zero. The area faces u x v.
 PlanarArea rectangle_area(const Rectangle& rectangle);
 
-// The whole footprint at `height_m` above the floor, facing up (u = x, v = y) or down (u = x, v =
-// -y).
+// Along the longest straight side of a simple outline, which may be drawn in pieces, turned by right
+// angles until it runs with +x as far as it can: of an outline along the axes it is +x itself.
+glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline);
+
+// The whole footprint at `height_m` above the floor, facing up (u = its long axis, v across it) or
+// down (v reversed). A grid along x and y would miss the sides of a room that stands at an angle.
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up);
 
 // Facing the side from which the corners run counter-clockwise; u along the first side. Empty if

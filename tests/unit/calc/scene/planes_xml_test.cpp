@@ -46,6 +46,29 @@ TEST(PlanesXml, HeightCoversTheFootprintAndFacesUp) {
   EXPECT_TRUE(std::holds_alternative<GridByRule>(area.grid));
 }
 
+// Along x and y the grid of a slender room at an angle would keep a few points in its middle.
+TEST(PlanesXml, HeightRunsAlongTheLongSideOfATurnedRoom) {
+  const Loaded loaded = load(
+      in_project("<room id='r' footprint='0 0  8 6  6.8 7.6  -1.2 1.6' height='3' ceiling='white' "
+                 "walls='white' floor='white'><luminaire id='l' type='spot' position='3 3 2'/>"
+                 "<plane id='up' height='0.75'/><plane id='down' on='ceiling'/></room>"));
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  for (const CalcPlane& plane : loaded.project->spaces.at(0).planes) {
+    const auto& area = std::get<PlanarArea>(plane.area);
+    expect_near(area.u, {0.8, 0.6, 0});
+    expect_near(area.normal(), {0, 0, plane.id == "up" ? 1.0 : -1.0});
+    glm::dvec2 lower = area.outline_m[0], upper = lower;
+    for (const glm::dvec2& corner : area.outline_m) {
+      lower = glm::min(lower, corner);
+      upper = glm::max(upper, corner);
+    }
+    EXPECT_NEAR(upper.x - lower.x, 10.0, 1.0e-12);
+    EXPECT_NEAR(upper.y - lower.y, 2.0, 1.0e-12);
+    EXPECT_NEAR(signed_area(area.outline_m), 20.0, 1.0e-12);
+    expect_near(middle_of(area), {3.4, 3.8, plane.id == "up" ? 0.75 : 3.0});
+  }
+}
+
 TEST(PlanesXml, TheRoundingOfTheRuleCanBeChosen) {
   const PlanarArea area = area_in_room("<plane id='p' height='0.75' rounding='up'/>");
   EXPECT_EQ(std::get<GridByRule>(area.grid).rounding, GridRounding::up);
