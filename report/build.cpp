@@ -146,9 +146,8 @@ void count_doubt(const calc::PlaneField& field, PlanePart& part) {
   const std::size_t points = part.grid.position_m.size();
   part.unseen_points =
       count_points(field.unseen, points, [](std::uint8_t mark) { return mark != 0; });
-  part.single_sample_points = count_points(field.largest_share, points, [](float share) {
-    return share > rules::kLargestTrustedShare;
-  });
+  part.single_sample_points = count_points(
+      field.largest_share, points, [](float share) { return share > rules::kLargestTrustedShare; });
 }
 
 void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,

@@ -14,8 +14,9 @@ namespace calc {
 // u and v: perpendicular within rounding, not zero. The area faces u x v.
 PlanarArea rectangle_area(const Rectangle& rectangle);
 
-// Along the longest straight side of a simple outline, which may be drawn in pieces, turned by right
-// angles until it runs with +x as far as it can: of an outline along the axes it is +x itself.
+// Along the longest straight side of a simple outline, which may be drawn in pieces, turned by
+// right angles until it runs with +x as far as it can: of an outline along the axes it is +x
+// itself.
 glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline);
 
 // The whole footprint at `height_m` above the floor, facing up (u = its long axis, v across it) or
