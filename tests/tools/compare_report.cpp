@@ -2,7 +2,8 @@
 // differently, and a ray that passes an edge on the other side changes a sampled number a little.
 //   compare_report WRITTEN KEPT
 // Words and counts (whole numbers of up to five digits in both) are the same; other
-// numbers agree within 2 % of the larger one, or within 0.1 where a per cent sign follows.
+// numbers agree within 2 % of the larger one, or within 0.1 where a per cent sign follows; how many
+// numbers lie in their interval may differ by five.
 #include "calc/text.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace {
+
+constexpr double kMostCoverageApart = 5.0;
 
 bool read(const char* path, std::vector<std::string>& lines) {
   std::ifstream in(path);
@@ -37,7 +40,11 @@ bool same_line(const std::string& a, const std::string& b) {
       return calc::parse_number(word);
     };
     const auto u = number(x[k]), v = number(y[k]);
-    if (!u || !v || (is_count(x[k]) && is_count(y[k]))) return false;
+    if (!u || !v) return false;
+    // "268 lie in their stated 95 % interval": some are near its ends.
+    const bool is_coverage = k + 1 < x.size() && x[k + 1] == "lie";
+    if (is_coverage && std::abs(*u - *v) <= kMostCoverageApart) continue;
+    if (is_count(x[k]) && is_count(y[k])) return false;
     const bool is_percent = k + 1 < x.size() && x[k + 1] == "%";
     const double allowed =
         std::max(0.02 * std::max(std::abs(*u), std::abs(*v)), is_percent ? 0.1 : 0.0);
