@@ -312,6 +312,7 @@ TEST(BindRequirements, PutsOutOnlyLuminairesWithAGroupOfTheirOwn) {
     calc::Project project = project_of(
         {plane_of("p", {{{"pack", "egress-us"}, {"role", "route-one-out"}, {"scene", "night"}}})});
     project.scenes.back().level_of_group = {{"a", 0.2}, {"b", 0.2}};
+    project.luminaire_types.emplace_back();
     calc::Luminaire first, second;
     first.id = "E1";
     first.group = "a";
