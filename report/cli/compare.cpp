@@ -6,7 +6,6 @@
 #include "report/cli/value_table.h"
 #include "report/comparison.h"
 #include "report/read_json.h"
-#include "report/write.h"
 
 #include <fmt/format.h>
 
@@ -367,15 +366,15 @@ class Comparer {
   std::string first_stranger_;
 };
 
-std::string render(ConvergeFormat kind, const report::Comparison& comparison, std::size_t worst) {
+std::string render(DataFormat kind, const report::Comparison& comparison, std::size_t worst) {
   switch (kind) {
-    case ConvergeFormat::csv:
+    case DataFormat::csv:
       return report::render_comparison_csv(comparison);
-    case ConvergeFormat::json:
+    case DataFormat::json:
       return report::render_comparison_json(comparison);
-    case ConvergeFormat::html:
+    case DataFormat::html:
       return report::render_comparison_html(comparison, worst);
-    case ConvergeFormat::text:
+    case DataFormat::text:
       break;
   }
   return report::render_comparison_text(comparison, worst);
@@ -383,7 +382,7 @@ std::string render(ConvergeFormat kind, const report::Comparison& comparison, st
 
 bool check_files(const CompareOptions& options, calc::Diagnostics& diagnostics) {
   std::set<std::string> taken = {path_identity(options.a), path_identity(options.b)};
-  for (const ConvergeOutput& output : options.outputs) {
+  for (const DataOutput& output : options.outputs) {
     if (output.file.empty()) continue;
     std::string problem = writability(output.file);
     if (!taken.insert(path_identity(output.file)).second) {
@@ -407,19 +406,8 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
   }
   if (comparison) {
     const auto worst = static_cast<std::size_t>(options.worst);
-    ConvergeFormat to_stdout = ConvergeFormat::text;
-    for (const ConvergeOutput& output : options.outputs) {
-      if (output.file.empty()) {
-        to_stdout = output.kind;
-        continue;
-      }
-      const std::string problem =
-          report::write_file_atomically(output.file, render(output.kind, *comparison, worst));
-      if (problem.empty()) continue;
-      diagnostics.report(DiagnosticId::output_not_possible, {},
-                         fmt::format("cannot write '{}': {}", output.file, problem));
-    }
-    outcome.text = render(to_stdout, *comparison, worst);
+    const auto render_as = [&](DataFormat kind) { return render(kind, *comparison, worst); };
+    outcome.text = write_data_outputs(options.outputs, render_as, diagnostics);
     if (!diagnostics.has_errors()) outcome.code = comparison->is_alike() ? kAllMet : kNotMet;
   }
   outcome.diagnostics = diagnostics.all();

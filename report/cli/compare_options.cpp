@@ -5,28 +5,6 @@
 #include <algorithm>
 
 namespace cli {
-namespace {
-
-ValueParser output_item(std::vector<ConvergeOutput>& target) {
-  return [&target](const std::string& text) -> std::string {
-    const std::size_t equals = text.find('=');
-    ConvergeOutput output;
-    const std::string problem = choice<ConvergeFormat>(
-        output.kind, {{"text", ConvergeFormat::text},
-                      {"csv", ConvergeFormat::csv},
-                      {"json", ConvergeFormat::json},
-                      {"html", ConvergeFormat::html}})(text.substr(0, equals));
-    if (!problem.empty()) return problem;
-    if (equals != std::string::npos) output.file = text.substr(equals + 1);
-    if (equals != std::string::npos && output.file.empty())
-      return "a file name is missing after '='";
-    target.push_back(output);
-    return "";
-  };
-}
-
-}  // namespace
-
 ListedCommand compare_command(CompareOptions& options) {
   ListedCommand command;
   command.places = {
@@ -56,7 +34,7 @@ ListedCommand compare_command(CompareOptions& options) {
       {"--format", "KIND[=FILE]",
        "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
        "default text; may be repeated",
-       output_item(options.outputs), true}};
+       data_output(options.outputs), true}};
   command.footer =
       "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
       "with\n"
@@ -74,7 +52,7 @@ ListedCommand compare_command(CompareOptions& options) {
 
 std::string compare_contradiction(const CompareOptions& options) {
   if (std::count_if(options.outputs.begin(), options.outputs.end(),
-                    [](const ConvergeOutput& output) { return output.file.empty(); }) > 1) {
+                    [](const DataOutput& output) { return output.file.empty(); }) > 1) {
     return "--format: only one kind can go to standard output; give the others as KIND=FILE";
   }
   return "";

@@ -17,7 +17,7 @@ struct CompareOptions {
   double distance_m = 0.01;         // within which points are the same
   int worst = 5;
   bool is_partial = false;  // what only one side has is a note, not an error
-  std::vector<ConvergeOutput> outputs;
+  std::vector<DataOutput> outputs;
 };
 
 ListedCommand compare_command(CompareOptions& options);

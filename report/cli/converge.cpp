@@ -12,7 +12,6 @@
 #include "report/cli/recording_reader.h"
 #include "report/cli/version.h"
 #include "report/number_format.h"
-#include "report/write.h"
 
 #include <fmt/format.h>
 
@@ -98,7 +97,7 @@ bool check_files(const ConvergeOptions& options, const std::set<std::string>& in
                  calc::Diagnostics& diagnostics) {
   std::set<std::string> taken;
   for (const std::string& input : inputs) taken.insert(path_identity(input));
-  for (const ConvergeOutput& output : options.outputs) {
+  for (const DataOutput& output : options.outputs) {
     if (output.file.empty()) continue;
     std::string problem = writability(output.file);
     if (!taken.insert(path_identity(output.file)).second) {
@@ -209,15 +208,15 @@ void add_planes(const Subject& subject, const std::vector<report::ConvergeTruth>
   }
 }
 
-std::string render(ConvergeFormat kind, const report::ConvergeDocument& document) {
+std::string render(DataFormat kind, const report::ConvergeDocument& document) {
   switch (kind) {
-    case ConvergeFormat::csv:
+    case DataFormat::csv:
       return report::render_converge_csv(document);
-    case ConvergeFormat::json:
+    case DataFormat::json:
       return report::render_converge_json(document);
-    case ConvergeFormat::html:
+    case DataFormat::html:
       return report::render_converge_html(document);
-    case ConvergeFormat::text:
+    case DataFormat::text:
       break;
   }
   return report::render_converge_text(document);
@@ -226,19 +225,8 @@ std::string render(ConvergeFormat kind, const report::ConvergeDocument& document
 // Writes the files; what is for standard output comes back.
 std::string write(const ConvergeOptions& options, const report::ConvergeDocument& document,
                   calc::Diagnostics& diagnostics) {
-  ConvergeFormat to_stdout = ConvergeFormat::text;
-  for (const ConvergeOutput& output : options.outputs) {
-    if (output.file.empty()) {
-      to_stdout = output.kind;
-      continue;
-    }
-    const std::string problem =
-        report::write_file_atomically(output.file, render(output.kind, document));
-    if (problem.empty()) continue;
-    diagnostics.report(calc::DiagnosticId::output_not_possible, {},
-                       fmt::format("cannot write '{}': {}", output.file, problem));
-  }
-  return render(to_stdout, document);
+  const auto render_as = [&](DataFormat kind) { return render(kind, document); };
+  return write_data_outputs(options.outputs, render_as, diagnostics);
 }
 
 // For the methods that need OpenGL, if there are any; false after an error.

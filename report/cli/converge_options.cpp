@@ -38,24 +38,6 @@ ValueParser method_list(std::vector<std::string>& target) {
   };
 }
 
-ValueParser output_item(std::vector<ConvergeOutput>& target) {
-  return [&target](const std::string& text) -> std::string {
-    const std::size_t equals = text.find('=');
-    ConvergeOutput output;
-    std::string problem = choice<ConvergeFormat>(
-        output.kind, {{"text", ConvergeFormat::text},
-                      {"csv", ConvergeFormat::csv},
-                      {"json", ConvergeFormat::json},
-                      {"html", ConvergeFormat::html}})(text.substr(0, equals));
-    if (!problem.empty()) return problem;
-    if (equals != std::string::npos) output.file = text.substr(equals + 1);
-    if (equals != std::string::npos && output.file.empty())
-      return "a file name is missing after '='";
-    target.push_back(output);
-    return "";
-  };
-}
-
 ValueParser plane_list(std::vector<std::string>& target) {
   return [&target](const std::string& text) -> std::string {
     if (text.empty()) return "the id of a plane is needed";
@@ -110,7 +92,7 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
       {"--format", "KIND[=FILE]",
        "text, csv, json or html, to FILE or (one kind only) to standard output, where text goes\n"
        "unless another kind does; may be repeated",
-       output_item(options.outputs), true}};
+       data_output(options.outputs), true}};
 }
 
 std::string converge_contradiction(const ConvergeOptions& options) {
@@ -127,7 +109,7 @@ std::string converge_contradiction(const ConvergeOptions& options) {
   }
   const auto to_stdout =
       std::count_if(options.outputs.begin(), options.outputs.end(),
-                    [](const ConvergeOutput& output) { return output.file.empty(); });
+                    [](const DataOutput& output) { return output.file.empty(); });
   if (to_stdout > 1) {
     return "--format: only one kind can go to standard output; give the others as KIND=FILE";
   }

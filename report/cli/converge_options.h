@@ -1,6 +1,8 @@
 #pragma once
 // The options of `luxgate converge`.
 
+#include "report/cli/data_output.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,12 +10,6 @@
 namespace cli {
 
 struct ValueOption;
-
-enum class ConvergeFormat { text, csv, json, html };
-struct ConvergeOutput {
-  ConvergeFormat kind = ConvergeFormat::text;
-  std::string file;  // "" = standard output
-};
 
 struct ConvergeOptions {
   std::string project;
@@ -31,7 +27,7 @@ struct ConvergeOptions {
   double clamp_per_m2 = 1.0;  // of clamped-instant-radiosity
   int jobs = 0;
   int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
-  std::vector<ConvergeOutput> outputs;
+  std::vector<DataOutput> outputs;
 };
 
 std::vector<ValueOption> converge_value_options(ConvergeOptions& options);

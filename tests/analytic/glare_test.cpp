@@ -247,6 +247,48 @@ TEST(Ugr, RefusesWhatTheFormulaIsNotFor) {
   expect_refused(room_with(point, {{0.9, 3, 2.8}}), {0.1, 3, 2.0}, "no luminous area");
 }
 
+// A strip of 2.4 m overhead: its centre is 76 degrees above the line of sight and out of the field,
+// but what lies more than 0.8 m ahead is in it and counts, each part with its own index.
+TEST(Ugr, OfALongSourceCountsThePartsInTheField) {
+  const double length_m = 2.4, width_m = 0.06, above_m = 1.6, ahead_m = 0.4;
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 900, {calc::OpeningShape::rectangle, length_m, width_m, 0.0});
+  const calc::PreparedScene scene = room_with(web, {{3, 3, 1.2 + above_m}});
+  const calc::PlaneField field = solve_eyes(scene, eyes({{3 - ahead_m, 3, 1.2}}), 64);
+  const double r2 = above_m * above_m + ahead_m * ahead_m;
+  const double cosine = above_m / std::sqrt(r2);
+  constexpr int kParts = 100000;
+  double weights = 0.0;
+  for (int k = 0; k < kParts; ++k) {
+    const double x = ahead_m + length_m * ((k + 0.5) / kParts - 0.5);
+    const auto index = calc::guth_index({x, 0, above_m}, kAhead);
+    if (index) weights += 1.0 / (*index * *index * kParts);
+  }
+  const double luminance = 500.0 / (length_m * width_m);
+  const double solid_angle_sr = length_m * width_m * cosine / r2;
+  EXPECT_GT(weights, 0.0);
+  EXPECT_NEAR(field.glare.value[0] / (luminance * luminance * solid_angle_sr * weights), 1.0, 0.01);
+}
+
+// A louvre of slats as wide as the gaps between them: half is seen, wherever the slats stand.
+TEST(Ugr, CountsHalfOfAnOpeningBehindSlats) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::SensorGrid grid = eyes({{0.5, 3, 1.2}});
+  const auto value_with = [&](int slats, double shift) {
+    calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+    for (int k = 0; k < slats; ++k) {
+      const double y = 2.7 + (k + shift) * 0.6 / slats;
+      add_quad(scene, {2.6, y, 2.79}, {0.8, 0, 0}, {0, 0.3 / slats, 0}, 0.0);
+    }
+    set_extent(scene);
+    return solve_eyes(scene, grid, 64).glare.value[0];
+  };
+  const double open = value_with(0, 0.0);
+  for (const double shift : {0.0, 0.25, 0.5}) {
+    EXPECT_NEAR(value_with(16, shift) / open, 0.5, 1.0 / 16.0) << shift;
+  }
+}
+
 // 4 cm at 5 m: 5e-5 sr. It stands in the upper end only, and alone gives no rating.
 TEST(Ugr, OfSourcesThatAreTooSmallIsOpenDownwards) {
   const calc::PhotometricWeb panel = lambert_web(500.0, 90, kPanel);

@@ -13,6 +13,23 @@ function(run_luxgate expected)
   set(err "${stderr}" PARENT_SCOPE)
 endfunction()
 
+# run_in_work(<exit code> argument...): in the scratch folder ${WORK}, which is emptied by
+# `clear_work()`; what follows an unexpected exit code is not worth running.
+function(run_in_work expected)
+  execute_process(COMMAND ${LUXGATE} ${ARGN} WORKING_DIRECTORY ${WORK}
+    RESULT_VARIABLE code OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+  if(NOT code STREQUAL expected)
+    message(FATAL_ERROR "${ARGN}: exit code ${code}, expected ${expected}\n${stdout}${stderr}")
+  endif()
+  set(out "${stdout}" PARENT_SCOPE)
+  set(err "${stderr}" PARENT_SCOPE)
+endfunction()
+
+function(clear_work)
+  file(REMOVE_RECURSE ${WORK})
+  file(MAKE_DIRECTORY ${WORK})
+endfunction()
+
 function(expect_in text part)
   string(FIND "${text}" "${part}" place)
   if(place EQUAL -1)

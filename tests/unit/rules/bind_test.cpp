@@ -362,6 +362,7 @@ TEST(BindRequirements, ReadsLimitsOfRatingsAsPlainNumbers) {
       bind_derived(calc::DerivedQuantity::ugr, {{"quantity", "maximum"}, {"at-most", "19"}});
   ASSERT_EQ(glare.requirements.size(), 1u);
   EXPECT_EQ(glare.requirements[0].limit, 19.0);
+  EXPECT_EQ(glare.requirements[0].state, LightState::initial);  // when it is worst
   EXPECT_EQ(glare.requirements[0].derived, calc::DerivedQuantity::ugr);
   EXPECT_STREQ(unit_of(glare.requirements[0]), "");
   const Bound modelling =

@@ -127,6 +127,18 @@ TEST(Tm33, PointsMayComeInAnyOrder) {
   }
 }
 
+// A sum without the watts of one emitter would be too little.
+TEST(Tm33, PowerIsStatedOnlyIfEveryEmitterStatesIt) {
+  const auto power_with = [](const std::string& head) {
+    Tm33Emitter one, two;
+    one.head = "<ID>one</ID><InputWattage>20</InputWattage>";
+    two.head = "<ID>two</ID>" + head;
+    return read(tm33_text(tm33_emitter(one) + tm33_emitter(two))).source().input_power_w;
+  };
+  EXPECT_EQ(power_with("<InputWattage>5</InputWattage>"), 25.0);
+  EXPECT_EQ(power_with(""), 0.0);
+}
+
 TEST(Tm33, MultiplierAndQuantityMultiply) {
   Tm33Emitter emitter;
   emitter.head = "<Quantity>3</Quantity><RatedLumens>700</RatedLumens><InputWatts>7</InputWatts>";

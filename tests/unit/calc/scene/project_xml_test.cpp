@@ -48,6 +48,22 @@ TEST(ProjectXml, ReadsNameMaterialsAndTypes) {
   EXPECT_DOUBLE_EQ(single.power_w, 7.0);
 }
 
+// The file's watts are those of the file's light.
+TEST(ProjectXml, OtherLightNeedsItsOwnPower) {
+  const auto power_with = [](const std::string& attributes) {
+    const Loaded loaded =
+        load("<luxgate version='1'><luminaire-type id='t' photometry='spot.ies' " + attributes +
+             "/><luminaire id='l' type='t' position='0 0 3'/><plane id='p' origin='0 0 0' u='1 0 "
+             "0' v='0 "
+             "1 0'/></luxgate>");
+    EXPECT_TRUE(loaded.project) << loaded.messages;
+    return loaded.project ? loaded.project->luminaire_types.at(0).power_w : -1.0;
+  };
+  EXPECT_EQ(power_with(""), 12.0);
+  EXPECT_EQ(power_with("flux-lm='8000'"), 0.0);
+  EXPECT_EQ(power_with("flux-lm='8000' power-w='30'"), 30.0);
+}
+
 TEST(ProjectXml, MaintenanceIsOneIfNotGiven) {
   const Loaded loaded = load(in_room(""));
   ASSERT_TRUE(loaded.project) << loaded.messages;

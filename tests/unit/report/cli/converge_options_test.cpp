@@ -43,7 +43,7 @@ TEST(ConvergeOptions, AreRead) {
   EXPECT_EQ(options.gl_device, 1);
   ASSERT_EQ(options.outputs.size(), 2u);
   EXPECT_EQ(options.outputs[0].file, "x.html");
-  EXPECT_EQ(options.outputs[1].kind, ConvergeFormat::csv);
+  EXPECT_EQ(options.outputs[1].kind, DataFormat::csv);
 }
 
 TEST(ConvergeOptions, BadOnesAreRefused) {
