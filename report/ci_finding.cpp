@@ -34,25 +34,26 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   return printable(text);
 }
 
-std::string project_message(const ProjectPart& project) {
+std::string project_message(const Texts& t, const ProjectPart& project) {
   const auto error =
       std::find_if(project.diagnostics.begin(), project.diagnostics.end(),
                    [](const calc::Diagnostic& d) { return d.severity() == calc::Severity::error; });
-  if (error == project.diagnostics.end()) return "the project could not be read or calculated";
+  if (error == project.diagnostics.end()) return t[Text::project_unreadable_brief];
   return printable(error->message);
 }
 
-CiFinding of_project(const ProjectPart& project) {
+CiFinding of_project(const Texts& t, const ProjectPart& project) {
   CiFinding entry;
   entry.project = &project;
   entry.rule = entry.key = "project";
   entry.where = {project.path, 0, 0};
   entry.place = printable(project.path);
-  entry.message = "nothing is judged: " + project_message(project);
+  entry.message = t.say<Text::nothing_is_judged>(project_message(t, project));
   return entry;
 }
 
-CiFinding of_plane(const ProjectPart& project, const SpacePart& space, const PlanePart& plane) {
+CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& space,
+                   const PlanePart& plane) {
   CiFinding entry;
   entry.project = &project;
   entry.space = &space;
@@ -62,7 +63,7 @@ CiFinding of_plane(const ProjectPart& project, const SpacePart& space, const Pla
   entry.where = plane.where;
   entry.place =
       printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
-  entry.message = "not computed: " + printable(plane.reason);
+  entry.message = t.say<Text::not_computed_brief>(printable(plane.reason));
   return entry;
 }
 
@@ -79,27 +80,27 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
 
 }  // namespace
 
-std::vector<std::string> ci_notes(const ProjectPart& project) {
+std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
   std::vector<std::string> notes;
   for (const SpacePart& space : project.spaces) {
     const std::string room = printable(title_of(space.name, space.id));
     for (const std::string& note : space.notes) notes.push_back(room + ": " + printable(note));
     for (const PlanePart& plane : space.planes) {
       if (plane.changed.empty()) continue;
-      notes.push_back(room + " / " + printable(title_of(plane.name, plane.id)) +
-                      ": changed: " + printable(plane.changed));
+      notes.push_back(t.say<Text::changed_note>(
+          room + " / " + printable(title_of(plane.name, plane.id)), printable(plane.changed)));
     }
   }
   return notes;
 }
 
-std::vector<CiFinding> ci_findings(const Document& document) {
+std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
   std::vector<CiFinding> list;
   for (const ProjectPart& project : document.projects) {
-    if (!project.is_judged) list.push_back(of_project(project));
+    if (!project.is_judged) list.push_back(of_project(t, project));
     for (const SpacePart& space : project.spaces) {
       for (const PlanePart& plane : space.planes) {
-        const CiFinding entry = of_plane(project, space, plane);
+        const CiFinding entry = of_plane(t, project, space, plane);
         bool is_told = plane.is_computed;
         for (const rules::Finding& finding : plane.findings) {
           list.push_back(of_finding(entry, finding));

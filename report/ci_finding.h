@@ -3,6 +3,7 @@
 // place in a file and a fingerprint that stays the same from revision to revision.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 #include <vector>
@@ -31,11 +32,12 @@ struct CiFinding {
 
 // What must be known of a project beside its findings: zones of workplaces that were not made or
 // left out, and planes that somebody changed. "room: what"; printable(), in document order.
-std::vector<std::string> ci_notes(const ProjectPart& project);
+std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {});
 
 // In document order: every requirement, every plane that was not computed although nothing
 // that counts is required of it, and every project that could not be judged. Text is printable().
-// Valid as long as the document.
-std::vector<CiFinding> ci_findings(const Document& document);
+// Valid as long as the document. t: of the messages of planes and projects; those of findings are
+// English.
+std::vector<CiFinding> ci_findings(const Document& document, const Texts& t = {});
 
 }  // namespace report

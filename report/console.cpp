@@ -1,7 +1,7 @@
 #include "report/console.h"
 
-#include "report/number_format.h"
 #include "report/plain_text.h"
+#include "report/text_numbers.h"
 #include "report/words.h"
 
 #include <algorithm>
@@ -52,8 +52,9 @@ const char* verdict_colour(rules::Verdict verdict) {
 }
 
 // A failure stands out in a log without colours, too: it alone is in capitals.
-std::string verdict_cell(rules::Verdict verdict) {
-  const char* word = verdict == rules::Verdict::fail ? "FAIL" : rules::verdict_name(verdict);
+std::string verdict_cell(const Texts& t, rules::Verdict verdict) {
+  const char* word =
+      verdict == rules::Verdict::fail ? t[Text::fail_in_capitals] : verdict_words(t, verdict);
   return std::string(verdict_symbol(verdict)) + " " + word;
 }
 
@@ -62,40 +63,41 @@ std::string place_cell(const SpacePart& space, const PlanePart& plane) {
          printable(title_of(plane.name, plane.id));
 }
 
-std::string scene_words(const rules::Requirement& requirement) {
+std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
   std::string text;
   if (requirement.state != rules::LightState::maintained) {
-    text += std::string(", ") + state_name(requirement.state);
+    text += std::string(", ") + light_state_words(t, requirement.state);
   }
-  if (!requirement.scene.empty()) text += ", scene " + printable(requirement.scene);
+  if (!requirement.scene.empty()) text += ", " + t.say<Text::scene>(printable(requirement.scene));
   return text;
 }
 
-void add_finding(const SpacePart& space, const PlanePart& plane, const rules::Finding& finding,
-                 std::vector<Line>& lines) {
+void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                 const rules::Finding& finding, std::vector<Line>& lines) {
   const rules::Requirement& requirement = finding.requirement;
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
   Line line;
   line.colour = verdict_colour(finding.verdict);
-  line.cells[kVerdict] = verdict_cell(finding.verdict);
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
   line.cells[kPlace] = place_cell(space, plane);
-  line.cells[kQuantity] = quantity_words(requirement, plane.kernel) + scene_words(requirement);
-  line.cells[kRequired] = format_required(threshold, unit);
+  line.cells[kQuantity] =
+      quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
+  line.cells[kRequired] = format_required(t, threshold, unit);
   if (finding.verdict != rules::Verdict::not_judged) {
-    line.cells[kMeasured] = format_measured(finding.measured, unit, threshold);
-    line.cells[kMargin] = format_margin(finding.margin);
-    if (finding.place_m) line.cells[kWhere] = format_position(*finding.place_m);
+    line.cells[kMeasured] = format_measured(t, finding.measured, unit, threshold);
+    line.cells[kMargin] = format_margin(t, finding.margin);
+    if (finding.place_m) line.cells[kWhere] = format_position(t, *finding.place_m);
   }
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   if (!finding.reason.empty()) note(printable(finding.reason));
-  if (const std::string words = note_words(finding); !words.empty()) note(printable(words));
-  if (finding.is_close) note(close_words(finding));
+  if (const std::string words = note_words(t, finding); !words.empty()) note(printable(words));
+  if (finding.is_close) note(close_words(t, finding));
 }
 
-void add_doubt(const PlanePart& plane, std::vector<Line>& lines) {
-  const std::string doubt = doubt_words(plane);
+void add_doubt(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
+  const std::string doubt = doubt_words(t, plane);
   if (!doubt.empty()) lines.emplace_back().note = doubt;
 }
 
@@ -103,39 +105,42 @@ void add_remarks(const PlanePart& plane, std::vector<Line>& lines) {
   for (const std::string& remark : plane.remarks) lines.emplace_back().note = printable(remark);
 }
 
-std::string statistics_text(const PlanePart& plane) {
+std::string statistics_text(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return "minimum " + format_measured(plane.minimum_lx, "") + ", maximum " +
-           format_measured(plane.maximum_lx, "");
+    return t.say<Text::brief_extremes>(format_measured(t, plane.minimum_lx, ""),
+                                       format_measured(t, plane.maximum_lx, ""));
   }
-  return "average " + format_measured(plane.average_lx, "lx") + ", minimum " +
-         format_measured(plane.minimum_lx, "lx") + ", Uo " +
-         format_measured(plane.uniformity_min_avg, "");
+  return t.say<Text::brief_statistics>(format_measured(t, plane.average_lx, "lx"),
+                                       format_measured(t, plane.minimum_lx, "lx"),
+                                       format_measured(t, plane.uniformity_min_avg, ""));
 }
 
 // Of planes that a workplace has made: what the project has changed about them.
-void add_change(const PlanePart& plane, std::vector<Line>& lines) {
+void add_change(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
   if (plane.changed.empty()) return;
-  lines.emplace_back().note = printable(plane.made_by + "; changed: " + plane.changed);
+  lines.emplace_back().note =
+      printable(t.say<Text::made_and_changed>(plane.made_by, plane.changed));
 }
 
-void add_plane(const SpacePart& space, const PlanePart& plane, std::vector<Line>& lines) {
-  for (const rules::Finding& finding : plane.findings) add_finding(space, plane, finding, lines);
+void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
+               std::vector<Line>& lines) {
+  for (const rules::Finding& finding : plane.findings) add_finding(t, space, plane, finding, lines);
   if (!plane.findings.empty()) {
-    add_change(plane, lines);
+    add_change(t, plane, lines);
     add_remarks(plane, lines);
-    return add_doubt(plane, lines);
+    return add_doubt(t, plane, lines);
   }
   Line line;
   line.cells[kPlace] = place_cell(space, plane);
-  line.cells[kVerdict] = plane.is_computed ? "  no limit" : "– not computed";
+  line.cells[kVerdict] = plane.is_computed ? std::string("  ") + t[Text::no_limit]
+                                           : std::string("– ") + t[Text::not_computed];
   lines.push_back(std::move(line));
   const std::string quantity =
-      is_plain_illuminance(plane) ? "" : std::string(plane_words(plane)) + ": ";
+      is_plain_illuminance(plane) ? "" : std::string(plane_words(t, plane)) + ": ";
   lines.emplace_back().note =
-      plane.is_computed ? quantity + statistics_text(plane) : printable(plane.reason);
+      plane.is_computed ? quantity + statistics_text(t, plane) : printable(plane.reason);
   add_remarks(plane, lines);
-  add_doubt(plane, lines);
+  add_doubt(t, plane, lines);
 }
 
 constexpr bool is_number_column(std::size_t column) {
@@ -150,9 +155,11 @@ std::string padded(const std::string& text, std::size_t width, bool to_the_right
 
 using Widths = std::array<std::size_t, kColumns>;
 
-Line heading() {
+Line heading(const Texts& t) {
   Line line;
-  line.cells = {"verdict", "room / plane", "quantity", "required", "measured", "margin", "at (m)"};
+  line.cells = {t[Text::head_verdict],  t[Text::head_place],    t[Text::head_quantity],
+                t[Text::head_required], t[Text::head_measured], t[Text::head_margin],
+                t[Text::head_at]};
   line.colour = kDim;
   return line;
 }
@@ -160,8 +167,8 @@ Line heading() {
 bool is_heading(const Line& line) { return line.colour == kDim; }
 
 // Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
-Widths natural_widths(const std::vector<std::vector<Line>>& tables) {
-  const Line head = heading();
+Widths natural_widths(const Texts& t, const std::vector<std::vector<Line>>& tables) {
+  const Line head = heading(t);
   Widths widths{};
   for (const std::vector<Line>& lines : tables) {
     for (const Line& line : lines) {
@@ -177,8 +184,9 @@ Widths natural_widths(const std::vector<std::vector<Line>>& tables) {
 }
 
 // The name column gives way to a narrow terminal.
-Widths column_widths(const std::vector<std::vector<Line>>& tables, int terminal_width) {
-  Widths widths = natural_widths(tables);
+Widths column_widths(const Texts& t, const std::vector<std::vector<Line>>& tables,
+                     int terminal_width) {
+  Widths widths = natural_widths(t, tables);
   std::size_t total = 2;  // indentation
   for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
   const auto available = static_cast<std::size_t>(std::max(terminal_width, 0)) + kGap;
@@ -211,13 +219,13 @@ std::string render_line(const Line& line, const Widths& widths, bool colour) {
   return text + "\n";
 }
 
-std::vector<Line> project_lines(const ProjectPart& project) {
+std::vector<Line> project_lines(const Texts& t, const ProjectPart& project) {
   std::vector<Line> lines;
   for (const SpacePart& space : project.spaces) {
-    for (const PlanePart& plane : space.planes) add_plane(space, plane, lines);
+    for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
     for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
   }
-  if (!lines.empty()) lines.insert(lines.begin(), heading());
+  if (!lines.empty()) lines.insert(lines.begin(), heading(t));
   return lines;
 }
 
@@ -229,16 +237,16 @@ std::string project_title(const ProjectPart& project, bool colour) {
 
 }  // namespace
 
-std::string render_text(const Document& document, const TextOptions& options) {
+std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
   std::vector<std::vector<Line>> tables;
-  for (const ProjectPart& project : document.projects) tables.push_back(project_lines(project));
-  const Widths widths = column_widths(tables, options.width);
+  for (const ProjectPart& project : document.projects) tables.push_back(project_lines(t, project));
+  const Widths widths = column_widths(t, tables, options.width);
   std::string text;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const ProjectPart& project = document.projects[i];
     text += project_title(project, options.colour);
     if (!project.is_judged) {
-      const char* words = "– not judged: it could not be read or calculated; see the errors";
+      const std::string words = std::string("– ") + t[Text::not_judged_see_errors];
       text += std::string("  ") +
               (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
               (options.colour ? kReset : "") + "\n";
@@ -247,7 +255,7 @@ std::string render_text(const Document& document, const TextOptions& options) {
     text += "\n";
   }
   const rules::Verdict overall = overall_verdict(document);
-  std::string summary = summary_words(document);
+  std::string summary = summary_words(t, document);
   if (options.colour) summary = verdict_colour(overall) + summary + kReset;
   return text + summary + "\n";
 }

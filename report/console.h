@@ -2,6 +2,7 @@
 // The document as a table for terminals and logs: verdicts first, one line per requirement.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -15,6 +16,7 @@ struct TextOptions {
 
 // UTF-8, every line ends in '\n'. Holds the table of each project and one summary line; warnings
 // and errors are not here (the command line prints them to stderr).
-std::string render_text(const Document& document, const TextOptions& options = {});
+std::string render_text(const Document& document, const TextOptions& options = {},
+                        const Texts& t = {});
 
 }  // namespace report

@@ -3,6 +3,7 @@
 // and by screen readers.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -10,6 +11,6 @@ namespace report {
 
 // HTML5 that is well-formed XML as well. Time of day and phase times appear only where the document
 // holds them; same document, same bytes.
-std::string render_html(const Document& document);
+std::string render_html(const Document& document, const Texts& t = {});
 
 }  // namespace report

@@ -45,10 +45,11 @@ std::optional<std::size_t> decided_at(const PlanePart& plane, std::size_t findin
   return look;
 }
 
-Curve curve_of(const PlanePart& plane, std::optional<std::size_t> finding) {
+Curve curve_of(const Texts& t, const PlanePart& plane, std::optional<std::size_t> finding) {
   Curve curve;
-  curve.words = std::string(title_of(plane.name, plane.id)) + ", " +
-                (finding ? quantity_words(plane.findings[*finding].requirement) : "average");
+  curve.words =
+      std::string(title_of(plane.name, plane.id)) + ", " +
+      (finding ? quantity_words(t, plane.findings[*finding].requirement) : t[Text::average]);
   if (finding) {
     curve.verdict = plane.looks.back().findings[*finding].verdict;
     curve.decided = decided_at(plane, *finding);
@@ -75,7 +76,7 @@ bool is_whole(const PlanePart& plane) {
          });
 }
 
-std::vector<Curve> curves_of(const ProjectPart& project) {
+std::vector<Curve> curves_of(const Texts& t, const ProjectPart& project) {
   std::vector<Curve> curves;
   const auto add = [&curves](Curve curve) {
     if (!curve.places.empty()) curves.push_back(std::move(curve));
@@ -83,8 +84,8 @@ std::vector<Curve> curves_of(const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
       if (!is_whole(plane)) continue;
-      for (std::size_t i = 0; i < plane.findings.size(); ++i) add(curve_of(plane, i));
-      if (plane.findings.empty()) add(curve_of(plane, std::nullopt));
+      for (std::size_t i = 0; i < plane.findings.size(); ++i) add(curve_of(t, plane, i));
+      if (plane.findings.empty()) add(curve_of(t, plane, std::nullopt));
     }
   }
   return curves;
@@ -120,12 +121,12 @@ struct Frame {
   }
 };
 
-std::string axes(const Frame& frame) {
+std::string axes(const Texts& t, const Frame& frame) {
   std::string grid, text;
   for (double width = frame.low_width; width <= frame.high_width * 1.01; width *= 10.0) {
     grid += fmt::format("M{} {}H{}", kLeft, svg_number(frame.y(width)), kWidth - kRight);
     text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 8,
-                        svg_number(frame.y(width) + 4), format_percent(width));
+                        svg_number(frame.y(width) + 4), format_percent(t, width));
   }
   const double doublings = std::log2(frame.high_paths / frame.low_paths);
   const double factor = std::exp2(std::max(1.0, std::ceil(doublings / 6.0)));
@@ -136,9 +137,9 @@ std::string axes(const Frame& frame) {
                         kHeight - kBottom + 17,
                         format_count(static_cast<std::uint64_t>(std::llround(paths))));
   }
-  text += fmt::format(
-      "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">light paths of all replicates</text>",
-      svg_number(0.5 * (kLeft + kWidth - kRight)), kHeight - 6);
+  text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                      svg_number(0.5 * (kLeft + kWidth - kRight)), kHeight - 6,
+                      t[Text::paths_of_replicates]);
   return "<path class=\"lines\" d=\"" + grid + "\"/>" + text;
 }
 
@@ -160,15 +161,12 @@ std::string curve_svg(const Frame& frame, const Curve& curve) {
 
 }  // namespace
 
-std::string html_convergence(const ProjectPart& project) {
-  const std::vector<Curve> curves = curves_of(project);
+std::string html_convergence(const Texts& t, const ProjectPart& project) {
+  const std::vector<Curve> curves = curves_of(t, project);
   if (curves.empty()) return {};
   const bool is_still = std::all_of(curves.begin(), curves.end(),
                                     [](const Curve& curve) { return curve.places.size() < 2; });
-  if (is_still)
-    return "<p class=\"quiet\">Every plane was finished at its first look: no error against work "
-           "to "
-           "show.</p>\n";
+  if (is_still) return fmt::format("<p class=\"quiet\">{}</p>\n", t[Text::finished_at_first_look]);
   Frame frame;
   for (const Curve& curve : curves) {
     for (const Place& place : curve.places) frame.add(place);
@@ -178,27 +176,24 @@ std::string html_convergence(const ProjectPart& project) {
   const std::size_t shown = std::min(curves.size(), kMostCurves);
   for (std::size_t i = 0; i < shown; ++i) lines += curve_svg(frame, curves[i]);
   const std::string left_out =
-      shown < curves.size() ? fmt::format(" Shown are the first {} of {}.", shown, curves.size())
-                            : "";
+      shown < curves.size() ? " " + t.say<Text::shown_are_first>(shown, curves.size()) : "";
   return fmt::format(
       "<figure class=\"converge\"><svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "role=\"img\" aria-label=\"Relative half width of {2} intervals over light paths, from {3} "
-      "to {4}\">{5}{6}</svg><figcaption>Error against work in this run: half the width of each "
-      "requirement’s interval, relative to the value, after every look. A full dot marks the look "
-      "since which the verdict stands, a ring one that is still open or a plane without "
-      "limits.{7}</figcaption></figure>\n",
-      kWidth, kHeight, curves.size(), format_percent(frame.high_width),
-      format_percent(frame.low_width), axes(frame), lines, left_out);
+      "role=\"img\" aria-label=\"{2}\">{3}{4}</svg><figcaption>{5}{6}</figcaption></figure>\n",
+      kWidth, kHeight,
+      t.say<Text::converge_words>(curves.size(), format_percent(t, frame.high_width),
+                                  format_percent(t, frame.low_width)),
+      axes(t, frame), lines, t[Text::converge_caption], left_out);
 }
 
-std::string html_looks(const PlanePart& plane) {
+std::string html_looks(const Texts& t, const PlanePart& plane) {
   if (!is_whole(plane)) return {};
-  std::string head =
-      "<th scope=\"col\" class=\"num\">Look</th><th scope=\"col\" class=\"num\">Light paths</th>"
-      "<th scope=\"col\" class=\"num\">Rays</th><th scope=\"col\" class=\"num\">Points</th>";
+  std::string head;
+  for (const Text name : {Text::look, Text::light_paths, Text::rays, Text::points})
+    head += fmt::format("<th scope=\"col\" class=\"num\">{}</th>", t[name]);
   for (const rules::Finding& finding : plane.findings)
-    head += "<th scope=\"col\">" + escape_html(quantity_words(finding.requirement)) + "</th>";
-  if (plane.findings.empty()) head += "<th scope=\"col\">average</th>";
+    head += "<th scope=\"col\">" + escape_html(quantity_words(t, finding.requirement)) + "</th>";
+  if (plane.findings.empty()) head += fmt::format("<th scope=\"col\">{}</th>", t[Text::average]);
   std::string rows;
   for (std::size_t i = 0; i < plane.looks.size(); ++i) {
     const PlaneLook& look = plane.looks[i];
@@ -211,23 +206,24 @@ std::string html_looks(const PlanePart& plane) {
       const rules::Requirement& requirement = plane.findings[f].requirement;
       const bool is_judged = finding.verdict != rules::Verdict::not_judged;
       rows += fmt::format(
-          "<td>{} {}</td>", badge(finding.verdict),
-          is_judged ? format_measured(finding.measured, rules::unit_of(requirement),
+          "<td>{} {}</td>", badge(t, finding.verdict),
+          is_judged ? format_measured(t, finding.measured, rules::unit_of(requirement),
                                       Threshold{requirement.limit, requirement.comparison})
                     : "");
     }
     if (plane.findings.empty())
-      rows += "<td>" + format_measured(look.average_lx, plane_unit(plane)) + "</td>";
+      rows += "<td>" + format_measured(t, look.average_lx, plane_unit(plane)) + "</td>";
     rows += "</tr>\n";
   }
   const std::string name = escape_html(title_of(plane.name, plane.id));
+  const std::string title = t.say<Text::looks_at>(name);
+  const std::size_t looks = plane.looks.size();
   return fmt::format(
-      "<details class=\"grid\"><summary>How the verdicts were reached: {} look{}</summary>\n{}"
-      "</details>\n",
-      plane.looks.size(), plane.looks.size() == 1 ? "" : "s",
-      scroll_box("Looks at " + name, "<table class=\"looks\"><caption class=\"unseen\">Looks at " +
-                                         name + "</caption><thead><tr>" + head +
-                                         "</tr></thead><tbody>\n" + rows + "</tbody></table>"));
+      "<details class=\"grid\"><summary>{}</summary>\n{}</details>\n",
+      looks == 1 ? t.say<Text::how_reached_one>(looks) : t.say<Text::how_reached>(looks),
+      scroll_box(title, "<table class=\"looks\"><caption class=\"unseen\">" + title +
+                            "</caption><thead><tr>" + head + "</tr></thead><tbody>\n" + rows +
+                            "</tbody></table>"));
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 // How a run got to its numbers: intervals after every look.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -9,9 +10,9 @@ namespace report {
 
 // Relative half widths of every requirement's interval over light paths, all planes of a project in
 // one picture; "" where nothing was sampled.
-std::string html_convergence(const ProjectPart& project);
+std::string html_convergence(const Texts& t, const ProjectPart& project);
 
 // One plane's looks as a folded table; "" where nothing was sampled.
-std::string html_looks(const PlanePart& plane);
+std::string html_looks(const Texts& t, const PlanePart& plane);
 
 }  // namespace report

@@ -58,63 +58,71 @@ std::string gauge(const rules::Finding& finding) {
 }
 
 // What must be read with the quantity: clause, state, scene, remarks; "" if there is nothing.
-std::string notes_html(const rules::Finding& finding) {
+std::string notes_html(const Texts& t, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   std::string notes;
   const auto note = [&notes](const std::string& text) {
     notes += (notes.empty() ? "" : " · ") + text;
   };
   if (!requirement.clause.empty()) note(escape_html(requirement.clause));
-  if (requirement.state != rules::LightState::maintained) note(state_name(requirement.state));
-  if (!requirement.scene.empty()) note("scene " + escape_html(requirement.scene));
-  if (const std::string words = note_words(finding); !words.empty()) note(escape_html(words));
+  if (requirement.state != rules::LightState::maintained)
+    note(light_state_words(t, requirement.state));
+  if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
+  std::string words;
+  for (const NotePart& part : note_parts(t, finding)) {
+    const std::string html = escape_html(part.text);
+    words += (words.empty() ? "" : "; ") + (part.is_english ? t.english_html(html) : html);
+  }
+  if (!words.empty()) note(words);
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
 
-Cells cells_of(const PlanePart& plane, const rules::Finding& finding) {
+Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::unit_of(requirement);
   Cells cells;
-  cells.notes = notes_html(finding);
-  cells.requirement = escape_html(quantity_words(requirement, plane.kernel)) + cells.notes;
-  cells.required = escape_html(format_required(threshold, unit));
+  cells.notes = notes_html(t, finding);
+  cells.requirement = escape_html(quantity_words(t, requirement, plane.kernel)) + cells.notes;
+  cells.required = escape_html(format_required(t, threshold, unit));
   if (finding.verdict == rules::Verdict::not_judged) return cells;
-  cells.measured = format_measured(finding.measured, unit, threshold);
+  cells.measured = format_measured(t, finding.measured, unit, threshold);
   cells.gauge = gauge(finding);
-  cells.margin = with_minus(format_margin(finding.margin));
-  if (finding.place_m) cells.place = with_minus(format_position(*finding.place_m));
+  cells.margin = with_minus(format_margin(t, finding.margin));
+  if (finding.place_m) cells.place = with_minus(format_position(t, *finding.place_m));
   return cells;
 }
 
 // Reason and closeness as sentences; finished HTML, "" if there is nothing to say.
-std::string remarks(const rules::Finding& finding) {
-  std::string text = finding.reason;
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  if (!text.empty() && text.back() != '.') text += '.';
+std::string remarks(const Texts& t, const rules::Finding& finding) {
+  std::string reason = finding.reason;
+  if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z')
+    reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
+  if (!reason.empty() && reason.back() != '.') reason += '.';
+  std::string text = t.english_html(escape_html(reason));
   if (finding.is_close) {
-    std::string words = close_words(finding);
-    words[0] = 'C';
-    text += (text.empty() ? "" : " ") + words + ".";
+    std::string words = close_words(t, finding);
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    text += (text.empty() ? "" : " ") + escape_html(words) + ".";
   }
-  if (const std::string words = pass_factor_words(finding); !words.empty())
-    text += (text.empty() ? "" : " ") + words;
-  return escape_html(text);
+  if (const std::string words = pass_factor_words(t, finding); !words.empty())
+    text += (text.empty() ? "" : " ") + escape_html(words);
+  return text;
 }
 
 // data-sort: the page's script makes these heads buttons.
-std::string head_cells(bool is_sortable) {
+std::string head_cells(const Texts& t, bool is_sortable) {
   const char* sort = is_sortable ? " data-sort=\"\"" : "";
   return fmt::format(
-      "<th scope=\"col\"{0}>Verdict</th><th scope=\"col\"{0}>Requirement</th>"
-      "<th scope=\"col\" class=\"num\"{0}>Required</th>"
-      "<th scope=\"col\" class=\"num\"{0}>Measured</th>"
-      "<th scope=\"col\" class=\"gauge-head\"><span class=\"unseen\">Interval against the "
-      "limit</span><span aria-hidden=\"true\">−10 % · limit · +10 %</span></th>"
-      "<th scope=\"col\" class=\"num\"{0}>Margin</th>"
-      "<th scope=\"col\" class=\"num\">At, m</th>",
-      sort);
+      "<th scope=\"col\"{0}>{1}</th><th scope=\"col\"{0}>{2}</th>"
+      "<th scope=\"col\" class=\"num\"{0}>{3}</th>"
+      "<th scope=\"col\" class=\"num\"{0}>{4}</th>"
+      "<th scope=\"col\" class=\"gauge-head\"><span class=\"unseen\">{5}</span>"
+      "<span aria-hidden=\"true\">{6}</span></th>"
+      "<th scope=\"col\" class=\"num\"{0}>{7}</th>"
+      "<th scope=\"col\" class=\"num\">{8}</th>",
+      sort, t[Text::verdict], t[Text::requirement], t[Text::required], t[Text::measured],
+      t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
 }
 
 // In the order in which verdicts ask for attention.
@@ -132,15 +140,15 @@ int rank(rules::Verdict verdict) {
   return 3;
 }
 
-std::string finding_cells(const PlanePart& plane, const rules::Finding& finding) {
-  const Cells cells = cells_of(plane, finding);
+std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
+  const Cells cells = cells_of(t, plane, finding);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
   return fmt::format(
       "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
       "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
       "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
-      rank(finding.verdict), badge(finding.verdict),
-      escape_html(quantity_words(finding.requirement)), cells.requirement,
+      rank(finding.verdict), badge(t, finding.verdict),
+      escape_html(quantity_words(t, finding.requirement)), cells.requirement,
       format_shortest(finding.requirement.limit), cells.required,
       is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
       is_judged ? format_shortest(finding.margin) : "", cells.margin, cells.place);
@@ -163,52 +171,51 @@ std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& 
       escape_html(title_of(space.name, space.id)));
 }
 
-std::string average_words(const PlanePart& plane) {
-  const std::string value = format_measured(plane.average_lx, "lx");
-  if (is_plain_illuminance(plane)) return "Average " + value;
-  return fmt::format("Average of {} {}", plane_words(plane), value);
+std::string average_words(const Texts& t, const PlanePart& plane) {
+  const std::string value = format_measured(t, plane.average_lx, "lx");
+  if (is_plain_illuminance(plane)) return t.say<Text::average_value>(value);
+  return t.say<Text::average_of_value>(of_plane_words(t, plane), value);
 }
 
-std::string statistics_words(const PlanePart& plane) {
+std::string statistics_words(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return fmt::format("{}: minimum {}, maximum {}", plane_words(plane),
-                       format_measured(plane.minimum_lx, ""),
-                       format_measured(plane.maximum_lx, ""));
+    return t.say<Text::extremes>(plane_words(t, plane), format_measured(t, plane.minimum_lx, ""),
+                                 format_measured(t, plane.maximum_lx, ""));
   }
-  return fmt::format("{}, minimum {}, Uo {}", average_words(plane),
-                     format_measured(plane.minimum_lx, "lx"),
-                     format_measured(plane.uniformity_min_avg, ""));
+  return t.say<Text::statistics_line>(average_words(t, plane),
+                                      format_measured(t, plane.minimum_lx, "lx"),
+                                      format_measured(t, plane.uniformity_min_avg, ""));
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
-std::string plain_row(const std::string& head, const PlanePart& plane) {
+std::string plain_row(const Texts& t, const std::string& head, const PlanePart& plane) {
   if (!plane.is_computed) {
     return fmt::format(
-        "<tr class=\"finding not-judged\">{}<td data-v=\"0\">not computed</td><td "
+        "<tr class=\"finding not-judged\">{}<td data-v=\"0\">{}</td><td "
         "colspan=\"6\">{}</td></tr>\n",
-        head, escape_html(plane.reason));
+        head, t[Text::not_computed], t.english_html(escape_html(plane.reason)));
   }
   return fmt::format(
-      "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">no limit</td><td "
+      "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">{}</td><td "
       "class=\"quiet\" colspan=\"6\">{}.</td></tr>\n",
-      head, statistics_words(plane));
+      head, t[Text::no_limit], statistics_words(t, plane));
 }
 
-std::string plane_rows(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
-                       const std::string& folder) {
+std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, const std::string& folder) {
   std::string html;
   for (const rules::Finding& finding : plane.findings) {
     const bool is_first = &finding == &plane.findings.front();
     html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", verdict_key(finding.verdict),
                         is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
-                        finding_cells(plane, finding));
+                        finding_cells(t, plane, finding));
   }
-  return plane.findings.empty() ? plain_row(row_head(index, space, plane, folder, true), plane)
+  return plane.findings.empty() ? plain_row(t, row_head(index, space, plane, folder, true), plane)
                                 : html;
 }
 
 // "2 fail, 1 pass" of a room.
-std::string room_words(const SpacePart& space) {
+std::string room_words(const Texts& t, const SpacePart& space) {
   std::array<int, 4> counts{};
   int waived = 0;
   for (const PlanePart& plane : space.planes) {
@@ -220,18 +227,18 @@ std::string room_words(const SpacePart& space) {
     }
   }
   std::string words;
-  const auto add = [&words](int count, const char* word) {
-    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
+  const auto add = [&](int count, Text word) {
+    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, t[word]);
   };
-  add(counts[0], "not judged");
-  add(counts[1], "fail");
-  add(counts[2], "undecided");
-  add(counts[3], "pass");
-  add(waived, "waived");
+  add(counts[0], Text::verdict_not_judged);
+  add(counts[1], Text::verdict_fail);
+  add(counts[2], Text::verdict_undecided);
+  add(counts[3], Text::verdict_pass);
+  add(waived, Text::waived);
   return words;
 }
 
-std::string room_rows(const Document& document, std::size_t p, std::size_t s,
+std::string room_rows(const Texts& t, const Document& document, std::size_t p, std::size_t s,
                       const std::string& folder) {
   const ProjectPart& project = document.projects[p];
   const SpacePart& space = project.spaces[s];
@@ -242,34 +249,34 @@ std::string room_rows(const Document& document, std::size_t p, std::size_t s,
   std::string html = fmt::format(
       "<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{}{} <span "
       "class=\"quiet\">{}</span></th></tr>\n",
-      building, escape_html(title_of(space.name, space.id)), room_words(space));
+      building, escape_html(title_of(space.name, space.id)), room_words(t, space));
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += plane_rows({p, s, k}, space, space.planes[k], folder);
+    html += plane_rows(t, {p, s, k}, space, space.planes[k], folder);
   return html + "</tbody>\n";
 }
 
-std::string attention_item(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
-                           const rules::Finding& finding, const std::string& folder) {
-  const Cells cells = cells_of(plane, finding);
-  std::string told = escape_html(quantity_words(finding.requirement, plane.kernel)) + " " +
+std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& space,
+                           const PlanePart& plane, const rules::Finding& finding,
+                           const std::string& folder) {
+  const Cells cells = cells_of(t, plane, finding);
+  std::string told = escape_html(quantity_words(t, finding.requirement, plane.kernel)) + " " +
                      cells.required + " " + cells.notes;
   if (!cells.measured.empty()) {
-    told =
-        fmt::format("<b>{}</b> for {} {}", cells.measured,
-                    escape_html(quantity_words(finding.requirement, plane.kernel)), cells.required);
-    told += fmt::format(" (margin {})", cells.margin) + " " + cells.notes;
+    told = t.say<Text::value_for_quantity>(
+        "<b>" + cells.measured + "</b>",
+        escape_html(quantity_words(t, finding.requirement, plane.kernel)), cells.required);
+    told += " " + t.say<Text::margin_of>(cells.margin) + " " + cells.notes;
   }
-  const std::string remark = remarks(finding);
-  return fmt::format(
-      "<li>{}<div><p>{} <span class=\"quiet\">in {}</span></p><p>{}</p>{}</div></li>\n",
-      badge(finding.verdict), plane_link(index, plane, folder),
-      escape_html(title_of(space.name, space.id)), told,
-      remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
+  const std::string remark = remarks(t, finding);
+  return fmt::format("<li>{}<div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
+                     badge(t, finding.verdict), plane_link(index, plane, folder),
+                     t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
+                     remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
 }
 
 // Of one verdict, the furthest from its limit first.
-void add_attention(const Document& document, rules::Verdict verdict, const std::string& folder,
-                   std::vector<std::string>& items) {
+void add_attention(const Texts& t, const Document& document, rules::Verdict verdict,
+                   const std::string& folder, std::vector<std::string>& items) {
   std::vector<std::pair<double, std::string>> found;
   for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
                                const PlanePart& plane) {
@@ -277,7 +284,7 @@ void add_attention(const Document& document, rules::Verdict verdict, const std::
       if (finding.verdict != verdict) continue;
       const bool is_judged = verdict != rules::Verdict::not_judged;
       found.emplace_back(is_judged ? finding.margin : 0.0,
-                         attention_item(index, space, plane, finding, folder));
+                         attention_item(t, index, space, plane, finding, folder));
     }
   });
   std::stable_sort(found.begin(), found.end(),
@@ -286,45 +293,48 @@ void add_attention(const Document& document, rules::Verdict verdict, const std::
   if (verdict != rules::Verdict::not_judged) return;
   for (const ProjectPart& project : document.projects) {
     if (project.is_judged) continue;
-    items.push_back(fmt::format(
-        "<li>{}<div><p><b>{}</b></p><p>The project could not be read or calculated; its messages "
-        "are listed below.</p></div></li>\n",
-        badge(verdict), escape_html(project.path)));
+    items.push_back(fmt::format("<li>{}<div><p><b>{}</b></p><p>{}</p></div></li>\n",
+                                badge(t, verdict), escape_html(project.path),
+                                t[Text::project_unreadable_messages]));
   }
 }
 
-constexpr const char* kTools =
-    "<div class=\"tools\" id=\"summary-tools\" hidden=\"hidden\"><label>Find <input "
-    "type=\"search\" placeholder=\"plane, room, clause\"/></label><label>Verdict <select>"
-    "<option value=\"\">all</option><option value=\"fail\">fail</option>"
-    "<option value=\"undecided\">undecided</option><option value=\"not-judged\">not judged</option>"
-    "<option value=\"pass\">pass</option></select></label><output></output></div>\n";
+std::string tools(const Texts& t) {
+  std::string choices = fmt::format("<option value=\"\">{}</option>", t[Text::all]);
+  for (const rules::Verdict verdict : {rules::Verdict::fail, rules::Verdict::undecided,
+                                       rules::Verdict::not_judged, rules::Verdict::pass}) {
+    choices += fmt::format("<option value=\"{}\">{}</option>", verdict_key(verdict),
+                           verdict_words(t, verdict));
+  }
+  return fmt::format(
+      "<div class=\"tools\" id=\"summary-tools\" hidden=\"hidden\"><label>{} <input "
+      "type=\"search\" placeholder=\"{}\"/></label><label>{} <select>{}</select></label>"
+      "<output></output></div>\n",
+      t[Text::find], t[Text::find_hint], t[Text::verdict], choices);
+}
 
 }  // namespace
 
-std::string html_verdict_banner(const Document& document) {
+std::string html_verdict_banner(const Texts& t, const Document& document) {
   const VerdictCounts counts = count_verdicts(document);
   const rules::Verdict overall = overall_verdict(document);
   const bool is_empty =
       counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived == 0;
-  const char* sentence = "Nothing was judged";
+  Text sentence = Text::nothing_judged;
   switch (overall) {
     case rules::Verdict::pass:
-      sentence =
-          counts.waived > 0 ? "All requirements are met or waived" : "All requirements are met";
-      if (counts.pass == 0) sentence = "No requirement is judged: all are waived";
+      sentence = counts.waived > 0 ? Text::all_met_or_waived : Text::all_met;
+      if (counts.pass == 0) sentence = Text::all_waived;
       break;
     case rules::Verdict::fail:
-      sentence = "Not all requirements are met";
+      sentence = Text::not_all_met;
       break;
     case rules::Verdict::undecided:
-      sentence = "No requirement fails, but not all are decided";
+      sentence = Text::not_all_decided;
       break;
     case rules::Verdict::not_judged:
-      if (!is_empty || has_uncomputed_plane(document)) sentence = "Not everything could be judged";
-      if (counts.fail > 0) {
-        sentence = "Not everything could be judged, and not all requirements are met";
-      }
+      if (!is_empty || has_uncomputed_plane(document)) sentence = Text::not_all_judged;
+      if (counts.fail > 0) sentence = Text::not_all_judged_or_met;
       break;
   }
   const std::array<std::pair<rules::Verdict, int>, 4> all{
@@ -335,76 +345,76 @@ std::string html_verdict_banner(const Document& document) {
   std::string chips;
   for (const auto& [verdict, count] : all) {
     chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", verdict_key(verdict),
-                         count == 0 ? " none" : "", count, rules::verdict_name(verdict));
+                         count == 0 ? " none" : "", count, verdict_words(t, verdict));
   }
   return fmt::format(
       "<div class=\"banner {}\"><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
       "class=\"outcome\">{}</p>"
       "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
-      verdict_key(overall), verdict_symbol(overall), sentence, summary_words(document), chips);
+      verdict_key(overall), verdict_symbol(overall), t[sentence], summary_words(t, document),
+      chips);
 }
 
-std::string html_attention(const Document& document, const std::string& folder) {
+std::string html_attention(const Texts& t, const Document& document, const std::string& folder) {
   constexpr std::size_t kOpen = 20;  // more are folded
   std::vector<std::string> items;
-  add_attention(document, rules::Verdict::not_judged, folder, items);
-  add_attention(document, rules::Verdict::fail, folder, items);
-  add_attention(document, rules::Verdict::undecided, folder, items);
+  add_attention(t, document, rules::Verdict::not_judged, folder, items);
+  add_attention(t, document, rules::Verdict::fail, folder, items);
+  add_attention(t, document, rules::Verdict::undecided, folder, items);
   if (items.empty()) return {};
-  std::string html =
-      "<section aria-labelledby=\"attention\"><h2 id=\"attention\">Needs attention</h2>\n<ul "
-      "class=\"attention\">\n";
+  std::string html = std::string("<section aria-labelledby=\"attention\"><h2 id=\"attention\">") +
+                     t[Text::needs_attention] + "</h2>\n<ul class=\"attention\">\n";
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i == kOpen) {
-      html += fmt::format("</ul>\n<details><summary>{} more</summary><ul class=\"attention\">\n",
-                          items.size() - kOpen);
+      html += fmt::format("</ul>\n<details><summary>{}</summary><ul class=\"attention\">\n",
+                          t.say<Text::more>(items.size() - kOpen));
     }
     html += items[i];
   }
   return html + (items.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
 }
 
-std::string html_summary(const Document& document, const std::string& folder) {
+std::string html_summary(const Texts& t, const Document& document, const std::string& folder) {
   std::string table = fmt::format(
-      "<table class=\"summary\"><caption>Every plane and every requirement. ± and the bar give the "
-      "{} confidence interval, which holds over all looks of the plane at its growing results; the "
-      "margin is relative to the limit, positive is on the good side.</caption>\n"
-      "<thead><tr><th scope=\"col\" data-sort=\"\">Plane</th>{}</tr></thead>\n",
-      format_percent(document.provenance.confidence), head_cells(true));
+      "<table class=\"summary\"><caption>{}</caption>\n"
+      "<thead><tr><th scope=\"col\" data-sort=\"\">{}</th>{}</tr></thead>\n",
+      t.say<Text::summary_caption>(format_percent(t, document.provenance.confidence)),
+      t[Text::plane], head_cells(t, true));
   for (std::size_t p = 0; p < document.projects.size(); ++p) {
     const ProjectPart& project = document.projects[p];
     if (!project.is_judged) {
       table += fmt::format(
           "<tbody><tr class=\"finding not-judged\"><th scope=\"row\" data-v=\"{0}\">{0}</th><td "
-          "data-v=\"0\">{1}</td><td colspan=\"6\">could not be read or "
-          "calculated</td></tr></tbody>\n",
-          escape_html(title_of(project.name, project.path)), badge(rules::Verdict::not_judged));
+          "data-v=\"0\">{1}</td><td colspan=\"6\">{2}</td></tr></tbody>\n",
+          escape_html(title_of(project.name, project.path)), badge(t, rules::Verdict::not_judged),
+          t[Text::could_not_be_read]);
     }
     for (std::size_t s = 0; s < project.spaces.size(); ++s)
-      table += room_rows(document, p, s, folder);
+      table += room_rows(t, document, p, s, folder);
   }
-  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n" +
-         std::string(kTools) + scroll_box("Summary of all planes", table + "</table>") +
-         "</section>\n";
+  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">" +
+         std::string(t[Text::summary]) + "</h2>\n" + tools(t) +
+         scroll_box(t[Text::summary_of_planes], table + "</table>") + "</section>\n";
 }
 
-std::string html_plane_findings(const PlanePart& plane) {
+std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
   if (plane.findings.empty()) return {};
   std::string rows, notes;
   for (const rules::Finding& finding : plane.findings) {
     rows += fmt::format("<tr class=\"{}\">{}</tr>\n", verdict_key(finding.verdict),
-                        finding_cells(plane, finding));
-    const std::string remark = remarks(finding);
+                        finding_cells(t, plane, finding));
+    const std::string remark = remarks(t, finding);
     if (remark.empty()) continue;
     rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);
   }
-  const std::string label = "Requirements of " + escape_html(title_of(plane.name, plane.id));
+  const std::string label =
+      t.say<Text::requirements_of>(escape_html(title_of(plane.name, plane.id)));
   return scroll_box(
       label,
       fmt::format(
           "<table class=\"findings\"><caption class=\"unseen\">{}</caption><thead><tr>{}</tr>"
           "</thead><tbody>\n{}</tbody></table>",
-          label, head_cells(false), rows));
+          label, head_cells(t, false), rows));
 }
 
 }  // namespace report

@@ -54,8 +54,8 @@ std::string svg_path(const PlanLayout& layout, const std::vector<glm::dvec2>& co
 }
 
 // Every line of a level is drawn; its longest one with a free place has the label.
-IsoluxDrawing svg_isolux(const PlanLayout& layout, const std::vector<IsoluxLevel>& levels,
-                         std::vector<LabelBox> taken) {
+IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
+                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken) {
   constexpr double kFont = 10.5, kDigitWidth = 0.62;
   IsoluxDrawing svg;
   for (const IsoluxLevel& level : levels) {
@@ -73,7 +73,7 @@ IsoluxDrawing svg_isolux(const PlanLayout& layout, const std::vector<IsoluxLevel
     std::stable_sort(lines.begin(), lines.end(), [](const IsoluxLine& a, const IsoluxLine& b) {
       return length_m(a) > length_m(b);
     });
-    const std::string text = format_shortest(level.lx);
+    const std::string text = format_shortest(t, level.lx);
     const glm::dvec2 size(kDigitWidth * kFont * static_cast<double>(text.size()) + 4, kFont + 2);
     for (const IsoluxLine& line : lines) {
       const std::optional<glm::dvec2> place = label_place(layout, line, size, taken);

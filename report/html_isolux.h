@@ -3,6 +3,7 @@
 
 #include "report/isolux.h"
 #include "report/plan_layout.h"
+#include "report/texts.h"
 
 #include <glm/glm.hpp>
 
@@ -29,8 +30,8 @@ struct IsoluxDrawing {
 };
 
 // taken: what labels must not cover; no label covers another one either.
-IsoluxDrawing svg_isolux(const PlanLayout& layout, const std::vector<IsoluxLevel>& levels,
-                         std::vector<LabelBox> taken);
+IsoluxDrawing svg_isolux(const Texts& t, const PlanLayout& layout,
+                         const std::vector<IsoluxLevel>& levels, std::vector<LabelBox> taken);
 
 // Corners in metres as a closed path's data; "" without corners.
 std::string svg_path(const PlanLayout& layout, const std::vector<glm::dvec2>& corners);

@@ -36,8 +36,8 @@ std::string band_boxes(const ColourScale& scale, double top) {
 }
 
 // How many points lie in each band: heights are shares of the fullest one.
-std::string histogram_bars(const ColourScale& scale, const std::vector<std::size_t>& counts,
-                           double bottom) {
+std::string histogram_bars(const Texts& t, const ColourScale& scale,
+                           const std::vector<std::size_t>& counts, double bottom) {
   std::size_t most = 0;
   for (const std::size_t count : counts) most = std::max(most, count);
   if (most == 0) return {};
@@ -49,21 +49,22 @@ std::string histogram_bars(const ColourScale& scale, const std::vector<std::size
     const double share = static_cast<double>(counts[band]) / static_cast<double>(most);
     const double height = std::max(1.5, share * (kHistogramHeight - 6));
     svg += fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{} point{}</title></rect>",
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>",
         svg_number(kBarLeft + static_cast<double>(band) * width + kGap),
         svg_number(bottom - height - 2), svg_number(width - 2 * kGap), svg_number(height),
-        counts[band], counts[band] == 1 ? "" : "s");
+        counts[band] == 1 ? t.say<Text::one_point>(counts[band])
+                          : t.say<Text::many_points>(counts[band]));
   }
   return svg + "</g>";
 }
 
-std::string band_numbers(const ColourScale& scale, double top) {
+std::string band_numbers(const Texts& t, const ColourScale& scale, double top) {
   std::string svg;
   for (int i = 0; i <= scale.bands; ++i) {
     const double value = scale.low_lx + i * scale.step_lx;
     svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                        svg_number(bar_x(scale, value)), svg_number(top + kBarHeight + 14),
-                       format_fixed(value, step_decimals(scale.step_lx)));
+                       format_fixed(t, value, step_decimals(scale.step_lx)));
   }
   return svg;
 }
@@ -96,33 +97,36 @@ std::string key_item(const std::string& picture, const std::string& words) {
 
 }  // namespace
 
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+std::string html_colour_bar(const Texts& t, const ColourScale& scale,
+                            const std::vector<PlanLimit>& limits,
                             const std::vector<std::size_t>& counts, std::string_view unit) {
   const double histogram = counts.empty() ? 0 : kHistogramHeight;
   const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4 + histogram;
   const double height = bar_top + kBarHeight + 20;
   std::string svg = fmt::format(
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-      "aria-label=\"Colour scale from {2} to {3} {5} in steps of {4} {5}\">",
-      kWidth, svg_number(height), format_shortest(scale.low_lx), format_shortest(scale.high_lx()),
-      format_shortest(scale.step_lx), unit);
-  svg += histogram_bars(scale, counts, bar_top) + band_boxes(scale, bar_top);
+      "aria-label=\"{2}\">",
+      kWidth, svg_number(height),
+      t.say<Text::colour_scale>(format_shortest(t, scale.low_lx),
+                                format_shortest(t, scale.high_lx()), unit,
+                                format_shortest(t, scale.step_lx), unit));
+  svg += histogram_bars(t, scale, counts, bar_top) + band_boxes(scale, bar_top);
   double y = 0;
   for (const PlanLimit& limit : limits) {
     svg += limit_mark(scale, limit, y, bar_top);
     y += kLimitLine;
   }
-  svg += band_numbers(scale, bar_top);
+  svg += band_numbers(t, scale, bar_top);
   svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">{}</text>", kWidth,
                      svg_number(bar_top + kBarHeight - 3), unit);
   return svg + "</svg>\n";
 }
 
-std::string html_plan_key(const PlanSigns& signs) {
+std::string html_plan_key(const Texts& t, const PlanSigns& signs) {
   std::string items = key_item(
       "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-halo\"/>"
       "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-mark\"/>",
-      "minimum " + escape_html(signs.minimum));
+      t.say<Text::key_minimum>(escape_html(signs.minimum)));
   const std::string hatch =
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" class=\"sample\"/>"
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" fill=\"url(#hatch-" +
@@ -134,23 +138,25 @@ std::string html_plan_key(const PlanSigns& signs) {
         key_item(signs.has_openings ? "<path class=\"luminaire\" d=\"M1 5.5h14v5h-14z\"/>"
                                     : "<g class=\"luminaire\"><circle cx=\"8\" cy=\"8\" r=\"5\"/>"
                                       "<path d=\"M4.5 4.5l7 7M11.5 4.5l-7 7\"/></g>",
-                 fmt::format("luminaire ({})", signs.luminaires));
+                 t.say<Text::key_luminaire>(signs.luminaires));
   }
   if (signs.has_directions) {
-    items += key_item("<path class=\"c0\" d=\"M1 8h11M9 4.5l5 3.5-5 3.5z\"/>", "direction of C0");
+    items += key_item("<path class=\"c0\" d=\"M1 8h11M9 4.5l5 3.5-5 3.5z\"/>", t[Text::key_c0]);
   }
   if (signs.has_isolux) {
-    items += key_item("<path class=\"isolux\" d=\"M0 11C5 11 8 4 16 4\"/>",
-                      signs.unit.empty() ? "line of equal value" : "isolux, " + signs.unit);
+    items +=
+        key_item("<path class=\"isolux\" d=\"M0 11C5 11 8 4 16 4\"/>",
+                 signs.unit.empty() ? t[Text::key_isoline] : t.say<Text::key_isolux>(signs.unit));
   }
   if (!signs.required.empty()) {
+    const std::string required = escape_html(signs.required);
     items += key_item("<path class=\"isolux required\" d=\"M0 11C5 11 8 4 16 4\"/>",
-                      (signs.unit.empty() ? "line of the required " : "isolux of the required ") +
-                          escape_html(signs.required));
+                      signs.unit.empty() ? t.say<Text::key_required_isoline>(required)
+                                         : t.say<Text::key_required_isolux>(required));
   }
   if (signs.has_furniture) {
     items += key_item("<path class=\"furniture\" d=\"M2.5 4.5h11v7h-11z\"/>",
-                      signs.has_above ? "furniture, dashed above the plane" : "furniture");
+                      t[signs.has_above ? Text::key_furniture_above : Text::key_furniture]);
   }
   return "<ul class=\"key\">" + items + "</ul>\n";
 }

@@ -3,6 +3,7 @@
 
 #include "report/heatmap.h"
 #include "report/plan_layout.h"
+#include "report/texts.h"
 
 #include <cstddef>
 #include <string>
@@ -14,7 +15,8 @@ namespace report {
 // An inline <svg>: one box per band, round numbers below, each limit above where it lies (an arrow
 // when it is off the scale).
 // counts: points in each band, drawn as bars on the boxes; empty: none.
-std::string html_colour_bar(const ColourScale& scale, const std::vector<PlanLimit>& limits,
+std::string html_colour_bar(const Texts& t, const ColourScale& scale,
+                            const std::vector<PlanLimit>& limits,
                             const std::vector<std::size_t>& counts = {},
                             std::string_view unit = "lx");
 
@@ -31,6 +33,6 @@ struct PlanSigns {
   bool has_isolux = false;  // lines of equal value
   std::string required;     // "500 lx": of thick isolux lines; "" = there are none
 };
-std::string html_plan_key(const PlanSigns& signs);
+std::string html_plan_key(const Texts& t, const PlanSigns& signs);
 
 }  // namespace report

@@ -68,10 +68,10 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string badge(rules::Verdict verdict) {
+std::string badge(const Texts& t, rules::Verdict verdict) {
   return fmt::format(
       "<span class=\"badge {}\"><span class=\"sign\" aria-hidden=\"true\">{}</span>{}</span>",
-      verdict_key(verdict), verdict_symbol(verdict), rules::verdict_name(verdict));
+      verdict_key(verdict), verdict_symbol(verdict), verdict_words(t, verdict));
 }
 
 std::string plane_anchor(PlaneIndex index) {

@@ -3,7 +3,7 @@
 // always.
 
 #include "report/document.h"
-#include "report/number_format.h"
+#include "report/text_numbers.h"
 
 #include <cstddef>
 #include <string>
@@ -23,7 +23,7 @@ std::string svg_number(double value);
 std::string base64(std::string_view bytes);
 
 // Symbol and word, coloured.
-std::string badge(rules::Verdict verdict);
+std::string badge(const Texts& t, rules::Verdict verdict);
 
 // Link target of a plane: by position, since ids may hold anything.
 struct PlaneIndex {

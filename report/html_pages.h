@@ -2,6 +2,7 @@
 // The report as several pages: one with everything that counts, and the planes room by room.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <cstddef>
 #include <string>
@@ -22,11 +23,12 @@ std::vector<HtmlPage> html_pages(const Document& document);
 
 // Verdicts, summary, luminaires, calculation and provenance, with links to the pages in `folder`
 // (a relative address, without a slash at its end).
-std::string render_html_index(const Document& document, const std::string& folder);
+std::string render_html_index(const Document& document, const std::string& folder,
+                              const Texts& t = {});
 
 // One page, with a link back to `index` (a relative address from the page's folder).
 std::string render_html_page(const Document& document, const HtmlPage& page,
-                             const std::string& index);
+                             const std::string& index, const Texts& t = {});
 
 // A file name as it stands in a relative address: everything but letters, digits and "-._~" as
 // %XX.  [RFC 3986, section 2]

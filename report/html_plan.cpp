@@ -27,6 +27,7 @@ constexpr std::size_t kMostIsoluxPoints = 20000;
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
 struct Drawing {
+  const Texts& t;
   const PlanePart& plane;
   PlanLayout layout;
   ColourScale scale;
@@ -94,11 +95,13 @@ std::string svg_cells(const Drawing& drawing) {
     const std::string colour = hex_colour(band_colour(drawing.scale, band));
     svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
     for (const PointRow* point : points) {
-      svg += fmt::format(
-          "<path d=\"{}\"><title>{} (direct {}, indirect {})</title></path>\n",
-          rectangle(drawing.cell_corner_px(point->column, point->row), size),
-          format_measured(point->maintained_lx, plane_unit(drawing.plane), drawing.thresholds()),
-          format_cell_lx(point->direct_lx), format_cell_lx(point->indirect_lx));
+      svg += fmt::format("<path d=\"{}\"><title>{}</title></path>\n",
+                         rectangle(drawing.cell_corner_px(point->column, point->row), size),
+                         drawing.t.say<Text::cell_title>(
+                             format_measured(drawing.t, point->maintained_lx,
+                                             plane_unit(drawing.plane), drawing.thresholds()),
+                             format_cell_lx(drawing.t, point->direct_lx),
+                             format_cell_lx(drawing.t, point->indirect_lx)));
     }
     svg += "</g>\n";
   }
@@ -139,7 +142,7 @@ std::string svg_hatch(const Drawing& drawing) {
 }
 
 std::string cell_text(const Drawing& drawing, double lx) {
-  return format_cell_lx(lx, drawing.thresholds());
+  return format_cell_lx(drawing.t, lx, drawing.thresholds());
 }
 
 // Font size at which every number fits into its cell; 0: they do not fit.
@@ -247,7 +250,7 @@ std::string svg_minimum(const Drawing& drawing) {
                      path);
 }
 
-std::string svg_scale_bar(const PlanLayout& layout) {
+std::string svg_scale_bar(const Texts& t, const PlanLayout& layout) {
   const double length_m = scale_bar_m(layout.high_m.x - layout.low_m.x);
   const double y = layout.height_px() + 16;
   return fmt::format(
@@ -255,7 +258,7 @@ std::string svg_scale_bar(const PlanLayout& layout) {
       "m</text>\n",
       svg_number(y - 4), svg_number(length_m * layout.pixels_per_metre),
       svg_number(length_m * layout.pixels_per_metre + 8), svg_number(y + 4),
-      format_shortest(length_m));
+      format_shortest(t, length_m));
 }
 
 std::string hatch_pattern(const std::string& anchor) {
@@ -272,11 +275,11 @@ const char* unit_words(const PlanePart& plane) { return *plane_unit(plane) == '\
 std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
-  return fmt::format("Heat map of {}: {} points, {} from {} to {}{}, minimum at {} m",
-                     escape_html(title_of(plane.name, plane.id)), plane.points.size(),
-                     plane_words(plane), cell_text(drawing, plane.minimum_lx.value),
-                     cell_text(drawing, plane.maximum_lx.value), unit_words(plane),
-                     format_position(lowest.position_m));
+  return drawing.t.say<Text::heat_map_of>(
+      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
+      plane_words(drawing.t, plane), cell_text(drawing, plane.minimum_lx.value),
+      cell_text(drawing, plane.maximum_lx.value), unit_words(plane),
+      format_position(drawing.t, lowest.position_m));
 }
 
 std::string svg_plan(const Drawing& drawing) {
@@ -300,34 +303,32 @@ std::string svg_plan(const Drawing& drawing) {
   if (!outline.empty()) svg += fmt::format("<path class=\"outline\" d=\"{}\"/>\n", outline);
   svg += svg_furniture(drawing);
   if (!room.empty()) svg += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", room);
-  const IsoluxDrawing isolux = svg_isolux(drawing.layout, drawing.isolux, taken_places(drawing));
+  const IsoluxDrawing isolux =
+      svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
          isolux.labels + "</svg>\n";
-  return svg + svg_scale_bar(layout) + "</svg>\n";
+  return svg + svg_scale_bar(drawing.t, layout) + "</svg>\n";
 }
 
 // "+x", "−y" for an axis of the world, else its components.
-std::string direction_words(const glm::dvec3& direction) {
+std::string direction_words(const Texts& t, const glm::dvec3& direction) {
   constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) < 1.0 - 1e-9) continue;
     return std::string(direction[axis] > 0 ? "+" : "−") + kNames[static_cast<std::size_t>(axis)];
   }
-  return with_minus(format_position(direction));
+  return with_minus(format_position(t, direction));
 }
 
 std::string caption(const Drawing& drawing) {
   const calc::SensorGrid& grid = drawing.plane.grid;
   const bool is_planar = is_plain_illuminance(drawing.plane);
-  return fmt::format(
-      "{} {}{}, every luminaire at full output. {}, {} to the right and {} "
-      "up.",
-      state_words(drawing.plane), plane_words(drawing.plane),
-      *plane_unit(drawing.plane) == '\0' ? "" : " in lx",
-      is_horizontal(glm::cross(grid.u, grid.v)) ? "Plan"
-      : is_planar                               ? "Seen from the measured side"
-                                                : "Seen from the plane's front",
-      direction_words(grid.u), direction_words(grid.v));
+  const Text view = is_horizontal(glm::cross(grid.u, grid.v)) ? Text::plan_view
+                    : is_planar                               ? Text::from_measured_side
+                                                              : Text::from_front;
+  const Texts& t = drawing.t;
+  return t.say<Text::plan_caption>(values_words(t, drawing.plane), t[view],
+                                   direction_words(t, grid.u), direction_words(t, grid.v));
 }
 
 std::vector<std::size_t> band_counts(const Drawing& drawing) {
@@ -354,24 +355,26 @@ PlanSigns signs_of(const Drawing& drawing) {
     if (level.lines.empty()) continue;
     if (!level.is_required) signs.has_isolux = true;
     if (level.is_required)
-      signs.required +=
-          (signs.required.empty() ? "" : ", ") + format_limit(level.lx, plane_unit(drawing.plane));
+      signs.required += (signs.required.empty() ? "" : ", ") +
+                        format_limit(drawing.t, level.lx, plane_unit(drawing.plane));
   }
   const PointRow& lowest = lowest_point(drawing.plane);
-  signs.minimum = cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane) +
-                  " at " + with_minus(format_position(lowest.position_m));
+  const Texts& t = drawing.t;
+  signs.minimum = t.say<Text::value_at_place>(
+      cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane),
+      with_minus(format_position(t, lowest.position_m)));
+  const char* unit = plane_unit(drawing.plane);
   for (const PointRow& point : drawing.plane.points) {
     const double lx = point.maintained_lx.value;
-    const char* unit = plane_unit(drawing.plane);
     if (misses(drawing.at_least, lx)) {
+      const std::string limit = format_limit(t, drawing.at_least->limit, unit);
       const bool is_strict = drawing.at_least->comparison == rules::Comparison::more_than;
-      signs.below =
-          (is_strict ? "not above " : "below ") + format_limit(drawing.at_least->limit, unit);
+      signs.below = is_strict ? t.say<Text::not_above>(limit) : t.say<Text::below>(limit);
     }
     if (misses(drawing.at_most, lx)) {
+      const std::string limit = format_limit(t, drawing.at_most->limit, unit);
       const bool is_strict = drawing.at_most->comparison == rules::Comparison::less_than;
-      signs.above =
-          (is_strict ? "not below " : "above ") + format_limit(drawing.at_most->limit, unit);
+      signs.above = is_strict ? t.say<Text::not_below>(limit) : t.say<Text::above>(limit);
     }
   }
   return signs;
@@ -379,9 +382,11 @@ PlanSigns signs_of(const Drawing& drawing) {
 
 }  // namespace
 
-std::string html_plan(const SpacePart& space, const PlanePart& plane, std::string_view anchor) {
-  const std::vector<PlanLimit> limits = plan_limits(plane);
-  Drawing drawing{plane,
+std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                      std::string_view anchor) {
+  const std::vector<PlanLimit> limits = plan_limits(t, plane);
+  Drawing drawing{t,
+                  plane,
                   lay_out_plan(space, plane, {640, 460}),
                   scale_with_limits(plane, limits),
                   limits,
@@ -392,12 +397,12 @@ std::string html_plan(const SpacePart& space, const PlanePart& plane, std::strin
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
   const bool has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
   std::string left_out;
-  if (!has_all) left_out += " Isolux lines with too many corners are left out.";
+  if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
   if (space.bodies_left_out > 0)
-    left_out += fmt::format(" {} pieces of furniture are not drawn.", space.bodies_left_out);
+    left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
   return "<figure>\n" + svg_plan(drawing) +
-         html_colour_bar(drawing.scale, limits, band_counts(drawing), plane_unit(plane)) +
-         html_plan_key(signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
+         html_colour_bar(t, drawing.scale, limits, band_counts(drawing), plane_unit(plane)) +
+         html_plan_key(t, signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
          "</figcaption></figure>\n";
 }
 

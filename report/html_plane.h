@@ -10,8 +10,8 @@ namespace report {
 
 // A card that can be folded. Folded from the start: with folds_passed, one all of whose
 // requirements are met or waived.
-std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
-                       bool folds_passed);
+std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, bool folds_passed);
 
 // A report of a few planes has room for them all.
 bool folds_passed_planes(const Document& document);

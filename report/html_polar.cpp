@@ -31,7 +31,7 @@ std::string curve_path(const std::vector<double>& cd, double outer_cd) {
 
 }  // namespace
 
-std::string html_polar(const LuminaireRow& row) {
+std::string html_polar(const Texts& t, const LuminaireRow& row) {
   double highest = 0.0;
   for (const auto* curve : {&row.c0_cd, &row.c90_cd}) {
     for (const double cd : *curve) highest = std::max(highest, cd);
@@ -44,14 +44,15 @@ std::string html_polar(const LuminaireRow& row) {
     circles += fmt::format("<circle cx=\"{0}\" cy=\"{0}\" r=\"{1}\"/>", kMiddle,
                            svg_number(kRadius * ring / rings));
   }
+  const std::string ring = format_shortest(t, step * rings);
   return fmt::format(
       "<svg class=\"polar\" width=\"{0}\" height=\"{0}\" viewBox=\"0 0 {0} {0}\" role=\"img\" "
-      "aria-label=\"Polar diagram, outer ring {1} cd\"><g class=\"rings\">{2}<path "
+      "aria-label=\"{9}\"><g class=\"rings\">{2}<path "
       "d=\"M{3} {4}H{5}M{4} {3}V{5}\"/></g><path class=\"c90\" d=\"{6}\"/><path class=\"c0\" "
       "d=\"{7}\"/><text x=\"{5}\" y=\"{8}\" text-anchor=\"end\">{1} cd</text></svg>",
-      kSize, format_shortest(step * rings), circles, svg_number(kMiddle - kRadius), kMiddle,
-      svg_number(kMiddle + kRadius), curve_path(row.c90_cd, step * rings),
-      curve_path(row.c0_cd, step * rings), svg_number(kSize - 3));
+      kSize, ring, circles, svg_number(kMiddle - kRadius), kMiddle, svg_number(kMiddle + kRadius),
+      curve_path(row.c90_cd, step * rings), curve_path(row.c0_cd, step * rings),
+      svg_number(kSize - 3), t.say<Text::polar_diagram>(ring));
 }
 
 }  // namespace report

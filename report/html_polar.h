@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -8,6 +9,6 @@ namespace report {
 
 // A small polar diagram of a luminaire, C0-C180 solid and C90-C270 dashed; "" where its
 // intensities are not known or all zero.
-std::string html_polar(const LuminaireRow& row);
+std::string html_polar(const Texts& t, const LuminaireRow& row);
 
 }  // namespace report

@@ -3,6 +3,7 @@
 // where it all came from.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <cstddef>
 #include <string>
@@ -10,11 +11,11 @@
 namespace report {
 
 // index: of the project, from 0; for anchors.
-std::string html_messages(const ProjectPart& project);
-std::string html_luminaires(const ProjectPart& project, std::size_t index);
-std::string html_calculation(const Provenance& provenance, const ProjectPart& project,
-                             std::size_t index);
-std::string html_inputs(const ProjectPart& project);
-std::string html_provenance(const Document& document);
+std::string html_messages(const Texts& t, const ProjectPart& project);
+std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index);
+std::string html_calculation(const Texts& t, const Provenance& provenance,
+                             const ProjectPart& project, std::size_t index);
+std::string html_inputs(const Texts& t, const ProjectPart& project);
+std::string html_provenance(const Texts& t, const Document& document);
 
 }  // namespace report

@@ -2,6 +2,7 @@
 // Pictures of a room in false colours.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -9,6 +10,6 @@ namespace report {
 
 // A <figure> with the pictures and their legend, a sentence where there could be none, or "" where
 // none were asked for.
-std::string html_room(const SpacePart& space);
+std::string html_room(const Texts& t, const SpacePart& space);
 
 }  // namespace report

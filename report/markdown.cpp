@@ -1,8 +1,8 @@
 #include "report/markdown.h"
 
 #include "report/ci_finding.h"
-#include "report/number_format.h"
 #include "report/plain_text.h"
+#include "report/text_numbers.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -32,62 +32,62 @@ std::string escape_markdown(std::string_view raw) {
   return escaped;
 }
 
-std::string cells(const CiFinding& entry) {
+std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
-  std::string quantity = escape_markdown(quantity_words(requirement, entry.plane->kernel));
+  std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel));
   if (!requirement.clause.empty()) quantity += ", " + escape_markdown(requirement.clause);
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
-  return fmt::format("{} | {} | {} | {}", quantity, format_required(threshold, unit),
-                     is_judged ? format_measured(finding->measured, unit, threshold) : "",
-                     is_judged ? format_margin(finding->margin) : "");
+  return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
+                     is_judged ? format_measured(t, finding->measured, unit, threshold) : "",
+                     is_judged ? format_margin(t, finding->margin) : "");
 }
 
-std::string verdict_words(const CiFinding& entry) {
-  const std::string words = rules::verdict_name(entry.verdict);
+std::string entry_words(const Texts& t, const CiFinding& entry) {
+  const char* words = verdict_words(t, entry.verdict);
   if (entry.counts) return words;
-  return words + (entry.finding->is_waived ? ", waived" : ", advice");
+  return entry.finding->is_waived ? t.say<Text::verdict_waived>(words)
+                                  : t.say<Text::verdict_advice>(words);
 }
 
-std::string table(const std::vector<CiFinding>& findings) {
-  std::string text =
-      "| verdict | where | quantity | required | measured | margin |\n"
-      "| --- | --- | --- | ---: | ---: | ---: |\n";
+std::string table(const Texts& t, const std::vector<CiFinding>& findings) {
+  std::string text = t[Text::markdown_head];
+  text += "\n| --- | --- | --- | ---: | ---: | ---: |\n";
   std::size_t rows = 0;
   for (const CiFinding& entry : findings) {
     if (++rows > kMostRows) break;
     text += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
-                        verdict_words(entry), escape_markdown(entry.place), cells(entry));
+                        entry_words(t, entry), escape_markdown(entry.place), cells(t, entry));
   }
   if (findings.size() > kMostRows) {
-    text += fmt::format("\n{} more are left out here.\n", findings.size() - kMostRows);
+    text += "\n" + t.say<Text::more_left_out>(findings.size() - kMostRows) + "\n";
   }
   return text;
 }
 
 }  // namespace
 
-std::string render_markdown(const Document& document) {
+std::string render_markdown(const Document& document, const Texts& t) {
   std::vector<CiFinding> passed, others;
-  for (CiFinding& entry : ci_findings(document)) {
+  for (CiFinding& entry : ci_findings(document, t)) {
     (entry.verdict == rules::Verdict::pass ? passed : others).push_back(std::move(entry));
   }
   const rules::Verdict overall = overall_verdict(document);
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", verdict_symbol(overall),
-                                 outcome_words(document), summary_words(document));
-  if (!others.empty()) text += "\n" + table(others);
+                                 outcome_words(t, document), summary_words(t, document));
+  if (!others.empty()) text += "\n" + table(t, others);
   for (const ProjectPart& project : document.projects) {
-    const std::vector<std::string> notes = ci_notes(project);
+    const std::vector<std::string> notes = ci_notes(project, t);
     if (notes.empty()) continue;
-    text += fmt::format("\nNotes on {}:\n\n", escape_markdown(project.path));
+    text += "\n" + t.say<Text::notes_on>(escape_markdown(project.path)) + "\n\n";
     for (const std::string& note : notes) text += fmt::format("- {}\n", escape_markdown(note));
   }
   if (!passed.empty()) {
-    text += fmt::format("\n<details>\n<summary>{} passed</summary>\n\n{}\n</details>\n",
-                        passed.size(), table(passed));
+    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
+                        t.say<Text::passed>(passed.size()), table(t, passed));
   }
   return text;
 }

@@ -2,6 +2,7 @@
 // A summary for a pull request.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
@@ -9,6 +10,6 @@ namespace report {
 
 // The verdict, a table of what did not pass, and a folded table of what did. Hosts cut long
 // comments off, so each table has at most 100 rows and says what it leaves out.
-std::string render_markdown(const Document& document);
+std::string render_markdown(const Document& document, const Texts& t = {});
 
 }  // namespace report

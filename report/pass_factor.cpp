@@ -1,8 +1,6 @@
 #include "report/pass_factor.h"
 
-#include "report/number_format.h"
-
-#include <fmt/format.h>
+#include "report/text_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -71,16 +69,17 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
   return 1.0 + missing / share.average_lx.low;
 }
 
-std::string factor_text(double factor) { return "×" + format_fixed(up(factor, 2), 2); }
+std::string factor_text(const Texts& t, double factor) {
+  return "×" + format_fixed(t, up(factor, 2), 2);
+}
 
-std::string pass_factor_words(const rules::Finding& finding) {
+std::string pass_factor_words(const Texts& t, const rules::Finding& finding) {
   const std::optional<calc::Estimate> factor = pass_factor(finding);
   if (!factor) return {};
   const int digits = decimals_of(*factor);
-  const bool needs_more = rules::is_lower_limit(finding.requirement.comparison);
-  return fmt::format(
-      "{} the limit with all light at ×{}.", needs_more ? "Reaches" : "Comes down to",
-      format_fixed(needs_more ? up(factor->high, digits) : down(factor->low, digits), digits));
+  if (rules::is_lower_limit(finding.requirement.comparison))
+    return t.say<Text::reaches_limit>(format_fixed(t, up(factor->high, digits), digits));
+  return t.say<Text::comes_down_to_limit>(format_fixed(t, down(factor->low, digits), digits));
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 // By how much the light of a plane must change for a requirement to be met.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <optional>
 #include <string>
@@ -26,9 +27,9 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
 // "Reaches the limit with all light at ×1.11.", of an upper limit "Comes down to the limit with all
 // light at ×0.91."; "" without a factor. It is the end of the interval that proves it: with that
 // factor the whole interval of the measurement is on the good side. Rounded to that side.
-std::string pass_factor_words(const rules::Finding& finding);
+std::string pass_factor_words(const Texts& t, const rules::Finding& finding);
 
 // "×1.09", rounded up.
-std::string factor_text(double factor);
+std::string factor_text(const Texts& t, double factor);
 
 }  // namespace report

@@ -1,5 +1,6 @@
 #include "report/plan_layout.h"
 
+#include "report/text_numbers.h"
 #include "report/words.h"
 #include "rules/compare.h"
 
@@ -108,7 +109,7 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
   return layout;
 }
 
-std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
+std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane) {
   std::vector<PlanLimit> limits;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& requirement = finding.requirement;
@@ -116,8 +117,8 @@ std::vector<PlanLimit> plan_limits(const PlanePart& plane) {
         !rules::is_ratio(requirement.metric) && !rules::is_about_power(requirement.metric);
     const bool is_known = !std::isnan(requirement.limit);
     if (!is_of_values || !is_known || !is_about_points(requirement)) continue;
-    limits.push_back({quantity_words(requirement) + " " +
-                          format_required({requirement.limit, requirement.comparison},
+    limits.push_back({quantity_words(t, requirement) + " " +
+                          format_required(t, {requirement.limit, requirement.comparison},
                                           rules::unit_of(requirement)),
                       requirement.limit});
   }

@@ -5,6 +5,7 @@
 #include "report/document.h"
 #include "report/heatmap.h"
 #include "report/number_format.h"
+#include "report/texts.h"
 
 #include <glm/glm.hpp>
 
@@ -54,7 +55,7 @@ struct PlanLimit {
   std::string words;  // "average ≥ 500 lx"
   double limit_lx = 0.0;
 };
-std::vector<PlanLimit> plan_limits(const PlanePart& plane);
+std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane);
 
 // The strictest limit that single points must meet: of minima at least or more than something, of
 // maxima at most or less than something. Only limits of what plan_limits() is about.

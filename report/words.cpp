@@ -1,28 +1,57 @@
 #include "report/words.h"
 
 #include "calc/units.h"
-#include "report/number_format.h"
+#include "report/text_numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace report {
 namespace {
 
 constexpr double kStraight = 1e-6;  // of a direction cosine
 
-std::string plural(int count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+// "share of points from 300 to 500 lx"
+std::string range_words(const Texts& t, const rules::ValueRange& range,
+                        calc::DerivedQuantity derived) {
+  std::string words = t[Text::share_of_points];
+  if (range.from > 0.0) words += " " + t.say<Text::range_from>(format_shortest(t, range.from));
+  if (std::isfinite(range.to)) words += " " + t.say<Text::range_to>(format_shortest(t, range.to));
+  return words + (calc::is_plain_number(derived) ? "" : " lx");
 }
 
-// "share of points from 300 to 500 lx"
-std::string range_words(const rules::ValueRange& range, calc::DerivedQuantity derived) {
-  std::string words = "share of points";
-  if (range.from > 0.0) words += " from " + format_shortest(range.from);
-  if (std::isfinite(range.to)) words += " to " + format_shortest(range.to);
-  return words + (calc::is_plain_number(derived) ? "" : " lx");
+// A quantity by itself, after "average", and as the values of a plane.
+struct QuantityTexts {
+  Text alone, of, of_plane;
+};
+
+QuantityTexts quantity_texts(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
+  switch (derived) {
+    case calc::DerivedQuantity::none:
+      break;
+    case calc::DerivedQuantity::ugr:
+      return {Text::ugr, Text::of_ugr, Text::initial_ugr};
+    case calc::DerivedQuantity::modelling:
+      return {Text::modelling, Text::of_modelling, Text::maintained_modelling};
+    case calc::DerivedQuantity::four_planes:
+      return {Text::four_planes, Text::of_four_planes, Text::maintained_four_planes};
+  }
+  switch (kernel) {
+    case calc::ReceiverKernel::planar:
+      break;
+    case calc::ReceiverKernel::cylindrical:
+      return {Text::cylindrical, Text::of_cylindrical, Text::maintained_cylindrical};
+    case calc::ReceiverKernel::semicylindrical:
+      return {Text::semicylindrical, Text::of_semicylindrical, Text::maintained_semicylindrical};
+    case calc::ReceiverKernel::hemispherical:
+      return {Text::hemispherical, Text::of_hemispherical, Text::maintained_hemispherical};
+    case calc::ReceiverKernel::scalar:
+      return {Text::scalar, Text::of_scalar, Text::maintained_scalar};
+  }
+  return {Text::illuminance, Text::of_illuminance, Text::maintained_illuminance};
 }
 
 }  // namespace
@@ -45,38 +74,53 @@ const char* verdict_key(rules::Verdict verdict) {
   return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
 }
 
-const char* kernel_words(calc::ReceiverKernel kernel) {
-  switch (kernel) {
-    case calc::ReceiverKernel::planar:
+const char* verdict_words(const Texts& t, rules::Verdict verdict) {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      return t[Text::verdict_pass];
+    case rules::Verdict::fail:
+      return t[Text::verdict_fail];
+    case rules::Verdict::undecided:
+      return t[Text::verdict_undecided];
+    case rules::Verdict::not_judged:
       break;
-    case calc::ReceiverKernel::cylindrical:
-      return "cylindrical illuminance Ez";
-    case calc::ReceiverKernel::semicylindrical:
-      return "semicylindrical illuminance Esz";
-    case calc::ReceiverKernel::hemispherical:
-      return "hemispherical illuminance Ehs";
-    case calc::ReceiverKernel::scalar:
-      return "scalar illuminance Es";
   }
-  return "illuminance";
+  return t[Text::verdict_not_judged];
 }
 
-const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
-  switch (derived) {
-    case calc::DerivedQuantity::none:
+const char* light_state_words(const Texts& t, rules::LightState state) {
+  switch (state) {
+    case rules::LightState::maintained:
+      return t[Text::state_maintained];
+    case rules::LightState::initial:
+      return t[Text::state_initial];
+    case rules::LightState::end_of_duration:
       break;
-    case calc::DerivedQuantity::ugr:
-      return "glare rating UGR";
-    case calc::DerivedQuantity::modelling:
-      return "modelling Ez/E";
-    case calc::DerivedQuantity::four_planes:
-      return "cylindrical illuminance Ez of four planes";
   }
-  return kernel_words(kernel);
+  return t[Text::state_end_of_duration];
 }
 
-const char* state_words(const PlanePart& plane) {
-  return plane.derived == calc::DerivedQuantity::ugr ? "Initial" : "Maintained";
+const char* plane_words(const Texts& t, calc::ReceiverKernel kernel,
+                        calc::DerivedQuantity derived) {
+  return t[quantity_texts(kernel, derived).alone];
+}
+
+const char* of_plane_words(const Texts& t, const PlanePart& plane) {
+  return t[quantity_texts(plane.kernel, plane.derived).of];
+}
+
+const char* state_plane_words(const Texts& t, const PlanePart& plane) {
+  return t[quantity_texts(plane.kernel, plane.derived).of_plane];
+}
+
+std::string values_words(const Texts& t, const PlanePart& plane) {
+  std::string words = state_plane_words(t, plane);
+  if (*plane_unit(plane) != '\0') words += std::string(" ") + t[Text::in_lx];
+  return words;
+}
+
+const char* state_words(const Texts& t, const PlanePart& plane) {
+  return t[plane.derived == calc::DerivedQuantity::ugr ? Text::initial : Text::maintained];
 }
 
 const char* value_key(const PlanePart& plane) {
@@ -84,41 +128,42 @@ const char* value_key(const PlanePart& plane) {
   return plane.derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";
 }
 
-std::string quantity_words(const rules::Requirement& requirement) {
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement) {
   switch (requirement.metric) {
     case rules::Metric::average:
-      return "average";
+      return t[Text::average];
     case rules::Metric::minimum:
-      return "minimum";
+      return t[Text::minimum];
     case rules::Metric::maximum:
-      return "maximum";
+      return t[Text::maximum];
     case rules::Metric::uniformity_min_avg:
-      return "Uo (min/avg)";
+      return t[Text::uniformity_min_avg];
     case rules::Metric::uniformity_min_max:
-      return "Ud (min/max)";
+      return t[Text::uniformity_min_max];
     case rules::Metric::percentile:
-      return format_shortest(requirement.percent) + " % percentile";
+      return t.say<Text::percentile>(format_shortest(t, requirement.percent));
     case rules::Metric::share:
-      return range_words(requirement.range, requirement.derived);
+      return range_words(t, requirement.range, requirement.derived);
     case rules::Metric::power_density:
-      return "installed power by floor area";
+      return t[Text::power_density];
     case rules::Metric::power_per_100_lx:
-      return "installed power by floor area and 100 lx";
+      return t[Text::power_per_100_lx];
     case rules::Metric::value_at_point:
       break;
   }
-  return requirement.point_m ? "value at " + format_position(*requirement.point_m)
-                             : "value at a point";
+  return requirement.point_m ? t.say<Text::value_at>(format_position(t, *requirement.point_m))
+                             : t[Text::value_at_point];
 }
 
-std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
-  const std::string words = quantity_words(requirement);
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement,
+                           calc::ReceiverKernel kernel) {
+  const std::string words = quantity_words(t, requirement);
   if (requirement.metric == rules::Metric::power_density) return words;
   if (kernel == calc::ReceiverKernel::planar &&
       requirement.derived == calc::DerivedQuantity::none) {
     return words;
   }
-  return words + " of " + plane_words(kernel, requirement.derived);
+  return words + " " + t[quantity_texts(kernel, requirement.derived).of];
 }
 
 const char* comparison_key(rules::Comparison comparison) {
@@ -153,22 +198,28 @@ const char* severity_key(rules::Severity severity) {
   return severity == rules::Severity::shall ? "shall" : "advice";
 }
 
-std::string note_words(const rules::Finding& finding) {
-  std::string words;
-  const auto add = [&words](const std::string& text) {
-    if (!text.empty()) words += (words.empty() ? "" : "; ") + text;
-  };
+std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
+  std::vector<NotePart> parts;
   const rules::Requirement& requirement = finding.requirement;
-  add(requirement.note);
-  if (requirement.severity == rules::Severity::advice) add("advice: does not count");
-  if (requirement.direct_only) add("direct light only");
+  if (!requirement.note.empty()) parts.push_back({requirement.note, true});
+  const auto add = [&parts](std::string text) { parts.push_back({std::move(text), false}); };
+  if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
+  if (requirement.direct_only) add(t[Text::note_direct_only]);
   if (!requirement.mask.id.empty()) {
     add(finding.points_used == 0
-            ? "mask " + requirement.mask.id
-            : fmt::format("mask {}: {} points count", requirement.mask.id, finding.points_used));
+            ? t.say<Text::note_mask>(requirement.mask.id)
+            : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
   }
-  if (!requirement.policy.is_default()) add(rules::policy_text(requirement.policy));
-  if (finding.by_tolerance) add("passes only with the tolerance");
+  if (!requirement.policy.is_default())
+    parts.push_back({rules::policy_text(requirement.policy), true});
+  if (finding.by_tolerance) add(t[Text::note_tolerance]);
+  return parts;
+}
+
+std::string note_words(const Texts& t, const rules::Finding& finding) {
+  std::string words;
+  for (const NotePart& part : note_parts(t, finding))
+    words += (words.empty() ? "" : "; ") + part.text;
   return words;
 }
 
@@ -198,27 +249,26 @@ const char* stop_key(calc::StopReason stop) {
   return "interrupted";
 }
 
-const char* stop_words(calc::StopReason stop) {
+const char* stop_words(const Texts& t, calc::StopReason stop) {
   switch (stop) {
     case calc::StopReason::exact:
-      return "exact, nothing had to be sampled";
+      return t[Text::stop_exact];
     case calc::StopReason::decided:
-      return "stopped when every verdict was decided";
+      return t[Text::stop_decided];
     case calc::StopReason::accurate:
-      return "stopped when the intervals were narrow enough";
+      return t[Text::stop_accurate];
     case calc::StopReason::path_limit:
-      return "stopped at the path limit, before the goal was reached";
+      return t[Text::stop_path_limit];
     case calc::StopReason::time_limit:
-      return "stopped at the time limit, before the goal was reached";
+      return t[Text::stop_time_limit];
     case calc::StopReason::memory_limit:
-      return "stopped where more light vertices would not fit into memory, before the intervals "
-             "were narrow enough";
+      return t[Text::stop_memory_limit];
     case calc::StopReason::endless_path:
-      return "stopped at a light path that would not end, before the intervals were narrow enough";
+      return t[Text::stop_endless_path];
     case calc::StopReason::interrupted:
       break;
   }
-  return "interrupted, before the goal was reached";
+  return t[Text::stop_interrupted];
 }
 
 const char* drop_key(calc::DropReason reason) {
@@ -235,21 +285,21 @@ const char* drop_key(calc::DropReason reason) {
   return "inside-solid";
 }
 
-const char* drop_words(calc::DropReason reason) {
+const char* drop_words(const Texts& t, calc::DropReason reason) {
   switch (reason) {
     case calc::DropReason::outside_area:
-      return "outside the area";
+      return t[Text::drop_outside_area];
     case calc::DropReason::within_margin:
-      return "in the margin";
+      return t[Text::drop_within_margin];
     case calc::DropReason::outside_room:
-      return "outside the room";
+      return t[Text::drop_outside_room];
     case calc::DropReason::inside_solid:
       break;
   }
-  return "inside a solid";
+  return t[Text::drop_inside_solid];
 }
 
-std::string summary_words(const Document& document) {
+std::string summary_words(const Texts& t, const Document& document) {
   VerdictCounts counts = count_verdicts(document);
   const auto not_judged_projects = static_cast<int>(
       std::count_if(document.projects.begin(), document.projects.end(),
@@ -257,20 +307,21 @@ std::string summary_words(const Document& document) {
   counts.not_judged -= not_judged_projects;
   const int total =
       counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived;
-  std::string text = plural(total, "requirement");
+  std::string text =
+      total == 1 ? t.say<Text::one_requirement>(total) : t.say<Text::requirements>(total);
   const char* separator = ": ";
-  const auto add = [&](int count, const char* word) {
+  const auto add = [&](int count, Text word) {
     if (count == 0) return;
-    text += fmt::format("{}{} {}", separator, count, word);
+    text += fmt::format("{}{} {}", separator, count, t[word]);
     separator = ", ";
   };
-  add(counts.pass, "pass");
-  add(counts.fail, "fail");
-  add(counts.undecided, "undecided");
-  add(counts.not_judged, "not judged");
-  add(counts.waived, "waived");
-  if (not_judged_projects > 0)
-    text += "; " + plural(not_judged_projects, "project") + " not judged";
+  add(counts.pass, Text::verdict_pass);
+  add(counts.fail, Text::verdict_fail);
+  add(counts.undecided, Text::verdict_undecided);
+  add(counts.not_judged, Text::verdict_not_judged);
+  add(counts.waived, Text::waived);
+  if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
+  if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);
   return text;
 }
 
@@ -282,47 +333,47 @@ rules::Verdict overall_verdict(const Document& document) {
   return counts.pass + counts.waived > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
 }
 
-std::string close_words(const rules::Finding& finding) {
+std::string close_words(const Texts& t, const rules::Finding& finding) {
   if (!finding.is_close) return {};
-  return finding.requirement.policy.compares_rounded
-             ? "close: without rounding the verdict would be another"
-             : "close: usual rounding would change the verdict";
+  return t[finding.requirement.policy.compares_rounded ? Text::close_unrounded
+                                                       : Text::close_rounded];
 }
 
-const char* outcome_words(const Document& document) {
+const char* outcome_words(const Texts& t, const Document& document) {
   const rules::Verdict overall = overall_verdict(document);
   const bool is_met = overall == rules::Verdict::pass && count_verdicts(document).pass > 0;
-  return overall == rules::Verdict::pass && !is_met ? "waived" : rules::verdict_name(overall);
+  return overall == rules::Verdict::pass && !is_met ? t[Text::waived] : verdict_words(t, overall);
 }
 
-std::string looks_words(const PlanePart& plane) {
+std::string looks_words(const Texts& t, const PlanePart& plane) {
   const std::size_t taken = plane.counters.active_points.size();
-  return taken == 0 ? "" : fmt::format("{} of {} planned", taken, plane.looks_planned);
+  return taken == 0 ? "" : t.say<Text::looks_of_planned>(taken, plane.looks_planned);
 }
 
-std::string doubt_words(const PlanePart& plane) {
+std::string doubt_words(const Texts& t, const PlanePart& plane) {
   std::string text;
-  const auto add = [&](std::size_t count, const char* words) {
-    if (count == 0) return;
-    text += fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count,
-                        plane.points.size(), words);
+  const auto add = [&text](const std::string& words) {
+    text += (text.empty() ? "" : "; ") + words;
   };
-  add(plane.unseen_points, "got no sample of the light that may reach them");
-  add(plane.single_sample_points, "rest on single samples: their intervals cannot be trusted");
+  const std::size_t points = plane.points.size();
+  if (plane.unseen_points > 0) add(t.say<Text::doubt_unseen>(plane.unseen_points, points));
+  if (plane.single_sample_points > 0)
+    add(t.say<Text::doubt_single>(plane.single_sample_points, points));
   return text;
 }
 
 bool is_horizontal(const glm::dvec3& normal) { return std::abs(normal.z) > 1.0 - kStraight; }
 
-std::string orientation_words(const glm::dvec3& normal) {
-  if (is_horizontal(normal))
-    return normal.z > 0 ? "horizontal, facing up" : "horizontal, facing down";
-  if (std::abs(normal.z) < kStraight) {
-    return fmt::format("vertical, facing ({}, {})", format_fixed(normal.x, 2),
-                       format_fixed(normal.y, 2));
-  }
+std::string orientation_words(const Texts& t, const glm::dvec3& normal) {
+  if (is_horizontal(normal)) return t[normal.z > 0 ? Text::facing_up : Text::facing_down];
+  if (std::abs(normal.z) < kStraight) return t.say<Text::facing_sideways>(heading_words(t, normal));
   const double tilt_deg = calc::degrees_from_radians(std::acos(std::clamp(normal.z, -1.0, 1.0)));
-  return fmt::format("inclined by {}° from horizontal", format_fixed(tilt_deg, 1));
+  return t.say<Text::inclined>(format_fixed(t, tilt_deg, 1));
+}
+
+std::string heading_words(const Texts& t, const glm::dvec3& direction) {
+  return t.number(
+      fmt::format("({}, {})", format_fixed(direction.x, 2), format_fixed(direction.y, 2)));
 }
 
 }  // namespace report

@@ -7,6 +7,7 @@ luxgate_test(report_tests
     unit/report/csv_test.cpp
     unit/report/document_test.cpp
     unit/report/exr_test.cpp
+    unit/report/german_report_test.cpp
     unit/report/heatmap_test.cpp
     unit/report/html_test.cpp
     unit/report/isolux_test.cpp
@@ -18,6 +19,7 @@ luxgate_test(report_tests
     unit/report/png_test.cpp
     unit/report/polar_diagram_test.cpp
     unit/report/read_json_test.cpp
+    unit/report/texts_test.cpp
     unit/report/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")

@@ -85,6 +85,16 @@ void add_formats(CLI::App& app, Options& options) {
   app.add_flag("--html-split", options.html_split,
                "HTML files as an index with a page for each room, at most 24 planes on each, in\n"
                "a folder '<name>-rooms' beside it: for hundreds of planes");
+  add_value(app, "--language", "LANG",
+            "Words of html, markdown and text: en or de; default en. All other formats are\n"
+            "English, and so are messages, reasons and the texts of projects and rule packs",
+            choice<report::Language>(options.language, {{"en", report::Language::english},
+                                                        {"de", report::Language::german}}));
+  add_value(app, "--decimal", "SIGN",
+            "Decimal sign of html, markdown and text: point or comma; default comma with\n"
+            "--language de, else point. All other formats have points",
+            choice<DecimalSign>(options.decimal,
+                                {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}}));
   app.add_flag("--images", options.images,
                "With --output: a PNG and an EXR file per plane and picture too");
 }
@@ -367,6 +377,13 @@ std::string no_skip_options(const calc::SkipSet& skips) {
 }
 
 }  // namespace
+
+report::Texts report_texts(const Options& options) {
+  const bool has_comma = options.decimal == DecimalSign::of_language
+                             ? options.language == report::Language::german
+                             : options.decimal == DecimalSign::comma;
+  return {options.language, has_comma};
+}
 
 ParseResult parse_options(int argc, const char* const* argv, const std::string& source_date_epoch) {
   Options options;

@@ -8,6 +8,7 @@
 #include "report/cli/rules_options.h"
 #include "report/cli/selftest_options.h"
 #include "report/cli/vpl_options.h"
+#include "report/texts.h"
 #include "rules/goal.h"
 
 #include <optional>
@@ -56,6 +57,7 @@ struct GpuStages {
   friend bool operator==(const GpuStages&, const GpuStages&) = default;
 };
 enum class ColorChoice { automatic, always, never };
+enum class DecimalSign { of_language, point, comma };
 
 struct OutputFormat {
   FormatKind kind = FormatKind::text;
@@ -84,9 +86,11 @@ struct Options {
   std::vector<OutputFormat> formats;
   std::string output_folder;  // "" = none
   bool images = false;
-  bool html_split = false;  // HTML as an index and a page per room
-  bool pictures = true;     // of rooms, in HTML and with --images, where OpenGL can draw
-  std::string timestamp;    // "2024-05-01T12:00:00Z" or ""
+  bool html_split = false;                                // HTML as an index and a page per room
+  report::Language language = report::Language::english;  // of HTML, Markdown and text
+  DecimalSign decimal = DecimalSign::of_language;         // of the same formats
+  bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
+  std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
   bool timing = false;
   bool explain_cost = false;
   bool quiet = false;
@@ -119,6 +123,9 @@ struct Options {
   bool devices_as_json = false;
   bool version_as_json = false;
 };
+
+// How reports for people are worded.
+report::Texts report_texts(const Options& options);
 
 // Either options, or what to print and the exit code: 0 for --help, 2 for every usage error.
 struct ParseResult {

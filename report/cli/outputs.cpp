@@ -192,7 +192,8 @@ std::vector<std::string> remove_stale_pages(const fs::path& folder,
 
 // The page of a room names its planes by position: it must not be a file that is there for another
 // reason, which the folder of its own sees to. The index comes last, since it links to the others.
-void write_html_pages(const std::string& file, const report::Document& document, Writer& writer) {
+void write_html_pages(const std::string& file, const report::Document& document,
+                      const report::Texts& t, Writer& writer) {
   const fs::path index = file;
   const fs::path folder = rooms_folder(index);
   const std::string back = "../" + report::url_name(index.filename().string());
@@ -200,10 +201,10 @@ void write_html_pages(const std::string& file, const report::Document& document,
   for (const report::HtmlPage& page : report::html_pages(document)) {
     written.insert(page.name);
     writer.write((folder / page.name).string(),
-                 [&] { return report::render_html_page(document, page, back); });
+                 [&] { return report::render_html_page(document, page, back, t); });
   }
   const std::string address = report::url_name(folder.filename().string());
-  writer.write(file, [&] { return report::render_html_index(document, address); });
+  writer.write(file, [&] { return report::render_html_index(document, address, t); });
   for (std::string& problem : remove_stale_pages(folder, written, writer))
     writer.add_problem(std::move(problem));
 }
@@ -275,11 +276,12 @@ std::string check_outputs(const Options& options) {
 std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
                                        const std::set<std::string>& inputs) {
   Writer writer(inputs);
+  const report::Texts t = report_texts(options);
   for (const OutputFormat& format : planned_files(options)) {
     if (format.kind == FormatKind::html && options.html_split) {
-      write_html_pages(format.file, document, writer);
+      write_html_pages(format.file, document, t, writer);
     } else {
-      writer.write(format.file, [&] { return render(format.kind, document); });
+      writer.write(format.file, [&] { return render(format.kind, document, {}, t); });
     }
   }
   if (options.images) write_images(options.output_folder, document, writer);
@@ -287,10 +289,10 @@ std::vector<std::string> write_outputs(const Options& options, const report::Doc
 }
 
 std::string render(FormatKind kind, const report::Document& document,
-                   const report::TextOptions& text) {
+                   const report::TextOptions& text, const report::Texts& t) {
   switch (kind) {
     case FormatKind::text:
-      return report::render_text(document, text);
+      return report::render_text(document, text, t);
     case FormatKind::csv:
       return report::render_results_csv(document);
     case FormatKind::points_csv:
@@ -298,7 +300,7 @@ std::string render(FormatKind kind, const report::Document& document,
     case FormatKind::json:
       return report::render_json(document);
     case FormatKind::html:
-      return report::render_html(document);
+      return report::render_html(document, t);
     case FormatKind::junit:
       return report::render_junit(document);
     case FormatKind::sarif:
@@ -310,7 +312,7 @@ std::string render(FormatKind kind, const report::Document& document,
     case FormatKind::gitlab:
       return report::render_gitlab(document);
     case FormatKind::markdown:
-      return report::render_markdown(document);
+      return report::render_markdown(document, t);
   }
   return "";
 }

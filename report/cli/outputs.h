@@ -31,9 +31,9 @@ std::string writability(const std::string& file);
 // Equal for two paths to the same file, whether it exists or not.
 std::string path_identity(const std::string& file);
 
-// The document in one format. text: for FormatKind::text only.
+// The document in one format. text: for FormatKind::text only; t: for text, HTML and Markdown.
 std::string render(FormatKind kind, const report::Document& document,
-                   const report::TextOptions& text = {});
+                   const report::TextOptions& text = {}, const report::Texts& t = {});
 
 // "<project file's stem>-<plane id>", other characters than letters, digits, '-', '_' and '.'
 // (UTF-8) each replaced by one '_'.

@@ -169,7 +169,7 @@ bool write_results(const Options& options, const Environment& environment,
   if (const std::optional<FormatKind> kind = stdout_format(options)) {
     const report::TextOptions text{use_color(options.color, environment),
                                    environment.stdout_columns};
-    if (!print_result(render(*kind, document, text))) {
+    if (!print_result(render(*kind, document, text, report_texts(options)))) {
       print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
       is_written = false;
     }

@@ -98,7 +98,7 @@ function sorting(doc, view) {
   if (table === null) return;
   var before = visible(table).map(function (row) { return row.textContent; }).join('|');
   var heads = Array.from(table.tHead.rows[0].cells);
-  var column = heads.findIndex(function (head) { return head.textContent.indexOf('Margin') === 0; });
+  var column = heads.findIndex(function (head) { return /^(Margin|Reserve)/.test(head.textContent); });
   var button = heads[column].querySelector('button');
   check(button !== null, 'the script did not run');
   if (button === null) return;

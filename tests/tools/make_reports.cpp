@@ -121,16 +121,21 @@ int main(int argc, char** argv) {
       "400 planes split: {:.2f} s, {} bytes a plane, index {} bytes, largest page {} bytes\n",
       seconds, bytes / 400, index.size(), largest);
 
+  const report::Texts german(report::Language::german, true);
+  const std::string german_two = report::render_html(report::sample_document(), german);
+  const std::string german_forty = report::render_html(planes_document(40), german);
   const std::string hostile = report::render_html(report::hostile_document());
   write(folder + "/two.html", two);
   write(folder + "/forty.html", forty);
   write(folder + "/split.html", index);
   write(folder + "/hostile.html", hostile);
+  write(folder + "/german.html", german_two);
   write(folder + "/probe.html",
         "<!DOCTYPE html><html lang=\"en\"><head><meta "
         "charset=\"utf-8\"><title>probe</title></head><body><pre "
         "id=\"result\">PROBE did not run</pre>\n" +
-            frames("two", two) + frames("forty", forty) + frames("split", index) +
+            frames("two", two) + frames("German", german_two) + frames("forty", forty) +
+            frame("German forty", 360, german_forty) + frames("split", index) +
             frame("room", 360, room) + frame("room", 1400, room) + frame("hostile", 360, hostile) +
             frame("hostile", 1400, hostile) + "<script>" + file_text(argv[2]) +
             "</script></body></html>\n");

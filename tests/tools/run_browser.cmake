@@ -38,7 +38,7 @@ foreach(scheme light dark)
 endforeach()
 
 # Printed as a reader would; what a console says of the page itself shows here, too.
-foreach(page two split split-rooms/p1s1)
+foreach(page two german split split-rooms/p1s1)
   get_filename_component(name ${page} NAME)
   open_page(ignored log --no-pdf-header-footer --print-to-pdf=${WORK}/${name}.pdf file://${WORK}/${page}.html)
   file(READ ${WORK}/${name}.pdf start LIMIT 4 HEX)

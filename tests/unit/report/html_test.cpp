@@ -68,7 +68,7 @@ TEST(Html, OnlyItsOwnScriptMayRun) {
   const std::string html = render_html(sample_document());
   const std::size_t from = html.find("<script>") + 8;
   const std::string script = html.substr(from, html.find("</script>", from) - from);
-  EXPECT_EQ(script, html_script());
+  EXPECT_EQ(script, html_script({}));
   EXPECT_EQ(script.find_first_of("<&"), std::string::npos);
   const std::string hex = calc::sha256_hex(script);
   std::string bytes;

@@ -16,13 +16,13 @@ TEST(PassFactor, IsLimitOverMeasuredWithTheIntervalTurned) {
   EXPECT_DOUBLE_EQ(factor->high, 500.0 / 392);
   // With that much light the upper end is proved to pass.
   EXPECT_GE(factor->high * finding.measured.low, 500 - 1e-9);
-  EXPECT_EQ(pass_factor_words(finding), "Reaches the limit with all light at ×1.28.");
+  EXPECT_EQ(pass_factor_words({}, finding), "Reaches the limit with all light at ×1.28.");
 }
 
 TEST(PassFactor, HasDigitsEnoughForNarrowIntervals) {
   // 353.8 / 353.66 = 1.000396
   EXPECT_EQ(
-      pass_factor_words(sample_finding(rules::Metric::average, 353.8, estimate(353.70, 0.04))),
+      pass_factor_words({}, sample_finding(rules::Metric::average, 353.8, estimate(353.70, 0.04))),
       "Reaches the limit with all light at ×1.0004.");
 }
 
@@ -30,10 +30,10 @@ TEST(PassFactor, LessLightForAnUpperLimit) {
   rules::Finding finding = sample_finding(rules::Metric::maximum, 60, estimate(80, 0));
   finding.requirement.comparison = rules::Comparison::at_most;
   finding.verdict = rules::Verdict::fail;
-  EXPECT_EQ(pass_factor_words(finding), "Comes down to the limit with all light at ×0.75.");
+  EXPECT_EQ(pass_factor_words({}, finding), "Comes down to the limit with all light at ×0.75.");
   // The end that proves it: 60 / 84 = 0.714.
   finding.measured = estimate(80, 4);
-  EXPECT_EQ(pass_factor_words(finding), "Comes down to the limit with all light at ×0.71.");
+  EXPECT_EQ(pass_factor_words({}, finding), "Comes down to the limit with all light at ×0.71.");
 }
 
 // An interval of 1 to 60 000 lx under an upper limit of 55 000 lx asks for no other light.
@@ -41,7 +41,7 @@ TEST(PassFactor, NothingIsSaidOfWhatIsUndecided) {
   rules::Finding finding = sample_finding(rules::Metric::average, 500, estimate(498, 8));
   ASSERT_EQ(finding.verdict, rules::Verdict::undecided);
   EXPECT_FALSE(pass_factor(finding));
-  EXPECT_EQ(pass_factor_words(finding), "");
+  EXPECT_EQ(pass_factor_words({}, finding), "");
   PlanePart plane;
   plane.average_lx = finding.measured;
   EXPECT_FALSE(group_pass_factor(finding, plane, {"row 2", estimate(160, 4), 120}));
@@ -79,7 +79,7 @@ TEST(PassFactor, OnlyWhereLightIsWhatCounts) {
   EXPECT_FALSE(pass_factor(own));
   own.requirement.policy = {};
   own.verdict = rules::Verdict::not_judged;
-  EXPECT_EQ(pass_factor_words(own), "");
+  EXPECT_EQ(pass_factor_words({}, own), "");
 }
 
 TEST(PassFactor, OfOneGroupMakesUpForWhatIsMissing) {
@@ -90,7 +90,7 @@ TEST(PassFactor, OfOneGroupMakesUpForWhatIsMissing) {
   const auto factor = group_pass_factor(finding, plane, row);
   ASSERT_TRUE(factor);
   EXPECT_DOUBLE_EQ(plane.average_lx.low + (*factor - 1) * row.average_lx.low, 500);
-  EXPECT_EQ(factor_text(*factor), "×1.70");
+  EXPECT_EQ(factor_text({}, *factor), "×1.70");
   EXPECT_FALSE(group_pass_factor(finding, plane, dark));
   finding.requirement.scene = "night";
   EXPECT_FALSE(group_pass_factor(finding, plane, row));

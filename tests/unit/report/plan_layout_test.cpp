@@ -77,8 +77,8 @@ TEST(PlanLimits, OnlyThoseThatTheDrawnPointsMustMeet) {
   initial.requirement.state = rules::LightState::initial;
   initial.requirement.limit = 700;
   plane.findings.push_back(initial);
-  ASSERT_EQ(plan_limits(plane).size(), 2U);
-  EXPECT_EQ(plan_limits(plane)[0].words, "average ≥ 500 lx");
+  ASSERT_EQ(plan_limits({}, plane).size(), 2U);
+  EXPECT_EQ(plan_limits({}, plane)[0].words, "average ≥ 500 lx");
   EXPECT_EQ(point_threshold(plane, PointSide::from_below)->limit, 450);
   EXPECT_FALSE(point_threshold(plane, PointSide::from_above));
 }
@@ -92,7 +92,7 @@ TEST(PlanLimits, MaskedOnesAreOfOtherPoints) {
       if (has_operations)
         finding.requirement.mask.operations = {{rules::MaskStep::inset, 0.5, 0, 0}};
     }
-    EXPECT_TRUE(plan_limits(plane).empty());
+    EXPECT_TRUE(plan_limits({}, plane).empty());
     EXPECT_FALSE(point_threshold(plane, PointSide::from_below));
   }
 }

@@ -157,6 +157,27 @@ TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
   expect_usage_error({"check", "a.xml", "--color", "blue"}, "auto, always or never");
 }
 
+TEST(Options, LanguageBringsItsDecimalSignUnlessOneIsGiven) {
+  const auto shown = [](std::initializer_list<const char*> arguments) {
+    const report::Texts t = cli::report_texts(parsed(arguments));
+    return std::string(t.language_tag()) + " " + t.number("0.5");
+  };
+  EXPECT_EQ(shown({"check", "a.xml"}), "en 0.5");
+  EXPECT_EQ(shown({"check", "a.xml", "--language", "en"}), "en 0.5");
+  EXPECT_EQ(shown({"check", "a.xml", "--language", "de"}), "de 0,5");
+  EXPECT_EQ(shown({"check", "a.xml", "--language", "de", "--decimal", "point"}), "de 0.5");
+  EXPECT_EQ(shown({"check", "a.xml", "--decimal", "comma"}), "en 0,5");
+  EXPECT_EQ(shown({"report", "a.json", "--language=de"}), "de 0,5");
+  expect_usage_error({"check", "a.xml", "--language", "fr"}, "--language: 'fr'");
+  expect_usage_error({"check", "a.xml", "--decimal", ","}, "--decimal: ','");
+  expect_usage_error({"plan", "a.xml", "--language", "de"}, "--language");
+}
+
+TEST(Options, LanguageIsNotPartOfTheCommandThatMakesTheSameNumbers) {
+  const cli::Options options = parsed({"check", "a.xml", "--language", "de", "--decimal", "point"});
+  EXPECT_EQ(cli::reproducible_command(options), "luxgate check a.xml");
+}
+
 TEST(Options, OnlyOneFormatGoesToStandardOutput) {
   expect_usage_error({"check", "a.xml", "--format", "csv", "--format", "json"}, "only one kind");
 }

@@ -1,5 +1,7 @@
 #include "report/cli/outputs.h"
 
+#include "tests/support/sample_document.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -135,6 +137,38 @@ TEST_F(Outputs, ImageNamesAreSafeFileNames) {
   plane.id = "desk:1/é";
   EXPECT_EQ(cli::image_stem(project, plane),
             "my_office-desk_1__");  // one _ per character, however many bytes it has
+}
+
+TEST_F(Outputs, LanguageIsForReadersAlone) {
+  const report::Document document = report::sample_document();
+  const report::Texts german(report::Language::german, true);
+  using enum cli::FormatKind;
+  for (const cli::FormatKind kind :
+       {csv, points_csv, json, junit, sarif, sarif_all, github, gitlab}) {
+    EXPECT_EQ(cli::render(kind, document, {}, german), cli::render(kind, document));
+  }
+  for (const cli::FormatKind kind : {html, markdown, text}) {
+    EXPECT_THAT(cli::render(kind, document, {}, german), HasSubstr("nicht bewertet"));
+    EXPECT_THAT(cli::render(kind, document), ::testing::Not(HasSubstr("nicht bewertet")));
+  }
+}
+
+TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
+  options_.language = report::Language::german;
+  const auto file_text = [this](const std::string& name) {
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  add(cli::FormatKind::html, "report.html");
+  add(cli::FormatKind::csv, "results.csv");
+  const report::Document document = report::sample_document();
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_THAT(file_text("report.html"), HasSubstr("<html lang=\"de\">"));
+  EXPECT_EQ(file_text("results.csv"), cli::render(cli::FormatKind::csv, document));
+  options_.html_split = true;
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_THAT(file_text("report.html"), HasSubstr("Anforderungen"));
+  EXPECT_THAT(file_text("report.html-rooms/p1s1.html"), HasSubstr("<html lang=\"de\">"));
 }
 
 }  // namespace
