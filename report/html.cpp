@@ -1,6 +1,7 @@
 #include "report/html.h"
 
 #include "calc/file_hash.h"
+#include "report/html_aggregates.h"
 #include "report/html_findings.h"
 #include "report/html_markup.h"
 #include "report/html_pages.h"
@@ -145,8 +146,8 @@ std::string project_html(const Document& document, std::size_t p, const std::str
   } else {
     for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_html(document, p, s);
   }
-  return html + html_luminaires(project, p) + html_calculation(document.provenance, project, p) +
-         html_inputs(project) + "</section>\n";
+  return html + html_aggregates(project, p) + html_luminaires(project, p) +
+         html_calculation(document.provenance, project, p) + html_inputs(project) + "</section>\n";
 }
 
 std::string whole_page(const Document& document, const std::string& folder) {

@@ -1,5 +1,6 @@
 #include "report/markdown.h"
 
+#include "report/aggregate_words.h"
 #include "report/ci_finding.h"
 #include "report/number_format.h"
 #include "report/plain_text.h"
@@ -34,6 +35,13 @@ std::string escape_markdown(std::string_view raw) {
 
 std::string cells(const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
+  if (const rules::AggregateFinding* aggregate = entry.aggregate) {
+    std::string words = aggregate_title(*aggregate);
+    if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
+    return fmt::format("{} | {} | {} | ", escape_markdown(words),
+                       escape_markdown(aggregate_required(*aggregate)),
+                       escape_markdown(aggregate_measured(*aggregate)));
+  }
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;
   const char* unit = rules::unit_of(requirement);
@@ -49,7 +57,10 @@ std::string cells(const CiFinding& entry) {
 std::string verdict_words(const CiFinding& entry) {
   const std::string words = rules::verdict_name(entry.verdict);
   if (entry.counts) return words;
-  return words + (entry.finding->is_waived ? ", waived" : ", advice");
+  if (is_waived(entry)) return words + ", waived";
+  const bool is_member = entry.finding != nullptr &&
+                         entry.finding->requirement.severity == rules::Severity::in_aggregate;
+  return words + (is_member ? ", in aggregate" : ", advice");
 }
 
 std::string table(const std::vector<CiFinding>& findings) {

@@ -150,6 +150,7 @@ const char* comparison_sign(rules::Comparison comparison) {
 }
 
 const char* severity_key(rules::Severity severity) {
+  if (severity == rules::Severity::in_aggregate) return "in-aggregate";
   return severity == rules::Severity::shall ? "shall" : "advice";
 }
 
@@ -161,6 +162,7 @@ std::string note_words(const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   add(requirement.note);
   if (requirement.severity == rules::Severity::advice) add("advice: does not count");
+  if (requirement.severity == rules::Severity::in_aggregate) add("counts only in its aggregates");
   if (requirement.direct_only) add("direct light only");
   if (!requirement.mask.id.empty()) {
     add(finding.points_used == 0
