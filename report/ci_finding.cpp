@@ -1,6 +1,7 @@
 #include "report/ci_finding.h"
 
 #include "calc/file_hash.h"
+#include "report/aggregate_words.h"
 #include "report/number_format.h"
 #include "report/plain_text.h"
 #include "report/words.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace report {
@@ -78,7 +80,50 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
   return entry;
 }
 
+std::string aggregate_message(const rules::AggregateFinding& finding) {
+  std::string text = fmt::format("{}: {}, required {}", aggregate_title(finding),
+                                 aggregate_measured(finding), aggregate_required(finding));
+  if (!finding.clause.empty()) text += " [" + finding.clause + "]";
+  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (const std::string note = aggregate_note(finding); !note.empty()) text += " (" + note + ")";
+  return printable(text);
+}
+
+// number: how many of that name the place has had so far, with this one.
+CiFinding of_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
+                       int number) {
+  CiFinding entry;
+  entry.project = &project;
+  for (const SpacePart& space : project.spaces) {
+    if (space.id == finding.space_id) entry.space = &space;
+  }
+  entry.aggregate = &finding;
+  entry.verdict = finding.verdict;
+  entry.counts = !finding.is_waived && finding.severity == rules::Severity::shall;
+  entry.rule = rules::kind_name(finding.kind);
+  entry.key = printable(
+      fmt::format("{}:{}/{}/{}", entry.rule, finding.space_id, finding.plane_id, finding.id));
+  if (number > 1) entry.key += fmt::format("-{}", number);
+  entry.where = finding.where;
+  entry.place = printable(aggregate_place(project, finding));
+  entry.message = aggregate_message(finding);
+  return entry;
+}
+
+void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
+  std::map<std::string, int> seen;
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    const CiFinding first = of_aggregate(project, finding, 1);
+    list.push_back(of_aggregate(project, finding, ++seen[first.key]));
+  }
+}
+
 }  // namespace
+
+bool is_waived(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) return entry.aggregate->is_waived;
+  return entry.finding != nullptr && entry.finding->is_waived;
+}
 
 std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
   std::vector<std::string> notes;
@@ -109,6 +154,7 @@ std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
         if (!is_told) list.push_back(entry);  // it decides the exit code all the same
       }
     }
+    add_aggregates(project, list);
   }
   for (CiFinding& entry : list) {
     if (entry.where.file.empty()) entry.where.file = entry.project->path;

@@ -15,10 +15,12 @@ struct CiFinding {
   const SpacePart* space = nullptr;         // null: the whole project
   const PlanePart* plane = nullptr;         // null: the whole project
   const rules::Finding* finding = nullptr;  // null: nothing of the plane or project was judged
+  // Not null: it is this aggregate of the project; finding is null.
+  const rules::AggregateFinding* aggregate = nullptr;
   rules::Verdict verdict = rules::Verdict::not_judged;
   bool counts = true;  // false: waived, or advice: it does not decide the exit code
 
-  // "average", "Uo", ...; "plane" or "project" without a finding.
+  // "average", "Uo", ..., "aggregate", "class"; "plane" or "project" without a finding.
   std::string rule;
   // Unique among the findings of a project: "room/plane/requirement", of ids.
   std::string key;
@@ -34,10 +36,13 @@ struct CiFinding {
 // left out, and planes that somebody changed. "room: what"; printable(), in document order.
 std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {});
 
+// Waived, requirement or aggregate.
+bool is_waived(const CiFinding& entry);
+
 // In document order: every requirement, every plane that was not computed although nothing
-// that counts is required of it, and every project that could not be judged. Text is printable().
-// Valid as long as the document. t: of the messages of planes and projects; those of findings are
-// English.
+// that counts is required of it, and every project that could not be judged; then every aggregate
+// and class. Text is printable(). Valid as long as the document. t: of the messages of planes and
+// projects; those of findings are English.
 std::vector<CiFinding> ci_findings(const Document& document, const Texts& t = {});
 
 }  // namespace report

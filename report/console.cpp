@@ -1,5 +1,6 @@
 #include "report/console.h"
 
+#include "report/aggregate_words.h"
 #include "report/plain_text.h"
 #include "report/text_numbers.h"
 #include "report/words.h"
@@ -143,6 +144,21 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   add_doubt(t, plane, lines);
 }
 
+void add_aggregate(const Texts& t, const ProjectPart& project, const rules::AggregateFinding& finding,
+                   std::vector<Line>& lines) {
+  Line line;
+  line.colour = verdict_colour(finding.verdict);
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
+  line.cells[kPlace] = printable(aggregate_place(project, finding));
+  line.cells[kQuantity] = printable(aggregate_title(finding));
+  line.cells[kRequired] = printable(aggregate_required(finding));
+  line.cells[kMeasured] = printable(aggregate_measured(finding));
+  lines.push_back(std::move(line));
+  const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (const std::string words = aggregate_note(finding); !words.empty()) note(printable(words));
+}
+
 constexpr bool is_number_column(std::size_t column) {
   return column == kRequired || column == kMeasured || column == kMargin;
 }
@@ -224,6 +240,9 @@ std::vector<Line> project_lines(const Texts& t, const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
     for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
+  }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    add_aggregate(t, project, finding, lines);
   }
   if (!lines.empty()) lines.insert(lines.begin(), heading(t));
   return lines;

@@ -1,5 +1,6 @@
 #include "report/csv.h"
 
+#include "report/aggregate_words.h"
 #include "report/csv_field.h"
 #include "report/number_format.h"
 #include "report/words.h"
@@ -78,6 +79,35 @@ void add_unjudged_project(const ProjectPart& project, std::string& csv) {
           csv);
 }
 
+// Without numbers: what is asked for and what was found are words.
+void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
+                   std::string& csv) {
+  std::string words = aggregate_required(finding) + ": " + aggregate_measured(finding);
+  if (!finding.reason.empty()) words += "; " + finding.reason;
+  add_row({field(project.path),
+           field(finding.space_id),
+           field(finding.plane_id),
+           field(finding.id),
+           rules::kind_name(finding.kind),
+           "",
+           "",
+           "",
+           "",
+           field(finding.clause),
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           rules::verdict_name(finding.verdict),
+           field(words),
+           "",
+           "",
+           ""},
+          csv);
+}
+
 // Ratings and ratios have columns of their own: what is called lx is lx.
 void add_point(const std::string& place, const PlanePart& plane, const PointRow& point,
                std::string& csv) {
@@ -113,6 +143,9 @@ std::string render_results_csv(const Document& document) {
     for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
       for (const rules::Finding& finding : plane.findings) add_finding(place, finding, csv);
     });
+    for (const rules::AggregateFinding& finding : project.aggregates) {
+      add_aggregate(project, finding, csv);
+    }
   }
   return csv;
 }

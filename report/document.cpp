@@ -73,6 +73,14 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
       }
     }
   }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    if (finding.severity != rules::Severity::shall) continue;
+    if (finding.is_waived) {
+      ++counts.waived;
+    } else {
+      count(finding.verdict, counts);
+    }
+  }
   return counts;
 }
 

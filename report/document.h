@@ -8,6 +8,7 @@
 #include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/aggregate.h"
 #include "rules/goal.h"
 #include "rules/judge.h"
 
@@ -169,6 +170,7 @@ struct ProjectPart {
   std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
   std::vector<LuminaireRow> luminaires;
   std::vector<SpacePart> spaces;
+  std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
   std::vector<calc::InputFile> inputs;
   PhaseTimes times;
 };

@@ -1,6 +1,7 @@
 #include "report/html.h"
 
 #include "calc/file_hash.h"
+#include "report/html_aggregates.h"
 #include "report/html_findings.h"
 #include "report/html_markup.h"
 #include "report/html_pages.h"
@@ -151,7 +152,7 @@ std::string project_html(const Texts& t, const Document& document, std::size_t p
   } else {
     for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_html(t, document, p, s);
   }
-  return html + html_luminaires(t, project, p) +
+  return html + html_aggregates(project, p) + html_luminaires(t, project, p) +
          html_calculation(t, document.provenance, project, p) + html_inputs(t, project) +
          "</section>\n";
 }

@@ -279,6 +279,37 @@ Json space_json(const SpacePart& space) {
   return json;
 }
 
+Json member_json(const rules::AggregateMember& member) {
+  return {{"name", member.name},
+          {"verdict", verdict_key(member.verdict)},
+          {"is_waived", member.is_waived},
+          {"area_m2", from(member.area_m2)},
+          {"reason", member.reason}};
+}
+
+Json aggregate_json(const rules::AggregateFinding& finding) {
+  return {{"kind", rules::kind_name(finding.kind)},
+          {"id", finding.id},
+          {"space", finding.space_id},
+          {"plane", finding.plane_id},
+          {"clause", finding.clause},
+          {"note", finding.note},
+          {"where", from(finding.where)},
+          {"rule", rules::rule_name(finding.rule)},
+          {"over", rules::over_name(finding.over)},
+          {"count", finding.count},
+          {"share", finding.share},
+          {"by_area", finding.by_area},
+          {"severity", severity_key(finding.severity)},
+          {"verdict", verdict_key(finding.verdict)},
+          {"is_waived", finding.is_waived},
+          {"reason", finding.reason},
+          {"members", list_of(finding.members, member_json)},
+          {"asked", finding.asked},
+          {"reached", finding.reached},
+          {"possible", finding.possible}};
+}
+
 Json times_json(const PhaseTimes& times) {
   Json json = {{"load_s", times.load_s},       {"prepare_s", times.prepare_s},
                {"direct_s", times.direct_s},   {"pool_s", times.pool_s},
@@ -299,6 +330,9 @@ Json project_json(const ProjectPart& project) {
                {"inputs", list_of(project.inputs, [](const calc::InputFile& input) {
                   return Json{{"path", input.path}, {"sha256", input.sha256}};
                 })}};
+  if (!project.aggregates.empty()) {
+    json["aggregates"] = list_of(project.aggregates, aggregate_json);
+  }
   if (project.times.total_s > 0) json["times"] = times_json(project.times);
   return json;
 }

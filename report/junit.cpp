@@ -33,6 +33,7 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 }
 
 std::string case_name(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) return entry.key;
   if (entry.plane == nullptr) return "project";
   const std::string plane = printable(entry.plane->id);
   return entry.finding == nullptr ? plane

@@ -1,5 +1,6 @@
 #include "report/markdown.h"
 
+#include "report/aggregate_words.h"
 #include "report/ci_finding.h"
 #include "report/plain_text.h"
 #include "report/text_numbers.h"
@@ -34,6 +35,13 @@ std::string escape_markdown(std::string_view raw) {
 
 std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
+  if (const rules::AggregateFinding* aggregate = entry.aggregate) {
+    std::string words = aggregate_title(*aggregate);
+    if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
+    return fmt::format("{} | {} | {} | ", escape_markdown(words),
+                       escape_markdown(aggregate_required(*aggregate)),
+                       escape_markdown(aggregate_measured(*aggregate)));
+  }
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;
   const char* unit = rules::unit_of(requirement);
@@ -49,8 +57,10 @@ std::string cells(const Texts& t, const CiFinding& entry) {
 std::string entry_words(const Texts& t, const CiFinding& entry) {
   const char* words = verdict_words(t, entry.verdict);
   if (entry.counts) return words;
-  return entry.finding->is_waived ? t.say<Text::verdict_waived>(words)
-                                  : t.say<Text::verdict_advice>(words);
+  if (is_waived(entry)) return t.say<Text::verdict_waived>(words);
+  const bool is_member = entry.finding != nullptr &&
+                         entry.finding->requirement.severity == rules::Severity::in_aggregate;
+  return is_member ? t.say<Text::verdict_in_aggregate>(words) : t.say<Text::verdict_advice>(words);
 }
 
 std::string table(const Texts& t, const std::vector<CiFinding>& findings) {

@@ -141,8 +141,9 @@ rules::Requirement requirement(const JsonCursor& at, const PlanePart& plane) {
   r.clause = at["clause"].text();
   r.where = location(at["where"]);
   r.note = at["requirement_note"].text();
-  r.severity = at["severity"].one_of(std::array{rules::Severity::shall, rules::Severity::advice},
-                                     severity_key);
+  r.severity = at["severity"].one_of(
+      std::array{rules::Severity::shall, rules::Severity::advice, rules::Severity::in_aggregate},
+      severity_key);
   r.direct_only = at["direct_only"].flag();
   r.policy = policy(at["decision"]);
   if (const auto waiver = at.find("waiver")) {
@@ -379,6 +380,47 @@ SpacePart space(const JsonCursor& at) {
   return s;
 }
 
+rules::AggregateMember member(const JsonCursor& at) {
+  return {at["name"].text(), verdict(at["verdict"]), at["is_waived"].flag(),
+          optional_number(at["area_m2"]), at["reason"].text()};
+}
+
+rules::AggregateFinding aggregate(const JsonCursor& at) {
+  using rules::AggregateKind, rules::AggregateOver, rules::AggregateRule, rules::Severity;
+  rules::AggregateFinding f;
+  f.kind = at["kind"].one_of(std::array{AggregateKind::aggregate, AggregateKind::row_class},
+                             rules::kind_name);
+  f.id = at["id"].text();
+  f.space_id = at["space"].text();
+  f.plane_id = at["plane"].text();
+  f.clause = at["clause"].text();
+  f.note = at["note"].text();
+  f.where = location(at["where"]);
+  f.rule = at["rule"].one_of(std::array{AggregateRule::all, AggregateRule::any,
+                                        AggregateRule::at_least, AggregateRule::share},
+                             rules::rule_name);
+  f.over = at["over"].one_of(
+      std::array{AggregateOver::checks, AggregateOver::planes, AggregateOver::rooms},
+      rules::over_name);
+  f.count = whole(at["count"]);
+  f.share = at["share"].finite();
+  f.by_area = at["by_area"].flag();
+  f.severity = at["severity"].one_of(std::array{Severity::shall, Severity::advice}, severity_key);
+  f.verdict = verdict(at["verdict"]);
+  f.is_waived = at["is_waived"].flag();
+  const bool may_be_waived =
+      f.verdict == rules::Verdict::fail || f.verdict == rules::Verdict::undecided;
+  if (f.is_waived && !may_be_waived) {
+    at["is_waived"].refuse("only 'fail' and 'undecided' can be waived");
+  }
+  f.reason = at["reason"].text();
+  f.members = at["members"].list_of(member);
+  f.asked = at["asked"].text();
+  f.reached = at["reached"].text();
+  f.possible = at["possible"].text();
+  return f;
+}
+
 PhaseTimes times(const JsonCursor& at) {
   PhaseTimes t;
   t.load_s = at["load_s"].finite();
@@ -404,6 +446,7 @@ ProjectPart project(const JsonCursor& at) {
   p.inputs = at["inputs"].list_of([](const JsonCursor& input) {
     return calc::InputFile{input["path"].text(), input["sha256"].text()};
   });
+  if (const auto found = at.find("aggregates")) p.aggregates = found->list_of(aggregate);
   if (const auto found = at.find("times")) p.times = times(*found);
   return p;
 }

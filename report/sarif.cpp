@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -61,6 +62,8 @@ const char* kind_of(rules::Verdict verdict) {
 const char* rule_words(std::string_view rule) {
   if (rule == "plane") return "Every calculation plane must be computed";
   if (rule == "project") return "Every project must be read and calculated";
+  if (rule == "aggregate") return "Requirements that a rule pack takes together must be met";
+  if (rule == "class") return "A class of a rule pack should be reached";
   return "A required quantity of a calculation plane must meet its limit";
 }
 
@@ -74,14 +77,19 @@ Json rules_json(const std::vector<CiFinding>& findings, std::map<std::string, st
   return array;
 }
 
-bool is_waived(const CiFinding& entry) {
-  return entry.finding != nullptr && entry.finding->is_waived && entry.finding->requirement.waiver;
+// Who lives with it, until when and why.
+std::string justification(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) return printable(entry.aggregate->reason);
+  const std::optional<rules::Waiver>& waiver = entry.finding->requirement.waiver;
+  if (!waiver) return printable(entry.finding->reason);
+  return printable(
+      fmt::format("{} (by {} until {})", waiver->reason, waiver->owner, waiver->until));
 }
 
 Json result_json(const CiFinding& entry, std::size_t rule_index) {
   const bool is_fail = entry.verdict == rules::Verdict::fail;
   Json location = {{"physicalLocation", physical_location(entry.where)}};
-  if (entry.plane != nullptr) {
+  if (entry.plane != nullptr || entry.aggregate != nullptr) {
     location["logicalLocations"] =
         Json::array({{{"fullyQualifiedName", entry.key}, {"kind", "object"}}});
   }
@@ -95,12 +103,8 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
                  {"locations", Json::array({location})},
                  {"partialFingerprints", {{"luxgate/v1", entry.fingerprint}}}};
   if (is_waived(entry)) {
-    const rules::Waiver& waiver = *entry.finding->requirement.waiver;
-    result["suppressions"] =
-        Json::array({{{"kind", "external"},
-                      {"status", "accepted"},
-                      {"justification", printable(fmt::format("{} (by {} until {})", waiver.reason,
-                                                              waiver.owner, waiver.until))}}});
+    result["suppressions"] = Json::array(
+        {{{"kind", "external"}, {"status", "accepted"}, {"justification", justification(entry)}}});
   }
   return result;
 }

@@ -195,6 +195,7 @@ const char* comparison_sign(rules::Comparison comparison) {
 }
 
 const char* severity_key(rules::Severity severity) {
+  if (severity == rules::Severity::in_aggregate) return "in-aggregate";
   return severity == rules::Severity::shall ? "shall" : "advice";
 }
 
@@ -204,6 +205,7 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   if (!requirement.note.empty()) parts.push_back({requirement.note, true});
   const auto add = [&parts](std::string text) { parts.push_back({std::move(text), false}); };
   if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
+  if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
   if (requirement.direct_only) add(t[Text::note_direct_only]);
   if (!requirement.mask.id.empty()) {
     add(finding.points_used == 0

@@ -70,6 +70,11 @@ void read_range(ElementReader& reader, RuleCheck& check) {
   }
 }
 
+Severity severity_at(std::size_t choice) {
+  if (choice == 0) return Severity::shall;
+  return choice == 4 ? Severity::in_aggregate : Severity::advice;
+}
+
 // By "mask"; all points without it.
 Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
   if (!reader.has("mask")) return {};
@@ -101,9 +106,8 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.id = reader.id();
   check.role = reader.id("role");
   check.clause = reader.text_or("clause", "");
-  check.severity = reader.choice_or("severity", {"shall", "should", "may", "info"}, 0) == 0
-                       ? Severity::shall
-                       : Severity::advice;
+  check.severity = severity_at(
+      reader.choice_or("severity", {"shall", "should", "may", "info", "in-aggregate"}, 0));
   check.quantity =
       quantity_from_name(quantity_names()[reader.choice("quantity", quantity_names())]);
   check.metric = *metric_from_name(metric_names()[reader.choice("statistic", metric_names())]);

@@ -102,6 +102,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     finding.reason = single_sample_text(measurement.single_sample_points, points);
   }
   finding.verdict = Verdict::undecided;
+  finding.is_doubtful = true;
   finding.is_close = false;
   finding.by_tolerance = false;
   return finding;

@@ -24,6 +24,7 @@ struct Finding {
   bool is_close =
       false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
   bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
+  bool is_doubtful = false;     // its interval cannot be trusted, see `reason`
   bool by_tolerance = false;    // passes only with the tolerance of the policy
   std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
   std::optional<glm::dvec3>

@@ -417,7 +417,8 @@ void check_zones(const RulePack& pack, const calc::XmlElement& root,
 
 RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "rule", "count", "share", "of"});
+  reader.allow_attributes(
+      {"id", "rule", "count", "share", "of", "over", "by", "severity", "clause", "trust", "note"});
   reader.allow_children({});
   RuleAggregate aggregate;
   aggregate.where = element.where;
@@ -435,6 +436,21 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   read_for("count", AggregateRule::at_least, [&] { aggregate.count = reader.integer("count", 1); });
   read_for("share", AggregateRule::share,
            [&] { aggregate.share = reader.number("share", calc::kPositiveFraction); });
+  aggregate.over =
+      static_cast<AggregateOver>(reader.choice_or("over", {"checks", "planes", "rooms"}, 0));
+  aggregate.by_area = reader.choice_or("by", {"count", "area"}, 0) == 1;
+  const bool has_areas =
+      aggregate.rule == AggregateRule::share && aggregate.over != AggregateOver::checks;
+  if (reader.has("by") && !has_areas) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("by"), "aggregate", "by",
+                  "rule=\"share\" over planes or rooms");
+  }
+  aggregate.severity = reader.choice_or("severity", {"shall", "should", "may", "info"}, 0) == 0
+                           ? Severity::shall
+                           : Severity::advice;
+  aggregate.clause = reader.text_or("clause", "");
+  aggregate.trust = read_trust(reader);
+  aggregate.note = reader.text_or("note", "");
   aggregate.checks = read_ids(reader, "of");
   return aggregate;
 }

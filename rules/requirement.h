@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,12 +42,21 @@ enum class Comparison { at_least, at_most, more_than, less_than };
 // maintained, with the scene's levels at the end of what a battery lasts.
 enum class LightState { maintained, initial, end_of_duration };
 
-// shall: counts for the exit code; advice is reported only.
-enum class Severity { shall, advice };
+// shall: counts for the exit code; advice is reported only; in_aggregate: counts only through the
+// aggregates of its rule pack.
+enum class Severity { shall, advice, in_aggregate };
 
 // Somebody has decided to live without a requirement, up to the last day ("2027-06-30").
 struct Waiver {
   std::string reason, owner, until;
+};
+
+// Which check of which rule pack a requirement is; without pack it is the project's own.
+struct RuleOrigin {
+  std::string pack;  // "en13201-2:2015"
+  std::string check, row;
+  bool is_modified = false;             // asked for at level "modified"
+  std::map<std::string, double> facts;  // by id, in base units
 };
 
 struct Requirement {
@@ -71,6 +81,7 @@ struct Requirement {
   std::string problem;            // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
+  RuleOrigin origin;
   calc::SourceLocation where;
 };
 

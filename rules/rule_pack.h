@@ -5,6 +5,7 @@
 #include "calc/diagnostics.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
+#include "rules/aggregate.h"
 #include "rules/expression.h"
 #include "rules/mask.h"
 #include "rules/policy.h"
@@ -138,13 +139,18 @@ struct RuleCheck {
 };
 
 // Verdicts of several checks or places as one.
-enum class AggregateRule { all, any, at_least, share };
 struct RuleAggregate {
   std::string id;
+  std::string clause;  // within the standard; "" = the row's ref
+  Severity severity = Severity::shall;
   AggregateRule rule = AggregateRule::all;
+  AggregateOver over = AggregateOver::checks;
   int count = 0;       // of at_least
   double share = 0.0;  // of share, (0, 1]
+  bool by_area = false;  // of share over planes or rooms
   std::vector<std::string> checks;
+  Trust trust = Trust::confirmed;
+  std::string note;
   calc::SourceLocation where;
 };
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace rules {
 namespace {
@@ -217,6 +219,35 @@ void check_ids(const std::vector<std::string>& ids, const calc::Names& known,
   }
 }
 
+void check_members(const RuleAggregate& aggregate, calc::Diagnostics& diagnostics) {
+  const auto report = [&](std::string_view needed) {
+    diagnostics.report(DiagnosticId::missing_form, aggregate.where, "aggregate", needed);
+  };
+  const std::set<std::string> different(aggregate.checks.begin(), aggregate.checks.end());
+  if (different.size() < aggregate.checks.size()) report("every check in 'of' once");
+  const bool is_too_many = aggregate.rule == AggregateRule::at_least &&
+                           aggregate.over == AggregateOver::checks &&
+                           static_cast<std::size_t>(aggregate.count) > different.size();
+  if (is_too_many) report("as many checks in 'of' as its 'count' at least");
+}
+
+// What counts only in aggregates must be in one that counts.
+void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  for (const RuleCheck& check : pack.checks) {
+    if (check.severity != Severity::in_aggregate) continue;
+    const bool counts = std::any_of(
+        pack.aggregates.begin(), pack.aggregates.end(), [&](const RuleAggregate& aggregate) {
+          return aggregate.severity == Severity::shall &&
+                 std::find(aggregate.checks.begin(), aggregate.checks.end(), check.id) !=
+                     aggregate.checks.end();
+        });
+    if (counts) continue;
+    diagnostics.report(DiagnosticId::missing_form, check.where, "check",
+                       "an <aggregate> of severity=\"shall\" that names it in 'of', since it is "
+                       "itself severity=\"in-aggregate\"");
+  }
+}
+
 }  // namespace
 
 void check_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
@@ -226,6 +257,8 @@ void check_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleAggregate& aggregate : pack.aggregates) {
     check_ids(aggregate.checks, checks, "of", "aggregate", "check", aggregate.where, diagnostics);
   }
+  for (const RuleAggregate& aggregate : pack.aggregates) check_members(aggregate, diagnostics);
+  check_parts(pack, diagnostics);
   calc::Names rows;
   for (const RuleRow& row : pack.rows) rows.push_back(row.ref);
   for (const RuleClass& item : pack.classes) {

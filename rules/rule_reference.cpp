@@ -238,6 +238,9 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
   requirement.policy = reference.pack.policy;
+  requirement.origin = {reference.pack.full_id(), check.id,
+                        reference.row == nullptr ? "" : reference.row->ref,
+                        reference.scope.level == RowLevel::modified, reference.scope.facts};
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);

@@ -12,6 +12,7 @@
 #include "report/cli/vpl.h"
 #include "rules/bind.h"
 #include "rules/judge.h"
+#include "rules/judge_aggregates.h"
 #include "rules/stop_rule.h"
 #include "rules/waiver.h"
 
@@ -53,7 +54,7 @@ std::optional<LoadedProject> load(const std::string& path, const calc::FileReade
   if (diagnostics.has_errors()) return std::nullopt;
   const bool counts = std::any_of(
       loaded.requirements.begin(), loaded.requirements.end(),
-      [](const auto& requirement) { return requirement.severity == rules::Severity::shall; });
+      [](const auto& requirement) { return requirement.severity != rules::Severity::advice; });
   if (!counts) {
     diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
   }
@@ -241,6 +242,19 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   return part;
 }
 
+std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
+                                                      const calc::Project& project,
+                                                      const std::vector<rules::RulePack>& packs) {
+  std::vector<rules::JudgedPlane> planes;
+  for (std::size_t s = 0; s < part.spaces.size(); ++s) {
+    const calc::Space& space = project.spaces[s];
+    for (std::size_t k = 0; k < part.spaces[s].planes.size(); ++k) {
+      planes.push_back({&space, &space.planes[k], &part.spaces[s].planes[k].findings});
+    }
+  }
+  return rules::judge_aggregates(planes, packs);
+}
+
 }  // namespace
 
 report::ProjectPart check_project(const std::string& path, const CheckContext& context) {
@@ -266,6 +280,7 @@ report::ProjectPart check_project(const std::string& path, const CheckContext& c
         return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
       });
   if (is_refused) return unreadable_project(path, diagnostics);
+  part.aggregates = judge_aggregates(part, loaded->project, context.packs);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

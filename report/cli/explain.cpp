@@ -80,6 +80,7 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
                   check.limit_text, light_text(check));
   if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
   if (check.severity == rules::Severity::advice) text += ", advice";
+  if (check.severity == rules::Severity::in_aggregate) text += ", counts only in its aggregates";
   if (check.trust != rules::Trust::confirmed)
     text += fmt::format(" [{}]", trust_remark(check.trust));
   if (const std::string where = measured_on(*check.quantity); !where.empty()) {
@@ -204,6 +205,79 @@ std::string limits_text(const RulePack& pack, const RuleCheck& check, const Rule
          (modified == required ? "\n" : "; level modified: " + modified + "\n");
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string aggregate_text(const rules::RuleAggregate& aggregate) {
+  std::string text = fmt::format("aggregate {}: ", aggregate.id);
+  const std::string members = fmt::format("the {}", over_name(aggregate.over));
+  switch (aggregate.rule) {
+    case rules::AggregateRule::all:
+      text += "all of " + members;
+      break;
+    case rules::AggregateRule::any:
+      text += "any of " + members;
+      break;
+    case rules::AggregateRule::at_least:
+      text += fmt::format("at least {} of {}", aggregate.count, members);
+      break;
+    case rules::AggregateRule::share:
+      text += fmt::format("at least {:g} % of {}{}", 100.0 * aggregate.share, members,
+                          aggregate.by_area ? " by area" : "");
+      break;
+  }
+  text += aggregate.over == rules::AggregateOver::checks ? " " : " judged by ";
+  text += joined(aggregate.checks);
+  if (aggregate.severity != rules::Severity::shall) text += ", advice";
+  if (aggregate.trust != rules::Trust::confirmed) {
+    text += fmt::format(" [{}]", trust_remark(aggregate.trust));
+  }
+  if (!aggregate.clause.empty()) text += "\n    " + aggregate.clause;
+  if (!aggregate.note.empty()) text += "\n    " + aggregate.note;
+  return text + "\n";
+}
+
+std::string class_text(const rules::RuleClass& item) {
+  return fmt::format(
+      "class {}: {}, best first, each by {}; reports say which is reached beside the row asked "
+      "for\n",
+      item.id, joined(item.rows), joined(item.checks));
+}
+
+bool is_among(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Aggregates and classes in which one of the checks takes part; row: of classes, "" = any.
+std::string shared_text(const RulePack& pack, const std::vector<std::string>& checks,
+                        const std::string& row) {
+  const auto shares = [&](const std::vector<std::string>& of) {
+    return std::any_of(checks.begin(), checks.end(),
+                       [&](const std::string& check) { return is_among(of, check); });
+  };
+  std::string text;
+  for (const rules::RuleAggregate& aggregate : pack.aggregates) {
+    if (shares(aggregate.checks)) text += aggregate_text(aggregate);
+  }
+  for (const rules::RuleClass& item : pack.classes) {
+    if (shares(item.checks) && (row.empty() || is_among(item.rows, row))) text += class_text(item);
+  }
+  return text;
+}
+
+// Checks that the row requires something of.
+std::vector<std::string> checks_of_row(const RulePack& pack, const RuleRow& row) {
+  std::vector<std::string> ids;
+  for (const RuleCheck& check : pack.checks) {
+    const rules::Limit limit = evaluate_limit(check, {pack, &row, rules::RowLevel::required});
+    if (limit.status != rules::LimitStatus::not_applicable) ids.push_back(check.id);
+  }
+  return ids;
+}
+
 std::string explain_row(const RulePack& pack, const RuleRow& row) {
   std::string text = head_text(pack) + "\n" + row_text(pack, row);
   for (const std::string& role : pack.roles()) {
@@ -215,7 +289,8 @@ std::string explain_row(const RulePack& pack, const RuleRow& row) {
       if (check.role == role) text += check_text(pack, check) + limits_text(pack, check, &row);
     }
   }
-  return text + "\n" + grids_text(pack) + sources_text(pack, row.sources);
+  text += "\n" + shared_text(pack, checks_of_row(pack, row), row.ref);
+  return text + grids_text(pack) + sources_text(pack, row.sources);
 }
 
 std::string explain_checks(const RulePack& pack, const std::vector<const RuleCheck*>& checks) {
@@ -227,7 +302,9 @@ std::string explain_checks(const RulePack& pack, const std::vector<const RuleChe
     text += check_text(pack, *check) + limits_text(pack, *check, nullptr);
     if (!check->mask.id.empty()) text += "    " + mask_text(check->mask);
   }
-  return text + "\n" + sources_text(pack, {});
+  std::vector<std::string> ids;
+  for (const RuleCheck* check : checks) ids.push_back(check->id);
+  return text + "\n" + shared_text(pack, ids, "") + sources_text(pack, {});
 }
 
 std::optional<std::string> explain_rule(const RulePack& pack, const std::string& name) {
@@ -294,6 +371,8 @@ std::string show_rule_pack(const RulePack& pack) {
   for (const RuleRow& row : pack.rows) text += row_text(pack, row);
   text += pack.rows.empty() ? "" : "\n";
   for (const RuleCheck& check : pack.checks) text += check_text(pack, check);
+  for (const rules::RuleAggregate& aggregate : pack.aggregates) text += aggregate_text(aggregate);
+  for (const rules::RuleClass& item : pack.classes) text += class_text(item);
   return text;
 }
 

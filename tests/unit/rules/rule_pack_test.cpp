@@ -339,7 +339,8 @@ TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
   }
   EXPECT_THAT(ids, ElementsAre("ashrae90-1:2019", "egress-us:undated", "en12464-1:2011",
                                "en12464-1:2021", "en12464-2:2014", "en13201-2:2015", "en1838:2013",
-                               "en1838:2024", "osha-1926-56:1926.56", "rp-20:1998", "rp-8:2014"));
+                               "en1838:2024", "leed-interior-lighting:4.1", "osha-1926-56:1926.56",
+                               "rp-20:1998", "rp-8:2014"));
 }
 
 }  // namespace
