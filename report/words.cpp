@@ -104,6 +104,8 @@ std::string quantity_words(const rules::Requirement& requirement) {
       return "installed power by floor area";
     case rules::Metric::power_per_100_lx:
       return "installed power by floor area and 100 lx";
+    case rules::Metric::leni:
+      return "LENI, energy for light by floor area and year";
     case rules::Metric::value_at_point:
       break;
   }
@@ -113,7 +115,7 @@ std::string quantity_words(const rules::Requirement& requirement) {
 
 std::string quantity_words(const rules::Requirement& requirement, calc::ReceiverKernel kernel) {
   const std::string words = quantity_words(requirement);
-  if (requirement.metric == rules::Metric::power_density) return words;
+  if (rules::is_of_space(requirement.metric)) return words;
   if (kernel == calc::ReceiverKernel::planar &&
       requirement.derived == calc::DerivedQuantity::none) {
     return words;
