@@ -219,14 +219,14 @@ TEST(SensorGrid, PointsOutsideAConcaveOutlineAreDropped) {
   EXPECT_EQ(made.grid->columns, 6) << "cells are numbered over the whole rectangle";
 }
 
-// An arm of 1.2 x 4 m beside a body of 6 x 4 m; cells of 3 x 4 m have their centres in the body,
-// and the last 2 m of the arm are more than a cell away.
+// An arm of 1.2 x 4 m beside a body of 6 x 4 m; cells of 3 x 4 m have their centres in the body.
+// The last 2 m of the arm are more than a cell away, and some more is behind its corner.
 const std::vector<glm::dvec2> kArm{{0, 0}, {6, 0}, {6, 4}, {1.2, 4}, {1.2, 8}, {0, 8}};
 
 TEST(SensorGrid, GivenCellsThatMissAnArmAreWarnedOf) {
   const std::string expected =
       "project.xml:7:3: warning[grid-misses-part]: plane 'desk': its grid, of a given count or "
-      "spacing, leaves 2.4 m2 of the area, at (";
+      "spacing, leaves 2.7 m2 of the area, at (";
   for (const GridRule& rule : {GridRule(GridByCount{2, 2}), GridRule(GridBySpacing{3, 4, ""})}) {
     const Made made = make(plane_of(kArm, rule));
     ASSERT_EQ(made.messages.size(), 1u);
