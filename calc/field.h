@@ -53,7 +53,7 @@ struct SolveCounters {
 // Why the glare formula cannot be used for a luminaire that an eye sees.
 enum class GlareProblem {
   below_sight,  // its centre lies below the line of sight: there is no position index
-  too_large,    // > 0.1 sr
+  too_large,    // what is seen of it, or may be, > 0.1 sr
   no_area       // no luminous area towards the eye: its luminance is unbounded
 };
 struct GlareRefusal {

@@ -148,6 +148,8 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
       return t[Text::power_density];
     case rules::Metric::power_per_100_lx:
       return t[Text::power_per_100_lx];
+    case rules::Metric::leni:
+      return t[Text::leni];
     case rules::Metric::value_at_point:
       break;
   }
@@ -158,7 +160,7 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement,
                            calc::ReceiverKernel kernel) {
   const std::string words = quantity_words(t, requirement);
-  if (requirement.metric == rules::Metric::power_density) return words;
+  if (rules::is_of_space(requirement.metric)) return words;
   if (kernel == calc::ReceiverKernel::planar &&
       requirement.derived == calc::DerivedQuantity::none) {
     return words;

@@ -1,6 +1,7 @@
 #include "rules/bind.h"
 
 #include "calc/scene/installed_power.h"
+#include "calc/scene/lighting_energy.h"
 #include "rules/requirement_reader.h"
 
 #include <fmt/format.h>
@@ -68,8 +69,25 @@ void narrow_strips(Mask& mask, double margin_m) {
   }
 }
 
+struct PowerOfSpace {
+  calc::InstalledPower power;
+  calc::LightingEnergy energy;
+};
+
+void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
+  const bool is_energy = requirement.metric == Metric::leni;
+  if (requirement.problem.empty()) {
+    requirement.problem = is_energy ? of_space.energy.problem : of_space.power.problem();
+  }
+  requirement.power_density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
+  if (!is_energy) return;
+  requirement.leni_kwh_m2 = of_space.energy.leni_kwh_m2;
+  if (of_space.energy.words.empty()) return;
+  requirement.note += (requirement.note.empty() ? "" : "; ") + of_space.energy.words;
+}
+
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
-                const calc::InstalledPower& power, calc::Diagnostics& diagnostics,
+                const PowerOfSpace& of_space, calc::Diagnostics& diagnostics,
                 std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   const std::optional<double> margin_m = own_margin_m(*context.space, plane);
@@ -77,10 +95,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
     for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (margin_m) narrow_strips(requirement.mask, *margin_m);
-      if (is_about_power(requirement.metric)) {
-        if (requirement.problem.empty()) requirement.problem = power.problem();
-        requirement.power_density_w_m2 = power.density_w_m2().value_or(0.0);
-      }
+      if (is_about_power(requirement.metric)) set_power(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       bound.push_back(std::move(requirement));
     }
@@ -95,9 +110,10 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   std::vector<Requirement> bound;
   for (const calc::Space& space : project.spaces) {
     const calc::InstalledPower power = calc::installed_power(project, space);
+    const PowerOfSpace of_space{power, calc::lighting_energy(project, space, power)};
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived}, power,
-                 diagnostics, bound);
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
+                 of_space, diagnostics, bound);
     }
   }
   return bound;

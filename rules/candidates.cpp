@@ -143,6 +143,7 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
     case Metric::share:  // see share.h
     case Metric::power_density:
     case Metric::power_per_100_lx:
+    case Metric::leni:
       break;
     case Metric::value_at_point: {
       Marks marks(values.points, 0);

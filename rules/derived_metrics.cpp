@@ -125,6 +125,7 @@ bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
     case Metric::value_at_point:
     case Metric::share:
     case Metric::power_density:
+    case Metric::leni:
       return true;
     case Metric::minimum:
     case Metric::percentile:

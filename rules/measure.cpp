@@ -168,15 +168,18 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   Measurement result = measure_derived(points, request);
   if (points.has_inexact_sources()) {
     result.remark =
-        "sources smaller than 0.0003 sr and hidden parts of openings count only in the upper end";
+        "sources smaller than 0.0003 sr and hidden parts of openings count only in the upper end, "
+        "and large sources of which not all is seen in the field are known less well";
   }
   return result;
 }
 
+// Of the space, whatever its light.
 Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
-  const double w_m2 = requirement.power_density_w_m2;
+  const double known =
+      requirement.metric == Metric::leni ? requirement.leni_kwh_m2 : requirement.power_density_w_m2;
   Measurement result;
-  result.metric = MetricEstimate{{w_m2, w_m2, w_m2}, std::nullopt};
+  result.metric = MetricEstimate{{known, known, known}, std::nullopt};
   result.points_used = grid.position_m.size();
   result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
   return result;
@@ -211,7 +214,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
                     double confidence, Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
-  if (requirement.metric == Metric::power_density) return known_density(requirement, grid);
+  if (is_of_space(requirement.metric)) return known_density(requirement, grid);
   if (requirement.metric == Metric::power_per_100_lx) {
     return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
   }

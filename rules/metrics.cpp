@@ -187,6 +187,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::share:          // see share.h
     case Metric::power_density:  // see measure.cpp, as the next
     case Metric::power_per_100_lx:
+    case Metric::leni:
       break;
   }
   return std::nullopt;

@@ -7,6 +7,10 @@
 #include "calc/xml_reader.h"
 #include "rules/rule_pack.h"
 
+#include <optional>
+#include <string_view>
+#include <utility>
+
 namespace rules {
 
 RuleSource read_source(const calc::XmlElement& element, calc::Diagnostics& diagnostics);
@@ -35,6 +39,9 @@ RuleClass read_class(const calc::XmlElement& element, calc::Diagnostics& diagnos
 Unit read_unit(calc::ElementReader& reader, std::string_view attribute);
 // The attribute "trust"; confirmed if it is optional and absent.
 Trust read_trust(calc::ElementReader& reader);
+// Two heights in ascending order, in metres; empty without the attribute. Errors are reported.
+std::optional<std::pair<double, double>> read_heights(calc::ElementReader& reader,
+                                                      std::string_view name);
 // Ids, separated by blanks; empty after an error.
 std::vector<std::string> read_ids(calc::ElementReader& reader, std::string_view attribute);
 

@@ -22,6 +22,7 @@ constexpr std::array kMetrics{
     MetricEntry{Metric::share, "share", true},
     MetricEntry{Metric::power_density, "power-density", false},
     MetricEntry{Metric::power_per_100_lx, "power-per-100-lx", false},
+    MetricEntry{Metric::leni, "LENI", false},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
@@ -84,12 +85,17 @@ const char* state_name(LightState state) {
 bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
 
 bool is_about_power(Metric metric) {
-  return metric == Metric::power_density || metric == Metric::power_per_100_lx;
+  return is_of_space(metric) || metric == Metric::power_per_100_lx;
+}
+
+bool is_of_space(Metric metric) {
+  return metric == Metric::power_density || metric == Metric::leni;
 }
 
 const char* metric_unit(Metric metric) {
   if (metric == Metric::power_density) return "W/m2";
   if (metric == Metric::power_per_100_lx) return "W/m2/100lx";
+  if (metric == Metric::leni) return "kWh/m2/a";
   return is_ratio(metric) ? "" : "lx";
 }
 

@@ -28,6 +28,7 @@ enum class Metric {
   share,               // of the points whose value lies in a range
   power_density,       // installed power of the plane's space / its floor area, W/m2
   power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
+  leni,                // lighting energy of the plane's space in a year / its floor area, kWh/m2
 };
 
 // Both ends belong to it.
@@ -68,6 +69,7 @@ struct Requirement {
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   ValueRange range;                   // of Metric::share, lx or plain as the points' values are
   double power_density_w_m2 = 0.0;    // of the two about power: what it is
+  double leni_kwh_m2 = 0.0;           // of Metric::leni: what it is
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
   LightState state = LightState::maintained;
@@ -86,8 +88,8 @@ struct Requirement {
 };
 
 // Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx". metric_names():
-// without those about power, which are no statistics of points.
+// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI".
+// metric_names(): without those about power, which are no statistics of points.
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 std::vector<std::string_view> metric_names();
@@ -102,8 +104,10 @@ const char* comparison_name(Comparison comparison);
 const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
-bool is_about_power(Metric metric);
-// "lx", "" for ratios, "W/m2", "W/m2/100lx"; of illuminances.
+bool is_about_power(Metric metric);  // or energy
+// Of the plane's space, whatever its light: known beforehand.
+bool is_of_space(Metric metric);
+// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
 const char* metric_unit(Metric metric);
 // Of what is required: "" also for ratings and ratios of single points.
 const char* unit_of(const Requirement& requirement);

@@ -121,7 +121,7 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
 
 Names all_metric_names() {
   Names names = metric_names();
-  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx}) {
+  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx, Metric::leni}) {
     names.emplace_back(metric_name(metric));
   }
   return names;
@@ -163,12 +163,12 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
 
 // Whether reflected light is left out. A glare rating is nothing without it.
 bool read_light(ElementReader& reader, const Requirement& requirement) {
-  const bool is_free = requirement.metric != Metric::power_density &&
-                       requirement.derived != calc::DerivedQuantity::ugr;
+  const bool is_known = is_of_space(requirement.metric);
+  const bool is_free = !is_known && requirement.derived != calc::DerivedQuantity::ugr;
   if (!is_free && reader.has("light")) {
-    report_unfit(
-        reader, "light",
-        requirement.metric == Metric::power_density ? "quantity=\"power-density\"" : "ugr points");
+    report_unfit(reader, "light",
+                 is_known ? fmt::format("quantity=\"{}\"", metric_name(requirement.metric))
+                          : std::string("ugr points"));
     return false;
   }
   return reader.choice_or("light", {"all", "direct"}, 0) == 1;
@@ -187,8 +187,8 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
                           : LightState::initial;
   // Installed power is that of full output.
   for (const char* name : {"state", "scene"}) {
-    if (requirement.metric == Metric::power_density && reader.has(name)) {
-      report_unfit(reader, name, "quantity=\"power-density\"");
+    if (is_of_space(requirement.metric) && reader.has(name)) {
+      report_unfit(reader, name, fmt::format("quantity=\"{}\"", metric_name(requirement.metric)));
     }
   }
   requirement.scene = read_scene(reader, context.scenes);

@@ -29,6 +29,7 @@ constexpr std::array kQuantities{
     Quantity{"Ra", Dimension::plain, std::nullopt},
     Quantity{"luminance", Dimension::luminance, std::nullopt},
     Quantity{"power-density", Dimension::power_density, std::nullopt},
+    Quantity{"LENI", Dimension::energy_density, std::nullopt},
 };
 
 template <class Item, class Key>

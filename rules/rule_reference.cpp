@@ -97,9 +97,13 @@ bool needs_row(const Expression& expression, const RulePack& pack) {
 }
 
 // About the space that the plane is in; any plane there will do.
-bool is_power(const RuleCheck& check) {
-  return check.quantity->dimension == Dimension::power_density;
+std::optional<Metric> metric_of_space(const RuleCheck& check) {
+  if (check.quantity->dimension == Dimension::power_density) return Metric::power_density;
+  if (check.quantity->dimension == Dimension::energy_density) return Metric::leni;
+  return std::nullopt;
 }
+
+bool is_power(const RuleCheck& check) { return metric_of_space(check).has_value(); }
 
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
@@ -223,7 +227,7 @@ std::string wrong_height(const RuleCheck& check, const Reference& reference, boo
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
-  requirement.metric = is_power(check) ? Metric::power_density : check.metric;
+  requirement.metric = metric_of_space(check).value_or(check.metric);
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;

@@ -18,6 +18,7 @@ constexpr std::array kUnits{
     Unit{"W", Dimension::power, 1.0},
     Unit{"W/m2", Dimension::power_density, 1.0},
     Unit{"W/ft2", Dimension::power_density, kPerSquareFoot},
+    Unit{"kWh/m2/a", Dimension::energy_density, 1.0},
     Unit{"m", Dimension::length, 1.0},
     Unit{"ft", Dimension::length, calc::kMetresPerFoot},
 };
@@ -64,6 +65,8 @@ const char* base_unit(Dimension dimension) {
       return "W";
     case Dimension::power_density:
       return "W/m2";
+    case Dimension::energy_density:
+      return "kWh/m2/a";
     case Dimension::length:
       return "m";
   }
@@ -82,6 +85,8 @@ const char* dimension_name(Dimension dimension) {
       return "a power (W)";
     case Dimension::power_density:
       return "a power density (W/m2, W/ft2)";
+    case Dimension::energy_density:
+      return "the energy of a year by area (kWh/m2/a)";
     case Dimension::length:
       return "a length (m, ft)";
   }

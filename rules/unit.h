@@ -9,9 +9,18 @@
 namespace rules {
 
 // plain: ratios, shares, UGR, Ra and other numbers without a unit.
-enum class Dimension { plain, illuminance, luminance, power, power_density, length };
+enum class Dimension {
+  plain,
+  illuminance,
+  luminance,
+  power,
+  power_density,
+  energy_density,  // in a year
+  length
+};
 
-// value in base units = value * factor; base units are lx, cd/m2, W, W/m2 and m.
+// value in base units = value * factor; base units are lx, cd/m2, W, W/m2, kWh/m2/a
+// and m.
 struct Unit {
   std::string_view name;
   Dimension dimension;

@@ -286,9 +286,22 @@ class WorkplaceMaker {
     }
     // A requirement of the row must not go away because a wall is drawn in pieces.
     const bool is_surface = plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling;
-    if (!is_surface || planes_.size() > before || not_made_.size() == not_made) return;
+    if (!is_surface || not_made_.size() == not_made) return;
+    if (planes_.size() > before) return warn_of_unchecked(not_made);
     diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role,
                         not_made_[not_made], role, role);
+  }
+
+  // Of some surfaces nothing is left within the standard's margin, so that there is nothing to
+  // judge, and the others are judged for themselves; but that must be seen, and said by somebody.
+  void warn_of_unchecked(std::size_t first) {
+    constexpr std::size_t kMostNamed = 4;
+    const std::size_t count = not_made_.size() - first;
+    const auto begin = not_made_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(count, kMostNamed));
+    std::string names = fmt::format("{}", fmt::join(begin, end, ", "));
+    if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
+    diagnostics_.report(DiagnosticId::zone_not_checked, workplace_.where, workplace_.id, names);
   }
 
   void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,

@@ -12,6 +12,7 @@ luxgate_test(scene_tests
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
     unit/calc/file_hash_test.cpp
+    unit/calc/scene/energy_xml_test.cpp
     unit/calc/scene/frame_test.cpp
     unit/calc/scene/gbxml_space_test.cpp
     unit/calc/scene/gbxml_test.cpp

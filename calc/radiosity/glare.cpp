@@ -36,8 +36,38 @@ struct SeenAt {
 // stands for the same part of the opening and weighs 1, or 1 / p^2 of its own end.
 struct Sight {
   double open = 0.0, all = 0.0;
-  std::size_t facing = 0;  // ends that face the eye, whatever they weigh
+  std::size_t facing = 0;                    // ends that face the eye, whatever they weigh
+  std::vector<std::uint8_t> faces, is_seen;  // [end]; seen: only of those that weigh anything
+
+  double part() const { return all / static_cast<double>(facing); }
 };
+
+// Of a whole of which only so much is seen: how far that may be off, one straight edge.
+double doubt_of(double share) { return share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0; }
+
+// What counts of an opening: a weight for each end.
+struct Counted {
+  std::vector<double> weights;
+  bool is_below = false;  // something of it is below the line of sight
+
+  bool is_nothing() const {
+    return std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.0; });
+  }
+};
+
+// The parts in the field of indices, each with its own.
+Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiver& receiver) {
+  Counted parts{std::vector<double>(ends.size(), 0.0)};
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const glm::dvec3 to_end = ends[k].position_m - receiver.position_m;
+    const SeenAt end(to_end, receiver.axis);
+    if (!end.is_in_field()) continue;
+    parts.is_below = parts.is_below || end.is_below();
+    const double index = guth_index(to_end, receiver.axis).value_or(1.0);
+    parts.weights[k] = 1.0 / (index * index);
+  }
+  return parts;
+}
 
 // The ends of lines of sight, evenly spread over an opening: a Hammersley set, of which no row or
 // column hides behind the slats of a louvre.
@@ -64,7 +94,9 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
               const std::vector<double>& weights, std::uint64_t& rays) {
   ShadowBatch batch(tracer, has_shadows);
   const glm::vec3 from(tracer.lift(receiver));
+  std::vector<double> is_seen(ends.size(), 0.0);
   Sight sight;
+  sight.faces.assign(ends.size(), 0);
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const OpeningView::Point& at = ends[k];
     glm::dvec3 to =
@@ -75,12 +107,17 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
       to = at.position_m + tracer.offset_m() * at.normal;
     }
     ++sight.facing;
+    sight.faces[k] = 1;
     if (!(weights[k] > 0.0)) continue;
     sight.all += weights[k];
-    batch.add(from, glm::vec3(to), weights[k], &sight.open);
+    batch.add(from, glm::vec3(to), 1.0, &is_seen[k]);
   }
   batch.flush();
   rays += batch.rays();
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    sight.open += weights[k] * is_seen[k];
+    sight.is_seen.push_back(is_seen[k] > 0.0 ? 1 : 0);
+  }
   return sight;
 }
 
@@ -102,45 +139,89 @@ class GlareEye {
     // Usually a source counts by its centre. One whose centre is outside the field may still reach
     // into it, and then counts with the parts that do, each with its own index.
     const bool is_whole = seen.is_in_field();
-    bool is_below = is_whole && seen.is_below();
-    std::vector<double> weights(ends.size(), is_whole ? 1.0 : 0.0);
-    for (std::size_t k = 0; !is_whole && k < ends.size(); ++k) {
-      const glm::dvec3 to_end = ends[k].position_m - receiver_.position_m;
-      const SeenAt end(to_end, receiver_.axis);
-      if (!end.is_in_field()) continue;
-      is_below = is_below || end.is_below();
-      const double index = guth_index(to_end, receiver_.axis).value_or(1.0);
-      weights[k] = 1.0 / (index * index);
-    }
-    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.0; })) return;
+    const Counted counted = is_whole
+                                ? Counted{std::vector<double>(ends.size(), 1.0), seen.is_below()}
+                                : parts_in_field(ends, receiver_);
+    if (counted.is_nothing()) return;
     const double r2 = glm::dot(to_source, to_source);
     const glm::dvec3 out = to_source / -std::sqrt(r2);
     const double cd = intensity_cd(luminaire, out);
     if (!(cd > 0.0)) return;
-    const Sight sight = look_at(tracer_, luminaire, receiver_, has_shadows_, ends, weights, rays_);
+    const Sight sight =
+        look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted.weights, rays_);
     if (!(sight.open > 0.0)) return;
     const double area_m2 = seen_opening_m2(luminaire, out);
-    const double solid_angle_sr = area_m2 / r2;
     if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
-    if (is_below) return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
-    if (solid_angle_sr > kLargestGlareSource_sr) {
-      return refuse(luminaire, GlareProblem::too_large, solid_angle_sr);
-    }
+    if (counted.is_below) return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
+    const double solid_angle_sr = area_m2 / r2;
     const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
-    const double part = is_whole ? 1.0 : sight.all / static_cast<double>(sight.facing);
-    const double whole = cd * cd / (area_m2 * r2) / (index * index) * part;
-    add(sums_[luminaire.channel], whole, sight, solid_angle_sr < kSmallestGlareSource_sr);
+    const double whole = cd * cd / (area_m2 * r2) / (index * index) * sight.part();
+    const GlareSum found =
+        bounds(whole, sight.open / sight.all, solid_angle_sr < kSmallestGlareSource_sr);
+    if (solid_angle_sr > kLargestGlareSource_sr) {
+      return add_large(luminaire, ends, sight, solid_angle_sr, found);
+    }
+    add(luminaire, found);
   }
 
   std::uint64_t rays() const { return rays_; }
 
  private:
-  static void add(GlareSum& sum, double whole, const Sight& sight, bool is_too_small) {
-    const double share = sight.open / sight.all;
-    const double doubt = share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0;
-    sum.value += whole * share;
-    sum.high += whole * std::min(1.0, share + doubt);
-    if (!is_too_small) sum.low += whole * std::max(0.0, share - doubt);
+  // whole: of what would count if nothing hid it; share: of it, what is seen.
+  static GlareSum bounds(double whole, double share, bool is_too_small) {
+    GlareSum sum;
+    sum.value = whole * share;
+    sum.high = whole * std::min(1.0, share + doubt_of(share));
+    if (!is_too_small) sum.low = whole * std::max(0.0, share - doubt_of(share));
+    return sum;
+  }
+
+  // The whole is larger than the formula is for; what of it is seen and lies in the field may not
+  // be. Then each part counts as a source of its own, with its own luminance, distance and index.
+  // found: as of a smaller source; it stands in the ends, so that nothing is proved by the way of
+  // counting alone.
+  void add_large(const PlacedLuminaire& luminaire, const std::vector<OpeningView::Point>& ends,
+                 const Sight& sight, double solid_angle_sr, const GlareSum& found) {
+    const Counted parts = parts_in_field(ends, receiver_);
+    const auto facing = static_cast<double>(sight.facing);
+    double all = 0.0, open = 0.0, all_sr = 0.0, open_sr = 0.0, counted = 0.0, seen = 0.0;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      if (parts.weights[k] == 0.0 || sight.faces[k] == 0) continue;
+      const glm::dvec3 to_end = ends[k].position_m - receiver_.position_m;
+      const double r2 = glm::dot(to_end, to_end);
+      const glm::dvec3 out = to_end / -std::sqrt(r2);
+      const double area_m2 = seen_opening_m2(luminaire, out);
+      const double is_seen = sight.is_seen[k];
+      const double part_sr = area_m2 / (r2 * facing);
+      const double cd = intensity_cd(luminaire, out);
+      const double squares = area_m2 > 0.0 ? cd * cd / (area_m2 * r2 * facing) : 0.0;
+      all += squares * parts.weights[k];
+      open += squares * parts.weights[k] * is_seen;
+      all_sr += part_sr;
+      open_sr += part_sr * is_seen;
+      counted += 1.0;
+      seen += is_seen;
+    }
+    // The edge of the field and that of what hides the rest are each known to a row of lines.
+    const double rows = (counted < facing ? 1.0 : 0.0) + (seen < counted ? 1.0 : 0.0);
+    const double doubt = facing / static_cast<double>(kSightLines) * rows;
+    const double near_sr = counted > 0.0 ? open_sr + doubt * all_sr / counted : 0.0;
+    const double far_sr = std::min(1.0, (seen + doubt) / facing) * solid_angle_sr;
+    const double size_sr = std::max(near_sr, far_sr);
+    if (!(open > 0.0) || parts.is_below || size_sr > kLargestGlareSource_sr) {
+      return refuse(luminaire, GlareProblem::too_large, open > 0.0 ? size_sr : solid_angle_sr);
+    }
+    GlareSum sum = bounds(all, open / all, false);
+    sum.low = std::min(sum.low, found.low);
+    sum.high = std::max(sum.high, found.high);
+    add(luminaire, sum);
+  }
+
+  void add(const PlacedLuminaire& luminaire, const GlareSum& source) {
+    GlareSum& sum = sums_[luminaire.channel];
+    sum.value += source.value;
+    sum.low += source.low;
+    sum.high += source.high;
   }
 
   void refuse(const PlacedLuminaire& luminaire, GlareProblem problem, double number) {

@@ -12,6 +12,11 @@
 // it, each of them counts with its own. Of an opening that is partly hidden, L stays and w is the
 // share that is seen, counted on kSightLines^2 lines of sight spread evenly over the opening; one
 // straight edge across it is then off by no more than 1 / kSightLines of the opening.
+//
+// A source of more than 0.1 sr is too large for the formula. What counts is what is seen of it in
+// the field, at most: if that is not too large, each seen part in the field counts as a source of
+// its own, with its own L, w and p, and `low` and `high` hold what it would count as above, too.
+// CIE 147 has a rule for larger sources; no public source for it is known to us: they are refused.
 
 #include "calc/field.h"
 #include "calc/radiosity/rays.h"

@@ -166,6 +166,19 @@ struct Workplace {
   SourceLocation where;
 };
 
+// Factors of EN 15193 as a project states them, (0, 1]; what is not stated counts as 1.
+struct EnergyFactors {
+  std::optional<double> occupancy, daylight, constant_illuminance;  // Fo, FD, Fc
+};
+
+// How a room's light is used in a year.
+struct EnergyUse {
+  double day_h = 0.0, night_h = 0.0;  // in use with and without daylight
+  double parasitic_kwh_m2 = 0.0;      // controls on standby, charging of emergency luminaires
+  EnergyFactors factors;
+  std::vector<std::pair<std::string, EnergyFactors>> of_group;  // what differs in dimming groups
+};
+
 // A unit of calculation: a room, or the open space with everything outside all rooms. Rooms are
 // closed and opaque, so that nothing in one space changes the light in another.
 struct Space {
@@ -178,6 +191,7 @@ struct Space {
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
   std::vector<Workplace> workplaces;
+  std::optional<EnergyUse> energy;  // its own, or else the project's
   std::vector<std::string> notes;  // for reports: zones that were not made, and why
   std::vector<glm::dvec2>
       outline_m;  // of the floor of a room of a building file, world x and y; empty: not known

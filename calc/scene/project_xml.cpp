@@ -1,5 +1,6 @@
 #include "calc/scene/project_xml.h"
 
+#include "calc/scene/energy_xml.h"
 #include "calc/scene/library_xml.h"
 #include "calc/scene/objects_xml.h"
 #include "calc/scene/project_context.h"
@@ -28,7 +29,7 @@ void read_root(ProjectContext& context, const XmlElement& root) {
     reader.require_together("xmlns:xsi", "xsi:noNamespaceSchemaLocation");
   }
   reader.allow_attributes(attributes);
-  Names children{"material", "luminaire-type", "scene", "room", "plane"};
+  Names children{"material", "luminaire-type", "scene", "room", "plane", "energy"};
   children.insert(children.end(), object_names().begin(), object_names().end());
   reader.allow_children(children);
   reader.choice("version", {"1"});
@@ -45,6 +46,7 @@ void read_project(ProjectContext& context, const XmlElement& root) {
   read_materials(context, root);
   read_luminaire_types(context, root);
   read_rooms(context, root);
+  read_energy(context, root);
   read_open_space(context, root);
   read_light_scenes(context, root);
 }

@@ -261,13 +261,29 @@ class GridMaker {
         area, {inner.lower, {grid_.spacing_u_m, grid_.spacing_v_m}, grid_.columns, grid_.rows});
   }
 
+  // Cells that are given stay as they are, and may miss an arm of the area. Worth saying is what
+  // EN 12464-1 would put a point into, whatever the plane is for.
+  void warn_about_missed_part(const PlanarArea& area, const Rectangle& inner) {
+    const std::optional<MissedPart> missed = find_missed_part(area, inner);
+    if (!missed) return;
+    const glm::dvec2 side_m = inner.side_m();
+    const double spacing_m = spacing_by_rule(GridByRule(), side_m.x, side_m.y).spacing_m;
+    if (missed->area_m2 <= spacing_m * spacing_m) return;
+    const glm::dvec3 at = area.origin_m + missed->at_m.x * area.u + missed->at_m.y * area.v;
+    diagnostics_.report(DiagnosticId::grid_misses_part, plane_.where, plane_.id, missed->area_m2,
+                        at.x, at.y, at.z);
+  }
+
   // The cells of a rule go by the bounding rectangle, and an arm of the area may lie between their
   // centres. What a rule gives is the largest spacing: odd parts of it keep all points there are.
-  // Cells of the project's own stay as they are. False: the error is reported.
+  // False: the error is reported.
   bool reach_every_part(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
     const auto* spacing = std::get_if<GridBySpacing>(&area.grid);
     const bool is_rule = std::holds_alternative<GridByRule>(area.grid);
-    if (!is_rule && (spacing == nullptr || spacing->name.empty())) return true;
+    if (!is_rule && (spacing == nullptr || spacing->name.empty())) {
+      warn_about_missed_part(area, inner);
+      return true;
+    }
     const std::optional<MissedPart> missed = find_missed_part(area, inner);
     if (!missed) return true;
     for (const double parts : {3.0, 5.0, 7.0}) {

@@ -71,7 +71,8 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
 // margin that leaves nothing, more than 4 million points, no point left; a part of the area that no
 // cell of a rule reaches (see grid_coverage.h), even if each is divided into 3, 5 or 7 along both
 // sides; more than a tenth of the points inside solids, if a workplace has made the plane and it is
-// horizontal and above the floor. Cells of the project's own stay as they are.
+// horizontal and above the floor. Cells that are given by count or spacing stay as they are: a part
+// that they miss is a warning, if it is larger than a cell of EN 12464-1.
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
                                            Diagnostics& diagnostics);
 

@@ -119,6 +119,7 @@ void allow_room_contents(ElementReader& reader, bool is_gbxml) {
   Names children = object_names();
   children.push_back("plane");
   children.push_back("workplace");
+  children.push_back("energy");
   if (is_gbxml) {
     children.push_back("map");
     reader.allow_attributes({"id", "name", "file", "space", "material"});

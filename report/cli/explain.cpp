@@ -65,6 +65,10 @@ std::string measured_on(const rules::Quantity& quantity) {
   if (quantity.dimension == rules::Dimension::power_density) {
     return "on any plane of the room: installed power of its luminaires by its floor area";
   }
+  if (quantity.dimension == rules::Dimension::energy_density) {
+    return "on any plane of the room: energy of its luminaires in a year by its floor area, of the "
+           "hours and factors that <energy> of the room or the project states";
+  }
   if (!quantity.kernel || quantity.derived == calc::DerivedQuantity::none) return {};
   return fmt::format("on a plane with quantity=\"{}\"{}",
                      calc::quantity_name(*quantity.kernel, quantity.derived),

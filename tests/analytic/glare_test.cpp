@@ -270,6 +270,81 @@ TEST(Ugr, OfALongSourceCountsThePartsInTheField) {
   EXPECT_NEAR(field.glare.value[0] / (luminance * luminance * solid_angle_sr * weights), 1.0, 0.01);
 }
 
+// Sum of L^2 w / p^2 over a lambertian ceiling panel, part by part, of those in the field only.
+double sum_of_parts(double length_m, double width_m, double ahead_m, double above_m) {
+  constexpr int kParts = 1000;
+  const double area_m2 = length_m * width_m, luminance = 500.0 / area_m2;
+  double sum = 0.0;
+  for (int i = 0; i < kParts; ++i) {
+    for (int j = 0; j < kParts; ++j) {
+      const glm::dvec3 to(ahead_m + length_m * ((i + 0.5) / kParts - 0.5),
+                          width_m * ((j + 0.5) / kParts - 0.5), above_m);
+      const auto index = calc::guth_index(to, kAhead);
+      if (!index) continue;
+      const double r = glm::length(to);
+      sum += area_m2 / kParts / kParts * above_m / (r * r * r) / (*index * *index);
+    }
+  }
+  return luminance * luminance * sum;
+}
+
+// The same as one source far away.
+double sum_by_centre(double length_m, double width_m, double ahead_m, double above_m) {
+  const double r = std::hypot(ahead_m, above_m), area_m2 = length_m * width_m;
+  const double index = calc::guth_index({ahead_m, 0, above_m}, kAhead).value();
+  return 500.0 * 500.0 / area_m2 * above_m / (r * r * r) / (index * index);
+}
+
+// A panel of 0.85 m, 1.1 m ahead and 1.6 m above: 0.16 sr, of which a screen leaves half.
+TEST(Ugr, OfALargeSourceJudgesWhatIsSeen) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 720, {calc::OpeningShape::rectangle, 0.85, 0.85, 0.0});
+  const calc::SensorGrid grid = eyes({{1.9, 3, 1.2}});
+  calc::PreparedScene scene = room_with(web, {{3, 3, 2.8}});
+  const calc::PlaneField open = solve_eyes(scene, grid, 64);
+  ASSERT_EQ(open.glare.refusals.size(), 1u);
+  EXPECT_EQ(open.glare.refusals[0].problem, calc::GlareProblem::too_large);
+  EXPECT_EQ(open.glare.value[0], 0.0);
+  add_quad(scene, {2.1, 3.0, 1.0}, {0, 1.0, 0}, {0, 0, 1.79}, 0.5);
+  set_extent(scene);
+  const calc::PlaneField half = solve_eyes(scene, grid, 64);
+  EXPECT_TRUE(half.glare.refusals.empty());
+  // Of both ways to count: half of it, a row of lines up and down.
+  const double parts = sum_of_parts(0.85, 0.85, 1.1, 1.6);
+  const double centre = sum_by_centre(0.85, 0.85, 1.1, 1.6);
+  const double row = 1.0 / 16.0;
+  EXPECT_NEAR(half.glare.value[0] / (0.5 * parts), 1.0, 0.01);
+  EXPECT_NEAR(half.glare.high[0] / ((0.5 + row) * std::max(parts, centre)), 1.0, 0.01);
+  EXPECT_NEAR(half.glare.low[0] / ((0.5 - row) * std::min(parts, centre)), 1.0, 0.01);
+}
+
+// A strip of 2.4 x 0.2 m along the line of sight, its centre 0.85 m ahead and 1.6 m above: 0.13 sr,
+// but what is more than 0.8 m ahead, and so in the field, has less than half of it.
+TEST(Ugr, OfALargeSourceJudgesWhatLiesInTheField) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 720, {calc::OpeningShape::rectangle, 2.4, 0.2, 0.0});
+  const calc::PlaneField field =
+      solve_eyes(room_with(web, {{3, 3, 2.8}}), eyes({{3 - 0.85, 3, 1.2}}), 64);
+  ASSERT_TRUE(field.glare.refusals.empty());
+  const double parts = sum_of_parts(2.4, 0.2, 0.85, 1.6);
+  const double centre = sum_by_centre(2.4, 0.2, 0.85, 1.6);
+  EXPECT_NEAR(field.glare.value[0] / parts, 1.0, 0.02);
+  // Neither a pass nor a fail is proved by the way of counting.
+  EXPECT_NEAR(field.glare.low[0] / std::min(parts, centre), 1.0, 0.02);
+  EXPECT_NEAR(field.glare.high[0] / std::max(parts, centre), 1.0, 0.02);
+}
+
+// Wider, so that what lies in the field is too large itself.
+TEST(Ugr, RefusesALargeSourceInTheField) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 90, {calc::OpeningShape::rectangle, 2.4, 0.4, 0.0});
+  const calc::PlaneField field =
+      solve_eyes(room_with(web, {{3, 3, 2.8}}), eyes({{2.15, 3, 1.2}}), 64);
+  ASSERT_EQ(field.glare.refusals.size(), 1u);
+  EXPECT_GT(field.glare.refusals[0].number, 0.1);
+  EXPECT_LT(field.glare.refusals[0].number, 0.17);  // of 0.26 sr
+}
+
 // A louvre of slats as wide as the gaps between them: half is seen, wherever the slats stand.
 TEST(Ugr, CountsHalfOfAnOpeningBehindSlats) {
   const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);

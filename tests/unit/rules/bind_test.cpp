@@ -391,10 +391,12 @@ TEST(BindRequirements, TakesGlareAndModellingOfRows) {
 }
 
 // A room of 4 m x 5 m with luminaires of these powers; 0: not stated.
-Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& attributes) {
+Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& attributes,
+                       const std::optional<calc::EnergyUse>& energy = std::nullopt) {
   calc::Project project = project_of({plane_of("desk", {attributes})});
   calc::Space& space = project.spaces.front();
   space.shell = calc::RoomShell{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}, 0.0, 3.0};
+  space.energy = energy;
   for (const double power_w : powers_w) {
     calc::LuminaireType type;
     type.power_w = power_w;
@@ -428,6 +430,37 @@ TEST(BindRequirements, CannotJudgePowerThatNobodyStates) {
   EXPECT_EQ(open.requirements[0].problem, "the floor area of the space is not known");
 }
 
+TEST(BindRequirements, KnowsTheEnergyOfTheRoom) {
+  // 130 W 0.9 (2000 h 0.8 0.75 + 500 h 0.8) = 187.2 kWh; / 20 m2 + 2.5 = 11.86.
+  const calc::EnergyUse use{2000, 500, 2.5, {0.8, 0.75, 0.9}, {}};
+  const Attributes attributes{{"quantity", "LENI"}, {"at-most", "12"}};
+  const Bound bound = bind_in_lit_room({30, 50, 50}, attributes, use);
+  ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
+  const Requirement& requirement = bound.requirements[0];
+  EXPECT_EQ(requirement.metric, Metric::leni);
+  EXPECT_EQ(requirement.id, "LENI");
+  EXPECT_NEAR(requirement.leni_kwh_m2, 11.86, 1e-12);
+  EXPECT_EQ(requirement.problem, "");
+  EXPECT_THAT(requirement.note, testing::HasSubstr("Fo 0.8, FD 0.75"));
+  EXPECT_STREQ(unit_of(requirement), "kWh/m2/a");
+  EXPECT_FALSE(is_in_lux(requirement));
+}
+
+TEST(BindRequirements, CannotJudgeEnergyThatNobodyStates) {
+  const Attributes attributes{{"quantity", "LENI"}, {"at-most", "12"}};
+  const calc::EnergyUse use{2000, 500, 2.5, {}, {}};
+  EXPECT_THAT(bind_in_lit_room({30}, attributes).requirements.at(0).problem,
+              testing::HasSubstr("hours of use and parasitic energy are not stated"));
+  EXPECT_THAT(bind_in_lit_room({30, 0}, attributes, use).requirements.at(0).problem,
+              testing::HasSubstr("1 of 2 luminaires state no power"));
+  const Attributes dimmed{{"quantity", "LENI"}, {"at-most", "12"}, {"state", "initial"}};
+  EXPECT_THAT(bind_in_lit_room({30}, dimmed, use).messages,
+              ElementsAre(testing::HasSubstr("'state' has no meaning")));
+  const Attributes in_lux{{"quantity", "LENI"}, {"at-most", "12"}, {"unit", "lx"}};
+  EXPECT_THAT(bind_in_lit_room({30}, in_lux, use).messages,
+              ElementsAre(testing::HasSubstr("'unit' has no meaning")));
+}
+
 TEST(BindRequirements, TakesPowerOfRows) {
   const Bound bound = bind_in_lit_room({100}, {{"pack", "ashrae90-1"}, {"row", "open-office"}});
   ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
@@ -444,7 +477,7 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
               ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
                           "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
-                          "share or power-density"));
+                          "share, power-density or LENI"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -502,7 +535,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
   EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
-                          "Uo, Ud, percentile, value, share, power-density or power-per-100-lx; "
+                          "Uo, Ud, percentile, value, share, power-density, power-per-100-lx or "
+                          "LENI; "
                           "did you mean 'average'?"));
 }
 

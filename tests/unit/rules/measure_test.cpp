@@ -84,6 +84,18 @@ TEST(Measure, PowerDensityIsKnownBeforehand) {
   EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
 }
 
+TEST(Measure, EnergyIsKnownBeforehand) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::leni;
+  requirement.power_density_w_m2 = 6.5;
+  requirement.leni_kwh_m2 = 11.9;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.value, 11.9);
+  EXPECT_EQ(result.metric->estimate.high, 11.9);
+  EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
+}
+
 TEST(Measure, LeavesReflectedLightOut) {
   Requirement requirement = minimum_at_least(1);
   EXPECT_EQ(

@@ -244,6 +244,31 @@ TEST(Workplace, ANarrowWallIsNotMade) {
               HasSubstr("wall.3 (0.8 m wide, and 0.5 m along its edges do not count)"));
 }
 
+const std::string kNarrowWall = "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'";
+
+TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
+  EXPECT_THAT(make(workplace(""), kNarrowWall).messages,
+              ElementsAre(HasSubstr("warning[zone-not-checked]: workplace 'w': not checked: wall.3 "
+                                    "(0.8 m wide, and 0.5 m along its edges do not count); give")));
+  const Made said = make(workplace("", "<without role='wall.3' because='a pier'/>"), kNarrowWall);
+  EXPECT_THAT(said.messages, IsEmpty());
+  EXPECT_THAT(said.space().notes.at(0), HasSubstr("left out: wall.3 (a pier)"));
+  const Made judged = make(workplace("", "<zone role='wall.3' margin='0.1'/>"), kNarrowWall);
+  EXPECT_THAT(judged.messages, IsEmpty());
+  EXPECT_THAT(judged.ids(), testing::Contains("w.wall.3"));
+  EXPECT_FALSE(judged.grid("w.wall.3").position_m.empty());
+}
+
+TEST(WorkplaceMessage, ManyWallsThatAreNotCheckedAreCounted) {
+  // Two niches of 0.8 x 0.4 m: six walls.
+  EXPECT_THAT(make(workplace(""),
+                   "footprint='0 0  12 0  12 8  9 8  9 8.4  8.2 8.4  8.2 8  4 8  4 8.4  3.2 8.4  "
+                   "3.2 8  0 8' height='2.8'")
+                  .messages,
+              ElementsAre(testing::AllOf(HasSubstr("not checked: wall.4 (0.4 m"),
+                                         HasSubstr("wall.8 (0.4 m"), HasSubstr(" and 2 more; "))));
+}
+
 TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
   const Made made = make(workplace(
       kDesk + " height='1.1' level='modified' name='Bench'",
@@ -452,7 +477,7 @@ TEST(Workplace, ADeskTopThatSwallowsTheTaskIsNotJudged) {
 TEST(Workplace, PointsThatLookAroundGoByTheLongestWall) {
   const Made made =
       make(workplace(kDesk), "footprint='0.3 0  12 0  12 8  0 8  0 0.3' height='2.8'");
-  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.5 (0.42")));
   EXPECT_NEAR(std::abs(made.plane("w.observer.1").direction.x), 1.0, 1e-12);
   const Made cut = make(workplace(kDesk), "footprint='0 0.3  0.3 0  12 0  12 8  0 8' height='2.8'");
   EXPECT_NEAR(std::abs(cut.plane("w.observer.1").direction.x), 1.0, 1e-12);
@@ -463,7 +488,7 @@ TEST(Workplace, ANicheDoesNotBreakTheZones) {
   const Made made = make(workplace(kDesk),
                          "footprint='0 0  12 0  12 8  8 8  8 8.4  7.2 8.4  7.2 8  0 8' "
                          "height='2.8'");
-  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.4 (0.4 m wide")));
   EXPECT_NEAR(made.area_m2("w.surround"), 3.0 * 2.5 - 3.0, 1e-9);
   EXPECT_THAT(made.plane("w.surround").made_by, HasSubstr("without 0.5 m along the walls"));
   // As without the niche, less what its corners take at most.

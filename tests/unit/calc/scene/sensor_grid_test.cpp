@@ -219,6 +219,32 @@ TEST(SensorGrid, PointsOutsideAConcaveOutlineAreDropped) {
   EXPECT_EQ(made.grid->columns, 6) << "cells are numbered over the whole rectangle";
 }
 
+// An arm of 1.2 x 4 m beside a body of 6 x 4 m; cells of 3 x 4 m have their centres in the body.
+// The last 2 m of the arm are more than a cell away, and some more is behind its corner.
+const std::vector<glm::dvec2> kArm{{0, 0}, {6, 0}, {6, 4}, {1.2, 4}, {1.2, 8}, {0, 8}};
+
+TEST(SensorGrid, GivenCellsThatMissAnArmAreWarnedOf) {
+  const std::string expected =
+      "project.xml:7:3: warning[grid-misses-part]: plane 'desk': its grid, of a given count or "
+      "spacing, leaves 2.7 m2 of the area, at (";
+  for (const GridRule& rule : {GridRule(GridByCount{2, 2}), GridRule(GridBySpacing{3, 4, ""})}) {
+    const Made made = make(plane_of(kArm, rule));
+    ASSERT_EQ(made.messages.size(), 1u);
+    EXPECT_EQ(made.messages[0].substr(0, expected.size()), expected);
+    EXPECT_EQ(made.grid->position_m.size(), 2u);  // as asked for
+  }
+}
+
+TEST(SensorGrid, GivenCellsThatReachEveryPartAreNot) {
+  EXPECT_EQ(make(plane_of(kArm, GridByCount{10, 8})).messages, std::vector<std::string>());
+  // Whole rectangles are reached by whatever cells somebody wants.
+  EXPECT_EQ(make(plane_of(rectangle(9, 7), GridByCount{1, 1})).messages,
+            std::vector<std::string>());
+  // 0.1 x 3 m between cells of 0.3 m, less than a cell of EN 12464-1 (0.7 m).
+  const std::vector<glm::dvec2> sliver{{0, 0}, {6, 0}, {6, 3}, {0.1, 3}, {0.1, 6}, {0, 6}};
+  EXPECT_EQ(make(plane_of(sliver, GridByCount{20, 20})).messages, std::vector<std::string>());
+}
+
 TEST(SensorGrid, TheMarginFollowsAConcaveOutline) {
   CalcPlane plane =
       plane_of({{0, 0}, {6, 0}, {6, 2}, {3, 2}, {3, 5}, {0, 5}}, GridBySpacing{0.5, 0.5, {}});

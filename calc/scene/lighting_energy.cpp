@@ -1,0 +1,71 @@
+#include "calc/scene/lighting_energy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace calc {
+namespace {
+
+constexpr double kNotStated = 1.0;  // saves nothing
+
+// Of one group: its own, else those of the whole space.
+EnergyFactors factors_of(const EnergyUse& use, const std::string& group) {
+  EnergyFactors factors = use.factors;
+  const auto own = std::find_if(use.of_group.begin(), use.of_group.end(),
+                                [&](const auto& entry) { return entry.first == group; });
+  if (own == use.of_group.end()) return factors;
+  const EnergyFactors& other = own->second;
+  if (other.occupancy) factors.occupancy = other.occupancy;
+  if (other.daylight) factors.daylight = other.daylight;
+  if (other.constant_illuminance) factors.constant_illuminance = other.constant_illuminance;
+  return factors;
+}
+
+// Hours at full output that take as much in a year.
+double full_hours(const EnergyUse& use, const EnergyFactors& factors) {
+  const double occupancy = factors.occupancy.value_or(kNotStated);
+  return factors.constant_illuminance.value_or(kNotStated) * occupancy *
+         (use.day_h * factors.daylight.value_or(kNotStated) + use.night_h);
+}
+
+std::string factor_words(const char* name, const std::optional<double>& factor) {
+  return factor ? fmt::format("{} {:.6g}", name, *factor) : fmt::format("{} 1 (not stated)", name);
+}
+
+std::string words_of(const EnergyUse& use) {
+  std::string words = fmt::format(
+      "by EN 15193, not calculated but stated: {:.6g} h by day, {:.6g} h by night, {}, {}, {}",
+      use.day_h, use.night_h, factor_words("Fc", use.factors.constant_illuminance),
+      factor_words("Fo", use.factors.occupancy), factor_words("FD", use.factors.daylight));
+  for (const auto& [group, own] : use.of_group) {
+    words += fmt::format(", group {}:", group);
+    if (own.constant_illuminance) words += fmt::format(" Fc {:.6g}", *own.constant_illuminance);
+    if (own.occupancy) words += fmt::format(" Fo {:.6g}", *own.occupancy);
+    if (own.daylight) words += fmt::format(" FD {:.6g}", *own.daylight);
+  }
+  return words + fmt::format(", parasitic {:.6g} kWh/m2/a", use.parasitic_kwh_m2);
+}
+
+}  // namespace
+
+LightingEnergy lighting_energy(const Project& project, const Space& space,
+                               const InstalledPower& power) {
+  LightingEnergy energy;
+  energy.problem = power.problem();
+  if (energy.problem.empty() && !space.energy) {
+    energy.problem =
+        "hours of use and parasitic energy are not stated: give the room or the project an "
+        "<energy>";
+  }
+  if (!energy.problem.empty()) return energy;
+  for (const Luminaire& luminaire : space.luminaires) {
+    energy.lighting_kwh += project.luminaire_types[luminaire.type].power_w / 1000.0 *
+                           full_hours(*space.energy, factors_of(*space.energy, luminaire.group));
+  }
+  energy.leni_kwh_m2 = energy.lighting_kwh / power.area_m2 + space.energy->parasitic_kwh_m2;
+  energy.words = words_of(*space.energy);
+  return energy;
+}
+
+}  // namespace calc

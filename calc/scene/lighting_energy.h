@@ -1,0 +1,29 @@
+#pragma once
+// Energy that a space's luminaires take in a year, by the factors of EN 15193.
+//
+//   W = sum over luminaires of P Fc (tD Fo FD + tN Fo) / 1000,  LENI = W / A + parasitic energy
+//
+// P in W, t in h, W in kWh, A in m2, LENI in kWh/m2 and year. [EN 15193-1; formula from two public
+// sources]
+
+#include "calc/scene/installed_power.h"
+#include "calc/scene/project.h"
+
+#include <optional>
+#include <string>
+
+namespace calc {
+
+struct LightingEnergy {
+  double lighting_kwh = 0.0;  // in a year, without the parasitic part
+  double leni_kwh_m2 = 0.0;   // with it
+  std::string problem;        // why there is no LENI; the numbers are then 0. "" = there is one
+  // What was put in, with every factor that nobody states as 1; "" with a problem.
+  std::string words;
+};
+
+// power: of the space. Luminaires count with their full output, of whatever scene.
+LightingEnergy lighting_energy(const Project& project, const Space& space,
+                               const InstalledPower& power);
+
+}  // namespace calc
