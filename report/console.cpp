@@ -2,6 +2,7 @@
 
 #include "report/number_format.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <algorithm>
@@ -249,7 +250,9 @@ std::string render_text(const Document& document, const TextOptions& options) {
   const rules::Verdict overall = overall_verdict(document);
   std::string summary = summary_words(document);
   if (options.colour) summary = verdict_colour(overall) + summary + kReset;
-  return text + summary + "\n";
+  text += summary + "\n";
+  if (const std::string words = redaction_words(document); !words.empty()) text += words + "\n";
+  return text;
 }
 
 }  // namespace report

@@ -3,6 +3,7 @@
 #include "report/html_convergence.h"
 #include "report/html_markup.h"
 #include "report/html_polar.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -225,8 +226,8 @@ std::string html_provenance(const Document& document) {
   rows += fact("Replicates", fmt::format("{}", provenance.replicates));
   return "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">Provenance</h2>\n"
          "<p>" +
-         std::string(repeatability(document)) + "</p>\n<pre tabindex=\"0\"><code>" +
-         escape_html(provenance.command_line) +
+         std::string(repeatability(document)) + " " + redaction_words(document) +
+         "</p>\n<pre tabindex=\"0\"><code>" + escape_html(provenance.command_line) +
          "</code></pre>\n<table class=\"facts wide\"><caption class=\"unseen\">Settings"
          "</caption><tbody>\n" +
          rows + "</tbody></table>\n</section>\n";

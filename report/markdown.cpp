@@ -3,6 +3,7 @@
 #include "report/ci_finding.h"
 #include "report/number_format.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -89,6 +90,8 @@ std::string render_markdown(const Document& document) {
     text += fmt::format("\n<details>\n<summary>{} passed</summary>\n\n{}\n</details>\n",
                         passed.size(), table(passed));
   }
+  if (const std::string words = redaction_words(document); !words.empty())
+    text += "\n" + words + "\n";
   return text;
 }
 

@@ -86,6 +86,7 @@ struct Options {
   bool images = false;
   bool html_split = false;  // HTML as an index and a page per room
   bool pictures = true;     // of rooms, in HTML and with --images, where OpenGL can draw
+  bool redact = false;      // see report::redact()
   std::string timestamp;    // "2024-05-01T12:00:00Z" or ""
   bool timing = false;
   bool explain_cost = false;
