@@ -4,6 +4,7 @@
 #include "report/ci_finding.h"
 #include "report/json_layout.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -103,7 +104,10 @@ std::string render_github(const Document& document) {
                     fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
                     entry.message);
   }
-  return text + "luxgate: " + printable(summary_words(document)) + "\n";
+  text += "luxgate: " + printable(summary_words(document)) + "\n";
+  if (const std::string words = redaction_words(document); !words.empty())
+    text += "luxgate: " + words + "\n";
+  return text;
 }
 
 std::string render_gitlab(const Document& document) {

@@ -2,6 +2,7 @@
 
 #include "report/aggregate_words.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/text_numbers.h"
 #include "report/words.h"
 
@@ -276,7 +277,9 @@ std::string render_text(const Document& document, const TextOptions& options, co
   const rules::Verdict overall = overall_verdict(document);
   std::string summary = summary_words(t, document);
   if (options.colour) summary = verdict_colour(overall) + summary + kReset;
-  return text + summary + "\n";
+  text += summary + "\n";
+  if (const std::string words = redaction_words(document, t); !words.empty()) text += words + "\n";
+  return text;
 }
 
 }  // namespace report

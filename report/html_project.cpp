@@ -3,6 +3,7 @@
 #include "report/html_convergence.h"
 #include "report/html_markup.h"
 #include "report/html_polar.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -231,9 +232,9 @@ std::string html_provenance(const Texts& t, const Document& document) {
   rows += fact(t[Text::replicates], fmt::format("{}", provenance.replicates));
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
-      "<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts wide\"><caption "
+      "<p>{} {}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts wide\"><caption "
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
-      t[Text::provenance], repeatability(t, document), escape_html(provenance.command_line),
+      t[Text::provenance], repeatability(t, document), redaction_words(document, t), escape_html(provenance.command_line),
       t[Text::settings], rows);
 }
 

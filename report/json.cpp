@@ -53,6 +53,7 @@ Json provenance_json(const Provenance& provenance) {
                {"replicates", provenance.replicates},
                {"backend", provenance.backend}};
   if (!provenance.timestamp.empty()) json["timestamp"] = provenance.timestamp;
+  if (provenance.is_redacted) json["redacted"] = true;
   return json;
 }
 

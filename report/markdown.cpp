@@ -3,6 +3,7 @@
 #include "report/aggregate_words.h"
 #include "report/ci_finding.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/text_numbers.h"
 #include "report/words.h"
 
@@ -99,6 +100,8 @@ std::string render_markdown(const Document& document, const Texts& t) {
     text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
                         t.say<Text::passed>(passed.size()), table(t, passed));
   }
+  if (const std::string words = redaction_words(document, t); !words.empty())
+    text += "\n" + words + "\n";
   return text;
 }
 

@@ -59,6 +59,7 @@ Provenance provenance(const JsonCursor& at) {
   p.replicates = whole(at["replicates"]);
   p.backend = at["backend"].text();
   if (const auto timestamp = at.find("timestamp")) p.timestamp = timestamp->text();
+  if (const auto redacted = at.find("redacted")) p.is_redacted = redacted->flag();
   return p;
 }
 

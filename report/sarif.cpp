@@ -3,6 +3,7 @@
 #include "report/ci_finding.h"
 #include "report/json_layout.h"
 #include "report/plain_text.h"
+#include "report/redact.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -169,6 +170,8 @@ std::string render_sarif(const Document& document, SarifContent content) {
               {"artifacts", artifacts_json(document)},
               {"columnKind", "utf16CodeUnits"},
               {"results", std::move(results)}};
+  if (const std::string words = redaction_words(document); !words.empty())
+    run["properties"] = {{"redacted", words}};
   return json_layout({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                       {"version", "2.1.0"},
                       {"runs", Json::array({std::move(run)})}});

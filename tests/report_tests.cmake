@@ -19,6 +19,8 @@ luxgate_test(report_tests
     unit/report/png_test.cpp
     unit/report/polar_diagram_test.cpp
     unit/report/read_json_test.cpp
+    unit/report/redact_test.cpp
+    unit/report/shell_words_test.cpp
     unit/report/texts_test.cpp
     unit/report/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
@@ -44,6 +46,16 @@ else()
   set_tests_properties(result_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
 endif()
 
+# Formats of CI systems against schemas that this tree does not have.
+if(EXISTS /usr/lib/python3/dist-packages/jsonschema)
+  add_test(NAME ci_schemas COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+    -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DSAMPLES=${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats
+    -DWORK=${CMAKE_CURRENT_BINARY_DIR}/ci_schemas -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_ci_schemas.cmake)
+else()
+  add_test(NAME ci_schemas COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-jsonschema is not installed")
+endif()
+set_tests_properties(ci_schemas PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
+
 # Reports in a real browser: layout, contrast, heads and landmarks, sorting, printing, hostile names.
 add_executable(make_reports tools/make_reports.cpp)
 target_link_libraries(make_reports PRIVATE report fmt::fmt)
@@ -54,6 +66,10 @@ if(LUXGATE_BROWSER)
     -DPROBE=${CMAKE_CURRENT_SOURCE_DIR}/tools/browser_probe.js -DWORK=${CMAKE_CURRENT_BINARY_DIR}/report_browser
     -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_browser.cmake)
   set_tests_properties(report_browser PROPERTIES TIMEOUT 300)
+  add_test(NAME report_axe COMMAND ${CMAKE_COMMAND} -DBROWSER=${LUXGATE_BROWSER} -DLUXGATE=$<TARGET_FILE:luxgate>
+    -DMAKE=$<TARGET_FILE:make_reports> -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples
+    -DWORK=${CMAKE_CURRENT_BINARY_DIR}/report_axe -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_axe.cmake)
+  set_tests_properties(report_axe PROPERTIES TIMEOUT 600 SKIP_REGULAR_EXPRESSION "skipped:")
 else()
   add_test(NAME report_browser COMMAND ${CMAKE_COMMAND} -E echo "skipped: chromium is not installed")
   set_tests_properties(report_browser PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
@@ -62,3 +78,7 @@ endif()
 add_test(NAME html_split COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
   -DPROJECT=${PROJECT_SOURCE_DIR}/examples/04-office/project.xml -DWORK=${CMAKE_CURRENT_BINARY_DIR}/html_split
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_html_split.cmake)
+
+add_test(NAME cli.redacted_reports COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+  -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/05-failing-corridor -DWORK=${CMAKE_CURRENT_BINARY_DIR}/redacted
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_redacted.cmake)

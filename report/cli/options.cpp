@@ -4,6 +4,7 @@
 #include "report/cli/option_values.h"
 #include "report/cli/photometry_options.h"
 #include "report/cli/version.h"
+#include "report/shell_words.h"
 
 #include <fmt/format.h>
 
@@ -97,6 +98,11 @@ void add_formats(CLI::App& app, Options& options) {
                                 {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}}));
   app.add_flag("--images", options.images,
                "With --output: a PNG and an EXR file per plane and picture too");
+  app.add_flag(
+      "--redact", options.redact,
+      "Reports without what tells of this machine: folders of files, also in the command\n"
+      "and in messages, and names of graphics devices. The project's own names stay, as do\n"
+      "versions and hashes. Reports say so");
 }
 
 void add_output(CLI::App& app, Options& options) {
@@ -353,17 +359,6 @@ ParseResult from_cli11(const CLI::App& app, const CLI::Error& error) {
                      chosen.empty() ? "luxgate" : "luxgate " + chosen.front()->get_name());
 }
 
-std::string shell_quoted(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("_-./=%+,:@").find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string no_skip_options(const calc::SkipSet& skips) {
   calc::SkipSet none;
   none.forbid_all();
@@ -519,8 +514,10 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
 std::string reproducible_command(const Options& options) {
   const Options defaults;
   std::string command = "luxgate check";
-  for (const std::string& project : options.projects) command += " " + shell_quoted(project);
-  for (const std::string& file : options.rule_files) command += " --rules " + shell_quoted(file);
+  for (const std::string& project : options.projects)
+    command += " " + report::shell_quoted(project);
+  for (const std::string& file : options.rule_files)
+    command += " --rules " + report::shell_quoted(file);
   const auto add = [&command](const char* name, const auto& value, const auto& default_value) {
     if (value != default_value) command += fmt::format(" {} {}", name, value);
   };

@@ -90,6 +90,7 @@ struct Options {
   report::Language language = report::Language::english;  // of HTML, Markdown and text
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
   bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
+  bool redact = false;    // see report::redact()
   std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
   bool timing = false;
   bool explain_cost = false;

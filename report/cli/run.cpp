@@ -22,6 +22,7 @@
 #include "report/cli/version.h"
 #include "report/cli/vpl.h"
 #include "report/read_json.h"
+#include "report/redact.h"
 #include "report/result_schema.h"
 
 #include <fmt/format.h>
@@ -243,6 +244,7 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
       print_timing(document.projects.back());
   }
   fmt::print(stderr, "{}", cost_log);
+  if (options.redact) report::redact(document);
   const bool is_written = write_results(options, environment, document, files.paths());
   return is_written ? exit_code_for(document) : kNotJudged;
 }
@@ -259,11 +261,12 @@ ExitCode run_report(const Options& options, const Environment& environment) {
     return kNotJudged;
   }
   std::string problem;
-  const std::optional<report::Document> document = report::read_json(content.bytes, problem);
+  std::optional<report::Document> document = report::read_json(content.bytes, problem);
   if (!document) {
     print_error(calc::DiagnosticId::result_not_readable, options.result_file, problem);
     return kNotJudged;
   }
+  if (options.redact) report::redact(*document);
   return write_results(options, environment, *document, {path_identity(options.result_file)})
              ? kAllMet
              : kNotJudged;

@@ -157,7 +157,7 @@ TEST(Junit, CountsWhatItLists) {
   EXPECT_EQ(all.select_nodes("testsuite/testcase/failure").size(), 2u);
   EXPECT_EQ(all.select_nodes("testsuite/testcase/error").size(), 3u);
   EXPECT_EQ(all.select_nodes("testsuite").size(), 2u);
-  EXPECT_EQ(all.attribute("skipped").as_int(), 2);
+  EXPECT_EQ(all.child("testsuite").attribute("skipped").as_int(), 2);
   EXPECT_EQ(all.select_nodes("testsuite/testcase/skipped").size(), 2u);
 }
 
