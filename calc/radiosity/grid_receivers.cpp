@@ -6,9 +6,15 @@
 namespace calc {
 namespace {
 
+// Of a point that is moved off a surface, in ray offsets: its rays begin clearly beyond one.
+constexpr double kStandOff = 1.25;
+
 bool touches_surface(const Tracer& tracer, const glm::dvec3& position_m) {
-  // The tracer takes its offset off the distance.
-  return tracer.clear_distance(position_m, glm::dvec3(0.0), 2.0 * tracer.offset_m()) <= 0.0;
+  const double touching_m = tracer.touching_m();
+  // No surface counts as touched, and the nearest one is asked for.
+  const auto found =
+      tracer.close_surface({position_m, position_m, glm::dvec3(0.0), -1.0, 2.0 * touching_m});
+  return found && found->distance_m <= touching_m;
 }
 
 // Directions across the axis, 90 degrees apart; of a vertical axis +x, +y, -x, -y.
@@ -27,7 +33,7 @@ std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid)
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
     Receiver receiver{grid.position_m[i] - tracer.scene().origin_m, grid.normal[i], grid.kernel};
     if (!has_back(grid.kernel) && touches_surface(tracer, receiver.position_m)) {
-      receiver.position_m = tracer.lift(receiver.position_m, grid.front(i));
+      receiver.position_m += kStandOff * tracer.offset_m() * grid.front(i);
     }
     receivers.push_back(receiver);
   }

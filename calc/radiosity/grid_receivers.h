@@ -13,8 +13,7 @@ namespace calc {
 // kind before those of the next: of modelling the cylinder, then the plane across its axis; of
 // four_planes the cylinder, then the planes along its axis. A planar receiver keeps its place and
 // looks away from the surface that it may lie in. Any other one sees that surface, too: it is moved
-// off it, by Tracer::offset_m() to the side that SensorGrid::front() gives, so that it is clear
-// what it sees.
+// off it, to the side that SensorGrid::front() gives, so that it is clear what it sees.
 std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid);
 
 }  // namespace calc

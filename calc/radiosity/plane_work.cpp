@@ -2,10 +2,10 @@
 
 #include "calc/planner/predicates.h"
 #include "calc/radiosity/direct.h"
-#include "calc/radiosity/emission.h"
 #include "calc/radiosity/glare.h"
 #include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/point_problem.h"
 #include "calc/radiosity/random.h"
 #include "calc/statistics.h"
 
@@ -19,6 +19,7 @@
 #include <bit>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace calc {
 namespace {
@@ -107,17 +108,9 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
     is_dark_ = find_dark_luminaires(scene, beams, bounds_of(set));
   }
   if (!settings.skips.allows(Skip::behind_plane)) sees_reflection_.assign(points(), 1);
-  for (std::size_t i = 0; i < points(); ++i) {
-    const int touching =
-        find_touching_luminaire(tracer.scene(), receiver_[i].position_m, tracer.offset_m());
-    if (touching < 0) continue;
-    const glm::dvec3& p = grid.position_m[i % grid.position_m.size()];
-    const bool is_inside =
-        tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
-    refuse(fmt::format("the point ({:.6g} {:.6g} {:.6g}) lies {}", p.x, p.y, p.z,
-                       is_inside ? "inside a luminous body, where illuminance has no meaning"
-                                 : "at a luminaire without size: illuminance is unbounded there"));
-    return;
+  if (std::string problem = point_problem(tracer, grid, receiver_, settings.refuses_close_points);
+      !problem.empty()) {
+    refuse(std::move(problem));
   }
 }
 

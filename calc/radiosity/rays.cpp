@@ -1,8 +1,8 @@
 #include "calc/radiosity/rays.h"
 
+#include "calc/radiosity/rays_embree.h"
 #include "calc/radiosity/short_rays.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <xmmintrin.h>
 
@@ -29,19 +29,6 @@ void fill_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
 }
 
 }  // namespace
-
-struct Tracer::Embree {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-
-  Embree() = default;
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
-  ~Embree() {
-    if (scene != nullptr) rtcReleaseScene(scene);
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-};
 
 Tracer::Tracer(const PreparedScene& scene)
     : scene_(scene), offset_m_(scene.ray_offset_m()), embree_(std::make_unique<Embree>()) {
@@ -152,77 +139,6 @@ std::uint32_t Tracer::closest_hits(const RayPacket& packet, float least_m, float
                           static_cast<double>(packet.dz[i])});
   }
   return mask;
-}
-
-namespace {
-
-// Closest point of a triangle.  [Ericson, Real-Time Collision Detection, 5.1.5]
-glm::dvec3 closest_on_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                               const glm::dvec3& c) {
-  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return a;
-  const glm::dvec3 bp = p - b;
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0.0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
-  const glm::dvec3 cp = p - c;
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0.0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  }
-  const double sum = va + vb + vc;
-  return a + (vb / sum) * ab + (vc / sum) * ac;
-}
-
-struct ClearQuery {
-  const PreparedScene& scene;
-  glm::dvec3 position_m, normal;
-  double margin_m;
-};
-
-bool narrow_query(RTCPointQueryFunctionArguments* arguments) {
-  const auto& query = *static_cast<const ClearQuery*>(arguments->userPtr);
-  const glm::uvec3 corner = query.scene.triangle[arguments->primID];
-  const glm::dvec3 a(query.scene.vertex_m[corner.x]), b(query.scene.vertex_m[corner.y]),
-      c(query.scene.vertex_m[corner.z]);
-  if (query.normal != glm::dvec3(0.0)) {
-    const double height = std::max({glm::dot(query.normal, a - query.position_m),
-                                    glm::dot(query.normal, b - query.position_m),
-                                    glm::dot(query.normal, c - query.position_m)});
-    if (height <= query.margin_m) return false;
-  }
-  const double distance =
-      glm::length(closest_on_triangle(query.position_m, a, b, c) - query.position_m);
-  // Rounding of the query's float radius must not make the distance too large.
-  const auto radius = static_cast<float>(std::max(0.0, distance * (1.0 - 1e-6) - query.margin_m));
-  if (!(radius < arguments->query->radius)) return false;
-  arguments->query->radius = radius;
-  return true;
-}
-
-}  // namespace
-
-double Tracer::clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
-                              double most_m) const {
-  if (embree_->scene == nullptr) return most_m;
-  ClearQuery user{scene_, position_m, normal, offset_m_};
-  RTCPointQuery query;
-  query.x = static_cast<float>(position_m.x);
-  query.y = static_cast<float>(position_m.y);
-  query.z = static_cast<float>(position_m.z);
-  query.time = 0.0f;
-  query.radius = static_cast<float>(most_m);
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(embree_->scene, &query, &context, narrow_query, &user);
-  // Untouched: nothing is near, and rounding most_m to float must not say otherwise.
-  return query.radius < static_cast<float>(most_m) ? static_cast<double>(query.radius) : most_m;
 }
 
 bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Visibility and closest hits. rays.cpp is the only file that knows Embree.
+// Visibility and closest hits. Embree is known to rays.cpp and rays_distance.cpp alone.
 
 #include "calc/radiosity/identity.h"
 #include "calc/radiosity/receiver.h"
@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,18 @@ struct SurfaceHit {
 };
 
 struct FirstHit;
+
+// A point, and where its rays begin; local coordinates.
+struct ClosenessQuery {
+  glm::dvec3 position_m, origin_m;
+  glm::dvec3 normal;  // unit: only what reaches in front of the plane through the point; 0 = all
+  double touching_m;  // a surface no farther from the point than this is one it lies in
+  double least_m;     // distance of `origin_m` from other surfaces that is enough
+};
+struct CloseSurface {
+  std::uint32_t triangle;
+  double distance_m;  // from the point
+};
 
 // Up to 16 segments, as arrays for a ray packet.
 struct SegmentPacket {
@@ -84,6 +97,9 @@ class Tracer {
   std::uint64_t identity() const { return identity_; }
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
+  // A point as near to a surface as this lies in it: 4 ulp of the largest coordinate, what rounding
+  // corners to float may do.
+  double touching_m() const { return offset_m_ / 8.0; }
   // Unit, by the order of corners.
   const glm::dvec3& triangle_normal(std::size_t triangle) const {
     return triangle_normal_[triangle];
@@ -117,6 +133,10 @@ class Tracer {
   // this unit normal (0 = all around); most_m if there is none within. Never too large.
   double clear_distance(const glm::dvec3& position_m, const glm::dvec3& normal,
                         double most_m) const;
+
+  // Of the surfaces that a point does not lie in, and that its rays begin too close to, the one
+  // nearest to the point.
+  std::optional<CloseSurface> close_surface(const ClosenessQuery& query) const;
 
   // Whether any surface stands between two lifted points.
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const;

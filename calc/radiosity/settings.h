@@ -27,7 +27,10 @@ struct RadiositySettings {
   // each light vertex: a power of two, 16 to 2048; 0 = rays. For a gatherer that connects_all().
   std::uint32_t shadow_map_texels = 0;
   double time_limit_s = 0.0;  // per project; 0 = none. Results then depend on the machine's speed
-  int jobs = 0;               // threads; 0 = one per core. Never changes a result
+  // Refuses a plane with points that stand too close to a surface, see point_problem(); else they
+  // get a number that may be far off (for pictures).
+  bool refuses_close_points = true;
+  int jobs = 0;  // threads; 0 = one per core. Never changes a result
 };
 
 inline constexpr std::uint32_t kFewestShadowMapTexels = 16;

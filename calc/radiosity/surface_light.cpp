@@ -234,6 +234,7 @@ class CornerLight {
     settings.replicates = settings_.replicates;
     settings.first_paths = settings.max_paths = settings_.paths;
     settings.jobs = settings_.jobs;
+    settings.refuses_close_points = false;
     const SpaceSolution solution = solve_illuminance(
         scene_, {{"picture", &grid}}, settings, 0.95, gatherer_,
         [](std::size_t, const PlaneField&, Look) { return LookAnswer{}; },

@@ -92,6 +92,7 @@ PreparedScene prepare_scene(const Project& project, const Space& space) {
   scene.origin_m = bounds.centre();
   if (bounds.diagonal() > 0.0) scene.extent_m = bounds.diagonal();
   for (std::size_t i = 0; i < space.bodies.size(); ++i) {
+    scene.body_id.push_back(space.bodies[i].id);
     add_body(project, space.bodies[i], static_cast<std::uint32_t>(i), scene);
   }
   OpeningFit fit(space);

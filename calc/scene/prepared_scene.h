@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace calc {
@@ -30,6 +31,7 @@ struct PreparedScene {
   std::vector<glm::uvec3> triangle;  // no zero-area triangles
   std::vector<double> reflectance;   // per triangle, [0, 1]
   std::vector<std::uint32_t> body;   // per triangle, index into Space::bodies
+  std::vector<std::string> body_id;  // of Space::bodies, for messages
   std::vector<PlacedLuminaire> luminaires;
   std::vector<LightChannel>
       channels;           // distinct (group, maintenance factor) pairs, in order of first use

@@ -12,7 +12,7 @@ set(allowed_cli report rules calc gpu)
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
-  "embree3/|calc/radiosity/rays\\."
+  "embree3/|calc/radiosity/rays[_a-z]*\\."
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
   "CLI/|report/cli/(rules_)?options\\.cpp"

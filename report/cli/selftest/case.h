@@ -18,6 +18,8 @@ struct Measured {
   std::vector<double> replicates;  // one: nothing was sampled, it must be exact
   // Relative half-width of the 95 % interval that is too vague: about twice what is reached.
   double widest = 0.0;
+  // The program's own interval at a confidence level; empty: Student's t of the replicates.
+  std::function<calc::Estimate(double)> interval = {};
 };
 
 // What the program must refuse, and how.

@@ -294,7 +294,7 @@ CaseResult long_corridor(const Effort& effort) {
     scene.add_luminous(face, kExitance);
   }
   const std::vector<Point> points = {
-      {{500, 0.5, 0.5}, kUp}, {{1, 0.2, 0.001}, {1, 0, 0}}, {{999.5, 0.5, 0.0}, kUp}};
+      {{500, 0.5, 0.5}, kUp}, {{1, 0.2, 0.002}, {1, 0, 0}}, {{999.5, 0.5, 0.0}, kUp}};
   CaseResult result;
   Effort more = effort;
   more.paths = 8192;
@@ -329,6 +329,17 @@ std::vector<SelftestCase> extreme_cases() {
                             {{0.01, 1.5, 0}, kUp},
                             {{0.5, 1, 1}, {-1, 0, 0}},
                             {{0.005, 2, 1.2}, kDown}},
+                           4096, e);
+       }},
+      {"just-off-a-wall", "extreme", "The same, as near to surfaces as points may be, and on them",
+       "Gauss quadrature",
+       [](const Effort& e) {
+         return white_wall(kLamp,
+                           {{{1.8e-5, 1.5, 1.2}, {-1, 0, 0}},
+                            {{1.8e-5, 0.7, 0.9}, glm::normalize(glm::dvec3(-1, 0, 1))},
+                            {{1e-5, 1.5, 1.2}, kUp},
+                            {{1, 1.5, 0}, kUp},
+                            {{4, 1, 1}, {-1, 0, 0}}},
                            4096, e);
        }},
       {"lamp-at-wall", "extreme", "Lamp 30 mm from a white wall", "Gauss quadrature",

@@ -104,13 +104,42 @@ CaseResult bad_input(const Effort&) {
   return result;
 }
 
+// Points that rays cannot tell from a surface, at the distances at which they once got a number.
+CaseResult too_close(const Effort& effort) {
+  CaseResult result;
+  Scene scene;
+  scene.add_box({0, 0, 0}, {4, 3, 2.5}, 0.5);
+  scene.add_quad({1, 1, 1}, {1, 0, 0}, {0, 1, 0}, 0.5);
+  scene.add_luminaire(isotropic_web(100.0), {1.5, 1.5, 2});
+  const auto expect = [&](const char* what, const Point& point, const char* expected) {
+    Effort little = effort;
+    little.paths = 16;
+    const Solution solution = solve(scene, {point}, little);
+    result.rays += solution.rays;
+    result.refused.push_back(
+        {what, expected, solution.problem.empty() ? std::string("computed") : solution.problem});
+  };
+  constexpr const char* kRefused = "it does not lie in";
+  expect("10 um before a wall, facing it", {{1e-5, 1.5, 1.2}, {-1, 0, 0}}, kRefused);
+  expect("1.5 um under a plate, facing it", {{1.3, 1.4, 1.0 - 1.5e-6}, kUp}, kRefused);
+  expect("5 um beside a wall", {{5e-6, 1.5, 1.2}, kUp}, kRefused);
+  expect("the same, 20 um", {{2e-5, 1.5, 1.2}, kUp}, "computed");
+  expect("on the plate", {{1.3, 1.4, 1.0}, kUp}, "computed");
+  expect("under the plate, facing down", {{1.3, 1.4, 1.0 - 1.5e-6}, kDown}, "computed");
+  expect("on the floor", {{1.3, 1.4, 0.0}, kUp}, "computed");
+  expect("on the edge of floor and wall", {{0.0, 1.4, 0.0}, kUp}, "computed");
+  return result;
+}
+
 }  // namespace
 
 std::vector<SelftestCase> refused_cases() {
   return {{"no-steady-state", "refused", "Closed room of reflectance 1 - 1e-6 and of 1",
            "light that is not absorbed never comes to rest", no_steady_state},
           {"bad-input", "refused", "Planes and photometry that cannot be meant",
-           "no number is better than a wrong one", bad_input}};
+           "no number is better than a wrong one", bad_input},
+          {"too-close", "refused", "Points that rays cannot tell from a surface, and points in one",
+           "no number is better than a wrong one", too_close}};
 }
 
 }  // namespace cli::selftest

@@ -42,10 +42,13 @@ const JudgedNumber* JudgedCase::worst() const {
 JudgedNumber judge(const Measured& measured) {
   JudgedNumber number;
   number.measured = measured;
-  number.stated = calc::t_interval(measured.replicates, 0.95);
+  const auto interval = [&](double confidence) {
+    return measured.interval ? measured.interval(confidence)
+                             : calc::t_interval(measured.replicates, confidence);
+  };
+  number.stated = interval(0.95);
   const double allowed = measured.known_to + kRounding * std::abs(measured.exact);
-  const calc::Estimate family =
-      calc::t_interval(measured.replicates, 1.0 - kFamilyError / kMostNumbers);
+  const calc::Estimate family = interval(1.0 - kFamilyError / kMostNumbers);
   number.low = family.low - allowed;
   number.high = family.high + allowed;
   const bool is_in = number.low <= measured.exact && measured.exact <= number.high;

@@ -1,6 +1,7 @@
 #pragma once
-// Validation cases that lie beside the program as tables: cases.csv, points.csv, surfaces.csv,
-// luminaires.csv and LM-63 files in a folder of their own. Not part of the selftest's verdict.
+// Validation cases that lie beside the program as tables: cases.csv, points.csv, scalars.csv,
+// surfaces.csv, luminaires.csv and LM-63 files in a folder of their own. Not part of the selftest's
+// verdict.
 
 #include "calc/file_reader.h"
 #include "report/cli/selftest/judge.h"
@@ -13,8 +14,9 @@ namespace cli::selftest {
 
 struct OpenCase {
   JudgedCase judged;
-  std::vector<std::string> printed;  // what the literature prints, of each number; "" = nothing
-  std::string not_covered;           // why it was not calculated; "" = it was
+  std::vector<std::string> printed;   // what the literature prints, of each number; "" = nothing
+  std::string not_covered;            // why it was not calculated; "" = it was
+  std::vector<std::string> left_out;  // numbers of it that were not, and why
 };
 
 struct OpenCases {

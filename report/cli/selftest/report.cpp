@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cli::selftest {
 namespace {
@@ -107,6 +108,43 @@ std::string cie_tables(const OpenCases& open) {
   return text;
 }
 
+// The ten numbers with the largest relative deviation, right or not.
+std::string furthest_off(const OpenCases& open) {
+  constexpr std::size_t kShown = 10;
+  std::vector<std::pair<const JudgedNumber*, const std::string*>> all;
+  for (const OpenCase& item : open.cases) {
+    for (const JudgedNumber& n : item.judged.numbers) {
+      if (n.measured.exact != 0.0) all.emplace_back(&n, &item.judged.test.name);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.first->deviation()) > std::abs(b.first->deviation());
+  });
+  all.resize(std::min(all.size(), kShown));
+  std::string text =
+      "| case | number | exact | ours | 95 % interval | deviation | verdict |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const auto& [n, name] : all) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", *name, cell(n->measured.what),
+                        exact_words(*n), value_words(n->stated.value), interval_words(*n),
+                        deviation_words(*n), verdict_name(n->verdict));
+  }
+  return text;
+}
+
+std::string not_calculated(const OpenCases& open) {
+  std::string text;
+  for (const OpenCase& item : open.cases) {
+    const std::string& name = item.judged.test.name;
+    if (!item.not_covered.empty()) {
+      text += fmt::format("- {}: {}\n", name, item.not_covered);
+      continue;
+    }
+    for (const std::string& part : item.left_out) text += fmt::format("- {}, {}\n", name, part);
+  }
+  return text.empty() ? "Nothing.\n" : text;
+}
+
 }  // namespace
 
 const std::vector<std::string>& not_covered() {
@@ -174,12 +212,9 @@ std::string render_open_markdown(const OpenCases& open) {
         worst != nullptr ? deviation_words(*worst) : "",
         judged.result.problem.empty() ? verdict_name(judged.verdict) : cell(judged.result.problem));
   }
-  text += "\n## CIE 171:2006, point by point\n" + cie_tables(open) + "\n## Not calculated\n\n";
-  for (const OpenCase& item : open.cases) {
-    if (item.not_covered.empty()) continue;
-    text += fmt::format("- {}: {}\n", item.judged.test.name, item.not_covered);
-  }
-  return text;
+  return text + "\n## Furthest off\n\n" + furthest_off(open) +
+         "\n## CIE 171:2006, point by point\n" + cie_tables(open) + "\n## Not calculated\n\n" +
+         not_calculated(open);
 }
 
 std::string render_report_html(const RunResult& result, const OpenCases& open, bool has_timing) {
@@ -208,6 +243,9 @@ std::string render_report_html(const RunResult& result, const OpenCases& open, b
   for (const OpenCase& item : open.cases) {
     if (item.not_covered.empty()) {
       html += case_html(item.judged, item.printed, has_timing);
+      for (const std::string& part : item.left_out) {
+        html += "<p>Not calculated: " + report::escape_html(part) + "</p>\n";
+      }
     } else {
       html += fmt::format("<h3>{} <span class=\"id\">{}</span></h3><p>Not calculated: {}</p>\n",
                           report::escape_html(item.judged.test.title),

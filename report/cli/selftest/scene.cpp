@@ -156,9 +156,11 @@ std::vector<double> Solution::replicates(const std::vector<double>& weights, Par
   return values;
 }
 
-Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort) {
+Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort,
+               calc::ReceiverKernel kernel) {
   const auto begin = std::chrono::steady_clock::now();
   calc::SensorGrid grid;
+  grid.kernel = kernel;
   for (const Point& point : points) {
     grid.position_m.push_back(point.position_m);
     grid.normal.push_back(point.normal);

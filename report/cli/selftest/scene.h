@@ -5,6 +5,7 @@
 #include "calc/field.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/project.h"
+#include "calc/scene/receiver_kernel.h"
 #include "report/cli/selftest/box_radiosity.h"
 #include "report/cli/selftest/quadrature.h"
 
@@ -80,6 +81,7 @@ struct Solution {
   // Of the weighted sum over points.
   std::vector<double> replicates(const std::vector<double>& weights, Part part = Part::total) const;
 };
-Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort);
+Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort,
+               calc::ReceiverKernel kernel = calc::ReceiverKernel::planar);
 
 }  // namespace cli::selftest

@@ -144,7 +144,7 @@ std::vector<Plan> plans(const Effort& effort) {
         "m",
         "illuminance of a point, facing the wall",
         {}},
-       {1.0, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5},
+       {1.0, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1.7e-5, 1e-5, 1e-6},
        [effort](double d) {
          return white_wall(d, glm::dvec3(0.0), kCd, {{d, 1.5, 1.2}, {-1, 0, 0}}, effort);
        }},

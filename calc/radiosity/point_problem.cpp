@@ -1,0 +1,88 @@
+#include "calc/radiosity/point_problem.h"
+
+#include "calc/radiosity/emission.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace calc {
+namespace {
+
+// Room for rounding where rays begin: 2 ulp of the largest coordinate.
+constexpr double kRounding = 1.0 / 16.0;
+
+std::string words(const glm::dvec3& p) {
+  return fmt::format("the point ({:.9g} {:.9g} {:.9g})", p.x, p.y, p.z);
+}
+
+std::optional<CloseSurface> close_surface(const Tracer& tracer, const glm::dvec3& position_m,
+                                          const Receiver& receiver) {
+  return tracer.close_surface({position_m, tracer.lift(receiver),
+                               has_back(receiver.kernel) ? receiver.axis : glm::dvec3(0),
+                               tracer.touching_m(), (1.0 + kRounding) * tracer.offset_m()});
+}
+
+std::string luminaire_problem(const Tracer& tracer, const SensorGrid& grid,
+                              std::span<const Receiver> receivers) {
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const int touching =
+        find_touching_luminaire(tracer.scene(), receivers[i].position_m, tracer.offset_m());
+    if (touching < 0) continue;
+    const bool is_inside =
+        tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
+    return fmt::format("{} lies {}", words(grid.position_m[i % grid.position_m.size()]),
+                       is_inside ? "inside a luminous body, where illuminance has no meaning"
+                                 : "at a luminaire without size: illuminance is unbounded there");
+  }
+  return {};
+}
+
+std::string closeness_problem(const Tracer& tracer, const SensorGrid& grid,
+                              std::span<const Receiver> receivers) {
+  const std::size_t points = grid.position_m.size();
+  const glm::dvec3& origin_m = tracer.scene().origin_m;
+  std::vector<std::uint8_t> is_close(points, 0);
+  tbb::parallel_for(std::size_t{0}, points, [&](std::size_t i) {
+    const FlushDenormals flush;
+    for (std::size_t k = i; k < receivers.size() && is_close[i] == 0; k += points) {
+      is_close[i] = close_surface(tracer, grid.position_m[i] - origin_m, receivers[k]) ? 1 : 0;
+    }
+  });
+  std::size_t count = 0, first = points;
+  for (std::size_t i = points; i-- > 0;) {
+    if (is_close[i] == 0) continue;
+    first = i;
+    ++count;
+  }
+  if (count == 0) return {};
+  std::optional<CloseSurface> found;
+  for (std::size_t k = first; !found; k += points) {
+    found = close_surface(tracer, grid.position_m[first] - origin_m, receivers[k]);
+  }
+  const PreparedScene& scene = tracer.scene();
+  const std::size_t body = scene.body[found->triangle];
+  const double needed_m = (2.0 + 2.0 * kRounding) * tracer.offset_m();
+  return fmt::format(
+      "{} is {:.2g} m from a surface{} that it does not lie in{}; in a model of {:.3g} m rays tell "
+      "a point from a surface from {:.2g} m on: put it into the surface or at least that far away",
+      words(grid.position_m[first]), found->distance_m,
+      body < scene.body_id.size() ? fmt::format(" of '{}'", scene.body_id[body]) : "",
+      count > 1 ? fmt::format(", the first of {} such points", count) : "", scene.extent_m,
+      needed_m);
+}
+
+}  // namespace
+
+std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
+                          std::span<const Receiver> receivers, bool refuses_close) {
+  std::string problem = luminaire_problem(tracer, grid, receivers);
+  if (problem.empty() && refuses_close) problem = closeness_problem(tracer, grid, receivers);
+  return problem;
+}
+
+}  // namespace calc
