@@ -192,7 +192,7 @@ struct Space {
   std::vector<CalcPlane> planes;
   std::vector<Workplace> workplaces;
   std::optional<EnergyUse> energy;  // its own, or else the project's
-  std::vector<std::string> notes;  // for reports: zones that were not made, and why
+  std::vector<std::string> notes;   // for reports: zones that were not made, and why
   std::vector<glm::dvec2>
       outline_m;  // of the floor of a room of a building file, world x and y; empty: not known
   SourceLocation where;

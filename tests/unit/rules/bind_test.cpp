@@ -392,7 +392,8 @@ TEST(BindRequirements, TakesGlareAndModellingOfRows) {
 
 // A room of 4 m x 5 m with luminaires of these powers; 0: not stated.
 Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& attributes,
-                       const std::optional<calc::EnergyUse>& energy = std::nullopt) {
+                       const std::optional<calc::EnergyUse>& energy = std::nullopt,
+                       const std::vector<RulePack>& packs = builtin_rule_packs()) {
   calc::Project project = project_of({plane_of("desk", {attributes})});
   calc::Space& space = project.spaces.front();
   space.shell = calc::RoomShell{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}, 0.0, 3.0};
@@ -405,7 +406,7 @@ Bound bind_in_lit_room(const std::vector<double>& powers_w, const Attributes& at
     project.luminaire_types.push_back(type);
     space.luminaires.push_back(luminaire);
   }
-  return bind_project(project);
+  return bind_project(project, packs);
 }
 
 TEST(BindRequirements, KnowsThePowerDensityOfTheRoom) {
@@ -444,6 +445,31 @@ TEST(BindRequirements, KnowsTheEnergyOfTheRoom) {
   EXPECT_THAT(requirement.note, testing::HasSubstr("Fo 0.8, FD 0.75"));
   EXPECT_STREQ(unit_of(requirement), "kWh/m2/a");
   EXPECT_FALSE(is_in_lux(requirement));
+}
+
+TEST(BindRequirements, TakesEnergyOfPacks) {
+  calc::Diagnostics diagnostics;
+  const auto pack = parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='contract' "
+      "status='published' licence='internal' role='room'>"
+      "<check id='e' role='room' quantity='LENI' statistic='value' at-most='0.5 * 70 kWh/m2/a'/>"
+      "</rule-pack>",
+      "own.xml", diagnostics);
+  ASSERT_TRUE(pack);
+  const calc::EnergyUse use{2000, 500, 2.5, {}, {}};
+  const Bound bound = bind_in_lit_room({40}, {{"pack", "own"}}, use, {*pack});
+  ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
+  EXPECT_EQ(bound.requirements[0].metric, Metric::leni);
+  EXPECT_NEAR(bound.requirements[0].leni_kwh_m2, 7.5, 1e-12);  // 100 kWh / 20 m2 + 2.5
+  EXPECT_EQ(bound.requirements[0].limit, 35.0);
+  EXPECT_EQ(bound.requirements[0].problem, "");
+  // The unit is part of the limit.
+  EXPECT_FALSE(parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='contract' "
+      "status='published' licence='internal' role='room'>"
+      "<check id='e' role='room' quantity='LENI' statistic='value' at-most='35 W/m2'/>"
+      "</rule-pack>",
+      "own.xml", diagnostics));
 }
 
 TEST(BindRequirements, CannotJudgeEnergyThatNobodyStates) {
