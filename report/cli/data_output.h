@@ -2,7 +2,6 @@
 // Outputs of commands that write one document in several formats: `--format KIND[=FILE]`.
 
 #include "calc/diagnostics.h"
-#include "report/cli/option_values.h"
 
 #include <functional>
 #include <string>
@@ -16,8 +15,9 @@ struct DataOutput {
   std::string file;  // "" = standard output
 };
 
-// Of "KIND" or "KIND=FILE"; adds to `target`.
-ValueParser data_output(std::vector<DataOutput>& target);
+// Of "KIND" or "KIND=FILE"; adds to `target`. A ValueParser of option_values.h, which cannot be
+// included here: it needs Options, and those hold DataOutput.
+std::function<std::string(const std::string& text)> data_output(std::vector<DataOutput>& target);
 
 // Writes the files, each whole or not at all; a file that cannot be written is reported, and the
 // others are written all the same. What is for standard output comes back: text, unless another
