@@ -263,9 +263,15 @@ TEST(GermanReport, MarkdownIsGerman) {
 
 TEST(GermanReport, TheTerminalsTableIsGerman) {
   const std::string text = render_text(small_document(), {}, kGerman);
-  EXPECT_EQ(text,
-            "office.xml: Small office\n"
-            "  Urteil           Raum / Fläche        Größe       gefordert  ermittelt\n");
+  EXPECT_EQ(
+      text,
+      "office.xml: Small office\n"
+      "  Urteil           Raum / Fläche        Größe       gefordert       ermittelt  Reserve  "
+      "Ort (m)\n"
+      "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512,5 ± 4,0 lx   +2,5 %\n"
+      "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424,5 ± 4,2 lx   -5,7 %  "
+      "(2,75; 1,00; 0,80)\n\n"
+      "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
 }
 
 }  // namespace
