@@ -1,5 +1,6 @@
 #include "report/cli/data_output.h"
 
+#include "report/cli/option_values.h"
 #include "report/write.h"
 
 #include <fmt/format.h>
