@@ -124,7 +124,8 @@ void collect(const pugi::xml_node& node, std::vector<std::string>& told) {
 std::vector<std::string> told_by(const std::string& html) {
   const pugi::xml_document tree = parsed(html);
   std::vector<std::string> told;
-  collect(tree.child("html"), told);
+  collect(tree.child("html").child("head"), told);
+  collect(tree.child("html").child("body"), told);
   return told;
 }
 
@@ -140,15 +141,24 @@ std::vector<std::string> fragments(const std::string& text) {
   return parts;
 }
 
-// English words of the table, or "" if there is none. Short ones may be parts of German words.
-std::string english_in(const std::string& told) {
+// English words of the table that are not German as well. Short ones may be parts of German words.
+std::vector<std::string> english_words() {
   constexpr std::size_t kLong = 8;
+  std::vector<std::string> found;
   for (const TextEntry& entry : kTexts) {
-    if (std::string_view(entry.english) == entry.german) continue;
     for (const std::string& words : fragments(entry.english)) {
-      if (words.size() >= kLong && told.find(words) != std::string::npos)
-        return words + "' in '" + told;
+      const bool is_german = std::string_view(entry.german).find(words) != std::string_view::npos;
+      if (words.size() >= kLong && !is_german) found.push_back(words);
     }
+  }
+  return found;
+}
+
+// One of them in the text, or "" if there is none.
+std::string english_in(const std::string& told) {
+  static const std::vector<std::string> kWords = english_words();
+  for (const std::string& words : kWords) {
+    if (told.find(words) != std::string::npos) return words + "' in '" + told;
   }
   return "";
 }
@@ -253,9 +263,15 @@ TEST(GermanReport, MarkdownIsGerman) {
 
 TEST(GermanReport, TheTerminalsTableIsGerman) {
   const std::string text = render_text(small_document(), {}, kGerman);
-  EXPECT_EQ(text,
-            "office.xml: Small office\n"
-            "  Urteil           Raum / Fläche        Größe       gefordert  ermittelt\n");
+  EXPECT_EQ(
+      text,
+      "office.xml: Small office\n"
+      "  Urteil           Raum / Fläche        Größe       gefordert       ermittelt  Reserve  "
+      "Ort (m)\n"
+      "  ✓ erfüllt        Office / Work plane  Mittelwert   ≥ 500 lx  512,5 ± 4,0 lx   +2,5 %\n"
+      "  ✗ NICHT ERFÜLLT  Office / Work plane  Minimum      ≥ 450 lx  424,5 ± 4,2 lx   -5,7 %  "
+      "(2,75; 1,00; 0,80)\n\n"
+      "2 Anforderungen: 1 erfüllt, 1 nicht erfüllt\n");
 }
 
 }  // namespace
