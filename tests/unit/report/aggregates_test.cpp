@@ -10,6 +10,7 @@
 #include "report/markdown.h"
 #include "report/read_json.h"
 #include "report/sarif.h"
+#include "report/words.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -17,6 +18,8 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
