@@ -12,8 +12,8 @@
 namespace calc {
 namespace {
 
-// Images of planes this near are the same plane. More than readers want between two planes, less
-// than type A and B tables have between the last angle and darkness (1e-5).
+// Angles this near are the same one, such as the images of planes. More than readers want between
+// two planes, less than type A and B tables have between the last angle and darkness (1e-5).
 constexpr double kOneAngle_deg = 2.0e-6;
 
 double rounded_degrees(double rad) { return std::round(degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
@@ -91,8 +91,21 @@ void add_dark_angle(StoredTable& table, std::size_t at, double gamma_deg) {
   table.gamma_deg.insert(table.gamma_deg.begin() + static_cast<std::ptrdiff_t>(at), gamma_deg);
 }
 
+// An angle this near to the usual end becomes that end: beside another one no reader would take it.
+void move_to_usual_ends(StoredTable& table, bool may_be_90) {
+  double& first = table.gamma_deg.front();
+  double& last = table.gamma_deg.back();
+  for (const double end : {0.0, 90.0}) {
+    if (first > end && first - end < kOneAngle_deg && (end == 0.0 || may_be_90)) first = end;
+  }
+  for (const double end : {90.0, 180.0}) {
+    if (last < end && end - last < kOneAngle_deg) last = end;
+  }
+}
+
 // False if the table is cut off in the light.
 bool lead_to_usual_ends(StoredTable& table, LowestGamma lowest_gamma) {
+  move_to_usual_ends(table, lowest_gamma == LowestGamma::zero_or_90);
   bool usual = true;
   const double last = table.gamma_deg.back();
   if (last != 90.0 && last != 180.0) {

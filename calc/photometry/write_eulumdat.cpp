@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace calc {
@@ -48,11 +49,20 @@ class EulumdatWriter {
   void line(const std::string& words) { text_ += words + "\r\n"; }
   void number(double value) { line(decimal_text(value, 15, 9)); }
 
+  // Readers tell formats and encodings by how a line begins.
+  static bool begins_misleadingly(std::string_view line) {
+    return trim(line).starts_with("TILT=") || line.starts_with("\xFF\xFE") ||
+           line.starts_with("\xFE\xFF") || line.starts_with("\xEF\xBB\xBF");
+  }
+
   void text_line(const std::string& utf8) {
-    const bool looks_like_lm63 = trim(utf8).starts_with("TILT=");  // readers tell formats by that
-    bool changed = utf8.size() > kTextLength || looks_like_lm63;
-    line((looks_like_lm63 ? "_" : "") +
-         file_line(utf8, changed).substr(0, kTextLength - (looks_like_lm63 ? 1 : 0)));
+    bool changed = utf8.size() > kTextLength;
+    std::string text = file_line(utf8, changed);
+    if (begins_misleadingly(text)) {
+      text.insert(0, "_");
+      changed = true;
+    }
+    line(text.substr(0, kTextLength));
     if (changed) {
       diagnostics_.report(DiagnosticId::photometry_write_text, file(), utf8, "EULUMDAT");
     }

@@ -133,7 +133,8 @@ TEST(Tm33, PowerIsStatedOnlyIfEveryEmitterStatesIt) {
     Tm33Emitter one, two;
     one.head = "<ID>one</ID><InputWattage>20</InputWattage>";
     two.head = "<ID>two</ID>" + head;
-    return read(tm33_text(tm33_emitter(one) + tm33_emitter(two))).source().input_power_w;
+    const Parsed parsed = parse(tm33_text(tm33_emitter(one) + tm33_emitter(two)));
+    return parsed.web ? parsed.web->source().input_power_w : -1.0;
   };
   EXPECT_EQ(power_with("<InputWattage>5</InputWattage>"), 25.0);
   EXPECT_EQ(power_with(""), 0.0);

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -286,6 +287,42 @@ TEST(WritePhotometry, KeepsTheStepToDarknessAtItsSideOfAPlane) {
     const std::optional<PhotometricWeb> read = parse_photometry(text, "new", diagnostics);
     ASSERT_TRUE(read) << diagnostics_text(diagnostics);
     EXPECT_NEAR(read->flux_lm(), web->flux_lm(), 1e-5 * web->flux_lm());
+  }
+}
+
+// Another angle of 90 degrees beside one of 89.9999995 would be refused by every reader, ours too.
+TEST(WritePhotometry, AnglesNextToTheUsualEndsBecomeThese) {
+  const auto from_to = [](double first_deg, double last_deg) {
+    return make_web({0}, {first_deg, first_deg + 20.0, last_deg - 20.0, last_deg},
+                    [](double, double gamma_deg) {
+                      return gamma_deg < 1.0 || std::abs(gamma_deg - 90.0) < 1.0 ? 0.0 : 100.0;
+                    });
+  };
+  for (const auto& [first_deg, last_deg] :
+       {std::pair{5e-7, 90.0}, {0.0, 89.9999995}, {0.0, 179.9999995}, {90.0000005, 180.0}}) {
+    const PhotometricWeb web = from_to(first_deg, last_deg);
+    for (const Writer writer : {write_lm63, write_eulumdat}) {
+      Diagnostics diagnostics;
+      const std::string text = written(writer, web, diagnostics);
+      const std::optional<PhotometricWeb> read = parse_photometry(text, "new", diagnostics);
+      ASSERT_TRUE(read) << diagnostics_text(diagnostics);
+      EXPECT_NEAR(read->flux_lm(), web.flux_lm(), 1e-6 * web.flux_lm()) << first_deg << last_deg;
+    }
+  }
+}
+
+// In the code page of the file these letters are the byte order marks of UTF-16 and UTF-8.
+TEST(WriteEulumdat, MakersDoNotLookLikeByteOrderMarks) {
+  for (const char* maker : {"\u00FF\u00FEa", "\u00FE\u00FFa", "\u00EF\u00BB\u00BFa"}) {
+    PhotometrySource source;
+    source.manufacturer = maker;
+    const auto web =
+        with_source(make_web({0}, angle_steps(0, 90, 5), test_support::narrow_spot), {}, source);
+    Diagnostics diagnostics;
+    const std::string text = written(write_eulumdat, web, diagnostics);
+    const std::optional<PhotometricWeb> read = parse_photometry(text, "new", diagnostics);
+    ASSERT_TRUE(read) << diagnostics_text(diagnostics);
+    EXPECT_THAT(read->source().manufacturer, ::testing::StartsWith("_"));
   }
 }
 

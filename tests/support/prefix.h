@@ -1,0 +1,19 @@
+#pragma once
+// Precompiled for all tests: what nearly each of them includes. A test still includes what it uses.
+
+#include <fmt/format.h>
+#include <glm/glm.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
