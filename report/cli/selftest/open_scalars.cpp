@@ -99,7 +99,8 @@ class Scalars {
       const double height_m = std::abs(glm::dot(lamp - face->corner, face->normal));
       if (height_m > 1e-6) hot.push_back({lamp, height_m});
     }
-    return places_on(*face, hot, edge_share * std::min(glm::length(face->u), glm::length(face->v)));
+    return places_on(*face, hot, edge_share * std::min(glm::length(face->u), glm::length(face->v)),
+                     rim_m);
   }
 
   // Averages over surfaces, for every reflectance that rows name.
