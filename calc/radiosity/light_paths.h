@@ -15,7 +15,7 @@ namespace calc {
 // Light vertices of one batch: about 1.2 GB with all that is built on them.
 inline constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 23;
 
-inline constexpr int kMostReflections = 100000;
+inline constexpr int kMostReflections = 300000;
 
 // Paths that advance together: sums and the order of vertices are by such chunks, for any number of
 // threads. Within a chunk vertices stand by reflections, then by paths.

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRounding = 1.0 / 16.0;
 
 std::string words(const glm::dvec3& p) {
-  return fmt::format("the point ({:.9g} {:.9g} {:.9g})", p.x, p.y, p.z);
+  return fmt::format("the point ({:.12g} {:.12g} {:.12g})", p.x, p.y, p.z);
 }
 
 std::optional<CloseSurface> close_surface(const Tracer& tracer, const glm::dvec3& position_m,

@@ -36,6 +36,8 @@ namespace {
 
 // Surfaces that reflect more than this may hold light for ever; probes find out first.
 constexpr double kSuspectReflectance = 0.9995;
+// Paths of a space with a longer mean are not begun; 0.9999 in a closed one is 10000.
+constexpr std::uint64_t kMostMeanReflections = kMostReflections / 25;
 
 // Groups of light vertices that continue short rays, and the share of the scene's extent below
 // which they do not tell distances apart.
@@ -97,7 +99,10 @@ class Solver {
       if (plane.is_active() && !is_sampled) plane.finish(StopReason::exact);
     }
     if (any_active() && is_endless()) {
-      refuse_active(why_no_result(StopReason::endless_path));
+      refuse_active(fmt::format(
+          "light is reflected more than {} times on the way, on average: a closed space "
+          "whose surfaces absorb next to nothing has no steady state within reach",
+          kMostMeanReflections));
     } else {
       take_looks();
     }
@@ -149,14 +154,17 @@ class Solver {
 
   std::size_t replicates() const { return static_cast<std::size_t>(settings_.replicates); }
 
-  // A few paths tell whether a space absorbs next to nothing before a whole pool fills the memory.
-  // Few and long: nothing for a device.
+  // Whether light is reflected too often before it is absorbed. The scene alone decides, by paths
+  // of its own: neither the seed nor the number of paths matters. Where this lets a space pass, a
+  // path reaches kMostReflections with a probability of e^-25. Few and long: nothing for a device.
   bool is_endless() {
-    constexpr std::uint32_t kProbes = 16;
-    return samples_indirect_ && may_be_endless_ &&
-           trace_light_paths(tracer_, emitter_,
-                             {settings_.seed, replicates(), 0, kProbes, deadline_s_})
-               .has_endless_path;
+    constexpr std::uint64_t kProbeSeed = 1;
+    constexpr std::uint32_t kProbes = 32;
+    if (!samples_indirect_ || !may_be_endless_) return false;
+    PathBatch probes{kProbeSeed, 0, 0, kProbes, deadline_s_};
+    probes.most_vertices = kProbes * kMostMeanReflections;
+    const TracedPaths traced = trace_light_paths(tracer_, emitter_, probes);
+    return traced.has_endless_path || traced.has_too_many_vertices;
   }
 
   bool any_active() const {

@@ -1,6 +1,7 @@
 #include "report/cli/compare.h"
 
 #include "calc/text.h"
+#include "report/cli/compare_pairs.h"
 #include "report/cli/outputs.h"
 #include "report/cli/recording_reader.h"
 #include "report/cli/value_table.h"
@@ -40,8 +41,7 @@ class Comparer {
     add_planes(*a);
     if (!read_b() || !keep_chosen()) return std::nullopt;
     if (!are_of_one_quantity()) return std::nullopt;
-    for (const TableRow& row : rows_) place(row);
-    find_missing();
+    pair_points();
     if (diagnostics_.has_errors()) return std::nullopt;
     know_averages();
     report::compare_points(comparison_);
@@ -173,7 +173,6 @@ class Comparer {
         p.a = {e.value, e.half_width()};
         compared.points.push_back(p);
       }
-      has_b_.emplace_back(compared.points.size(), false);
       comparison_.planes.push_back(std::move(compared));
     });
   }
@@ -232,7 +231,6 @@ class Comparer {
   bool keep_chosen() {
     if (options_.planes.empty()) return true;
     std::vector<report::ComparedPlane> kept;
-    std::vector<std::vector<bool>> kept_b;
     std::vector<TableRow> rows;
     for (const std::string& item : options_.planes) {
       const std::size_t equals = item.find('=');
@@ -255,7 +253,6 @@ class Comparer {
         return false;
       }
       kept.push_back(*found);
-      kept_b.emplace_back(found->points.size(), false);
       for (TableRow row : rows_) {
         if (!row.plane || *row.plane != in_b) continue;
         row.plane = in_a;
@@ -266,90 +263,17 @@ class Comparer {
       if (!row.plane) rows.push_back(row);
     }
     comparison_.planes = std::move(kept);
-    has_b_ = std::move(kept_b);
     rows_ = std::move(rows);
     return true;
   }
 
-  std::string where(const TableRow& row) const {
-    std::string text = row.line > 0 ? fmt::format("line {} of B", row.line) : "B";
-    if (row.plane) text += fmt::format(", plane '{}'", *row.plane);
-    if (row.position_m) {
-      text += fmt::format(", ({:.6g}, {:.6g}, {:.6g}) m", row.position_m->x, row.position_m->y,
-                          row.position_m->z);
-    } else if (row.cell) {
-      text += fmt::format(", column {}, row {}", row.cell->x, row.cell->y);
+  // B's values at A's points, and what either side lacks.
+  void pair_points() {
+    PointPairs pairs(comparison_.planes, quantity_, options_.distance_m);
+    for (const TableRow& row : rows_) {
+      if (const std::string problem = pairs.place(row); !problem.empty()) fail(problem);
     }
-    return text;
-  }
-
-  bool is_there(const TableRow& row, const report::ComparedPoint& point) const {
-    if (row.position_m)
-      return glm::distance(*row.position_m, point.position_m) <= options_.distance_m;
-    return point.column == row.cell->x && point.row == row.cell->y;
-  }
-
-  // The nearest of the points within reach; more than one plane's is no answer.
-  void place(const TableRow& row) {
-    std::size_t planes = 0, at_plane = 0, at_point = 0;
-    for (std::size_t p = 0; p < comparison_.planes.size(); ++p) {
-      if (row.plane && *row.plane != comparison_.planes[p].id) continue;
-      if (!row.quantity.empty() && row.quantity != quantity_[comparison_.planes[p].id]) continue;
-      const auto& points = comparison_.planes[p].points;
-      double nearest = 1e300;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!is_there(row, points[i])) continue;
-        const double d =
-            row.position_m ? glm::distance(*row.position_m, points[i].position_m) : 0.0;
-        if (d >= nearest) continue;
-        if (nearest == 1e300) ++planes;
-        nearest = d;
-        at_plane = p;
-        at_point = i;
-      }
-    }
-    if (planes == 0) {
-      if (++strangers_ == 1) first_stranger_ = where(row);
-      return;
-    }
-    if (planes > 1) {
-      return fail(where(row) + fmt::format(": points of {} planes are there; a column 'plane' or "
-                                           "--plane ID is needed",
-                                           planes));
-    }
-    if (has_b_[at_plane][at_point]) {
-      return fail(where(row) +
-                  ": this point was given before; give --distance a smaller value if "
-                  "these are different points");
-    }
-    has_b_[at_plane][at_point] = true;
-    comparison_.planes[at_plane].points[at_point].b = row.value;
-  }
-
-  void find_missing() {
-    if (strangers_ > 0) {
-      lack(fmt::format("{} of the {} values of B have no point in A, the first is {}", strangers_,
-                       rows_.size(), first_stranger_));
-    }
-    for (std::size_t p = 0; p < comparison_.planes.size();) {
-      auto& points = comparison_.planes[p].points;
-      const auto missing = std::count(has_b_[p].begin(), has_b_[p].end(), false);
-      if (missing > 0) {
-        lack(fmt::format("{} of the {} points of plane '{}' have no value in B", missing,
-                         points.size(), comparison_.planes[p].id));
-        std::vector<report::ComparedPoint> kept;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          if (has_b_[p][i]) kept.push_back(points[i]);
-        }
-        points = std::move(kept);
-      }
-      if (points.empty()) {
-        comparison_.planes.erase(comparison_.planes.begin() + static_cast<std::ptrdiff_t>(p));
-        has_b_.erase(has_b_.begin() + static_cast<std::ptrdiff_t>(p));
-      } else {
-        ++p;
-      }
-    }
+    for (const std::string& what : pairs.drop_unpaired(rows_.size())) lack(what);
     if (comparison_.planes.empty()) fail("there is no point that both have");
   }
 
@@ -357,13 +281,10 @@ class Comparer {
   const calc::FileReader& files_;
   calc::Diagnostics& diagnostics_;
   report::Comparison comparison_;
-  std::vector<std::vector<bool>> has_b_;                                 // [plane][point]
   std::map<std::string, std::string> quantity_, ratings_a_, ratings_b_;  // by plane
   std::map<std::string, calc::Estimate> average_a_, average_b_;          // by A's plane
   bool is_table_ = false;                                                // B
   std::vector<TableRow> rows_;
-  std::size_t strangers_ = 0;
-  std::string first_stranger_;
 };
 
 std::string render(DataFormat kind, const report::Comparison& comparison, std::size_t worst) {

@@ -98,4 +98,25 @@ TEST(ClosedRoom, WithoutAbsorptionThereIsNoSteadyState) {
   EXPECT_NE(solution.fields[0].problem.find("no steady state"), std::string::npos);
 }
 
+// Whether such a room is refused hangs on the room, not on the luck of a path.
+TEST(ClosedRoom, IsRefusedOrNotWhateverTheSeed) {
+  const calc::PhotometricWeb web = isotropic_web(50.0);
+  for (const double absorbed : {1e-4, 5e-5}) {
+    calc::PreparedScene scene;
+    add_box(scene, {0, 0, 0}, {1, 1, 1}, 1.0 - absorbed);
+    add_luminaire(scene, web, {0.5, 0.5, 0.5});
+    set_extent(scene);
+    calc::SensorGrid grid;
+    grid.position_m = {{0.2, 0.2, 0.2}};
+    grid.normal = {{0, 0, 1}};
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+      const calc::SpaceSolution solution = solve_with_paths(scene, grid, seed, 16, 4);
+      EXPECT_EQ(solution.fields[0].problem.empty(), absorbed > 9e-5) << absorbed << " " << seed;
+      if (absorbed < 9e-5) continue;
+      const double ratio = solution.balance.absorbed_lm.value / web.flux_lm();
+      EXPECT_NEAR(ratio, 1.0, 0.5);
+    }
+  }
+}
+
 }  // namespace

@@ -40,7 +40,7 @@ void add_cells(double low, double high, const std::vector<Special>& specials,
 }
 
 std::vector<Place1D> places_along(const glm::dvec3& corner, const glm::dvec3& side,
-                                  const std::vector<HotSpot>& hot, double edge_m) {
+                                  const std::vector<HotSpot>& hot, double edge_m, double rim_m) {
   const double length = glm::length(side);
   std::vector<Special> specials;
   for (const HotSpot& spot : hot) {
@@ -51,7 +51,11 @@ std::vector<Place1D> places_along(const glm::dvec3& corner, const glm::dvec3& si
     specials.push_back({length, edge_m});
   }
   std::vector<Place1D> places;
-  add_cells(0.0, length, specials, places);
+  add_cells(rim_m, length - rim_m, specials, places);
+  if (rim_m > 0.0) {
+    places.push_back({0.5 * rim_m, rim_m});
+    places.push_back({length - 0.5 * rim_m, rim_m});
+  }
   return places;
 }
 
@@ -77,11 +81,13 @@ void Places::add(const Places& more) {
   area_m2.insert(area_m2.end(), more.area_m2.begin(), more.area_m2.end());
 }
 
-Places places_on(const Rectangle& rectangle, const std::vector<HotSpot>& hot, double edge_m) {
+Places places_on(const Rectangle& rectangle, const std::vector<HotSpot>& hot, double edge_m,
+                 double rim_m) {
   Places places;
   const glm::dvec3 u = glm::normalize(rectangle.u), v = glm::normalize(rectangle.v);
-  const std::vector<Place1D> along_v = places_along(rectangle.corner, rectangle.v, hot, edge_m);
-  for (const Place1D& s : places_along(rectangle.corner, rectangle.u, hot, edge_m)) {
+  const std::vector<Place1D> along_v =
+      places_along(rectangle.corner, rectangle.v, hot, edge_m, rim_m);
+  for (const Place1D& s : places_along(rectangle.corner, rectangle.u, hot, edge_m, rim_m)) {
     for (const Place1D& t : along_v) {
       places.point.push_back({rectangle.corner + s.at * u + t.at * v, rectangle.normal});
       places.area_m2.push_back(s.weight * t.weight);

@@ -32,8 +32,9 @@ struct HotSpot {
 };
 
 // 4 x 4 Gauss points in cells that grow away from hot spots and, where edge_m > 0, from the edges,
-// at which they are that large.
-Places places_on(const Rectangle& rectangle, const std::vector<HotSpot>& hot, double edge_m);
+// at which they are that large; along the edges themselves cells of rim_m with one point each.
+Places places_on(const Rectangle& rectangle, const std::vector<HotSpot>& hot, double edge_m,
+                 double rim_m);
 // A polygon that has no dent: 3 points in 4^levels parts of each of its triangles.
 Places places_on_polygon(const std::vector<glm::dvec3>& corners, int levels);
 // A disc: Gauss points along radius^2, evenly around.

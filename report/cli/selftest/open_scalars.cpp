@@ -1,5 +1,6 @@
 #include "report/cli/selftest/open_scalars.h"
 
+#include "calc/scene/prepared_scene.h"
 #include "calc/units.h"
 #include "report/cli/selftest/open_grid.h"
 #include "report/cli/selftest/open_places.h"
@@ -36,7 +37,7 @@ std::uint64_t paths_for(double absorbed) {
 }
 
 bool is_direct(const Row& row) {
-  return row.at("quantity").find("direct") != std::string::npos ||
+  return starts_with(row.at("quantity"), "average direct") ||
          row.at("quantity") == "flux on all faces" || row.at("quantity") == "form factor";
 }
 
@@ -89,7 +90,7 @@ class Scalars {
     return weights;
   }
 
-  Places places_of(const Row& surface, double edge_share) const {
+  Places places_of(const Row& surface, double edge_share, double rim_m) const {
     const std::vector<glm::dvec3> corners = corners_of(surface);
     const std::optional<Rectangle> face = rectangle_of(corners);
     if (!face) return places_on_polygon(corners, 4);
@@ -98,7 +99,8 @@ class Scalars {
       const double height_m = std::abs(glm::dot(lamp - face->corner, face->normal));
       if (height_m > 1e-6) hot.push_back({lamp, height_m});
     }
-    return places_on(*face, hot, edge_share * std::min(glm::length(face->u), glm::length(face->v)));
+    return places_on(*face, hot, edge_share * std::min(glm::length(face->u), glm::length(face->v)),
+                     rim_m);
   }
 
   // Averages over surfaces, for every reflectance that rows name.
@@ -130,6 +132,9 @@ class Scalars {
     const std::optional<double> rho =
         is_direct(rows[0]) ? std::optional(0.0) : rho_of(rows[0].at("name"));
     const Scene scene = open_scene(id_, tables_, rho);
+    // No point too close to the surface around the corner.
+    const double rim_m =
+        2.2 * calc::prepare_scene(scene.project(), scene.project().spaces[0]).ray_offset_m();
     Places all;
     std::vector<std::pair<std::string, std::size_t>> ends;
     double exitance = 0.0, largest_rho = rho.value_or(0.0);
@@ -138,7 +143,7 @@ class Scalars {
       if (!rho) largest_rho = std::max(largest_rho, number(surface, "reflectance"));
     }
     for (const Row& surface : rows_of(tables_.surfaces, id_)) {
-      all.add(places_of(surface, exitance > 0.0 ? 0.25 : 0.0));
+      all.add(places_of(surface, exitance > 0.0 ? 0.25 : 0.0, rim_m));
       ends.emplace_back(surface.at("surface"), all.point.size());
     }
     Effort effort = effort_;
@@ -184,7 +189,7 @@ class Scalars {
     const bool touch = std::any_of(a.begin(), a.end(), [&](const glm::dvec3& corner) {
       return std::find(b.begin(), b.end(), corner) != b.end();
     });
-    const Places places = places_of(surfaces[1], touch ? 1.0 / 32.0 : 0.25);
+    const Places places = places_of(surfaces[1], touch ? 1.0 / 32.0 : 0.25, 0.0);
     const double emitted_lm =
         number(surfaces[0], "exitance_lm_m2") * places_on_polygon(a, 0).sum_m2();
     const Solution solution = solve(scene, places.point, effort_);

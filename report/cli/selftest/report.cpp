@@ -108,6 +108,19 @@ std::string cie_tables(const OpenCases& open) {
   return text;
 }
 
+// Where samples of whole luminous surfaces are too rare near the point.
+std::string too_vague(const OpenCases& open) {
+  std::string names;
+  for (const OpenCase& item : open.cases) {
+    if (item.judged.verdict != Verdict::too_vague) continue;
+    names += (names.empty() ? "" : ", ") + item.judged.test.name;
+  }
+  if (names.empty()) return "";
+  return "\nToo vague: " + names +
+         ". Their luminous surfaces are wide beside the distance of the points, and each is one "
+         "luminaire here: it needs a finer division.\n";
+}
+
 // The ten numbers with the largest relative deviation, right or not.
 std::string furthest_off(const OpenCases& open) {
   constexpr std::size_t kShown = 10;
@@ -212,7 +225,7 @@ std::string render_open_markdown(const OpenCases& open) {
         worst != nullptr ? deviation_words(*worst) : "",
         judged.result.problem.empty() ? verdict_name(judged.verdict) : cell(judged.result.problem));
   }
-  return text + "\n## Furthest off\n\n" + furthest_off(open) +
+  return text + too_vague(open) + "\n## Furthest off\n\n" + furthest_off(open) +
          "\n## CIE 171:2006, point by point\n" + cie_tables(open) + "\n## Not calculated\n\n" +
          not_calculated(open);
 }

@@ -131,7 +131,7 @@ std::vector<Plan> plans(const Effort& effort) {
         "1 - rho",
         "mean indirect illuminance of all surfaces (flux balance)",
         {}},
-       {0.9, 0.5, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6},
+       {0.9, 0.5, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 5e-5, 1e-5, 1e-6},
        [effort](double absorbed) {
          // About the same number of reflections in every step.
          const double wanted = std::clamp(4096.0 * absorbed, 16.0, 1024.0);
