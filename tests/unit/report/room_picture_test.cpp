@@ -77,9 +77,9 @@ TEST(RoomPicture, ExrHoldsLux) {
 TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   report::SpacePart space;
   space.id = "r<1>";
-  EXPECT_EQ(report::html_room(space), "");
+  EXPECT_EQ(report::html_room({}, space), "");
   space.pictures.problem = "no <GL>";
-  EXPECT_THAT(report::html_room(space), HasSubstr("No pictures of this room: no &lt;GL&gt;."));
+  EXPECT_THAT(report::html_room({}, space), HasSubstr("No pictures of this room: no &lt;GL&gt;."));
   space.pictures = {};
   report::RoomPicture picture;
   picture.title = "seen from above";
@@ -90,7 +90,7 @@ TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
   space.pictures.step_lx = 100.0;
   space.pictures.bands = 5;
   space.pictures.highest_lx = 1234.0;
-  const std::string html = report::html_room(space);
+  const std::string html = report::html_room({}, space);
   EXPECT_THAT(html, HasSubstr("base64,YWJj\" width=\"10\" height=\"20\" alt=\"r&lt;1&gt; seen"));
   EXPECT_THAT(html, HasSubstr("reach 1234 lx"));
   EXPECT_THAT(html, HasSubstr("Colour scale from 0 to 500 lx"));
