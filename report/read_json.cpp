@@ -409,10 +409,8 @@ rules::AggregateFinding aggregate(const JsonCursor& at) {
   f.severity = at["severity"].one_of(std::array{Severity::shall, Severity::advice}, severity_key);
   f.verdict = verdict(at["verdict"]);
   f.is_waived = at["is_waived"].flag();
-  const bool may_be_waived =
-      f.verdict == rules::Verdict::fail || f.verdict == rules::Verdict::undecided;
-  if (f.is_waived && !may_be_waived) {
-    at["is_waived"].refuse("only 'fail' and 'undecided' can be waived");
+  if (f.is_waived && f.verdict == rules::Verdict::pass) {
+    at["is_waived"].refuse("what passes cannot be waived");
   }
   f.reason = at["reason"].text();
   f.members = at["members"].list_of(member);

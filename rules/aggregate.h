@@ -47,7 +47,7 @@ struct AggregateFinding {
   bool by_area = false;                 // of share: members weigh as much as their area
   Severity severity = Severity::shall;  // advice does not count
   Verdict verdict = Verdict::not_judged;
-  bool is_waived = false;  // fails or is open, but would pass if all that is waived were met
+  bool is_waived = false;  // does not pass, but would if all that is waived were met
   std::string reason;      // of what does not pass
   std::vector<AggregateMember> members;
   // Of classes: the row that the project asks for, the best one that is reached for certain and the

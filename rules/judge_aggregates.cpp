@@ -278,10 +278,6 @@ std::optional<Verdict> combined(const RuleAggregate& aggregate, const std::vecto
   return is_one_missing ? Verdict::not_judged : Verdict::undecided;
 }
 
-bool can_be_waived(Verdict verdict) {
-  return verdict == Verdict::fail || verdict == Verdict::undecided;
-}
-
 // "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)"
 std::string reason_text(const std::vector<Part>& parts) {
   std::string text;
@@ -349,7 +345,7 @@ std::string note_of(const RulePack& pack, const std::string& own, Trust trust) {
 
 void settle(AggregateFinding& finding, const std::vector<Part>& parts, Verdict lived_with,
             const Group& group) {
-  finding.is_waived = can_be_waived(finding.verdict) && lived_with == Verdict::pass;
+  finding.is_waived = finding.verdict != Verdict::pass && lived_with == Verdict::pass;
   if (finding.verdict != Verdict::pass) finding.reason = reason_text(parts);
   if (finding.is_waived) finding.reason += "; " + waiver_text(group);
   for (const Part& part : parts) finding.members.push_back(part.member);
@@ -419,7 +415,7 @@ void judge_aggregate(const std::vector<JudgedPlane>& planes, const RulePack& pac
 // that says nothing.
 std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
                                                   const Group& group) {
-  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  constexpr double kOpen = 0.5 * std::numeric_limits<double>::max();  // a policy may widen it
   std::map<std::string, calc::Estimate> measured;
   for (const Entry& entry : group) {
     const Finding& finding = *entry.finding;

@@ -145,8 +145,8 @@ struct RuleAggregate {
   Severity severity = Severity::shall;
   AggregateRule rule = AggregateRule::all;
   AggregateOver over = AggregateOver::checks;
-  int count = 0;       // of at_least
-  double share = 0.0;  // of share, (0, 1]
+  int count = 0;         // of at_least
+  double share = 0.0;    // of share, (0, 1]
   bool by_area = false;  // of share over planes or rooms
   std::vector<std::string> checks;
   Trust trust = Trust::confirmed;

@@ -127,7 +127,7 @@ TEST(Aggregates, OfJsonMustMakeSense) {
   finding.is_waived = true;
   std::string problem;
   EXPECT_FALSE(read_json(render_json(document_with(finding)), problem));
-  EXPECT_THAT(problem, HasSubstr("can be waived"));
+  EXPECT_THAT(problem, HasSubstr("what passes cannot be waived"));
 }
 
 TEST(Aggregates, AreRowsOfTextAndCsv) {

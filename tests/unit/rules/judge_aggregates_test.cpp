@@ -260,6 +260,18 @@ TEST(JudgeAggregates, WaivedMembersKeepTheVerdictAndWaiveIt) {
   EXPECT_FALSE(site.only().is_waived);
 }
 
+TEST(JudgeAggregates, WhatIsNotJudgedIsWaivedOnlyWhereItDoesNotMatter) {
+  for (const std::string rule : {"any", "all"}) {
+    Site site(kMean + kMin + "<aggregate id='a' rule='" + rule + "' of='mean min'/>");
+    site.room("r");
+    site.plane("p");
+    site.waive(site.add("mean", kFail));
+    site.add("min", kNone);
+    EXPECT_EQ(site.only().verdict, rule == "any" ? kNone : kFail);
+    EXPECT_EQ(site.only().is_waived, rule == "any");
+  }
+}
+
 TEST(JudgeAggregates, AdviceStaysAdvice) {
   Site site(check("mean", "desk", "statistic='average' at-least='row(E)'", "shall") +
             "<aggregate id='a' rule='any' of='mean' severity='should' trust='unverified' "
