@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace report {
 namespace {
@@ -45,13 +47,34 @@ std::string head(const std::string& title, bool has_script) {
          title + " – lighting compliance</title>\n<style>\n" + html_style() + "</style>\n</head>\n";
 }
 
+// Regions are landmarks, which must differ in name; planes of several rooms may have one name.
+// body: made by our own renderers, so that no name from a file can hold a quote.
+std::string with_unique_regions(std::string_view body) {
+  constexpr std::string_view kLabel = "role=\"region\" tabindex=\"0\" aria-label=\"";
+  std::set<std::string> taken;
+  std::string html;
+  html.reserve(body.size());
+  for (std::size_t at = body.find(kLabel); at != std::string_view::npos; at = body.find(kLabel)) {
+    const std::size_t begin = at + kLabel.size();
+    const std::string label(body.substr(begin, body.find('"', begin) - begin));
+    std::string name = label;
+    for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{} ({})", label, k);
+    html += body.substr(0, begin);
+    html += name;
+    body.remove_prefix(begin + label.size());
+  }
+  html += body;
+  return html;
+}
+
 std::string page(const std::string& title, const std::string& masthead, const std::string& body,
                  const Document& document, bool has_script) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(title, has_script) +
          "<body>\n<a class=\"skip\" href=\"#main\">Skip to the results</a>\n" + masthead +
-         "<main id=\"main\">\n" + body + "</main>\n<footer><p>Made by luxgate " +
-         escape_html(document.provenance.program_version) + ".</p></footer>\n" +
-         (has_script ? "<script>" + html_script() + "</script>\n" : "") + "</body>\n</html>\n";
+         "<main id=\"main\">\n" + with_unique_regions(body) +
+         "</main>\n<footer><p>Made by luxgate " + escape_html(document.provenance.program_version) +
+         ".</p></footer>\n" + (has_script ? "<script>" + html_script() + "</script>\n" : "") +
+         "</body>\n</html>\n";
 }
 
 struct Section {

@@ -224,9 +224,10 @@ std::string html_provenance(const Document& document) {
                policy_text(rules::DecisionPolicy{}) + ", unless a requirement says otherwise");
   rows += fact("Most light paths", format_count(provenance.max_paths) + " per plane and replicate");
   rows += fact("Replicates", fmt::format("{}", provenance.replicates));
+  const std::string redacted = redaction_words(document);
   return "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">Provenance</h2>\n"
          "<p>" +
-         std::string(repeatability(document)) + " " + redaction_words(document) +
+         std::string(repeatability(document)) + (redacted.empty() ? "" : " " + redacted) +
          "</p>\n<pre tabindex=\"0\"><code>" + escape_html(provenance.command_line) +
          "</code></pre>\n<table class=\"facts wide\"><caption class=\"unseen\">Settings"
          "</caption><tbody>\n" +
