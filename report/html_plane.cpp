@@ -1,6 +1,7 @@
 #include "report/html_plane.h"
 
 #include "report/heatmap.h"
+#include "report/html_contributions.h"
 #include "report/html_convergence.h"
 #include "report/html_findings.h"
 #include "report/html_plan.h"
@@ -314,7 +315,7 @@ std::string html_plane(PlaneIndex index, const SpacePart& space, const PlanePart
   if (has_cells(plane) && has_all_values(plane)) html += html_plan(space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(plane) + share_bar(plane) +
           groups_table(plane) + grid_table(space, plane) + "</div>\n</div>\n";
-  return html + html_looks(plane) + values(plane, title) + "</div></details></article>\n";
+  return html + html_contributions(plane) + html_looks(plane) + values(plane, title) + "</div></details></article>\n";
 }
 
 }  // namespace report

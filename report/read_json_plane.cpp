@@ -79,6 +79,35 @@ GroupShare group_share(const JsonCursor& at) {
   return {at["group"].text(), read_estimate(at["average_lx"]), at["direct_lx"].number()};
 }
 
+LuminaireShare light_of(const JsonCursor& at) {
+  LuminaireShare share;
+  share.average_lx = read_estimate(at["average_lx"]);
+  share.direct_lx = at["direct_lx"].number();
+  share.minimum_lx = read_estimate(at["minimum_lx"]);
+  share.minimum_direct_lx = at["minimum_direct_lx"].number();
+  return share;
+}
+
+LuminaireShare luminaire_share(const JsonCursor& at) {
+  LuminaireShare share = light_of(at);
+  share.id = at["id"].text();
+  share.type_id = at["type"].text();
+  share.group = at["group"].text();
+  share.position_m = read_vec3(at["position_m"]);
+  return share;
+}
+
+LuminaireShares luminaire_shares(const JsonCursor& at) {
+  LuminaireShares shares;
+  shares.minimum_at_m = read_vec3(at["minimum_at_m"]);
+  shares.largest = at["largest"].list_of(luminaire_share);
+  if (const auto others = at.find("others")) {
+    shares.others = read_size((*others)["count"]);
+    shares.rest = light_of(*others);
+  }
+  return shares;
+}
+
 PlaneLook look(const JsonCursor& at, std::size_t findings) {
   PlaneLook l;
   l.paths = at["paths"].count();
@@ -141,6 +170,7 @@ PlanePart read_plane(const JsonCursor& at, const std::string& space_id) {
                 counters["connection_rays"].count(), counters["near_rays"].count(),
                 at["points_per_look"].list_of(read_size)};
   if (const auto groups = at.find("groups")) p.groups = groups->list_of(group_share);
+  if (const auto shares = at.find("by_luminaire")) p.by_luminaire = luminaire_shares(*shares);
   if (const auto looks = at.find("look_results")) {
     p.looks = looks->list_of([&](const JsonCursor& l) { return look(l, p.findings.size()); });
   }
