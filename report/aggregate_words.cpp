@@ -1,6 +1,6 @@
 #include "report/aggregate_words.h"
 
-#include "report/number_format.h"
+#include "report/text_numbers.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -14,45 +14,58 @@ bool is_class(const rules::AggregateFinding& finding) {
   return finding.kind == rules::AggregateKind::row_class;
 }
 
-std::string members_words(const rules::AggregateFinding& finding) {
-  std::string noun = rules::over_name(finding.over);
-  if (finding.members.size() == 1) noun.pop_back();  // "check"
-  return fmt::format("{} {}", finding.members.size(), noun);
+// "1 check", "5 rooms"
+std::string members_words(const Texts& t, const rules::AggregateFinding& finding) {
+  const std::size_t count = finding.members.size();
+  switch (finding.over) {
+    case rules::AggregateOver::checks:
+      return count == 1 ? t.say<Text::one_check>(count) : t.say<Text::some_checks>(count);
+    case rules::AggregateOver::planes:
+      return count == 1 ? t.say<Text::one_plane>(count) : t.say<Text::some_planes>(count);
+    case rules::AggregateOver::rooms:
+      break;
+  }
+  return count == 1 ? t.say<Text::one_room>(count) : t.say<Text::some_rooms>(count);
 }
 
 }  // namespace
 
-std::string aggregate_title(const rules::AggregateFinding& finding) {
-  return fmt::format("{} {}", rules::kind_name(finding.kind), finding.id);
+std::string aggregate_title(const Texts& t, const rules::AggregateFinding& finding) {
+  return is_class(finding) ? t.say<Text::class_title>(finding.id)
+                           : t.say<Text::aggregate_title>(finding.id);
 }
 
-std::string aggregate_required(const rules::AggregateFinding& finding) {
+std::string aggregate_required(const Texts& t, const rules::AggregateFinding& finding) {
   if (is_class(finding)) return finding.asked;
-  const std::string members = members_words(finding);
+  const std::string members = members_words(t, finding);
   switch (finding.rule) {
     case rules::AggregateRule::all:
-      return "all of " + members;
+      return t.say<Text::all_of>(members);
     case rules::AggregateRule::any:
-      return "any of " + members;
+      return t.say<Text::any_of>(members);
     case rules::AggregateRule::at_least:
-      return fmt::format("at least {} of {}", finding.count, members);
+      return t.say<Text::at_least_of>(finding.count, members);
     case rules::AggregateRule::share:
       break;
   }
-  return fmt::format("at least {} of {}{}", format_percent(finding.share), members,
-                     finding.by_area ? " by area" : "");
+  const std::string share = format_percent(t, finding.share);
+  return finding.by_area ? t.say<Text::at_least_of_area>(share, members)
+                         : t.say<Text::at_least_of>(share, members);
 }
 
-std::string aggregate_measured(const rules::AggregateFinding& finding) {
+std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& finding) {
   if (!is_class(finding)) {
     const auto met =
         std::count_if(finding.members.begin(), finding.members.end(),
                       [](const auto& member) { return member.verdict == rules::Verdict::pass; });
-    return fmt::format("{} of {} met", met, finding.members.size());
+    return t.say<Text::met_of>(met, finding.members.size());
   }
-  std::string words = finding.reached.empty() ? "none reached" : finding.reached + " reached";
-  if (finding.possible != finding.reached) words += ", " + finding.possible + " possible";
-  return words;
+  const std::string reached = finding.reached.empty()
+                                  ? std::string(t[Text::no_class_reached])
+                                  : t.say<Text::class_reached>(finding.reached);
+  return finding.possible == finding.reached
+             ? reached
+             : reached + ", " + t.say<Text::class_possible>(finding.possible);
 }
 
 std::string aggregate_place(const ProjectPart& project, const rules::AggregateFinding& finding) {
@@ -69,15 +82,15 @@ std::string aggregate_place(const ProjectPart& project, const rules::AggregateFi
   return finding.space_id;
 }
 
-std::string aggregate_note(const rules::AggregateFinding& finding) {
+std::string aggregate_note(const Texts& t, const rules::AggregateFinding& finding) {
   std::string words = finding.note;
   const auto add = [&](const char* text) {
     words += (words.empty() ? "" : "; ") + std::string(text);
   };
   if (is_class(finding)) {
-    add("its requirements count one by one");
+    add(t[Text::count_one_by_one]);
   } else if (finding.severity != rules::Severity::shall) {
-    add("advice: does not count");
+    add(t[Text::note_advice]);
   }
   return words;
 }

@@ -1,21 +1,23 @@
 #pragma once
-// Aggregates and classes of rule packs in words that every format shares. Not escaped.
+// Aggregates and classes of rule packs in words that every format shares: in the language
+// of the Texts, English for data formats. Not escaped.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <string>
 
 namespace report {
 
 // "aggregate glare", "class P"
-std::string aggregate_title(const rules::AggregateFinding& finding);
+std::string aggregate_title(const Texts& t, const rules::AggregateFinding& finding);
 // "any of 2 checks", "at least 90 % of 5 rooms by area"; of classes what is asked for, "P2".
-std::string aggregate_required(const rules::AggregateFinding& finding);
+std::string aggregate_required(const Texts& t, const rules::AggregateFinding& finding);
 // "1 of 2 met"; of classes "P3 reached, P2 possible", "none reached".
-std::string aggregate_measured(const rules::AggregateFinding& finding);
+std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& finding);
 // "Office / Desk 1", the room, or the project.
 std::string aggregate_place(const ProjectPart& project, const rules::AggregateFinding& finding);
 // What must be read with it beside the reason; "" = nothing.
-std::string aggregate_note(const rules::AggregateFinding& finding);
+std::string aggregate_note(const Texts& t, const rules::AggregateFinding& finding);
 
 }  // namespace report

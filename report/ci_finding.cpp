@@ -81,11 +81,11 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
 }
 
 std::string aggregate_message(const rules::AggregateFinding& finding) {
-  std::string text = fmt::format("{}: {}, required {}", aggregate_title(finding),
-                                 aggregate_measured(finding), aggregate_required(finding));
+  std::string text = fmt::format("{}: {}, required {}", aggregate_title({}, finding),
+                                 aggregate_measured({}, finding), aggregate_required({}, finding));
   if (!finding.clause.empty()) text += " [" + finding.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
-  if (const std::string note = aggregate_note(finding); !note.empty()) text += " (" + note + ")";
+  if (const std::string note = aggregate_note({}, finding); !note.empty()) text += " (" + note + ")";
   return printable(text);
 }
 

@@ -151,13 +151,13 @@ void add_aggregate(const Texts& t, const ProjectPart& project, const rules::Aggr
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(t, finding.verdict);
   line.cells[kPlace] = printable(aggregate_place(project, finding));
-  line.cells[kQuantity] = printable(aggregate_title(finding));
-  line.cells[kRequired] = printable(aggregate_required(finding));
-  line.cells[kMeasured] = printable(aggregate_measured(finding));
+  line.cells[kQuantity] = printable(aggregate_title(t, finding));
+  line.cells[kRequired] = printable(aggregate_required(t, finding));
+  line.cells[kMeasured] = printable(aggregate_measured(t, finding));
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   if (!finding.reason.empty()) note(printable(finding.reason));
-  if (const std::string words = aggregate_note(finding); !words.empty()) note(printable(words));
+  if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
 }
 
 constexpr bool is_number_column(std::size_t column) {

@@ -82,7 +82,7 @@ void add_unjudged_project(const ProjectPart& project, std::string& csv) {
 // Without numbers: what is asked for and what was found are words.
 void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
                    std::string& csv) {
-  std::string words = aggregate_required(finding) + ": " + aggregate_measured(finding);
+  std::string words = aggregate_required({}, finding) + ": " + aggregate_measured({}, finding);
   if (!finding.reason.empty()) words += "; " + finding.reason;
   add_row({field(project.path),
            field(finding.space_id),

@@ -75,6 +75,24 @@ struct GroupShare {
   double direct_lx = 0;       // of it, on average over the points
 };
 
+// What one luminaire gives to a plane, alone and at full output, reflections included; maintained.
+struct LuminaireShare {
+  std::string id;              // "" = the project gives none
+  std::string type_id, group;  // group "" = none
+  glm::dvec3 position_m{0.0};
+  calc::Estimate average_lx;
+  double direct_lx = 0;          // of it, on average over the points
+  calc::Estimate minimum_lx;     // at LuminaireShares::minimum_at_m
+  double minimum_direct_lx = 0;  // of it
+};
+inline constexpr std::size_t kMostLuminaireShares = 10;
+struct LuminaireShares {
+  std::vector<LuminaireShare> largest;  // by average; empty: not asked for
+  std::size_t others = 0;               // 0: there are no more; never 1
+  LuminaireShare rest;                  // all others together: light only
+  glm::dvec3 minimum_at_m{0.0};         // the point with the least light of all luminaires
+};
+
 // A plane as it was after one look at its growing results.
 struct LookFinding {
   rules::Verdict verdict = rules::Verdict::not_judged;
@@ -104,6 +122,7 @@ struct PlanePart {
       uniformity_min_max;  // maintained
   std::vector<rules::Finding> findings;
   std::vector<GroupShare> groups;  // their averages add up to average_lx
+  LuminaireShares by_luminaire;    // their averages add up to average_lx
   std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
   int looks_planned = 1;                 // intervals hold over that many looks together

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace report {
 namespace {
@@ -53,11 +55,31 @@ std::string head(const Texts& t, const std::string& title, bool has_script) {
          (t.language() == Language::german ? kLongWords : "") + "</style>\n</head>\n";
 }
 
+// Regions are landmarks, which must differ in name; planes of several rooms may have one name.
+// body: made by our own renderers, so that no name from a file can hold a quote.
+std::string with_unique_regions(std::string_view body) {
+  constexpr std::string_view kLabel = "role=\"region\" tabindex=\"0\" aria-label=\"";
+  std::set<std::string> taken;
+  std::string html;
+  html.reserve(body.size());
+  for (std::size_t at = body.find(kLabel); at != std::string_view::npos; at = body.find(kLabel)) {
+    const std::size_t begin = at + kLabel.size();
+    const std::string label(body.substr(begin, body.find('"', begin) - begin));
+    std::string name = label;
+    for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{} ({})", label, k);
+    html += body.substr(0, begin);
+    html += name;
+    body.remove_prefix(begin + label.size());
+  }
+  html += body;
+  return html;
+}
+
 std::string page(const Texts& t, const std::string& title, const std::string& masthead,
                  const std::string& body, const Document& document, bool has_script) {
   return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
          head(t, title, has_script) + "<body>\n<a class=\"skip\" href=\"#main\">" +
-         t[Text::skip_to_results] + "</a>\n" + masthead + "<main id=\"main\">\n" + body +
+         t[Text::skip_to_results] + "</a>\n" + masthead + "<main id=\"main\">\n" + with_unique_regions(body) +
          "</main>\n<footer><p>" +
          t.say<Text::made_by_program>(escape_html(document.provenance.program_version)) +
          "</p></footer>\n" + (has_script ? "<script>" + html_script(t) + "</script>\n" : "") +
@@ -158,7 +180,7 @@ std::string project_html(const Texts& t, const Document& document, std::size_t p
   } else {
     for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_html(t, document, p, s);
   }
-  return html + html_aggregates(project, p) + html_luminaires(t, project, p) +
+  return html + html_aggregates(t, project, p) + html_luminaires(t, project, p) +
          html_calculation(t, document.provenance, project, p) + html_inputs(t, project) +
          "</section>\n";
 }

@@ -2,6 +2,7 @@
 // Aggregates and classes of rule packs as HTML.
 
 #include "report/document.h"
+#include "report/texts.h"
 
 #include <cstddef>
 #include <string>
@@ -10,9 +11,10 @@
 namespace report {
 
 // All of one project, with their members; "" if there is none. index: of the project.
-std::string html_aggregates(const ProjectPart& project, std::size_t index);
+std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index);
 
 // <li> of every aggregate with this verdict that counts, for the list of what needs attention.
-std::vector<std::string> html_aggregate_items(const Document& document, rules::Verdict verdict);
+std::vector<std::string> html_aggregate_items(const Texts& t, const Document& document,
+                                              rules::Verdict verdict);
 
 }  // namespace report

@@ -291,7 +291,7 @@ void add_attention(const Texts& t, const Document& document, rules::Verdict verd
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [margin, item] : found) items.push_back(std::move(item));
-  for (std::string& item : html_aggregate_items(document, verdict))
+  for (std::string& item : html_aggregate_items(t, document, verdict))
     items.push_back(std::move(item));
   if (verdict != rules::Verdict::not_judged) return;
   for (const ProjectPart& project : document.projects) {

@@ -1,6 +1,7 @@
 #include "report/html_plane.h"
 
 #include "report/heatmap.h"
+#include "report/html_contributions.h"
 #include "report/html_convergence.h"
 #include "report/html_findings.h"
 #include "report/html_plan.h"
@@ -327,7 +328,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   if (has_cells(plane) && has_all_values(plane)) html += html_plan(t, space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
-  return html + html_looks(t, plane) + values(t, plane, title) + "</div></details></article>\n";
+  return html + html_contributions(t, plane) + html_looks(t, plane) + values(t, plane, title) + "</div></details></article>\n";
 }
 
 }  // namespace report

@@ -230,11 +230,13 @@ std::string html_provenance(const Texts& t, const Document& document) {
   rows += fact(t[Text::most_paths],
                t.say<Text::per_plane_and_replicate>(format_count(provenance.max_paths)));
   rows += fact(t[Text::replicates], fmt::format("{}", provenance.replicates));
+  const std::string redacted = redaction_words(document, t);
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
-      "<p>{} {}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts wide\"><caption "
+      "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts wide\"><caption "
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
-      t[Text::provenance], repeatability(t, document), redaction_words(document, t), escape_html(provenance.command_line),
+      t[Text::provenance], repeatability(t, document), redacted.empty() ? "" : " " + redacted,
+      escape_html(provenance.command_line),
       t[Text::settings], rows);
 }
 

@@ -179,6 +179,30 @@ Json points_json(const PlanePart& plane) {
            })}};
 }
 
+Json light_json(const LuminaireShare& share) {
+  return {{"average_lx", from(share.average_lx)},
+          {"direct_lx", share.direct_lx},
+          {"minimum_lx", from(share.minimum_lx)},
+          {"minimum_direct_lx", share.minimum_direct_lx}};
+}
+
+Json by_luminaire_json(const LuminaireShares& shares) {
+  Json json = {{"minimum_at_m", from(shares.minimum_at_m)},
+               {"largest", list_of(shares.largest, [](const LuminaireShare& share) {
+                  Json luminaire = {{"id", share.id},
+                                    {"type", share.type_id},
+                                    {"group", share.group},
+                                    {"position_m", from(share.position_m)}};
+                  luminaire.update(light_json(share));
+                  return luminaire;
+                })}};
+  if (shares.others > 0) {
+    json["others"] = {{"count", shares.others}};
+    json["others"].update(light_json(shares.rest));
+  }
+  return json;
+}
+
 Json look_json(const PlaneLook& look) {
   return {{"paths", look.paths},
           {"rays", look.rays},
@@ -231,6 +255,8 @@ Json plane_json(const PlanePart& plane) {
                 {"average_lx", from(share.average_lx)},
                 {"direct_lx", share.direct_lx}};
   });
+  if (!plane.by_luminaire.largest.empty())
+    json["by_luminaire"] = by_luminaire_json(plane.by_luminaire);
   json["look_results"] = list_of(plane.looks, look_json);
   json["grid"] = grid_json(plane);
   json["points"] = points_json(plane);

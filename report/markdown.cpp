@@ -37,11 +37,11 @@ std::string escape_markdown(std::string_view raw) {
 std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
   if (const rules::AggregateFinding* aggregate = entry.aggregate) {
-    std::string words = aggregate_title(*aggregate);
+    std::string words = aggregate_title(t, *aggregate);
     if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
     return fmt::format("{} | {} | {} | ", escape_markdown(words),
-                       escape_markdown(aggregate_required(*aggregate)),
-                       escape_markdown(aggregate_measured(*aggregate)));
+                       escape_markdown(aggregate_required(t, *aggregate)),
+                       escape_markdown(aggregate_measured(t, *aggregate)));
   }
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;

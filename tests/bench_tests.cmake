@@ -32,4 +32,14 @@ add_test(NAME bench_core_runs COMMAND bench_core smoke)
 # Ratios for a look at every change: against the ray tracer alone, instant radiosity and path tracing.
 add_custom_target(bench_ratios
   COMMAND bench_core ratios office corridor --min-paths 256 --max-paths 1024 --reference-paths 16384
+  COMMAND python3 ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_cost.py $<TARGET_FILE:luxgate>
+    ${CMAKE_SOURCE_DIR}/examples/05-failing-corridor/photometry/lambert_panel_600.ies
   USES_TERMINAL)
+find_program(LUXGATE_PYTHON python3)
+if(LUXGATE_PYTHON)
+  add_test(NAME bench_report_cost_runs COMMAND ${LUXGATE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_cost.py
+    $<TARGET_FILE:luxgate> ${CMAKE_SOURCE_DIR}/examples/05-failing-corridor/photometry/lambert_panel_600.ies 8)
+else()
+  add_test(NAME bench_report_cost_runs COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+  set_tests_properties(bench_report_cost_runs PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+endif()

@@ -26,6 +26,8 @@ luxgate_test(report_tests
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
 
+luxgate_test(luminaire_shares_tests SOURCES unit/report/build_luminaire_shares_test.cpp LIBRARIES report)
+
 # JUnit XML has no official schema: ours holds the elements that CI systems are documented to read.
 find_program(LUXGATE_XMLLINT xmllint)
 if(LUXGATE_XMLLINT)

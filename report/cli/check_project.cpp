@@ -3,14 +3,17 @@
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
+#include "calc/scene/separate_luminaires.h"
 #include "report/build.h"
 #include "report/build_evidence.h"
+#include "report/build_luminaire_shares.h"
 #include "report/build_plan_marks.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/load_judged_project.h"
 #include "report/cli/plan.h"
 #include "report/cli/vpl.h"
 #include "rules/bind.h"
+#include "rules/error_spending.h"
 #include "rules/judge.h"
 #include "rules/judge_aggregates.h"
 #include "rules/stop_rule.h"
@@ -106,6 +109,25 @@ Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
   }
   tasks.looks.resize(tasks.list.size());
   return tasks;
+}
+
+// "" where the light of single luminaires can be kept apart, else why not: it takes so many
+// numbers.
+std::string problem_with_separation(const calc::PreparedScene& scene, const Tasks& tasks,
+                                    const Options& options) {
+  constexpr double kMostNumbers = 1 << 24;  // 128 MiB for each of the field's parts
+  constexpr std::size_t kMostLuminaires = 4096;
+  double receivers = 0.0;
+  for (const calc::PlaneTask& task : tasks.list) {
+    receivers += static_cast<double>(task.grid->position_m.size() *
+                                     calc::receivers_per_point(task.grid->derived));
+  }
+  const std::size_t luminaires = scene.luminaires.size();
+  const double numbers = receivers * static_cast<double>(luminaires) * options.radiosity.replicates;
+  if (luminaires <= kMostLuminaires && numbers <= kMostNumbers) return "";
+  return fmt::format(
+      "light by luminaire is left out: {} luminaires at {:.0f} points are too many to keep apart",
+      luminaires, receivers);
 }
 
 // The project's settings with what is left of its time; a limit of 0 would mean none.
@@ -206,15 +228,22 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
   std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
   Tasks tasks = make_tasks(jobs);
+  std::optional<calc::PreparedScene> apart;
+  std::string not_apart;
+  if (context.options.by_luminaire) {
+    not_apart = problem_with_separation(scene, tasks, context.options);
+    if (not_apart.empty()) calc::separate_luminaires(apart.emplace(scene));
+  }
+  const calc::PreparedScene& solved = apart ? *apart : scene;
   times.prepare_s += prepare_watch.seconds();
 
   const calc::VertexCache* cache =
       context.cache != nullptr && context.cache->space_id == space.id ? context.cache : nullptr;
-  if (cache != nullptr && !fits(*cache, scene, context.options, diagnostics)) return {};
+  if (cache != nullptr && !fits(*cache, solved, context.options, diagnostics)) return {};
   calc::SpaceSolution solution;
-  if (!tasks.list.empty()) solution = solve(loaded.project, scene, tasks, context, watch, cache);
+  if (!tasks.list.empty()) solution = solve(loaded.project, solved, tasks, context, watch, cache);
   if (context.cost_log != nullptr && !tasks.list.empty()) {
-    *context.cost_log += explain_cost(loaded.project.path, space.id, scene, tasks.list,
+    *context.cost_log += explain_cost(loaded.project.path, space.id, solved, tasks.list,
                                       context.options.radiosity, solution);
   }
   add_times(solution, times);
@@ -230,10 +259,16 @@ report::SpacePart check_space(const calc::Space& space, const LoadedProject& loa
     if (!job.grid) continue;
     if (planes.back().is_computed && !field->is_exact())
       planes.back().looks = std::move(tasks.looks[task]);
+    if (planes.back().is_computed && apart) {
+      planes.back().by_luminaire = report::build_luminaire_shares(
+          *field, space.luminaires, loaded.project.luminaire_types, planes.back(),
+          rules::look_confidence(context.options.confidence, field->looks_planned));
+    }
     ++task;
   }
   times.judge_s += judge_watch.seconds();
   report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
   if (context.pictures != nullptr) {

@@ -168,6 +168,11 @@ void add_calculation(CLI::App& app, Options& options) {
             "Level of the intervals, as 0.95 or 95%, over all times that a plane is looked at;\n"
             "default 0.95",
             share_between(options.confidence, 0.5, 1.0));
+  app.add_flag(
+      "--by-luminaire", options.by_luminaire,
+      "Say in HTML and JSON what each luminaire gives to the average and at the minimum of a\n"
+      "plane, reflections included: the ten largest and the rest. Takes more time and memory,\n"
+      "and other random numbers are drawn");
   add_value(app, "--seed", "N", "Seed of the random numbers; default 1",
             whole_number(settings.seed, 0, UINT64_MAX));
   add_value(app, "--time-limit", "SECONDS",
@@ -398,7 +403,7 @@ ParseResult parse_options(int argc, const char* const* argv, const std::string& 
       "Take the light vertices of one space from a file of 'luxgate vpl' instead of tracing them;\n"
       "seed, replicates and the most paths are the file's. Results are the same to the bit",
       some_text(options.vpl_file));
-  for (const char* fixed : {"--seed", "--replicates", "--max-paths"}) {
+  for (const char* fixed : {"--seed", "--replicates", "--max-paths", "--by-luminaire"}) {
     vpl_file->excludes(check.get_option(fixed));
   }
   check.footer(kExitCodes);
@@ -540,6 +545,7 @@ std::string reproducible_command(const Options& options) {
     command += fmt::format(" --visibility shadow-map:{}", used.shadow_map_texels);
   }
   add("--clamp", used.clamp_per_m2, defaults.radiosity.clamp_per_m2);
+  if (options.by_luminaire) command += " --by-luminaire";
   command += no_skip_options(used.skips);
   if (options.backend == Backend::gpu) command += " --backend gpu";
   if (options.backend == Backend::gpu && options.gpu_stages.value_or(GpuStages()) != GpuStages()) {

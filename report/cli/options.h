@@ -105,6 +105,8 @@ struct Options {
   int gl_device = -1;                   // as `luxgate devices` numbers them; -1 = not given
   std::optional<GpuStages> gpu_stages;  // empty: not given, all
 
+  bool by_luminaire = false;  // light of single luminaires is kept apart and reported
+
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
 
   VplOptions vpl;

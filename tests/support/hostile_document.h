@@ -60,6 +60,7 @@ inline Document hostile_document() {
         plane.where.file = evil();
         plane.grid.rule = evil();
         for (calc::DroppedPoint& point : plane.grid.dropped) point.body = evil();
+        plane.by_luminaire.largest = {{evil(), evil(), evil(), {}, estimate(300, 3), 200, {}, 0}};
         plane.groups = {{evil(), estimate(300, 3), 200}, {evil(), estimate(100, 1), 50}};
         plane.looks = {{1024, 4096, plane.points.size(), plane.average_lx, {}}};
         for (rules::Finding& finding : plane.findings) {

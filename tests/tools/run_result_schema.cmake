@@ -16,7 +16,7 @@ file(MAKE_DIRECTORY ${WORK})
 execute_process(COMMAND ${LUXGATE} schema --result OUTPUT_FILE ${WORK}/schema.json COMMAND_ERROR_IS_FATAL ANY)
 file(WRITE ${WORK}/bad.xml "<luxgate")
 set(projects ${EXAMPLES}/01-one-luminaire/project.xml ${EXAMPLES}/03-cornell-box/project.xml ${EXAMPLES}/09-office-by-row/project.xml ${WORK}/bad.xml)
-run(2 ignored ${LUXGATE} check ${projects} --tolerance 0.2 --quiet --timing --timestamp 0 --pictures off
+run(2 ignored ${LUXGATE} check ${projects} --tolerance 0.2 --by-luminaire --quiet --timing --timestamp 0 --pictures off
   --format json=${WORK}/result.json --format html=${WORK}/first.html --format junit=${WORK}/first.xml)
 run(0 ignored /usr/bin/python3 -m jsonschema -i ${WORK}/result.json ${WORK}/schema.json)
 

@@ -90,20 +90,20 @@ TEST(Aggregates, CountAsRequirementsAndTheirMembersDoNot) {
 
 TEST(Aggregates, HaveWords) {
   rules::AggregateFinding finding = any_of_two(rules::Verdict::pass);
-  EXPECT_EQ(aggregate_title(finding), "aggregate glare");
-  EXPECT_EQ(aggregate_required(finding), "any of 2 checks");
-  EXPECT_EQ(aggregate_measured(finding), "1 of 2 met");
+  EXPECT_EQ(aggregate_title({}, finding), "aggregate glare");
+  EXPECT_EQ(aggregate_required({}, finding), "any of 2 checks");
+  EXPECT_EQ(aggregate_measured({}, finding), "1 of 2 met");
   finding.rule = rules::AggregateRule::share;
   finding.share = 0.9;
   finding.over = rules::AggregateOver::rooms;
   finding.by_area = true;
-  EXPECT_THAT(aggregate_required(finding),
+  EXPECT_THAT(aggregate_required({}, finding),
               testing::MatchesRegex("at least 90.* of 2 rooms by area"));
   finding.rule = rules::AggregateRule::at_least;
   finding.count = 2;
-  EXPECT_EQ(aggregate_required(finding), "at least 2 of 2 rooms");
-  EXPECT_EQ(aggregate_required(class_p()), "P2");
-  EXPECT_EQ(aggregate_measured(class_p()), "P3 reached, P2 possible");
+  EXPECT_EQ(aggregate_required({}, finding), "at least 2 of 2 rooms");
+  EXPECT_EQ(aggregate_required({}, class_p()), "P2");
+  EXPECT_EQ(aggregate_measured({}, class_p()), "P3 reached, P2 possible");
   EXPECT_EQ(aggregate_place(small_document().projects[0], class_p()).find("Work plane") ==
                 std::string::npos,
             false);

@@ -591,6 +591,20 @@ TEST(Html, EveryGroupNoteIsKept) {
             2U);
 }
 
+TEST(Html, RegionsOfPlanesWithOneNameAreToldApart) {
+  Document document = small_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes.push_back(planes[0]);
+  planes.push_back(planes[0]);
+  const pugi::xml_document tree = parsed(render_html(document));
+  std::set<std::string> names;
+  const pugi::xpath_node_set regions = tree.select_nodes("//*[@role='region']");
+  for (const pugi::xpath_node& region : regions)
+    names.insert(region.node().attribute("aria-label").value());
+  EXPECT_GT(regions.size(), 3U);
+  EXPECT_EQ(names.size(), regions.size());
+}
+
 TEST(Html, TimeAppearsOnlyOnRequest) {
   Document document = small_document();
   EXPECT_THAT(render_html(document), Not(HasSubstr("<caption>Time</caption>")));

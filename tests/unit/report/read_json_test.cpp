@@ -74,6 +74,11 @@ Document rich_document() {
   plane.findings.push_back(share);
   plane.findings.push_back(value);
   plane.findings.push_back(percentile);
+  plane.by_luminaire.largest = {
+      {"L1", "panel", "row <1>", {1, 2, 3}, estimate(250, 3), 180, estimate(90, 2), 60}};
+  plane.by_luminaire.others = 2;
+  plane.by_luminaire.rest = {"", "", "", {}, estimate(150, 3), 70, estimate(40, 2), 20};
+  plane.by_luminaire.minimum_at_m = {4, 5, 6};
   plane.groups = {{"row <1>", estimate(300, 3), 200}, {"", estimate(100, 1), 50}};
   PlaneLook look{1024, 4096, 12, estimate(400, 9), {}};
   for (const rules::Finding& finding : plane.findings)
