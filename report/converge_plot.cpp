@@ -61,9 +61,11 @@ std::vector<Tick> ticks_of(const Axis& axis) {
   return ticks;
 }
 
+// Of 1, 2 or 5 times a power of ten; "5e-8" where zeros would not fit beside the plot.
 std::string short_number(double value) {
-  const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(value) + 1e-9)), 0, 9);
-  return format_fixed(value, decimals);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  if (exponent < -3) return fmt::format("{:.0f}e{}", value / std::pow(10.0, exponent), exponent);
+  return format_fixed(value, std::max(-exponent, 0));
 }
 
 std::string x_label(double value, PlotUnit unit) {
