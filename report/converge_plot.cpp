@@ -68,6 +68,11 @@ std::string short_number(double value) {
   return format_fixed(value, std::max(-exponent, 0));
 }
 
+std::string percent_label(double share) {
+  const std::string number = short_number(100.0 * share);
+  return number + (number.size() > 4 && number.find('e') != std::string::npos ? "%" : " %");
+}
+
 std::string x_label(double value, PlotUnit unit) {
   if (unit == PlotUnit::seconds) {
     return value < 0.0999 ? short_number(1e3 * value) + " ms" : short_number(value) + " s";
@@ -100,7 +105,7 @@ std::string grid(const Axis& x, const Axis& y, const PlotSpec& spec) {
     svg += line(tick.is_labelled ? "rule" : "rule faint", x.from, y.at(tick.value), x.to,
                 y.at(tick.value));
     if (tick.is_labelled) {
-      svg += text(x.from - 7, y.at(tick.value) + 4, "end", short_number(100.0 * tick.value) + " %");
+      svg += text(x.from - 7, y.at(tick.value) + 4, "end", percent_label(tick.value));
     }
   }
   svg += line("base", x.from, y.from, x.to, y.from);
