@@ -61,9 +61,16 @@ std::vector<Tick> ticks_of(const Axis& axis) {
   return ticks;
 }
 
+// Of 1, 2 or 5 times a power of ten; "5e-8" where zeros would not fit beside the plot.
 std::string short_number(double value) {
-  const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(value) + 1e-9)), 0, 9);
-  return format_fixed(value, decimals);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  if (exponent < -3) return fmt::format("{:.0f}e{}", value / std::pow(10.0, exponent), exponent);
+  return format_fixed(value, std::max(-exponent, 0));
+}
+
+std::string percent_label(double share) {
+  const std::string number = short_number(100.0 * share);
+  return number + (number.size() > 4 && number.find('e') != std::string::npos ? "%" : " %");
 }
 
 std::string x_label(double value, PlotUnit unit) {
@@ -98,7 +105,7 @@ std::string grid(const Axis& x, const Axis& y, const PlotSpec& spec) {
     svg += line(tick.is_labelled ? "rule" : "rule faint", x.from, y.at(tick.value), x.to,
                 y.at(tick.value));
     if (tick.is_labelled) {
-      svg += text(x.from - 7, y.at(tick.value) + 4, "end", short_number(100.0 * tick.value) + " %");
+      svg += text(x.from - 7, y.at(tick.value) + 4, "end", percent_label(tick.value));
     }
   }
   svg += line("base", x.from, y.from, x.to, y.from);
