@@ -60,9 +60,8 @@ std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& fi
                       [](const auto& member) { return member.verdict == rules::Verdict::pass; });
     return t.say<Text::met_of>(met, finding.members.size());
   }
-  const std::string reached = finding.reached.empty()
-                                  ? std::string(t[Text::no_class_reached])
-                                  : t.say<Text::class_reached>(finding.reached);
+  const std::string reached = finding.reached.empty() ? std::string(t[Text::no_class_reached])
+                                                      : t.say<Text::class_reached>(finding.reached);
   return finding.possible == finding.reached
              ? reached
              : reached + ", " + t.say<Text::class_possible>(finding.possible);

@@ -85,7 +85,8 @@ std::string aggregate_message(const rules::AggregateFinding& finding) {
                                  aggregate_measured({}, finding), aggregate_required({}, finding));
   if (!finding.clause.empty()) text += " [" + finding.clause + "]";
   if (!finding.reason.empty()) text += ": " + finding.reason;
-  if (const std::string note = aggregate_note({}, finding); !note.empty()) text += " (" + note + ")";
+  if (const std::string note = aggregate_note({}, finding); !note.empty())
+    text += " (" + note + ")";
   return printable(text);
 }
 

@@ -145,8 +145,8 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   add_doubt(t, plane, lines);
 }
 
-void add_aggregate(const Texts& t, const ProjectPart& project, const rules::AggregateFinding& finding,
-                   std::vector<Line>& lines) {
+void add_aggregate(const Texts& t, const ProjectPart& project,
+                   const rules::AggregateFinding& finding, std::vector<Line>& lines) {
   Line line;
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(t, finding.verdict);

@@ -79,8 +79,8 @@ std::string page(const Texts& t, const std::string& title, const std::string& ma
                  const std::string& body, const Document& document, bool has_script) {
   return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
          head(t, title, has_script) + "<body>\n<a class=\"skip\" href=\"#main\">" +
-         t[Text::skip_to_results] + "</a>\n" + masthead + "<main id=\"main\">\n" + with_unique_regions(body) +
-         "</main>\n<footer><p>" +
+         t[Text::skip_to_results] + "</a>\n" + masthead + "<main id=\"main\">\n" +
+         with_unique_regions(body) + "</main>\n<footer><p>" +
          t.say<Text::made_by_program>(escape_html(document.provenance.program_version)) +
          "</p></footer>\n" + (has_script ? "<script>" + html_script(t) + "</script>\n" : "") +
          "</body>\n</html>\n";

@@ -26,7 +26,8 @@ std::string member_text(const Texts& t, const rules::AggregateMember& member) {
   return text;
 }
 
-std::string rows_of(const Texts& t, const ProjectPart& project, const rules::AggregateFinding& finding) {
+std::string rows_of(const Texts& t, const ProjectPart& project,
+                    const rules::AggregateFinding& finding) {
   std::string members;
   for (const rules::AggregateMember& member : finding.members) {
     members += (members.empty() ? "" : "<br/>") + member_text(t, member);
@@ -34,9 +35,10 @@ std::string rows_of(const Texts& t, const ProjectPart& project, const rules::Agg
   std::string html = fmt::format(
       "<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>"
       "<td class=\"strong\">{}</td><td>{}</td></tr>\n",
-      verdict_key(finding.verdict), badge(t, finding.verdict), escape_html(aggregate_title(t, finding)),
-      notes_html(t, finding), escape_html(aggregate_place(project, finding)),
-      escape_html(aggregate_required(t, finding)), escape_html(aggregate_measured(t, finding)), members);
+      verdict_key(finding.verdict), badge(t, finding.verdict),
+      escape_html(aggregate_title(t, finding)), notes_html(t, finding),
+      escape_html(aggregate_place(project, finding)), escape_html(aggregate_required(t, finding)),
+      escape_html(aggregate_measured(t, finding)), members);
   if (finding.reason.empty()) return html;
   return html + fmt::format("<tr class=\"remark\"><td></td><td colspan=\"5\">{}</td></tr>\n",
                             t.english_html(escape_html(finding.reason)));
@@ -76,8 +78,9 @@ std::vector<std::string> html_aggregate_items(const Texts& t, const Document& do
           t.say<Text::in_room>(escape_html(aggregate_place(project, finding))),
           escape_html(aggregate_measured(t, finding)), escape_html(aggregate_required(t, finding)),
           notes_html(t, finding),
-          finding.reason.empty() ? ""
-                                 : "<p class=\"quiet\">" + t.english_html(escape_html(finding.reason)) + "</p>"));
+          finding.reason.empty()
+              ? ""
+              : "<p class=\"quiet\">" + t.english_html(escape_html(finding.reason)) + "</p>"));
     }
   }
   return items;

@@ -37,7 +37,8 @@ std::string html_contributions(const Texts& t, const PlanePart& plane) {
   const LuminaireShares& shares = plane.by_luminaire;
   if (shares.largest.empty()) return {};
   std::string rows;
-  for (const LuminaireShare& share : shares.largest) rows += row(t, plane, share, name_of(t, share));
+  for (const LuminaireShare& share : shares.largest)
+    rows += row(t, plane, share, name_of(t, share));
   if (shares.others > 0)
     rows += row(t, plane, shares.rest, t.say<Text::other_luminaires>(shares.others));
   const std::string table = fmt::format(

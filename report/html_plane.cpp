@@ -328,7 +328,8 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   if (has_cells(plane) && has_all_values(plane)) html += html_plan(t, space, plane, anchor);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
-  return html + html_contributions(t, plane) + html_looks(t, plane) + values(t, plane, title) + "</div></details></article>\n";
+  return html + html_contributions(t, plane) + html_looks(t, plane) + values(t, plane, title) +
+         "</div></details></article>\n";
 }
 
 }  // namespace report

@@ -233,11 +233,11 @@ std::string html_provenance(const Texts& t, const Document& document) {
   const std::string redacted = redaction_words(document, t);
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
-      "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts wide\"><caption "
+      "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "
+      "wide\"><caption "
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
       t[Text::provenance], repeatability(t, document), redacted.empty() ? "" : " " + redacted,
-      escape_html(provenance.command_line),
-      t[Text::settings], rows);
+      escape_html(provenance.command_line), t[Text::settings], rows);
 }
 
 }  // namespace report
