@@ -102,6 +102,12 @@ bool has_cells(const PlanePart& plane) {
          !plane.points.empty();
 }
 
+bool has_all_values(const PlanePart& plane) {
+  return std::all_of(plane.points.begin(), plane.points.end(), [](const PointRow& point) {
+    return std::isfinite(point.maintained_lx.value);
+  });
+}
+
 Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels_per_cell) {
   Raster raster;
   raster.width = plane.grid.columns * pixels_per_cell;

@@ -50,6 +50,9 @@ struct Raster {
 // False for point lists and for planes without points: they have no cells and so no heat map.
 bool has_cells(const PlanePart& plane);
 
+// An observer without any glare source has no rating, and a drawing no colour for that.
+bool has_all_values(const PlanePart& plane);
+
 // One square of pixels_per_cell >= 1 per cell; cells without a point are transparent. Needs
 // has_cells().
 Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels_per_cell);

@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::size_t kMostSvgCells = 2500;  // more go in as one embedded picture
 constexpr std::size_t kMostIsoluxPoints = 20000;
+constexpr double kBelowPlan = 26;     // px: room for the scale bar
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
 struct Drawing {
@@ -283,10 +284,9 @@ std::string spoken(const Drawing& drawing) {
 }
 
 std::string svg_plan(const Drawing& drawing) {
-  constexpr double kBelow = 26;  // room for the scale bar
   const PlanLayout& layout = drawing.layout;
   const std::string width = svg_number(layout.width_px()),
-                    height = svg_number(layout.height_px() + kBelow);
+                    height = svg_number(layout.height_px() + kBelowPlan);
   std::string svg = fmt::format(
       "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
@@ -380,10 +380,9 @@ PlanSigns signs_of(const Drawing& drawing) {
   return signs;
 }
 
-}  // namespace
-
-std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      std::string_view anchor) {
+// What is drawn of a plane. has_all: no line of equal value was left out.
+Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                     std::string_view anchor, bool& has_all) {
   const std::vector<PlanLimit> limits = plan_limits(t, plane);
   Drawing drawing{t,
                   plane,
@@ -395,15 +394,35 @@ std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& p
                   std::string(anchor)};
   // Lines between numbers must leave them readable.
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
-  const bool has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
+  has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
+  return drawing;
+}
+
+std::string colour_bar(const Drawing& drawing) {
+  return html_colour_bar(drawing.t, drawing.scale, drawing.limits, band_counts(drawing),
+                         plane_unit(drawing.plane));
+}
+
+}  // namespace
+
+std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                      std::string_view anchor) {
+  bool has_all = true;
+  const Drawing drawing = make_drawing(t, space, plane, anchor, has_all);
   std::string left_out;
   if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
   if (space.bodies_left_out > 0)
     left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
-  return "<figure>\n" + svg_plan(drawing) +
-         html_colour_bar(t, drawing.scale, limits, band_counts(drawing), plane_unit(plane)) +
+  return "<figure>\n" + svg_plan(drawing) + colour_bar(drawing) +
          html_plan_key(t, signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
          "</figcaption></figure>\n";
+}
+
+PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  bool has_all = true;
+  const Drawing drawing = make_drawing(t, space, plane, "plan", has_all);
+  return {svg_plan(drawing), colour_bar(drawing), drawing.layout.width_px(),
+          drawing.layout.height_px() + kBelowPlan};
 }
 
 }  // namespace report

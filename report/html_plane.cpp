@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -211,13 +210,6 @@ std::string value_matrix(const Texts& t, const PlanePart& plane) {
     html += "</tr>\n";
   }
   return html + "</tbody></table>";
-}
-
-// An observer without any glare source has none, and a drawing no colour for that.
-bool has_all_values(const PlanePart& plane) {
-  return std::all_of(plane.points.begin(), plane.points.end(), [](const PointRow& point) {
-    return std::isfinite(point.maintained_lx.value);
-  });
 }
 
 std::string value_list(const Texts& t, const PlanePart& plane) {

@@ -150,6 +150,8 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
       return t[Text::power_per_100_lx];
     case rules::Metric::leni:
       return t[Text::leni];
+    case rules::Metric::gradient:
+      return t[Text::gradient];
     case rules::Metric::value_at_point:
       break;
   }

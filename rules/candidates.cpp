@@ -144,6 +144,7 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
     case Metric::power_density:
     case Metric::power_per_100_lx:
     case Metric::leni:
+    case Metric::gradient:  // see measure.cpp
       break;
     case Metric::value_at_point: {
       Marks marks(values.points, 0);

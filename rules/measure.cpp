@@ -3,6 +3,7 @@
 #include "rules/candidates.h"
 #include "rules/derived_metrics.h"
 #include "rules/mask.h"
+#include "rules/neighbour_pairs.h"
 #include "rules/outage.h"
 #include "rules/share.h"
 
@@ -174,6 +175,36 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   return result;
 }
 
+// Largest ratio between neighbours among the masked points.
+Measurement measure_gradient(const PointValues& values, const MaskedPoints& masked,
+                             const calc::SensorGrid& grid, const DerivedRequest& request) {
+  const NeighbourPairs pairs(values, grid, masked.points);
+  if (pairs.points() == 0) return nothing_to_measure("no two points of the plane are neighbours");
+  Requirement largest = request.requirement;
+  largest.metric = Metric::maximum;
+  const auto limit =
+      request.goal == Goal::verdict ? std::optional<double>(largest.limit) : std::nullopt;
+  const auto found = compute_derived(pairs, largest, std::nullopt, limit, request.confidence);
+  Measurement result;
+  result.points_used = values.points;
+  std::vector<std::uint8_t> active(values.points, 0);
+  for (std::size_t i = 0; i < pairs.points(); ++i) {
+    if (found->active[i] == 0) continue;
+    for (const std::size_t place : pairs.pair(i)) active[place] = 1;
+  }
+  result.active = spread_marks(active, masked.points, grid.position_m.size());
+  result.unseen_points = found->unseen_points;
+  result.single_sample_points = found->single_sample_points;
+  if (std::isfinite(found->estimate.high)) {
+    const std::size_t of = pairs.pair(found->point.value())[0];
+    result.metric = MetricEstimate{found->estimate, masked.points[of]};
+    return result;
+  }
+  result.reason = "a point beside a lit one may be dark, so that their ratio has no limit";
+  if (pairs.replicates() > 1) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+  return result;
+}
+
 // Of the space, whatever its light.
 Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
   const double known =
@@ -219,6 +250,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
   }
   if (requirement.any_one_unit_out) {
+    if (requirement.metric == Metric::gradient) {
+      return nothing_to_measure("ratios between neighbours are not judged with one luminaire out");
+    }
     return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
   }
   const auto* levels = levels_of(requirement.scene, scenes);
@@ -272,6 +306,12 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     result.metric = MetricEstimate{share.estimate, std::nullopt};
     result.active =
         repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
+    return result;
+  }
+  if (metric == Metric::gradient) {
+    result = measure_gradient(values, masked, grid,
+                              {requirement, std::nullopt, confidence, goal, grid.derived});
+    result.active = repeated(result.active, parts);
     return result;
   }
   result.metric = compute_metric(values, metric, requirement.percent, point, confidence);

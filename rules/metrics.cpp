@@ -188,6 +188,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::power_density:  // see measure.cpp, as the next
     case Metric::power_per_100_lx:
     case Metric::leni:
+    case Metric::gradient:
       break;
   }
   return std::nullopt;

@@ -23,6 +23,7 @@ constexpr std::array kMetrics{
     MetricEntry{Metric::power_density, "power-density", false},
     MetricEntry{Metric::power_per_100_lx, "power-per-100-lx", false},
     MetricEntry{Metric::leni, "LENI", false},
+    MetricEntry{Metric::gradient, "gradient", true},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }

@@ -29,6 +29,7 @@ enum class Metric {
   power_density,       // installed power of the plane's space / its floor area, W/m2
   power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
   leni,                // lighting energy of the plane's space in a year / its floor area, kWh/m2
+  gradient,            // largest ratio between neighbouring points of the grid, >= 1
 };
 
 // Both ends belong to it.
@@ -88,7 +89,7 @@ struct Requirement {
 };
 
 // Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI".
+// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI", "gradient".
 // metric_names(): without those about power, which are no statistics of points.
 const char* metric_name(Metric metric);
 std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling

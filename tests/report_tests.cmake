@@ -8,6 +8,7 @@ luxgate_test(report_tests
     unit/report/document_test.cpp
     unit/report/exr_test.cpp
     unit/report/german_report_test.cpp
+    unit/report/heatmap_svg_test.cpp
     unit/report/heatmap_test.cpp
     unit/report/html_test.cpp
     unit/report/isolux_test.cpp

@@ -9,6 +9,7 @@ luxgate_test(rules_tests
     unit/rules/compare_test.cpp
     unit/rules/evaluate_test.cpp
     unit/rules/expression_test.cpp
+    unit/rules/gradient_test.cpp
     unit/rules/import_rows_test.cpp
     unit/rules/judge_test.cpp
     unit/rules/mask_test.cpp

@@ -97,7 +97,8 @@ void add_formats(CLI::App& app, Options& options) {
             choice<DecimalSign>(options.decimal,
                                 {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}}));
   app.add_flag("--images", options.images,
-               "With --output: a PNG and an EXR file per plane and picture too");
+               "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
+               "picture too");
   app.add_flag(
       "--redact", options.redact,
       "Reports without what tells of this machine: folders of files, also in the command\n"

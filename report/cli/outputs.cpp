@@ -4,6 +4,7 @@
 #include "report/csv.h"
 #include "report/exr.h"
 #include "report/heatmap.h"
+#include "report/heatmap_svg.h"
 #include "report/html.h"
 #include "report/html_pages.h"
 #include "report/json.h"
@@ -117,7 +118,8 @@ void write_pictures(const std::string& folder, const report::ProjectPart& projec
   }
 }
 
-void write_images(const std::string& folder, const report::Document& document, Writer& writer) {
+void write_images(const std::string& folder, const report::Document& document,
+                  const report::Texts& t, Writer& writer) {
   std::set<std::string> taken;
   for (const report::ProjectPart& project : document.projects) {
     for (const report::SpacePart& space : project.spaces) {
@@ -128,6 +130,9 @@ void write_images(const std::string& folder, const report::Document& document, W
         for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
         const std::string path = (fs::path(folder) / stem).string();
         writer.write(path + ".png", [&] { return report::render_heatmap_png(plane); });
+        if (report::has_all_values(plane)) {
+          writer.write(path + ".svg", [&] { return report::render_heatmap_svg(t, space, plane); });
+        }
         writer.write(path + ".exr",
                      [&] { return report::render_exr(document, project, space, plane); });
       }
@@ -284,7 +289,7 @@ std::vector<std::string> write_outputs(const Options& options, const report::Doc
       writer.write(format.file, [&] { return render(format.kind, document, {}, t); });
     }
   }
-  if (options.images) write_images(options.output_folder, document, writer);
+  if (options.images) write_images(options.output_folder, document, t, writer);
   return writer.problems();
 }
 

@@ -561,8 +561,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
   EXPECT_THAT(messages_of({{"quantity", "avarage"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
-                          "Uo, Ud, percentile, value, share, power-density, power-per-100-lx or "
-                          "LENI; "
+                          "Uo, Ud, percentile, value, share, gradient, power-density, "
+                          "power-per-100-lx or LENI; "
                           "did you mean 'average'?"));
 }
 

@@ -8,8 +8,8 @@ namespace rules {
 namespace {
 
 TEST(MetricNames, AreThoseOfProjectFiles) {
-  const std::vector<std::string_view> expected{"average", "minimum",    "maximum", "Uo",
-                                               "Ud",      "percentile", "value",   "share"};
+  const std::vector<std::string_view> expected{"average",    "minimum", "maximum", "Uo",      "Ud",
+                                               "percentile", "value",   "share",   "gradient"};
   EXPECT_EQ(metric_names(), expected);
   EXPECT_STREQ(metric_name(Metric::uniformity_min_max), "Ud");
 }
@@ -26,7 +26,7 @@ TEST(MetricNames, AreReadBack) {
 TEST(MetricUnits, AreLuxExceptForRatios) {
   for (const std::string_view name : metric_names()) {
     const Metric metric = *metric_from_name(name);
-    const bool is_plain = name == "Uo" || name == "Ud" || name == "share";
+    const bool is_plain = name == "Uo" || name == "Ud" || name == "share" || name == "gradient";
     EXPECT_EQ(is_ratio(metric), is_plain) << name;
     EXPECT_STREQ(metric_unit(metric), is_plain ? "" : "lx") << name;
   }
