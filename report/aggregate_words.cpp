@@ -6,12 +6,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace report {
 namespace {
 
 bool is_class(const rules::AggregateFinding& finding) {
   return finding.kind == rules::AggregateKind::row_class;
+}
+
+// Of the members' area, for those that weigh by it; empty if an area is not known.
+std::optional<double> share_met(const rules::AggregateFinding& finding) {
+  if (!finding.by_area) return std::nullopt;
+  double met_m2 = 0.0, all_m2 = 0.0;
+  for (const rules::AggregateMember& member : finding.members) {
+    if (!member.area_m2) return std::nullopt;
+    all_m2 += *member.area_m2;
+    if (member.verdict == rules::Verdict::pass) met_m2 += *member.area_m2;
+  }
+  return all_m2 > 0.0 ? std::optional(met_m2 / all_m2) : std::nullopt;
 }
 
 // "1 check", "5 rooms"
@@ -58,7 +71,10 @@ std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& fi
     const auto met =
         std::count_if(finding.members.begin(), finding.members.end(),
                       [](const auto& member) { return member.verdict == rules::Verdict::pass; });
-    return t.say<Text::met_of>(met, finding.members.size());
+    const std::string words = t.say<Text::met_of>(met, finding.members.size());
+    const std::optional<double> share = share_met(finding);
+    return share ? t.say<Text::area_met>(t.number(format_fixed(100.0 * *share, 1)) + " %", words)
+                 : words;
   }
   const std::string reached = finding.reached.empty() ? std::string(t[Text::no_class_reached])
                                                       : t.say<Text::class_reached>(finding.reached);
@@ -81,17 +97,14 @@ std::string aggregate_place(const ProjectPart& project, const rules::AggregateFi
   return finding.space_id;
 }
 
+const char* aggregate_remark(const Texts& t, const rules::AggregateFinding& finding) {
+  if (is_class(finding)) return t[Text::count_one_by_one];
+  return finding.severity == rules::Severity::shall ? "" : t[Text::note_advice];
+}
+
 std::string aggregate_note(const Texts& t, const rules::AggregateFinding& finding) {
-  std::string words = finding.note;
-  const auto add = [&](const char* text) {
-    words += (words.empty() ? "" : "; ") + std::string(text);
-  };
-  if (is_class(finding)) {
-    add(t[Text::count_one_by_one]);
-  } else if (finding.severity != rules::Severity::shall) {
-    add(t[Text::note_advice]);
-  }
-  return words;
+  const std::string remark = aggregate_remark(t, finding);
+  return finding.note + (finding.note.empty() || remark.empty() ? "" : "; ") + remark;
 }
 
 }  // namespace report

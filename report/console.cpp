@@ -65,15 +65,6 @@ std::string place_cell(const SpacePart& space, const PlanePart& plane) {
          printable(title_of(plane.name, plane.id));
 }
 
-std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
-  std::string text;
-  if (requirement.state != rules::LightState::maintained) {
-    text += std::string(", ") + light_state_words(t, requirement.state);
-  }
-  if (!requirement.scene.empty()) text += ", " + t.say<Text::scene>(printable(requirement.scene));
-  return text;
-}
-
 void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
                  const rules::Finding& finding, std::vector<Line>& lines) {
   const rules::Requirement& requirement = finding.requirement;

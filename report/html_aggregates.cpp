@@ -2,6 +2,7 @@
 
 #include "report/aggregate_words.h"
 #include "report/html_markup.h"
+#include "report/text_numbers.h"
 #include "report/words.h"
 
 #include <fmt/format.h>
@@ -16,12 +17,15 @@ std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
     if (!text.empty()) notes += (notes.empty() ? "" : " · ") + text;
   };
   if (finding.is_waived) add(t[Text::waived]);
-  add(escape_html(aggregate_note(t, finding)));
+  if (!finding.note.empty()) add(t.english_html(escape_html(finding.note)));
+  add(aggregate_remark(t, finding));
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
 
 std::string member_text(const Texts& t, const rules::AggregateMember& member) {
   std::string text = fmt::format("{} {}", verdict_symbol(member.verdict), escape_html(member.name));
+  if (member.area_m2)
+    text += " <span class=\"quiet\">" + t.number(format_fixed(*member.area_m2, 1)) + " m²</span>";
   if (member.is_waived) text += std::string(" (") + t[Text::waived] + ")";
   return text;
 }

@@ -5,10 +5,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 namespace report {
 namespace {
+
+// One decimal: many luminaires give a hundredth each.
+std::string share_text(const Texts& t, double share) {
+  if (!std::isfinite(share)) return format_share(t, share);
+  if (share > 0.0 && share < 0.001) return "&lt; " + t.number("0.1") + " %";
+  return t.number(format_fixed(100.0 * share, 1)) + " %";
+}
 
 std::string row(const Texts& t, const PlanePart& plane, const LuminaireShare& share,
                 std::string_view name) {
@@ -16,7 +24,7 @@ std::string row(const Texts& t, const PlanePart& plane, const LuminaireShare& sh
       "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num quiet\">{}</td>"
       "<td class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num quiet\">{}</td></tr>\n",
       name, format_measured(t, share.average_lx, "lx"), format_cell_lx(t, share.direct_lx),
-      format_share(t, share.average_lx.value / plane.average_lx.value),
+      share_text(t, share.average_lx.value / plane.average_lx.value),
       format_measured(t, share.minimum_lx, "lx"), format_cell_lx(t, share.minimum_direct_lx));
 }
 

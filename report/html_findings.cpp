@@ -221,6 +221,7 @@ std::string room_words(const Texts& t, const SpacePart& space) {
   int waived = 0;
   for (const PlanePart& plane : space.planes) {
     for (const rules::Finding& finding : plane.findings) {
+      if (finding.requirement.severity != rules::Severity::shall) continue;
       if (finding.is_waived)
         ++waived;
       else
@@ -282,7 +283,8 @@ void add_attention(const Texts& t, const Document& document, rules::Verdict verd
   for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
                                const PlanePart& plane) {
     for (const rules::Finding& finding : plane.findings) {
-      if (finding.verdict != verdict) continue;
+      const bool counts = finding.requirement.severity == rules::Severity::shall;
+      if (finding.verdict != verdict || !counts) continue;
       const bool is_judged = verdict != rules::Verdict::not_judged;
       found.emplace_back(is_judged ? finding.margin : 0.0,
                          attention_item(t, index, space, plane, finding, folder));

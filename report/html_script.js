@@ -15,6 +15,9 @@
   var sorted = document.createElement('tbody');
   var state = { column: -1, turn: 1 };
 
+  // Columns of names: "10" comes after "5a", and letters with marks beside those without.
+  var names = new Set([0, 1, 2]);
+
   function key(row, column) {
     var cell = row.cells[column];
     if (cell === undefined) return null;
@@ -28,6 +31,9 @@
     var x = key(a, state.column), y = key(b, state.column);
     if (x === null) return y === null ? 0 : 1;
     if (y === null) return -1;
+    if (names.has(state.column)) {
+      return state.turn * String(x).localeCompare(String(y), document.documentElement.lang, { numeric: true });
+    }
     if (typeof x !== typeof y) { x = String(x); y = String(y); }
     return x > y ? state.turn : y > x ? -state.turn : 0;
   }

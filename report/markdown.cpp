@@ -39,6 +39,8 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   if (const rules::AggregateFinding* aggregate = entry.aggregate) {
     std::string words = aggregate_title(t, *aggregate);
     if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
+    if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
+    if (!aggregate->reason.empty()) words += "; " + aggregate->reason;
     return fmt::format("{} | {} | {} | ", escape_markdown(words),
                        escape_markdown(aggregate_required(t, *aggregate)),
                        escape_markdown(aggregate_measured(t, *aggregate)));
@@ -47,7 +49,8 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Requirement& requirement = finding->requirement;
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
-  std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel));
+  std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel) +
+                                         scene_words(t, requirement));
   if (!requirement.clause.empty()) quantity += ", " + escape_markdown(requirement.clause);
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),

@@ -2,6 +2,7 @@
 
 #include "report/shell_words.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -26,6 +27,28 @@ std::string last_name(std::string_view path) {
   return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
 }
 
+// Of a path without quotes at the start of the text. Names of folders may have blanks: it goes on
+// while the next word holds a slash, too.
+std::size_t bare_length(std::string_view text) {
+  constexpr std::string_view kEnds = " \t\n'\"<>(),;:[]{}|";
+  std::size_t length = std::min(text.find_first_of(kEnds), text.size());
+  while (length < text.size() && text[length] == ' ') {
+    const std::size_t end = std::min(text.find_first_of(kEnds, length + 1), text.size());
+    const std::string_view word = text.substr(length + 1, end - length - 1);
+    if (word.find('/') == std::string_view::npos || word.front() == '/' || word.starts_with("../"))
+      break;
+    length = end;
+  }
+  return length;
+}
+
+// A path may stand behind this character.
+bool can_precede(char c) {
+  const bool is_of_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || is_one_of(c, "/._-");
+  return !is_of_name;
+}
+
 // How long the path at text[at] is; 0: there is none. Units such as "/m2" are none, and neither are
 // addresses ("https://...").
 std::size_t path_length(std::string_view text, std::size_t at) {
@@ -35,8 +58,7 @@ std::size_t path_length(std::string_view text, std::size_t at) {
   if (before == ':' && rest.starts_with("//") && !text.substr(0, at).ends_with("file:")) return 0;
   const bool is_quoted = is_one_of(before, kQuotes);
   std::size_t length = is_quoted ? rest.find(before) : std::string_view::npos;
-  if (length == std::string_view::npos) length = rest.find_first_of(" \t\n'\"<>(),;:");
-  if (length == std::string_view::npos) length = rest.size();
+  if (length == std::string_view::npos) length = bare_length(rest);
   const std::string_view path = rest.substr(0, length);
   if (path.find_first_not_of("./") == std::string_view::npos) return 0;
   const bool is_deep = path.find('/', 1) != std::string_view::npos;
@@ -70,7 +92,7 @@ class FileNames {
   std::string within(const std::string& text) const {
     std::string redacted;
     for (std::size_t i = 0; i < text.size();) {
-      const bool can_begin = i == 0 || is_one_of(text[i - 1], " \t\n'\"(=:,;<");
+      const bool can_begin = i == 0 || can_precede(text[i - 1]);
       const std::size_t in_folder = can_begin ? folder_length(text, i) : 0;
       const std::size_t whole = can_begin && in_folder == 0 ? path_length(text, i) : 0;
       if (in_folder > 0) {
@@ -140,9 +162,20 @@ void redact_plane(const FileNames& names, PlanePart& plane) {
     *text = names.within(*text);
   for (std::string& remark : plane.remarks) remark = names.within(remark);
   for (rules::Finding& finding : plane.findings) {
-    finding.requirement.where.file = names.of(finding.requirement.where.file);
-    finding.reason = names.within(finding.reason);
+    rules::Requirement& requirement = finding.requirement;
+    requirement.where.file = names.of(requirement.where.file);
+    for (std::string* text :
+         {&finding.reason, &requirement.note, &requirement.policy.tolerance_reason}) {
+      *text = names.within(*text);
+    }
   }
+}
+
+void redact_aggregate(const FileNames& names, rules::AggregateFinding& finding) {
+  finding.where.file = names.of(finding.where.file);
+  for (std::string* text : {&finding.reason, &finding.note}) *text = names.within(*text);
+  for (rules::AggregateMember& member : finding.members)
+    member.reason = names.within(member.reason);
 }
 
 void redact_project(const FileNames& names, ProjectPart& project) {
@@ -160,6 +193,7 @@ void redact_project(const FileNames& names, ProjectPart& project) {
     if (!space.pictures.device.empty()) space.pictures.device = "OpenGL";
     for (PlanePart& plane : space.planes) redact_plane(names, plane);
   }
+  for (rules::AggregateFinding& finding : project.aggregates) redact_aggregate(names, finding);
   project.path = names.of(project.path);
 }
 

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -112,8 +114,10 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
 
 Json artifacts_json(const Document& document) {
   Json array = Json::array();
+  std::set<std::pair<std::string, std::string>> listed;  // projects may share files
   for (const ProjectPart& project : document.projects) {
     for (const calc::InputFile& input : project.inputs) {
+      if (!listed.emplace(input.path, input.sha256).second) continue;
       Json json = {{"location", artifact_location(input.path)}};
       if (!input.sha256.empty()) json["hashes"] = {{"sha-256", input.sha256}};
       array.push_back(std::move(json));

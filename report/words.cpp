@@ -1,6 +1,7 @@
 #include "report/words.h"
 
 #include "calc/units.h"
+#include "report/plain_text.h"
 #include "report/text_numbers.h"
 
 #include <fmt/format.h>
@@ -201,6 +202,15 @@ const char* comparison_sign(rules::Comparison comparison) {
 const char* severity_key(rules::Severity severity) {
   if (severity == rules::Severity::in_aggregate) return "in-aggregate";
   return severity == rules::Severity::shall ? "shall" : "advice";
+}
+
+std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
+  std::string text;
+  if (requirement.state != rules::LightState::maintained) {
+    text += std::string(", ") + light_state_words(t, requirement.state);
+  }
+  if (!requirement.scene.empty()) text += ", " + t.say<Text::scene>(printable(requirement.scene));
+  return text;
 }
 
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {

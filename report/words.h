@@ -83,6 +83,9 @@ struct NotePart {
   std::string text;
   bool is_english = false;  // in every language: a rule pack's words
 };
+// ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
+// nothing.
+std::string scene_words(const Texts& t, const rules::Requirement& requirement);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);

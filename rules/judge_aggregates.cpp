@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -73,7 +75,7 @@ bool is_same_element(const Entry& a, const Entry& b) {
 
 bool is_same_use(const Entry& a, const Entry& b) {
   return a.place->space == b.place->space && a.origin().row == b.origin().row &&
-         a.origin().is_modified == b.origin().is_modified;
+         a.origin().is_modified == b.origin().is_modified && a.origin().facts == b.origin().facts;
 }
 
 bool is_same_plane(const Entry& a, const Entry& b) { return a.place->plane == b.place->plane; }
@@ -169,7 +171,8 @@ std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
   part.member.name = check.id;
   part.lived_with = Verdict::not_judged;
   part.member.reason =
-      check.quantity->kernel || check.quantity->dimension == Dimension::power_density
+      check.quantity->kernel || check.quantity->dimension == Dimension::power_density ||
+              check.quantity->dimension == Dimension::energy_density
           ? fmt::format("no plane of this room is asked for it, role '{}'", check.role)
           : fmt::format("{} is not calculated", check.quantity->name);
   return part;
@@ -242,6 +245,11 @@ bool lacks_areas(const RuleAggregate& aggregate, const std::vector<Part>& parts)
                                           [](const Part& part) { return !part.member.area_m2; });
 }
 
+bool lacks_members(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
+  return aggregate.rule == AggregateRule::at_least && !parts.empty() &&
+         parts.size() < static_cast<std::size_t>(aggregate.count);
+}
+
 // Empty: nothing is required.
 std::optional<Verdict> combined(const RuleAggregate& aggregate, const std::vector<Part>& parts,
                                 Verdict Part::*lived_with) {
@@ -264,6 +272,8 @@ std::optional<Verdict> combined(const RuleAggregate& aggregate, const std::vecto
     return combine_statuses(rule, members) == CheckStatus::pass ? Verdict::pass
                                                                 : Verdict::not_judged;
   }
+  // Of fewer than are needed nobody can say that they are not met.
+  if (lacks_members(aggregate, parts)) return Verdict::not_judged;
   switch (combine_statuses(rule, members)) {
     case CheckStatus::pass:
       return Verdict::pass;
@@ -381,9 +391,15 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
   finding.note = note_of(pack, aggregate.note, trust);
   settle(finding, parts, combined(aggregate, parts, &Part::lived_with).value_or(Verdict::pass),
          group);
-  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, parts)) {
+  const auto add_reason = [&finding](std::string_view text) {
     finding.reason += finding.reason.empty() ? "" : "; ";
-    finding.reason += "an area is not known";
+    finding.reason += text;
+  };
+  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, parts))
+    add_reason("an area is not known");
+  if (lacks_members(aggregate, parts)) {
+    add_reason(fmt::format("at least {} must be met, and there are only {} here", aggregate.count,
+                           parts.size()));
   }
   return finding;
 }
@@ -421,8 +437,13 @@ std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
     const Finding& finding = *entry.finding;
     if (entry.place->plane != plane || finding.verdict == Verdict::not_judged) continue;
     const calc::Estimate& estimate = finding.measured;
-    measured[entry.origin().check] =
+    const calc::Estimate own =
         finding.is_doubtful ? calc::Estimate{estimate.value, -kOpen, kOpen} : estimate;
+    const auto [found, is_first] = measured.emplace(entry.origin().check, own);
+    if (is_first) continue;
+    // Several scenes: whichever holds.
+    found->second.low = std::min(found->second.low, own.low);
+    found->second.high = std::max(found->second.high, own.high);
   }
   return measured;
 }

@@ -255,6 +255,13 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     }
     return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
   }
+  // What a rule requires of an area it requires of all of it.
+  if (!requirement.origin.pack.empty() && grid.missed_m2 > 0.0) {
+    return nothing_to_measure(
+        fmt::format("{:.2g} m2 of the area have no calculation point in the grid that the project "
+                    "gives",
+                    grid.missed_m2));
+  }
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
     return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));

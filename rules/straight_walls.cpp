@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace rules {
 
@@ -45,6 +46,32 @@ std::vector<std::optional<std::size_t>> join_straight_walls(const RulePack& pack
     joined.outline_m[1].x = joined.outline_m[2].x = length_m;
   }
   return part_of;
+}
+
+std::string run_of_pieces(const std::vector<calc::PlanarArea>& walls,
+                          const std::vector<std::size_t>& too_narrow) {
+  constexpr double kNearlyStraight = 0.94;  // cosine, 20 degrees
+  constexpr double kWide_m = 1.5;           // a metre and more is left within half-metre margins
+  const std::size_t n = walls.size();
+  const std::set<std::size_t> narrow(too_narrow.begin(), too_narrow.end());
+  const auto goes_on = [&](std::size_t i) {
+    const std::size_t next = (i + 1) % n;
+    return narrow.contains(next) && glm::dot(walls[i].u, walls[next].u) > kNearlyStraight;
+  };
+  for (const std::size_t first : too_narrow) {
+    double length_m = walls[first].outline_m[1].x;
+    std::size_t last = first, count = 1;
+    while (count < n && goes_on(last)) {
+      last = (last + 1) % n;
+      length_m += walls[last].outline_m[1].x;
+      ++count;
+    }
+    if (count == 1 || length_m < kWide_m) continue;
+    return fmt::format(
+        "walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one: draw it straight",
+        first + 1, last + 1, length_m);
+  }
+  return "";
 }
 
 }  // namespace rules

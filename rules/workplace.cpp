@@ -236,12 +236,21 @@ class WorkplaceMaker {
     }
     const std::size_t parts = parts_of(role, *plane);
     const std::size_t before = planes_.size(), not_made = not_made_.size();
+    std::vector<std::size_t> too_narrow;  // walls
     if (parts == 0) add_plane(role, *plane, find_zone(role), std::nullopt);
     for (std::size_t i = 0; i < parts; ++i) {
       const std::string name = fmt::format("{}.{}", role, i + 1);
       if (plane->area == ZoneArea::walls && part_of_[i]) continue;
       const ZoneText* one = find_zone(name);
+      const std::size_t count = not_made_.size();
       add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
+      if (not_made_.size() > count) too_narrow.push_back(i);
+    }
+    if (const std::string run = run_of_pieces(workplace_.walls, too_narrow);
+        plane->area == ZoneArea::walls && !run.empty()) {
+      diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role, run,
+                          role, role);
+      return;
     }
     // A requirement of the row must not go away because a wall is drawn in pieces.
     const bool is_surface = plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling;

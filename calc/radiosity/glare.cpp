@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace calc {
@@ -25,6 +27,10 @@ struct SeenAt {
   bool is_in_field() const {
     return along_m > 0.0 && sideways <= kWidestSource + kBinaryNoise &&
            std::abs(upwards) <= kHighestSource + kBinaryNoise;
+  }
+  // 1 where the field ends, less inside it.
+  double share_of_field() const {
+    return std::max(sideways / kWidestSource, std::abs(upwards) / kHighestSource);
   }
   bool is_below() const { return upwards < -kBinaryNoise; }
 
@@ -146,19 +152,25 @@ class GlareEye {
     const double r2 = glm::dot(to_source, to_source);
     const glm::dvec3 out = to_source / -std::sqrt(r2);
     const double cd = intensity_cd(luminaire, out);
-    if (!(cd > 0.0)) return;
+    const double area_m2 = seen_opening_m2(luminaire, out);
+    const double solid_angle_sr = area_m2 / r2;
+    // Parts of a large one may shine into the eye though its centre does not, or be seen through a
+    // gap between two lines.
+    const bool is_large = solid_angle_sr > kLargestGlareSource_sr;
+    if (!is_large && !(cd > 0.0)) return;
     const Sight sight =
         look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted.weights, rays_);
-    if (!(sight.open > 0.0)) return;
-    const double area_m2 = seen_opening_m2(luminaire, out);
+    if (!is_large && !(sight.open > 0.0)) return;
     if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
-    if (counted.is_below) return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
-    const double solid_angle_sr = area_m2 / r2;
+    if (counted.is_below && sight.open > 0.0) {
+      return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
+    }
+    if (!(sight.all > 0.0)) return;  // a body of which nothing faces the eye
     const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
     const double whole = cd * cd / (area_m2 * r2) / (index * index) * sight.part();
     const GlareSum found =
         bounds(whole, sight.open / sight.all, solid_angle_sr < kSmallestGlareSource_sr);
-    if (solid_angle_sr > kLargestGlareSource_sr) {
+    if (is_large) {
       return add_large(luminaire, ends, sight, solid_angle_sr, found);
     }
     add(luminaire, found);
@@ -185,6 +197,8 @@ class GlareEye {
     const Counted parts = parts_in_field(ends, receiver_);
     const auto facing = static_cast<double>(sight.facing);
     double all = 0.0, open = 0.0, all_sr = 0.0, open_sr = 0.0, counted = 0.0, seen = 0.0;
+    std::vector<std::pair<double, double>>
+        parts_given;  // share of the field, what it gives if seen
     for (std::size_t k = 0; k < ends.size(); ++k) {
       if (parts.weights[k] == 0.0 || sight.faces[k] == 0) continue;
       const glm::dvec3 to_end = ends[k].position_m - receiver_.position_m;
@@ -195,8 +209,10 @@ class GlareEye {
       const double part_sr = area_m2 / (r2 * facing);
       const double cd = intensity_cd(luminaire, out);
       const double squares = area_m2 > 0.0 ? cd * cd / (area_m2 * r2 * facing) : 0.0;
-      all += squares * parts.weights[k];
-      open += squares * parts.weights[k] * is_seen;
+      const double given = squares * parts.weights[k];
+      parts_given.emplace_back(SeenAt(to_end, receiver_.axis).share_of_field(), given);
+      all += given;
+      open += given * is_seen;
       all_sr += part_sr;
       open_sr += part_sr * is_seen;
       counted += 1.0;
@@ -208,13 +224,32 @@ class GlareEye {
     const double near_sr = counted > 0.0 ? open_sr + doubt * all_sr / counted : 0.0;
     const double far_sr = std::min(1.0, (seen + doubt) / facing) * solid_angle_sr;
     const double size_sr = std::max(near_sr, far_sr);
-    if (!(open > 0.0) || parts.is_below || size_sr > kLargestGlareSource_sr) {
-      return refuse(luminaire, GlareProblem::too_large, open > 0.0 ? size_sr : solid_angle_sr);
+    const bool is_seen_elsewhere = !(seen > 0.0) && sight.open > 0.0;
+    const bool is_below = parts.is_below && seen > 0.0;
+    if (is_seen_elsewhere || is_below || size_sr > kLargestGlareSource_sr) {
+      return refuse(luminaire, GlareProblem::too_large, seen > 0.0 ? size_sr : solid_angle_sr);
     }
-    GlareSum sum = bounds(all, open / all, false);
-    sum.low = std::min(sum.low, found.low);
-    sum.high = std::max(sum.high, found.high);
+    // Parts of one source differ. In doubt at the edge of the field are those next to it; what
+    // hides others may hide those that give the most.
+    const double row = facing / static_cast<double>(kSightLines);
+    const double at_edge = counted < facing ? sum_of_last(parts_given, row) : 0.0;
+    for (auto& [order, given] : parts_given) order = given;
+    const double at_hiding = seen < counted ? sum_of_last(parts_given, row) : 0.0;
+    const double doubt_of_sum = at_edge + at_hiding;
+    GlareSum sum;
+    sum.value = open;
+    sum.low = std::min(std::max(0.0, open - doubt_of_sum), found.low);
+    sum.high = std::max(std::min(all + at_edge, open + doubt_of_sum), found.high);
     add(luminaire, sum);
+  }
+
+  // Of what so many parts give, the last by their first number.
+  static double sum_of_last(std::vector<std::pair<double, double>> parts, double count) {
+    std::sort(parts.begin(), parts.end(), std::greater<>());
+    parts.resize(std::min(static_cast<std::size_t>(std::ceil(count)), parts.size()));
+    double sum = 0.0;
+    for (const auto& [order, given] : parts) sum += given;
+    return sum;
   }
 
   void add(const PlacedLuminaire& luminaire, const GlareSum& source) {

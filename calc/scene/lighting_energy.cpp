@@ -33,12 +33,16 @@ std::string factor_words(const char* name, const std::optional<double>& factor) 
   return factor ? fmt::format("{} {:.6g}", name, *factor) : fmt::format("{} 1 (not stated)", name);
 }
 
-std::string words_of(const EnergyUse& use) {
+std::string words_of(const EnergyUse& use, const Space& space) {
   std::string words = fmt::format(
       "by EN 15193, not calculated but stated: {:.6g} h by day, {:.6g} h by night, {}, {}, {}",
       use.day_h, use.night_h, factor_words("Fc", use.factors.constant_illuminance),
       factor_words("Fo", use.factors.occupancy), factor_words("FD", use.factors.daylight));
   for (const auto& [group, own] : use.of_group) {
+    const bool is_here = std::any_of(
+        space.luminaires.begin(), space.luminaires.end(),
+        [&name = group](const Luminaire& luminaire) { return luminaire.group == name; });
+    if (!is_here) continue;
     words += fmt::format(", group {}:", group);
     if (own.constant_illuminance) words += fmt::format(" Fc {:.6g}", *own.constant_illuminance);
     if (own.occupancy) words += fmt::format(" Fo {:.6g}", *own.occupancy);
@@ -64,7 +68,7 @@ LightingEnergy lighting_energy(const Project& project, const Space& space,
                            full_hours(*space.energy, factors_of(*space.energy, luminaire.group));
   }
   energy.leni_kwh_m2 = energy.lighting_kwh / power.area_m2 + space.energy->parasitic_kwh_m2;
-  energy.words = words_of(*space.energy);
+  energy.words = words_of(*space.energy, space);
   return energy;
 }
 

@@ -46,8 +46,8 @@ void read_project(ProjectContext& context, const XmlElement& root) {
   read_materials(context, root);
   read_luminaire_types(context, root);
   read_rooms(context, root);
-  read_energy(context, root);
   read_open_space(context, root);
+  read_energy(context, root);  // names groups of all luminaires
   read_light_scenes(context, root);
 }
 

@@ -270,6 +270,7 @@ class GridMaker {
     const double spacing_m = spacing_by_rule(GridByRule(), side_m.x, side_m.y).spacing_m;
     if (missed->area_m2 <= spacing_m * spacing_m) return;
     const glm::dvec3 at = area.origin_m + missed->at_m.x * area.u + missed->at_m.y * area.v;
+    grid_.missed_m2 = missed->area_m2;
     diagnostics_.report(DiagnosticId::grid_misses_part, plane_.where, plane_.id, missed->area_m2,
                         at.x, at.y, at.z);
   }

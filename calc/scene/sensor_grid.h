@@ -41,6 +41,7 @@ struct SensorGrid {
   std::vector<glm::dvec3> normal;  // unit: the kernel's axis
   std::vector<int> column, row;
   std::vector<DroppedPoint> dropped;
+  double missed_m2 = 0.0;  // of the area: the largest part that a given grid has no point for
 
   // The side of a surface that point i counts as, should it lie in one: that of the plane's own
   // normal, whatever the axis; a list has nothing but its normals. Unit.

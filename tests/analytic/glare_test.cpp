@@ -314,8 +314,11 @@ TEST(Ugr, OfALargeSourceJudgesWhatIsSeen) {
   const double centre = sum_by_centre(0.85, 0.85, 1.1, 1.6);
   const double row = 1.0 / 16.0;
   EXPECT_NEAR(half.glare.value[0] / (0.5 * parts), 1.0, 0.01);
-  EXPECT_NEAR(half.glare.high[0] / ((0.5 + row) * std::max(parts, centre)), 1.0, 0.01);
-  EXPECT_NEAR(half.glare.low[0] / ((0.5 - row) * std::min(parts, centre)), 1.0, 0.01);
+  // The row that is in doubt may be the one that gives the most.
+  EXPECT_GE(half.glare.high[0], (0.5 + row) * std::max(parts, centre) * 0.99);
+  EXPECT_LE(half.glare.high[0], (0.5 + 2.0 * row) * std::max(parts, centre));
+  EXPECT_LE(half.glare.low[0], (0.5 - row) * std::min(parts, centre) * 1.01);
+  EXPECT_GE(half.glare.low[0], (0.5 - 2.0 * row) * std::min(parts, centre));
 }
 
 // A strip of 2.4 x 0.2 m along the line of sight, its centre 0.85 m ahead and 1.6 m above: 0.13 sr,
@@ -330,8 +333,27 @@ TEST(Ugr, OfALargeSourceJudgesWhatLiesInTheField) {
   const double centre = sum_by_centre(2.4, 0.2, 0.85, 1.6);
   EXPECT_NEAR(field.glare.value[0] / parts, 1.0, 0.02);
   // Neither a pass nor a fail is proved by the way of counting.
-  EXPECT_NEAR(field.glare.low[0] / std::min(parts, centre), 1.0, 0.02);
-  EXPECT_NEAR(field.glare.high[0] / std::max(parts, centre), 1.0, 0.02);
+  EXPECT_LE(field.glare.low[0], std::min(parts, centre) * 1.02);
+  EXPECT_GE(field.glare.high[0], std::max(parts, centre) * 0.98);
+  // In doubt is a row of lines at the edge of the field, where sources count least.
+  EXPECT_GE(field.glare.low[0], std::min(parts, centre) * 0.8);
+  EXPECT_LE(field.glare.high[0], std::max(parts, centre) * 1.2);
+}
+
+// 60 degrees of cut-off: the centre of a ceiling of 6 m does not shine into the eye, but what is
+// farther off than its centre does, more than many sources that are judged.
+TEST(Ugr, OfALargeSourceWithACutOffIsNotNothing) {
+  const double cut = calc::kPi / 3.0;
+  const calc::PhotometricWeb web = calc::PhotometricWeb::make(
+      {0.0}, {0.0, cut, cut + 0.02, calc::kPi}, {9000.0, 9000.0, 0.0, 0.0},
+      {calc::OpeningShape::rectangle, 6.0, 6.0, 0.0}, {});
+  calc::PreparedScene scene;
+  add_box(scene, {-10, -10, 0}, {10, 10, 3.0}, 0.5);
+  add_luminaire(scene, web, {0, 0, 2.9});
+  set_extent(scene);
+  // The centre is 65 degrees from the vertical, the near edge 22.
+  const calc::PlaneField field = solve_eyes(scene, eyes({{-3.7, 0, 1.2}}), 64);
+  EXPECT_TRUE(!field.glare.refusals.empty() || field.glare.high[0] > 0.0);
 }
 
 // Wider, so that what lies in the field is too large itself.

@@ -135,6 +135,12 @@ TEST(Redact, NoFieldKeepsAFolder) {
   plane.findings = {sample_finding(rules::Metric::average, 300, estimate(310, 5))};
   plane.findings[0].requirement.where.file = file;
   plane.findings[0].reason = text;
+  plane.findings[0].requirement.note = plane.findings[0].requirement.policy.tolerance_reason = text;
+  rules::AggregateFinding aggregate;
+  aggregate.where.file = file;
+  aggregate.reason = aggregate.note = text;
+  aggregate.members = {{"a", rules::Verdict::fail, false, {}, text}};
+  project.aggregates = {aggregate};
   document.provenance.command_line = "luxgate check /home/anna/p/a.xml --rules " + file;
   ASSERT_THAT(render_json(document), HasSubstr("anna"));
   redact(document);

@@ -117,6 +117,17 @@ TEST(JudgeAggregates, AnyIsAsDecidedAsItsParts) {
   EXPECT_EQ(any_of(kOpen, kNone), kNone);
 }
 
+// Of a row that requires nothing else: less than is needed is no failure.
+TEST(JudgeAggregates, AtLeastOfTooFewIsNotJudged) {
+  Site site(kMean + kWall + "<aggregate id='a' rule='at-least' count='2' of='mean wall'/>");
+  site.room("r");
+  site.plane("p");
+  site.add("mean", kPass, "B");
+  const AggregateFinding finding = site.only();
+  EXPECT_EQ(finding.verdict, kNone);
+  EXPECT_THAT(finding.reason, HasSubstr("at least 2 must be met"));
+}
+
 TEST(JudgeAggregates, OfOneRoleAreMadeForEveryPlaneAndEveryRequire) {
   Site site(kMean + kMin + "<aggregate id='a' rule='any' of='mean min'/>");
   site.room("r");

@@ -259,6 +259,18 @@ TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
   EXPECT_FALSE(judged.grid("w.wall.3").position_m.empty());
 }
 
+// A side of 8 m that a drawing has bent by half a millimetre, in ten pieces of 0.8 m.
+TEST(WorkplaceMessage, AWallInBentPiecesIsNotLost) {
+  std::string footprint = "footprint='0 0  8 0";
+  for (int i = 0; i <= 10; ++i) {
+    const double x = 8.0 - 0.8 * i, bend = 0.0005 * (1.0 - (x - 4.0) * (x - 4.0) / 16.0);
+    footprint += "  " + std::to_string(x) + " " + std::to_string(4.0 + bend);
+  }
+  EXPECT_THAT(make(workplace(""), footprint + "' height='2.8'").messages,
+              testing::Contains(AllOf(HasSubstr("error[zone-vanishes]"),
+                                      HasSubstr("pieces of a wall of 8.00 m"))));
+}
+
 TEST(WorkplaceMessage, ManyWallsThatAreNotCheckedAreCounted) {
   // Two niches of 0.8 x 0.4 m: six walls.
   EXPECT_THAT(make(workplace(""),
