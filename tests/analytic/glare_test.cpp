@@ -341,7 +341,7 @@ TEST(Ugr, OfALargeSourceJudgesWhatLiesInTheField) {
 }
 
 // 60 degrees of cut-off: the centre of a ceiling of 6 m does not shine into the eye, but what is
-// farther off than its centre does, more than many sources that are judged.
+// nearer than its centre does.
 TEST(Ugr, OfALargeSourceWithACutOffIsNotNothing) {
   const double cut = calc::kPi / 3.0;
   const calc::PhotometricWeb web = calc::PhotometricWeb::make(

@@ -98,7 +98,12 @@ TEST(Aggregates, HaveWords) {
   finding.over = rules::AggregateOver::rooms;
   finding.by_area = true;
   EXPECT_THAT(aggregate_required({}, finding),
-              testing::MatchesRegex("at least 90.* of 2 rooms by area"));
+              testing::MatchesRegex("at least 90.* of the area of 2 rooms"));
+  finding.members[0].area_m2 = 3.0;
+  finding.members[1].area_m2 = 1.0;
+  const bool is_first_met = finding.members[0].verdict == rules::Verdict::pass;
+  EXPECT_EQ(aggregate_measured({}, finding),
+            (is_first_met ? "75.0" : "25.0") + std::string(" % of the area, 1 of 2 met"));
   finding.rule = rules::AggregateRule::at_least;
   finding.count = 2;
   EXPECT_EQ(aggregate_required({}, finding), "at least 2 of 2 rooms");
