@@ -68,7 +68,7 @@ std::string run_of_pieces(const std::vector<calc::PlanarArea>& walls,
     }
     if (count == 1 || length_m < kWide_m) continue;
     return fmt::format(
-        "walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one: draw it straight",
+        "walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one",
         first + 1, last + 1, length_m);
   }
   return "";

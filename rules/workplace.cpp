@@ -247,7 +247,7 @@ class WorkplaceMaker {
       if (not_made_.size() > count) too_narrow.push_back(i);
     }
     if (const std::string run = run_of_pieces(workplace_.walls, too_narrow);
-        plane->area == ZoneArea::walls && !run.empty()) {
+        plane->area == ZoneArea::walls && planes_.size() > before && !run.empty()) {
       diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role, run,
                           role, role);
       return;

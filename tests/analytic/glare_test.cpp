@@ -314,11 +314,11 @@ TEST(Ugr, OfALargeSourceJudgesWhatIsSeen) {
   const double centre = sum_by_centre(0.85, 0.85, 1.1, 1.6);
   const double row = 1.0 / 16.0;
   EXPECT_NEAR(half.glare.value[0] / (0.5 * parts), 1.0, 0.01);
-  // The row that is in doubt may be the one that gives the most.
+  // The row that is in doubt may be the one that gives the most, less than three times the mean.
   EXPECT_GE(half.glare.high[0], (0.5 + row) * std::max(parts, centre) * 0.99);
-  EXPECT_LE(half.glare.high[0], (0.5 + 2.0 * row) * std::max(parts, centre));
+  EXPECT_LE(half.glare.high[0], (0.5 + 3.0 * row) * std::max(parts, centre));
   EXPECT_LE(half.glare.low[0], (0.5 - row) * std::min(parts, centre) * 1.01);
-  EXPECT_GE(half.glare.low[0], (0.5 - 2.0 * row) * std::min(parts, centre));
+  EXPECT_GE(half.glare.low[0], (0.5 - 3.0 * row) * std::min(parts, centre));
 }
 
 // A strip of 2.4 x 0.2 m along the line of sight, its centre 0.85 m ahead and 1.6 m above: 0.13 sr,

@@ -119,11 +119,11 @@ TEST(LuminaireShares, RatingsHaveNone) {
 
 TEST(LuminaireShares, PageShowsThemOnlyWhereThereAre) {
   PlanePart plane = plane_of_two();
-  EXPECT_EQ(html_contributions(plane), "");
+  EXPECT_EQ(html_contributions({}, plane), "");
   plane.by_luminaire = shares_of(12);
   plane.by_luminaire.largest[0].id = "<b>";
   plane.by_luminaire.largest[1].group = "<i>";
-  const std::string html = html_contributions(plane);
+  const std::string html = html_contributions({}, plane);
   EXPECT_THAT(html, HasSubstr("&lt;b&gt;"));
   EXPECT_THAT(html, HasSubstr("&lt;i&gt;"));
   EXPECT_THAT(html, Not(HasSubstr("<b>")));

@@ -96,6 +96,20 @@ TEST(Measure, EnergyIsKnownBeforehand) {
   EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
 }
 
+// What a rule requires of an area it requires of all of it; the project's own limits are about its
+// points.
+TEST(Measure, OfARulePackNeedsPointsEverywhere) {
+  Requirement requirement = minimum_at_least(1);
+  calc::SensorGrid grid = grid_of_twelve();
+  grid.missed_m2 = 0.8;
+  EXPECT_TRUE(measure(requirement, grid, field_of_twelve(), {}, 0.95).metric.has_value());
+  requirement.origin.pack = "own:1";
+  const Measurement result = measure(requirement, grid, field_of_twelve(), {}, 0.95);
+  EXPECT_FALSE(result.metric.has_value());
+  EXPECT_THAT(result.reason, testing::HasSubstr("0.8 m2 of the area have no calculation point"));
+  EXPECT_EQ(result.unseen_points, 0u);  // more samples do not help
+}
+
 TEST(Measure, LeavesReflectedLightOut) {
   Requirement requirement = minimum_at_least(1);
   EXPECT_EQ(
