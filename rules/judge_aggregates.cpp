@@ -398,7 +398,7 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
   if (*verdict == Verdict::not_judged && lacks_areas(aggregate, parts))
     add_reason("an area is not known");
   if (lacks_members(aggregate, parts)) {
-    add_reason(fmt::format("at least {} must be met, and there are only {} here", aggregate.count,
+    add_reason(fmt::format("at least {} must be met, and this many apply here: {}", aggregate.count,
                            parts.size()));
   }
   return finding;

@@ -67,9 +67,8 @@ std::string run_of_pieces(const std::vector<calc::PlanarArea>& walls,
       ++count;
     }
     if (count == 1 || length_m < kWide_m) continue;
-    return fmt::format(
-        "walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one",
-        first + 1, last + 1, length_m);
+    return fmt::format("walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one",
+                       first + 1, last + 1, length_m);
   }
   return "";
 }

@@ -2,9 +2,9 @@
 // Precompiled for all tests: what nearly each of them includes. A test still includes what it uses.
 
 #include <fmt/format.h>
-#include <glm/glm.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
