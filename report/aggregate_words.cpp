@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace report {
@@ -25,6 +26,17 @@ std::optional<double> share_met(const rules::AggregateFinding& finding) {
     if (member.verdict == rules::Verdict::pass) met_m2 += *member.area_m2;
   }
   return all_m2 > 0.0 ? std::optional(met_m2 / all_m2) : std::nullopt;
+}
+
+// "89.96 %": as many digits as keep it on its side of what is required.
+std::string share_text(double share, double required) {
+  const auto is_kept = [&](int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return (std::round(100.0 * share * scale) >= 100.0 * required * scale) == (share >= required);
+  };
+  int decimals = 1;
+  while (decimals < 9 && !is_kept(decimals)) ++decimals;
+  return format_fixed(100.0 * share, decimals) + " %";
 }
 
 // "1 check", "5 rooms"
@@ -73,7 +85,7 @@ std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& fi
                       [](const auto& member) { return member.verdict == rules::Verdict::pass; });
     const std::string words = t.say<Text::met_of>(met, finding.members.size());
     const std::optional<double> share = share_met(finding);
-    return share ? t.say<Text::area_met>(t.number(format_fixed(100.0 * *share, 1)) + " %", words)
+    return share ? t.say<Text::area_met>(t.number(share_text(*share, finding.share)), words)
                  : words;
   }
   const std::string reached = finding.reached.empty() ? std::string(t[Text::no_class_reached])

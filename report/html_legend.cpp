@@ -11,7 +11,7 @@ namespace report {
 namespace {
 
 constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17, kWidth = 480,
-                 kHistogramHeight = 40;
+                 kHistogramHeight = 40, kNumbersHeight = 20;
 
 double bar_x(const ColourScale& scale, double value_lx) {
   const double part = (value_lx - scale.low_lx) / (scale.high_lx() - scale.low_lx);
@@ -97,12 +97,16 @@ std::string key_item(const std::string& picture, const std::string& words) {
 
 }  // namespace
 
+double colour_bar_height_px(std::size_t limits, bool has_counts) {
+  return kLimitLine * static_cast<double>(limits) + 4 + (has_counts ? kHistogramHeight : 0) +
+         kBarHeight + kNumbersHeight;
+}
+
 std::string html_colour_bar(const Texts& t, const ColourScale& scale,
                             const std::vector<PlanLimit>& limits,
                             const std::vector<std::size_t>& counts, std::string_view unit) {
-  const double histogram = counts.empty() ? 0 : kHistogramHeight;
-  const double bar_top = kLimitLine * static_cast<double>(limits.size()) + 4 + histogram;
-  const double height = bar_top + kBarHeight + 20;
+  const double height = colour_bar_height_px(limits.size(), !counts.empty());
+  const double bar_top = height - kBarHeight - kNumbersHeight;
   std::string svg = fmt::format(
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">",

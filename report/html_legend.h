@@ -20,6 +20,9 @@ std::string html_colour_bar(const Texts& t, const ColourScale& scale,
                             const std::vector<std::size_t>& counts = {},
                             std::string_view unit = "lx");
 
+// How high that picture is, in pixels.
+double colour_bar_height_px(std::size_t limits, bool has_counts);
+
 // What the key has to explain.
 struct PlanSigns {
   std::string anchor;        // of the plane, for the hatch pattern

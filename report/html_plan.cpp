@@ -422,7 +422,8 @@ PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePa
   bool has_all = true;
   const Drawing drawing = make_drawing(t, space, plane, "plan", has_all);
   return {svg_plan(drawing), colour_bar(drawing), drawing.layout.width_px(),
-          drawing.layout.height_px() + kBelowPlan};
+          drawing.layout.height_px() + kBelowPlan,
+          colour_bar_height_px(drawing.limits.size(), true)};
 }
 
 }  // namespace report

@@ -17,7 +17,7 @@ std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& p
 // The same two pictures for a file of their own, one below the other, and how large they are.
 struct PlanPictures {
   std::string plan, colour_bar;  // <svg> elements without name space or style
-  double width_px = 0.0, plan_height_px = 0.0;
+  double width_px = 0.0, plan_height_px = 0.0, bar_height_px = 0.0;
 };
 PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane);
 

@@ -27,17 +27,29 @@ std::string last_name(std::string_view path) {
   return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
 }
 
+// "acme/x.ies", not "W/m2" or "cd/klm".
+bool is_path_like(std::string_view word) {
+  const std::size_t slash = word.find('/');
+  if (slash == 0 || slash == std::string_view::npos || word.starts_with("../")) return false;
+  if (word.find("/m2") != std::string_view::npos) return false;
+  return slash > 3 || word.find('.', slash) != std::string_view::npos || word.rfind('/') != slash;
+}
+
 // Of a path without quotes at the start of the text. Names of folders may have blanks: it goes on
-// while the next word holds a slash, too.
+// while one of the next two words looks like the rest of a path.
 std::size_t bare_length(std::string_view text) {
-  constexpr std::string_view kEnds = " \t\n'\"<>(),;:[]{}|";
-  std::size_t length = std::min(text.find_first_of(kEnds), text.size());
-  while (length < text.size() && text[length] == ' ') {
-    const std::size_t end = std::min(text.find_first_of(kEnds, length + 1), text.size());
-    const std::string_view word = text.substr(length + 1, end - length - 1);
-    if (word.find('/') == std::string_view::npos || word.front() == '/' || word.starts_with("../"))
-      break;
+  constexpr std::string_view kEnds = " \t\n'\"<>(),;:";
+  const auto end_of_word = [&](std::size_t begin) {
+    return std::min(text.find_first_of(kEnds, begin), text.size());
+  };
+  std::size_t length = end_of_word(0);
+  for (std::size_t end = length, skipped = 0; end < text.size() && text[end] == ' ' && skipped < 2;
+       ++skipped) {
+    const std::size_t begin = end + 1;
+    end = end_of_word(begin);
+    if (!is_path_like(text.substr(begin, end - begin))) continue;
     length = end;
+    skipped = 0;
   }
   return length;
 }

@@ -13,11 +13,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Indices = std::vector<std::size_t>;
 
-// Those that have a value.
+// Those that have a value, or may have one.
 Indices existing(const DerivedPoints& points) {
   Indices indices;
   for (std::size_t i = 0; i < points.points(); ++i) {
-    if (points.limits(i, 0.0).value > -kInfinity) indices.push_back(i);
+    if (points.limits(i, 0.0).high > -kInfinity) indices.push_back(i);
   }
   return indices;
 }

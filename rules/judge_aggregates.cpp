@@ -433,9 +433,14 @@ std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
                                                   const Group& group) {
   constexpr double kOpen = 0.5 * std::numeric_limits<double>::max();  // a policy may widen it
   std::map<std::string, calc::Estimate> measured;
+  std::set<std::string> unknown;
   for (const Entry& entry : group) {
     const Finding& finding = *entry.finding;
-    if (entry.place->plane != plane || finding.verdict == Verdict::not_judged) continue;
+    if (entry.place->plane != plane) continue;
+    if (finding.verdict == Verdict::not_judged) {
+      unknown.insert(entry.origin().check);
+      continue;
+    }
     const calc::Estimate& estimate = finding.measured;
     const calc::Estimate own =
         finding.is_doubtful ? calc::Estimate{estimate.value, -kOpen, kOpen} : estimate;
@@ -445,6 +450,7 @@ std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
     found->second.low = std::min(found->second.low, own.low);
     found->second.high = std::max(found->second.high, own.high);
   }
+  for (const std::string& check : unknown) measured.erase(check);
   return measured;
 }
 

@@ -180,6 +180,14 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
                              const calc::SensorGrid& grid, const DerivedRequest& request) {
   const NeighbourPairs pairs(values, grid, masked.points);
   if (pairs.points() == 0) return nothing_to_measure("no two points of the plane are neighbours");
+  const bool is_lit = std::any_of(values.value_lx.begin(), values.value_lx.end(),
+                                  [](double lx) { return lx > 0.0; });
+  if (!is_lit) {
+    Measurement dark = nothing_to_measure("all points are 0 lx: their ratios are undefined");
+    dark.unseen_points = static_cast<std::size_t>(
+        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
+    return dark;
+  }
   Requirement largest = request.requirement;
   largest.metric = Metric::maximum;
   const auto limit =

@@ -49,24 +49,29 @@ std::vector<std::optional<std::size_t>> join_straight_walls(const RulePack& pack
 }
 
 std::string run_of_pieces(const std::vector<calc::PlanarArea>& walls,
+                          const std::vector<std::optional<std::size_t>>& part_of,
                           const std::vector<std::size_t>& too_narrow) {
   constexpr double kNearlyStraight = 0.94;  // cosine, 20 degrees
   constexpr double kWide_m = 1.5;           // a metre and more is left within half-metre margins
   const std::size_t n = walls.size();
   const std::set<std::size_t> narrow(too_narrow.begin(), too_narrow.end());
-  const auto goes_on = [&](std::size_t i) {
-    const std::size_t next = (i + 1) % n;
+  const auto after = [&](std::size_t i) {
+    std::size_t next = (i + 1) % n;
+    while (next != i && part_of[next]) next = (next + 1) % n;
+    return next;
+  };
+  const auto goes_on = [&](std::size_t i, std::size_t next) {
     return narrow.contains(next) && glm::dot(walls[i].u, walls[next].u) > kNearlyStraight;
   };
   for (const std::size_t first : too_narrow) {
     double length_m = walls[first].outline_m[1].x;
-    std::size_t last = first, count = 1;
-    while (count < n && goes_on(last)) {
-      last = (last + 1) % n;
-      length_m += walls[last].outline_m[1].x;
-      ++count;
+    std::size_t last = first;
+    for (std::size_t next = after(first); next != first && goes_on(last, next);
+         next = after(next)) {
+      length_m += walls[next].outline_m[1].x;
+      last = next;
     }
-    if (count == 1 || length_m < kWide_m) continue;
+    if (last == first || length_m < kWide_m) continue;
     return fmt::format("walls {} to {}, pieces of a wall of {:.2f} m, are too narrow one by one",
                        first + 1, last + 1, length_m);
   }

@@ -246,8 +246,10 @@ class WorkplaceMaker {
       add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
       if (not_made_.size() > count) too_narrow.push_back(i);
     }
-    if (const std::string run = run_of_pieces(workplace_.walls, too_narrow);
-        plane->area == ZoneArea::walls && planes_.size() > before && !run.empty()) {
+    const std::string run = plane->area == ZoneArea::walls && planes_.size() > before
+                                ? run_of_pieces(workplace_.walls, part_of_, too_narrow)
+                                : "";
+    if (!run.empty()) {
       diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role, run,
                           role, role);
       return;

@@ -157,7 +157,7 @@ class GlareEye {
     // Parts of a large one may shine into the eye though its centre does not, or be seen through a
     // gap between two lines.
     const bool is_large = solid_angle_sr > kLargestGlareSource_sr;
-    if (!is_large && !(cd > 0.0)) return;
+    if (!(cd > 0.0) && !(is_large && shines_here(luminaire, ends))) return;
     const Sight sight =
         look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted.weights, rays_);
     if (!is_large && !(sight.open > 0.0)) return;
@@ -165,7 +165,7 @@ class GlareEye {
     if (counted.is_below && sight.open > 0.0) {
       return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
     }
-    if (!(sight.all > 0.0)) return;  // a body of which nothing faces the eye
+    if (counted.is_below || !(sight.all > 0.0)) return;  // hidden, or a body turned away
     const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
     const double whole = cd * cd / (area_m2 * r2) / (index * index) * sight.part();
     const GlareSum found =
@@ -179,6 +179,16 @@ class GlareEye {
   std::uint64_t rays() const { return rays_; }
 
  private:
+  // Whether anything of it in the field sends light to the eye.
+  bool shines_here(const PlacedLuminaire& luminaire,
+                   const std::vector<OpeningView::Point>& ends) const {
+    return std::any_of(ends.begin(), ends.end(), [&](const OpeningView::Point& end) {
+      const glm::dvec3 to_end = end.position_m - receiver_.position_m;
+      return SeenAt(to_end, receiver_.axis).is_in_field() &&
+             intensity_cd(luminaire, -glm::normalize(to_end)) > 0.0;
+    });
+  }
+
   // whole: of what would count if nothing hid it; share: of it, what is seen.
   static GlareSum bounds(double whole, double share, bool is_too_small) {
     GlareSum sum;

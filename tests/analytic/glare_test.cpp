@@ -340,6 +340,29 @@ TEST(Ugr, OfALargeSourceJudgesWhatLiesInTheField) {
   EXPECT_LE(field.glare.high[0], std::max(parts, centre) * 1.2);
 }
 
+// Behind a screen and below the line of sight: nothing of it counts, and nothing is refused.
+TEST(Ugr, OfALargeSourceThatIsHiddenBelowIsNothing) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 90, {calc::OpeningShape::rectangle, 1.5, 1.5, 0.0});
+  calc::PreparedScene scene = room_with(web, {{3, 3, 0.4}});
+  add_quad(scene, {1.9, 1.0, 0.0}, {0, 4.0, 0}, {0, 0, 1.19}, 0.5);
+  set_extent(scene);
+  const calc::PlaneField field = solve_eyes(scene, eyes({{1.5, 3, 1.2}}), 64);
+  EXPECT_EQ(field.glare.value[0], 0.0);
+  EXPECT_TRUE(field.glare.refusals.empty());
+}
+
+// All of its light goes to the ceiling.
+TEST(Ugr, OfALargeUplightIsNothing) {
+  const calc::PhotometricWeb web = calc::PhotometricWeb::make(
+      {0.0}, {0.0, 0.5 * calc::kPi, 0.5 * calc::kPi + 0.02, calc::kPi}, {0.0, 0.0, 900.0, 900.0},
+      {calc::OpeningShape::rectangle, 1.2, 1.2, 0.0}, {});
+  const calc::PlaneField field =
+      solve_eyes(room_with(web, {{3, 3, 2.2}}), eyes({{1.9, 3, 1.2}}), 64);
+  EXPECT_EQ(field.glare.high[0], 0.0);
+  EXPECT_TRUE(field.glare.refusals.empty());
+}
+
 // 60 degrees of cut-off: the centre of a ceiling of 6 m does not shine into the eye, but what is
 // nearer than its centre does.
 TEST(Ugr, OfALargeSourceWithACutOffIsNotNothing) {

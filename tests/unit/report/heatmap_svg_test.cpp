@@ -55,6 +55,22 @@ TEST(HeatmapSvg, HoldsACellForEachPointAndTheColourBar) {
   EXPECT_EQ(svg.select_nodes("//path[@class='min-mark']").size(), 1u);
 }
 
+// Each limit takes a line above the bar.
+TEST(HeatmapSvg, HasRoomForManyLimits) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  for (int i = 0; i < 12; ++i) {
+    plane.findings.push_back(
+        sample_finding(rules::Metric::average, 300.0 + 10.0 * i, estimate(310, 5)));
+  }
+  const pugi::xml_document svg = parsed(svg_of(document));
+  const pugi::xml_node root = svg.child("svg");
+  const pugi::xml_node bar = svg.select_node("//svg[@class='colour-bar']").node();
+  const std::string place = bar.parent().attribute("transform").value();  // translate(x y)
+  const double top = std::stod(place.substr(place.find(' ')));
+  EXPECT_LE(top + bar.attribute("height").as_double(), root.attribute("height").as_double());
+}
+
 TEST(HeatmapSvg, NothingEscapesFromNames) {
   const pugi::xml_document svg = parsed(svg_of(hostile_document()));
   EXPECT_EQ(svg.select_nodes("//script").size(), 0u);

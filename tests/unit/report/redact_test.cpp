@@ -148,6 +148,22 @@ TEST(Redact, NoFieldKeepsAFolder) {
   EXPECT_THAT(project.spaces[0].pictures.problem, Not(HasSubstr("anna")));
 }
 
+TEST(Redact, PathsInAnyText) {
+  const auto redacted = [](const std::string& text) {
+    Document document = one_project("p/a.xml");
+    document.projects[0].spaces[0].notes = {text};
+    redact(document);
+    return document.projects[0].spaces[0].notes[0];
+  };
+  EXPECT_EQ(redacted("cannot open [/home/anna/p/x.ies]"), "cannot open [x.ies]");
+  EXPECT_EQ(redacted("read /home/anna/my jobs/acme/x.ies failed"), "read x.ies failed");
+  EXPECT_EQ(redacted("read /home/Anna van Doe/x.ies failed"), "read x.ies failed");
+  EXPECT_EQ(redacted("of /home/anna/[2024]/x.ies"), "of x.ies");
+  EXPECT_EQ(redacted("a|/home/anna/x.ies"), "a|x.ies");
+  EXPECT_EQ(redacted("/home/anna/x.ies gives 12 W/m2"), "x.ies gives 12 W/m2");
+  EXPECT_EQ(redacted("12.5 kWh/m2/a of 40 W/m2"), "12.5 kWh/m2/a of 40 W/m2");
+}
+
 TEST(Redact, IsToldOnlyWhereItWasDone) {
   Document document = small_document();
   EXPECT_EQ(redaction_words(document), "");

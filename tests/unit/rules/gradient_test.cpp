@@ -65,7 +65,13 @@ TEST(Gradient, IsTheSameInBothDirectionsAndOneWhereAllIsAlike) {
   EXPECT_DOUBLE_EQ(gradient_of(grid_of(2, 1), exact_field({10, 25})).metric->estimate.value, 2.5);
   EXPECT_DOUBLE_EQ(gradient_of(grid_of(2, 1), exact_field({25, 10})).metric->estimate.value, 2.5);
   EXPECT_DOUBLE_EQ(gradient_of(grid_of(1, 3), exact_field({7, 7, 7})).metric->estimate.value, 1.0);
-  EXPECT_DOUBLE_EQ(gradient_of(grid_of(2, 1), exact_field({0, 0})).metric->estimate.value, 1.0);
+}
+
+// A scene that is off is not even.
+TEST(Gradient, OfADarkPlaneIsUndefined) {
+  const Measurement result = gradient_of(grid_of(2, 2), exact_field({0, 0, 0, 0}));
+  EXPECT_FALSE(result.metric.has_value());
+  EXPECT_THAT(result.reason, testing::HasSubstr("all points are 0 lx"));
 }
 
 TEST(Gradient, KnowsNoNeighboursBeyondTheMaskOrInLists) {
