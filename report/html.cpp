@@ -148,13 +148,25 @@ std::string space_html(const Texts& t, const Document& document, std::size_t p, 
   return html + "</section>\n";
 }
 
+// Sections are landmarks, which must differ in name; projects may have one name.
+std::string section_name(const Document& document, std::size_t p) {
+  const auto title = [&](std::size_t k) {
+    return std::string(title_of(document.projects[k].name, document.projects[k].path));
+  };
+  std::size_t number = 1;
+  for (std::size_t k = 0; k < p; ++k) number += title(k) == title(p) ? 1 : 0;
+  if (number == 1) return fmt::format("aria-labelledby=\"project{}\"", p + 1);
+  return fmt::format("aria-label=\"{} ({})\"", escape_html(title(p)), number);
+}
+
 std::string project_html(const Texts& t, const Document& document, std::size_t p,
                          const std::string& folder) {
   const ProjectPart& project = document.projects[p];
   const bool is_only = document.projects.size() == 1;
-  std::string html = fmt::format(
-      "<section class=\"project\" aria-labelledby=\"project{0}\"><h2 id=\"project{0}\">{1}</h2>\n",
-      p + 1, is_only ? t[Text::planes] : escape_html(title_of(project.name, project.path)));
+  std::string html =
+      fmt::format("<section class=\"project\" {2}><h2 id=\"project{0}\">{1}</h2>\n", p + 1,
+                  is_only ? t[Text::planes] : escape_html(title_of(project.name, project.path)),
+                  section_name(document, p));
   if (!is_only && !project.name.empty())
     html += "<p class=\"quiet\">" + escape_html(project.path) + "</p>\n";
   if (!project.is_judged) {
