@@ -13,20 +13,6 @@ std::optional<calc::Estimate> measured_for(const RuleCheck& check, const Evidenc
   return found->second;
 }
 
-CheckStatus status_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return CheckStatus::pass;
-    case Verdict::fail:
-      return CheckStatus::fail;
-    case Verdict::undecided:
-      return CheckStatus::undecided;
-    case Verdict::not_judged:
-      break;
-  }
-  return CheckStatus::not_evaluated;
-}
-
 CheckResult without_verdict(CheckResult result, CheckStatus status, std::string reason) {
   result.status = status;
   result.reason = std::move(reason);
@@ -65,6 +51,20 @@ double needed(const RuleAggregate& aggregate, double all) {
 }
 
 }  // namespace
+
+CheckStatus status_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return CheckStatus::pass;
+    case Verdict::fail:
+      return CheckStatus::fail;
+    case Verdict::undecided:
+      return CheckStatus::undecided;
+    case Verdict::not_judged:
+      break;
+  }
+  return CheckStatus::not_evaluated;
+}
 
 const char* status_name(CheckStatus status) {
   switch (status) {

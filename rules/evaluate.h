@@ -24,6 +24,7 @@ enum class CheckStatus {
 };
 // "pass", "fail", "undecided", "not applicable", "not evaluated"
 const char* status_name(CheckStatus status);
+CheckStatus status_of(Verdict verdict);  // not judged: not evaluated
 
 struct CheckResult {
   const RuleCheck* check = nullptr;

@@ -102,20 +102,6 @@ Verdict worst(Verdict a, Verdict b) {
   return Verdict::pass;
 }
 
-CheckStatus status_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return CheckStatus::pass;
-    case Verdict::fail:
-      return CheckStatus::fail;
-    case Verdict::undecided:
-      return CheckStatus::undecided;
-    case Verdict::not_judged:
-      break;
-  }
-  return CheckStatus::not_evaluated;
-}
-
 // A member with what it would be if everything waived were met.
 struct Part {
   AggregateMember member;

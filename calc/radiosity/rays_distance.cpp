@@ -107,7 +107,11 @@ bool look_closer(RTCPointQueryFunctionArguments* arguments) {
     distance_m = distance_in_front(query.position_m, query.normal, query.touching_m, corner);
   }
   if (!(from_origin_m < query.least_m)) return false;
-  if (!search.found || distance_m < search.found->distance_m) {
+  // Of equally near ones the first: the order of a search is not always the same.
+  const bool is_nearer = !search.found || distance_m < search.found->distance_m ||
+                         (distance_m == search.found->distance_m &&
+                          arguments->primID < search.found->triangle);
+  if (is_nearer) {
     search.found = {arguments->primID, distance_m};
   }
   return false;  // the radius stays
