@@ -1,5 +1,6 @@
 #include "calc/statistics.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ class StudentT {
   explicit StudentT(int v) : v_(v), inverse_beta_(inverse_beta_half(v)) {}
 
   double density(double t) const {
-    return inverse_beta_ / std::sqrt(v_) * std::exp(-0.5 * (v_ + 1.0) * std::log1p(t * t / v_));
+    return inverse_beta_ / std::sqrt(v_) * calc::exp(-0.5 * (v_ + 1.0) * calc::log1p(t * t / v_));
   }
   double beyond(double t) const {  // P(T > t)
     return tail_converges(t) ? tail_by_fraction(t) : 0.5 * (1.0 - centre_by_fraction(t));
@@ -68,7 +69,8 @@ class StudentT {
 
   // x^(v/2) (1 - x)^(1/2) / B with x = v / (v + t^2)
   double prefactor(double t) const {
-    return inverse_beta_ * std::exp(-0.5 * v_ * std::log1p(t * t / v_)) * t / std::sqrt(v_ + t * t);
+    return inverse_beta_ * calc::exp(-0.5 * v_ * calc::log1p(t * t / v_)) * t /
+           std::sqrt(v_ + t * t);
   }
   double tail_by_fraction(double t) const {  // half of I_x(v/2, 1/2)
     return 0.5 * prefactor(t) * beta_fraction(0.5 * v_, 0.5, v_ / (v_ + t * t)) / (0.5 * v_);
@@ -88,7 +90,7 @@ double upper_quantile(const StudentT& student, double tail) {
   const bool is_central = tail > 0.25;
   const double centre = 1.0 - 2.0 * tail;
   const auto excess = [&](double t) {  // increases with t
-    return is_central ? student.within(t) - centre : std::log(tail) - std::log(student.beyond(t));
+    return is_central ? student.within(t) - centre : calc::log(tail) - calc::log(student.beyond(t));
   };
   const auto slope = [&](double t) {
     return is_central ? 2.0 * student.density(t) : student.density(t) / student.beyond(t);

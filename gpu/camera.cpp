@@ -1,5 +1,7 @@
 #include "gpu/camera.h"
 
+#include "calc/elementary.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -12,6 +14,7 @@ namespace {
 constexpr double kMargin = 0.03;     // of the longer side, on every side
 constexpr double kElevation = 0.72;  // rad
 constexpr double kAside = 0.42;      // rad, from straight across the longer side
+constexpr double kSight = 0.7;       // rad, angle of sight before the picture is fitted
 constexpr double kDistance = 2.4;    // diagonals of the box, from its middle
 
 std::array<glm::dvec3, 8> corners_of(const Box& box) {
@@ -51,14 +54,15 @@ Camera corner_camera(const Box& box) {
   const glm::dvec3 size = box.high_m - box.low_m;
   const double turn = size.x >= size.y ? 0.0 : 1.5707963267948966;
   const double around = turn - 1.5707963267948966 - kAside;  // of the eye, from the middle
-  const glm::dvec3 out(std::cos(kElevation) * std::cos(around),
-                       std::cos(kElevation) * std::sin(around), std::sin(kElevation));
+  const glm::dvec3 out(calc::cos(kElevation) * calc::cos(around),
+                       calc::cos(kElevation) * calc::sin(around), calc::sin(kElevation));
   const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
   const double distance = kDistance * diagonal_m(box);
   Camera camera;
   camera.eye_m = middle + distance * out;
   camera.towards = -out;
-  camera.clip_from_local = glm::perspective(0.7, 1.0, 0.5 * distance, 1.5 * distance) *
+  const double near = 0.5 * distance, reach = near * calc::tan(0.5 * kSight);
+  camera.clip_from_local = glm::frustum(-reach, reach, -reach, reach, near, 1.5 * distance) *
                            glm::lookAt(camera.eye_m, middle, glm::dvec3(0, 0, 1));
   fit(camera, box);
   return camera;

@@ -1,5 +1,6 @@
 #include "gpu/path_tables.h"
 
+#include "calc/elementary.h"
 #include "gpu/path_shader_text.h"
 
 #include <algorithm>
@@ -37,8 +38,8 @@ void add_web(std::vector<double>& table, const calc::WebSampler& sampler) {
   add(table, web.c_rad());
   add(table, sampler.c_prefix());
   add(table, web.gamma_rad());
-  for (const double gamma : web.gamma_rad()) table.push_back(std::sin(gamma));
-  for (const double gamma : web.gamma_rad()) table.push_back(std::cos(gamma));
+  for (const double gamma : web.gamma_rad()) table.push_back(calc::sin(gamma));
+  for (const double gamma : web.gamma_rad()) table.push_back(calc::cos(gamma));
   for (std::size_t plane = 0; plane < web.c_rad().size(); ++plane) {
     for (std::size_t gamma = 0; gamma < web.gamma_rad().size(); ++gamma) {
       table.push_back(web.table_cd(plane, gamma));

@@ -1,5 +1,6 @@
 #include "gpu/room_drawing.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/opening.h"
 #include "calc/units.h"
 
@@ -79,7 +80,7 @@ std::vector<glm::dvec3> rim_of(const calc::PlacedLuminaire& luminaire) {
   for (int k = 0; k < corners; ++k) {
     const double turn = 2.0 * calc::kPi * (k + (is_rectangle ? 0.5 : 0.0)) / corners;
     const double reach = is_rectangle ? std::sqrt(2.0) : 1.0;
-    const glm::dvec2 p = half * reach * glm::dvec2(std::cos(turn), std::sin(turn));
+    const glm::dvec2 p = half * reach * glm::dvec2(calc::cos(turn), calc::sin(turn));
     rim.push_back(luminaire.position_m + luminaire.world_from_luminaire * glm::dvec3(p, 0.0));
   }
   return rim;

@@ -1,5 +1,6 @@
 #include "report/aggregate_words.h"
 
+#include "calc/elementary.h"
 #include "report/text_numbers.h"
 #include "report/words.h"
 
@@ -31,7 +32,7 @@ std::optional<double> share_met(const rules::AggregateFinding& finding) {
 // "89.96 %": as many digits as keep it on its side of what is required.
 std::string share_text(double share, double required) {
   const auto is_kept = [&](int decimals) {
-    const double scale = std::pow(10.0, decimals);
+    const double scale = calc::pow(10.0, decimals);
     return (std::round(100.0 * share * scale) >= 100.0 * required * scale) == (share >= required);
   };
   int decimals = 1;

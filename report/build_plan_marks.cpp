@@ -1,5 +1,7 @@
 #include "report/build_plan_marks.h"
 
+#include "calc/elementary.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,7 +56,7 @@ std::vector<glm::dvec2> opening_outline(const calc::PlacedLuminaire& luminaire,
     for (int i = 0; i < corners; ++i) {
       const double turn = 6.283185307179586 * (i + 0.5) / corners;
       const double reach = is_round ? 1.0 : 1.4142135623730951;
-      const glm::dvec3 local{half_m.x * reach * std::cos(turn), half_m.y * reach * std::sin(turn),
+      const glm::dvec3 local{half_m.x * reach * calc::cos(turn), half_m.y * reach * calc::sin(turn),
                              z};
       points.emplace_back(centre_m + luminaire.world_from_luminaire * local);
     }

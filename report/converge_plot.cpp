@@ -1,5 +1,6 @@
 #include "report/converge_plot.h"
 
+#include "calc/elementary.h"
 #include "report/html_markup.h"
 #include "report/number_format.h"
 
@@ -29,12 +30,12 @@ struct Axis {
   void finish(double begin, double end) {
     from = begin;
     to = end;
-    const double narrow = std::max(0.0, 0.25 - 0.5 * std::log10(high / low));
-    low /= std::pow(10.0, narrow + 0.08);
-    high *= std::pow(10.0, narrow + 0.08);
+    const double narrow = std::max(0.0, 0.25 - 0.5 * calc::log10(high / low));
+    low /= calc::pow(10.0, narrow + 0.08);
+    high *= calc::pow(10.0, narrow + 0.08);
   }
   double at(double value) const {
-    const double share = std::log(std::max(value, 1e-300) / low) / std::log(high / low);
+    const double share = calc::log(std::max(value, 1e-300) / low) / calc::log(high / low);
     return from + (to - from) * share;
   }
   bool shows(double value) const { return value >= low && value <= high; }
@@ -47,12 +48,12 @@ struct Tick {
 
 // 1, 2 and 5 of every decade; labels where there is room.
 std::vector<Tick> ticks_of(const Axis& axis) {
-  const double decades = std::log10(axis.high / axis.low);
+  const double decades = calc::log10(axis.high / axis.low);
   std::vector<Tick> ticks;
-  for (int d = static_cast<int>(std::floor(std::log10(axis.low))); std::pow(10.0, d) <= axis.high;
+  for (int d = static_cast<int>(std::floor(calc::log10(axis.low))); calc::pow(10.0, d) <= axis.high;
        ++d) {
     for (const int step : {1, 2, 5}) {
-      const double value = step * std::pow(10.0, d);
+      const double value = step * calc::pow(10.0, d);
       if (!axis.shows(value)) continue;
       const bool has_room = decades <= 2.2 || (step == 1 && (decades <= 6.0 || d % 2 == 0));
       if (step == 1 || decades <= 3.2) ticks.push_back({value, has_room});
@@ -63,8 +64,8 @@ std::vector<Tick> ticks_of(const Axis& axis) {
 
 // Of 1, 2 or 5 times a power of ten; "5e-8" where zeros would not fit beside the plot.
 std::string short_number(double value) {
-  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  if (exponent < -3) return fmt::format("{:.0f}e{}", value / std::pow(10.0, exponent), exponent);
+  const int exponent = static_cast<int>(std::floor(calc::log10(value) + 1e-9));
+  if (exponent < -3) return fmt::format("{:.0f}e{}", value / calc::pow(10.0, exponent), exponent);
   return format_fixed(value, std::max(-exponent, 0));
 }
 
@@ -116,8 +117,8 @@ std::string grid(const Axis& x, const Axis& y, const PlotSpec& spec) {
 std::string guide(const Axis& x, const Axis& y) {
   const double x0 = std::sqrt(x.low * x.high), y0 = std::sqrt(y.low * y.high);
   const auto y_at = [&](double value) { return y0 * std::sqrt(x0 / value); };
-  const double left = std::max(x.low, x0 * std::pow(y0 / y.high, 2));
-  const double right = std::min(x.high, x0 * std::pow(y0 / y.low, 2));
+  const double left = std::max(x.low, x0 * calc::pow(y0 / y.high, 2));
+  const double right = std::min(x.high, x0 * calc::pow(y0 / y.low, 2));
   return line("guide", x.at(left), y.at(y_at(left)), x.at(right), y.at(y_at(right)));
 }
 

@@ -1,5 +1,6 @@
 #include "report/converge_statistics.h"
 
+#include "calc/elementary.h"
 #include "calc/statistics.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ std::optional<Line> fitted_line(std::span<const double> x, std::span<const doubl
   double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!(x[i] > 0.0) || !(y[i] > 0.0) || !std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
-    const double lx = std::log(x[i]), ly = std::log(y[i]);
+    const double lx = calc::log(x[i]), ly = calc::log(y[i]);
     n += 1.0;
     sx += lx;
     sy += ly;
@@ -67,7 +68,7 @@ std::optional<Line> fitted_line(std::span<const double> x, std::span<const doubl
   const double spread = n * sxx - sx * sx;
   if (n < 3.0 || !(spread > 1e-12 * std::max(1.0, n * sxx))) return std::nullopt;
   const double exponent = (n * sxy - sx * sy) / spread;
-  return Line{exponent, std::exp((sy - exponent * sx) / n)};
+  return Line{exponent, calc::exp((sy - exponent * sx) / n)};
 }
 
 bool holds(std::span<const double> values, double truth, double error, double confidence,
@@ -131,7 +132,7 @@ double relative_error(const ConvergeTruth& truth) {
   double squares = 0.0, count = 0.0;
   for (std::size_t i = 0; i < truth.lx.size(); ++i) {
     if (!(truth.lx[i] > truth.lowest_lx())) continue;
-    squares += std::pow(truth.error_lx[i] / truth.lx[i], 2);
+    squares += calc::pow(truth.error_lx[i] / truth.lx[i], 2);
     count += 1.0;
   }
   return count > 0.0 ? std::sqrt(squares / count) : 0.0;
@@ -195,8 +196,8 @@ ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> 
   std::size_t first = xs.size();  // from here on all errors are small enough
   while (first > 0 && ys[first - 1] <= target) --first;
   if (first > 0 && first < xs.size()) {
-    const double share = std::log(ys[first - 1] / target) / std::log(ys[first - 1] / ys[first]);
-    return {xs[first - 1] * std::pow(xs[first] / xs[first - 1], share), false};
+    const double share = calc::log(ys[first - 1] / target) / calc::log(ys[first - 1] / ys[first]);
+    return {xs[first - 1] * calc::pow(xs[first] / xs[first - 1], share), false};
   }
   const double nearest = first == 0 ? ys.front() : ys.back();
   const double ratio = first == 0 ? target / nearest : nearest / target;
@@ -207,7 +208,7 @@ ConvergeTarget find_crossing(std::span<const double> x, std::span<const double> 
       fitted_line(std::span(xs).subspan(begin, count), std::span(ys).subspan(begin, count));
   if (!line || !(line->exponent < kStillFalls) || ratio > kFarthest) return {};
   const std::size_t from = first == 0 ? 0 : xs.size() - 1;
-  return {xs[from] * std::pow(target / ys[from], 1.0 / line->exponent), true};
+  return {xs[from] * calc::pow(target / ys[from], 1.0 / line->exponent), true};
 }
 
 ConvergeCoverage coverage_of(const std::vector<std::vector<double>>& replicates,

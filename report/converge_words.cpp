@@ -1,5 +1,6 @@
 #include "report/converge_words.h"
 
+#include "calc/elementary.h"
 #include "report/number_format.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace {
 // Two significant digits, all of the whole part.
 std::string two_digits(double value) {
   if (!(value > 0.0)) return "0";
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(value))), 0, 9);
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(calc::log10(value))), 0, 9);
   return format_fixed(value, decimals);
 }
 

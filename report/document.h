@@ -30,6 +30,10 @@ struct PhaseTimes {
   double total_s = 0;
 };
 
+// On what machines the same command, with the same files, gives the same bits again: any x86-64
+// processor; those with the same graphics device and driver; none, since time cut it short.
+enum class SameBits { any_processor, same_device, nowhere };
+
 struct Provenance {
   std::string program_version;  // "0.1.0"
   std::string command_line;     // copyable: "luxgate check office.xml --seed 1"
@@ -40,7 +44,9 @@ struct Provenance {
   double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
-  std::string backend;       // "cpu (Embree 3.13.5)"
+  std::string backend;      // "cpu (Embree 3.13.5)"
+  int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
+  SameBits same_bits = SameBits::any_processor;
   bool is_redacted = false;  // see redact()
 };
 

@@ -1,5 +1,6 @@
 #include "report/exr.h"
 
+#include "calc/elementary.h"
 #include "report/plain_text.h"
 #include "report/words.h"
 
@@ -85,8 +86,9 @@ void write_picture(const Imf::Header& header, int columns, int rows,
 
 // [IEC 61966-2-1]
 float linear_light(std::uint8_t component) {
-  const float value = static_cast<float>(component) / 255.0F;
-  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+  const double value = static_cast<double>(component) / 255.0;
+  return static_cast<float>(value <= 0.04045 ? value / 12.92
+                                             : calc::pow((value + 0.055) / 1.055, 2.4));
 }
 
 }  // namespace

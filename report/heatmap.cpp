@@ -1,5 +1,7 @@
 #include "report/heatmap.h"
 
+#include "calc/elementary.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,12 +30,12 @@ std::uint8_t blend(std::uint8_t a, std::uint8_t b, double t) {
 
 double linear(std::uint8_t channel) {
   const double c = channel / 255.0;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return c <= 0.04045 ? c / 12.92 : calc::pow((c + 0.055) / 1.055, 2.4);
 }
 
 // The smallest of 1, 2, 5 times a power of ten that is >= value > 0.
 double round_step(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  const double power = calc::pow(10.0, std::floor(calc::log10(value)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= value * (1.0 - 1e-9)) return factor * power;
   }

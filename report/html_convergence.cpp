@@ -1,5 +1,6 @@
 #include "report/html_convergence.h"
 
+#include "calc/elementary.h"
 #include "report/html_markup.h"
 #include "report/words.h"
 
@@ -103,8 +104,8 @@ struct Frame {
     high_width = std::max(high_width, place.width);
   }
   void round() {
-    low_width = std::pow(10.0, std::floor(std::log10(low_width) + 1e-9));
-    high_width = std::pow(10.0, std::ceil(std::log10(high_width) - 1e-9));
+    low_width = calc::pow(10.0, std::floor(calc::log10(low_width) + 1e-9));
+    high_width = calc::pow(10.0, std::ceil(calc::log10(high_width) - 1e-9));
     if (!(high_width > low_width)) high_width = 10.0 * low_width;
     if (!(high_paths > low_paths)) {
       low_paths /= 2.0;
@@ -112,11 +113,11 @@ struct Frame {
     }
   }
   double x(double paths) const {
-    const double part = std::log(paths / low_paths) / std::log(high_paths / low_paths);
+    const double part = calc::log(paths / low_paths) / calc::log(high_paths / low_paths);
     return kLeft + part * (kWidth - kLeft - kRight);
   }
   double y(double width) const {
-    const double part = std::log(width / low_width) / std::log(high_width / low_width);
+    const double part = calc::log(width / low_width) / calc::log(high_width / low_width);
     return kHeight - kBottom - part * (kHeight - kTop - kBottom);
   }
 };
@@ -128,8 +129,8 @@ std::string axes(const Texts& t, const Frame& frame) {
     text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 8,
                         svg_number(frame.y(width) + 4), format_percent(t, width));
   }
-  const double doublings = std::log2(frame.high_paths / frame.low_paths);
-  const double factor = std::exp2(std::max(1.0, std::ceil(doublings / 6.0)));
+  const double doublings = calc::log2(frame.high_paths / frame.low_paths);
+  const double factor = calc::exp2(std::max(1.0, std::ceil(doublings / 6.0)));
   for (double paths = frame.low_paths; paths <= frame.high_paths * 1.01; paths *= factor) {
     const std::string x = svg_number(frame.x(paths));
     grid += fmt::format("M{} {}V{}", x, kTop, kHeight - kBottom);

@@ -1,5 +1,6 @@
 #include "report/html_legend.h"
 
+#include "calc/elementary.h"
 #include "report/html_markup.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ double bar_x(const ColourScale& scale, double value_lx) {
 
 // Decimals that tell neighbouring band limits apart.
 int step_decimals(double step) {
-  return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  return std::max(0, -static_cast<int>(std::floor(calc::log10(step) + 1e-9)));
 }
 
 std::string band_boxes(const ColourScale& scale, double top) {

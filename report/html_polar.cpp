@@ -1,5 +1,6 @@
 #include "report/html_polar.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 #include "report/html_markup.h"
 #include "report/polar_diagram.h"
@@ -23,8 +24,8 @@ std::string curve_path(const std::vector<double>& cd, double outer_cd) {
         calc::radians_from_degrees((static_cast<int>(i) - kPolarHalfSteps) * kPolarStep_deg);
     const double r = kRadius * cd[i] / outer_cd;
     path +=
-        fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(kMiddle + r * std::sin(gamma)),
-                    svg_number(kMiddle + r * std::cos(gamma)));
+        fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(kMiddle + r * calc::sin(gamma)),
+                    svg_number(kMiddle + r * calc::cos(gamma)));
   }
   return path;
 }

@@ -116,19 +116,16 @@ std::string times_table(const Texts& t, const PhaseTimes& times) {
          "</caption><tbody>" + rows + "</tbody></table>\n";
 }
 
-// A run that was cut short depends on how fast the machine was.
-const char* repeatability(const Texts& t, const Document& document) {
-  for (const ProjectPart& project : document.projects) {
-    for (const SpacePart& space : project.spaces) {
-      for (const PlanePart& plane : space.planes) {
-        if (plane.stop == calc::StopReason::time_limit ||
-            plane.stop == calc::StopReason::interrupted) {
-          return t[Text::not_repeatable];
-        }
-      }
-    }
+const char* repeatability(const Texts& t, SameBits same_bits) {
+  switch (same_bits) {
+    case SameBits::any_processor:
+      return t[Text::repeatable];
+    case SameBits::same_device:
+      return t[Text::repeatable_on_device];
+    case SameBits::nowhere:
+      return t[Text::not_repeatable];
   }
-  return t[Text::repeatable];
+  return "";
 }
 
 }  // namespace
@@ -218,6 +215,7 @@ std::string html_provenance(const Texts& t, const Document& document) {
   std::string rows = fact(t[Text::program], "luxgate " + escape_html(provenance.program_version));
   if (!provenance.timestamp.empty()) rows += fact(t[Text::made], escape_html(provenance.timestamp));
   rows += fact(t[Text::backend], t.english_html(escape_html(provenance.backend)));
+  rows += fact(t[Text::numbers_version], fmt::format("{}", provenance.numbers_version));
   rows += fact(t[Text::seed], fmt::format("{}", provenance.seed));
   rows += fact(t[Text::confidence],
                t.say<Text::over_all_looks>(format_percent(t, provenance.confidence)));
@@ -236,8 +234,9 @@ std::string html_provenance(const Texts& t, const Document& document) {
       "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "
       "wide\"><caption "
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
-      t[Text::provenance], repeatability(t, document), redacted.empty() ? "" : " " + redacted,
-      escape_html(provenance.command_line), t[Text::settings], rows);
+      t[Text::provenance], repeatability(t, provenance.same_bits),
+      redacted.empty() ? "" : " " + redacted, escape_html(provenance.command_line),
+      t[Text::settings], rows);
 }
 
 }  // namespace report

@@ -1,6 +1,7 @@
 #include "report/json.h"
 
 #include "report/json_layout.h"
+#include "report/same_bits.h"
 #include "report/words.h"
 
 #include <cmath>
@@ -51,7 +52,9 @@ Json provenance_json(const Provenance& provenance) {
                {"tolerance", provenance.tolerance},
                {"max_paths", provenance.max_paths},
                {"replicates", provenance.replicates},
-               {"backend", provenance.backend}};
+               {"backend", provenance.backend},
+               {"numbers_version", provenance.numbers_version},
+               {"same_bits_on", same_bits_name(provenance.same_bits)}};
   if (!provenance.timestamp.empty()) json["timestamp"] = provenance.timestamp;
   if (provenance.is_redacted) json["redacted"] = true;
   return json;

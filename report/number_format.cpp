@@ -1,5 +1,6 @@
 #include "report/number_format.h"
 
+#include "calc/elementary.h"
 #include "report/words.h"
 #include "rules/compare.h"
 
@@ -17,7 +18,7 @@ constexpr int kMostDecimals = 9;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // Place of the first significant digit: 0 for 1..9.99, 2 for 512, -1 for 0.5. value > 0.
-int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
+int magnitude(double value) { return static_cast<int>(std::floor(calc::log10(value))); }
 
 double rounded(double value, int decimals) {
   double result = value;
@@ -49,7 +50,7 @@ int plain_decimals(double value, double spread, std::string_view unit) {
   const int most = is_ratio ? 3 : std::max(1, decimals_for(value, 4));
   if (!(spread > 0.0)) return is_ratio ? 3 : most;
   int decimals = decimals_for(spread, 2);
-  if (rounded(spread, decimals) >= 10.0 * std::pow(10.0, 1 - decimals) && decimals > 0) --decimals;
+  if (rounded(spread, decimals) >= 10.0 * calc::pow(10.0, 1 - decimals) && decimals > 0) --decimals;
   return std::min(decimals, most);
 }
 
@@ -113,8 +114,9 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
   if (!(spread > 0.0)) return text;
   // A half width too small for these digits is rounded up to the last one rather than shown as
   // zero.
-  text.spread = rounded(spread, decimals) > 0.0 ? format_fixed(spread, decimals)
-                                                : format_fixed(std::pow(10.0, -decimals), decimals);
+  text.spread = rounded(spread, decimals) > 0.0
+                    ? format_fixed(spread, decimals)
+                    : format_fixed(calc::pow(10.0, -decimals), decimals);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "report/pass_factor.h"
 
+#include "calc/elementary.h"
 #include "report/text_numbers.h"
 
 #include <algorithm>
@@ -21,11 +22,11 @@ bool is_strict(rules::Comparison comparison) {
 
 // 1e-6: 1.09 must not become 1.10 because of its last bit.
 double up(double factor, int decimals) {
-  const double scale = std::pow(10.0, decimals);
+  const double scale = calc::pow(10.0, decimals);
   return std::ceil(factor * scale - 1e-6) / scale;
 }
 double down(double factor, int decimals) {
-  const double scale = std::pow(10.0, decimals);
+  const double scale = calc::pow(10.0, decimals);
   return std::floor(factor * scale + 1e-6) / scale;
 }
 
@@ -33,7 +34,7 @@ double down(double factor, int decimals) {
 int decimals_of(const calc::Estimate& factor) {
   int decimals = 2;
   const double width = factor.high - factor.low;
-  while (decimals < 5 && width > 0.0 && width < 2.0 * std::pow(10.0, -decimals)) ++decimals;
+  while (decimals < 5 && width > 0.0 && width < 2.0 * calc::pow(10.0, -decimals)) ++decimals;
   return decimals;
 }
 

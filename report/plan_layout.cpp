@@ -1,5 +1,6 @@
 #include "report/plan_layout.h"
 
+#include "calc/elementary.h"
 #include "report/text_numbers.h"
 #include "report/words.h"
 #include "rules/compare.h"
@@ -164,7 +165,7 @@ Thresholds point_thresholds(const PlanePart& plane) {
 
 double scale_bar_m(double width_m) {
   const double longest = width_m / 3.0;
-  const double power = std::pow(10.0, std::floor(std::log10(longest)));
+  const double power = calc::pow(10.0, std::floor(calc::log10(longest)));
   for (const double factor : {5.0, 2.0}) {
     if (factor * power <= longest) return factor * power;
   }

@@ -1,5 +1,6 @@
 #include "report/polar_diagram.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/web_measures.h"
 #include "calc/units.h"
 #include "report/number_format.h"
@@ -55,7 +56,7 @@ PlaneCurve plane_curve(const calc::PhotometricWeb& web, double c_rad) {
 double half_max_cd(const PlaneCurve& curve, double sign) {
   double highest = 0.0;
   for (std::size_t i = 0; i < curve.cd.size(); ++i) {
-    if (sign * std::cos(curve.angle_rad[i]) > 1.0e-9) highest = std::max(highest, curve.cd[i]);
+    if (sign * calc::cos(curve.angle_rad[i]) > 1.0e-9) highest = std::max(highest, curve.cd[i]);
   }
   return highest;
 }
@@ -92,11 +93,11 @@ class Drawer {
  private:
   // angle_rad: signed gamma; radius in pixels.
   PolarPoint at(double angle_rad, double radius) const {
-    return {centre_.x + radius * std::sin(angle_rad), centre_.y + radius * std::cos(angle_rad)};
+    return {centre_.x + radius * calc::sin(angle_rad), centre_.y + radius * calc::cos(angle_rad)};
   }
   double pixels(double cd) const { return kRadius * cd / (ring_cd_ * rings_); }
   bool is_shown(double angle_rad) const {
-    const double down = std::cos(angle_rad);
+    const double down = calc::cos(angle_rad);
     return (has_lower_ && down > -1.0e-9) || (has_upper_ && down < 1.0e-9);
   }
 
@@ -178,7 +179,7 @@ class Drawer {
 }  // namespace
 
 double polar_ring_step(double highest) {
-  double step = std::pow(10.0, std::floor(std::log10(highest)) - 1.0);
+  double step = calc::pow(10.0, std::floor(calc::log10(highest)) - 1.0);
   for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10 ... of that power
     if (highest / step <= 6.0) return step;
     step *= factor;

@@ -2,6 +2,7 @@
 
 #include "report/json_cursor.h"
 #include "report/read_json_parts.h"
+#include "report/same_bits.h"
 
 #include <array>
 
@@ -20,6 +21,10 @@ Provenance provenance(const JsonCursor& at) {
   p.max_paths = at["max_paths"].count();
   p.replicates = read_whole(at["replicates"]);
   p.backend = at["backend"].text();
+  p.numbers_version = read_whole(at["numbers_version"]);
+  p.same_bits = at["same_bits_on"].one_of(
+      std::array{SameBits::any_processor, SameBits::same_device, SameBits::nowhere},
+      same_bits_name);
   if (const auto timestamp = at.find("timestamp")) p.timestamp = timestamp->text();
   if (const auto redacted = at.find("redacted")) p.is_redacted = redacted->flag();
   return p;

@@ -1,5 +1,6 @@
 #include "report/room_picture.h"
 
+#include "calc/elementary.h"
 #include "report/dot_font.h"
 #include "report/number_format.h"
 
@@ -134,7 +135,7 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double>
       make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
                                       at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
   // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
-  const double power = std::pow(10.0, std::floor(std::log10(scale.step_lx) + 1e-9));
+  const double power = calc::pow(10.0, std::floor(calc::log10(scale.step_lx) + 1e-9));
   if (scale.bands <= 6 && scale.step_lx < 2.5 * power) {
     scale.step_lx /= 2.0;
     scale.bands *= 2;

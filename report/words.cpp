@@ -1,5 +1,6 @@
 #include "report/words.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 #include "report/plain_text.h"
 #include "report/text_numbers.h"
@@ -383,7 +384,7 @@ bool is_horizontal(const glm::dvec3& normal) { return std::abs(normal.z) > 1.0 -
 std::string orientation_words(const Texts& t, const glm::dvec3& normal) {
   if (is_horizontal(normal)) return t[normal.z > 0 ? Text::facing_up : Text::facing_down];
   if (std::abs(normal.z) < kStraight) return t.say<Text::facing_sideways>(heading_words(t, normal));
-  const double tilt_deg = calc::degrees_from_radians(std::acos(std::clamp(normal.z, -1.0, 1.0)));
+  const double tilt_deg = calc::degrees_from_radians(calc::acos(std::clamp(normal.z, -1.0, 1.0)));
   return t.say<Text::inclined>(format_fixed(t, tilt_deg, 1));
 }
 

@@ -1,5 +1,7 @@
 #include "rules/compare.h"
 
+#include "calc/elementary.h"
+
 #include <cmath>
 
 namespace rules {
@@ -81,7 +83,7 @@ double margin(double value, Comparison comparison, double limit) {
 }
 
 double round_to(double value, int digits, Rounding rounding) {
-  const double scale = std::pow(10.0, digits);
+  const double scale = calc::pow(10.0, digits);
   const double scaled = value * scale;
   const double exact = scaled * (1.0 + kBinaryNoise);
   switch (rounding) {

@@ -1,5 +1,6 @@
 #include "rules/derived_points.h"
 
+#include "calc/elementary.h"
 #include "calc/statistics.h"
 #include "calc/units.h"
 #include "rules/candidates.h"
@@ -41,7 +42,7 @@ double covariance_of(const std::vector<double>& a, double mean_a, const std::vec
 double ugr_of(double sum, double background_lx) {
   if (!(sum > 0.0)) return -kInfinity;
   if (!(background_lx > 0.0)) return kInfinity;
-  return 8.0 * std::log10(0.25 * calc::kPi * sum / background_lx);
+  return 8.0 * calc::log10(0.25 * calc::kPi * sum / background_lx);
 }
 
 std::string refusal_text(const calc::GlareRefusal& refusal) {

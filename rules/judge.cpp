@@ -1,5 +1,6 @@
 #include "rules/judge.h"
 
+#include "calc/elementary.h"
 #include "rules/error_spending.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace {
 int sign(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
 
 double rounded(double value, int digits) {
-  const double scale = std::pow(10.0, digits);
+  const double scale = calc::pow(10.0, digits);
   return std::round(value * scale) / scale;
 }
 

@@ -1,5 +1,6 @@
 #include "rules/zone_outline.h"
 
+#include "calc/elementary.h"
 #include "calc/scene/polygon.h"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ double lost_to_margin_m2(const Polygon& room, double margin_m) {
     for (int i = 0; i < kTurns * kSteps; ++i) {
       const double angle = 6.283185307179586 * (i % kTurns) / kTurns;
       const double radius = kReach * margin_m * (i / kTurns + 1) / kSteps;
-      if (counts(p + radius * glm::dvec2(std::cos(angle), std::sin(angle)))) return true;
+      if (counts(p + radius * glm::dvec2(calc::cos(angle), calc::sin(angle)))) return true;
     }
     return false;
   };

@@ -1,5 +1,7 @@
 #include "calc/photometry/lamp_tilt.h"
 
+#include "calc/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,11 +10,11 @@ namespace calc {
 
 double lamp_tilt_rad(const LampTilt& tilt, const glm::dmat3& world_from_luminaire) {
   if (tilt.geometry == 2) {
-    return std::asin(std::clamp(std::abs(world_from_luminaire[0].z), 0.0, 1.0));
+    return calc::asin(std::clamp(std::abs(world_from_luminaire[0].z), 0.0, 1.0));
   }
   // atan2 keeps the angle of a luminaire that points straight down exactly 0.
   const glm::dvec3& up = world_from_luminaire[2];
-  return std::atan2(std::hypot(up.x, up.y), up.z);
+  return calc::atan2(std::hypot(up.x, up.y), up.z);
 }
 
 bool covers(const LampTilt& tilt, double tilt_rad) {

@@ -1,5 +1,6 @@
 #include "calc/photometry/sine_segment.h"
 
+#include "calc/elementary.h"
 #include "calc/turns.h"
 
 #include <algorithm>
@@ -16,13 +17,13 @@ using std::max;
 using std::min;
 using std::sqrt;
 
-SineCosine half_angle(double x_rad) { return {std::sin(0.5 * x_rad), std::cos(0.5 * x_rad)}; }
+SineCosine half_angle(double x_rad) { return {calc::sin(0.5 * x_rad), calc::cos(0.5 * x_rad)}; }
 
 #include "calc/photometry/sine_segment.glsl"
 
 SegmentShape shape_of(const SineSegment& segment) {
   return {segment.start_cd, (segment.end_cd - segment.start_cd) / segment.width_rad,
-          std::sin(segment.gamma_rad), std::cos(segment.gamma_rad)};
+          calc::sin(segment.gamma_rad), calc::cos(segment.gamma_rad)};
 }
 
 }  // namespace

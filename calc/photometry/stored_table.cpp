@@ -1,5 +1,6 @@
 #include "calc/photometry/stored_table.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/web_measures.h"
 #include "calc/photometry/web_resample.h"
 #include "calc/units.h"
@@ -163,7 +164,7 @@ StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamm
 }
 
 int decimals_for(double value, int digits) {
-  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(value))), 0, 15);
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(calc::log10(value))), 0, 15);
 }
 
 std::string decimal_text(double value, int digits, int decimals) {

@@ -1,5 +1,6 @@
 #include "calc/photometry/web.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/sine_segment.h"
 #include "calc/units.h"
 
@@ -95,7 +96,7 @@ double PhotometricWeb::intensity_cd(const std::array<double, 3>& direction) cons
   const std::array<double, 3> turned = to_table(direction);
   if (is_axial()) {  // C does not matter
     const double across = std::sqrt(turned[0] * turned[0] + turned[1] * turned[1]);
-    return at_table_angles_cd(0.0, std::atan2(across, -turned[2]));
+    return at_table_angles_cd(0.0, calc::atan2(across, -turned[2]));
   }
   const WebAngles angles = angles_of(turned);
   return at_table_angles_cd(angles.c_rad, angles.gamma_rad);
@@ -138,7 +139,7 @@ double PhotometricWeb::zonal_flux_lm(double from_gamma_rad, double to_gamma_rad)
   for (int i = 0; i < rows; ++i) {
     const double low = from_gamma_rad + zone_rad * i / rows;
     const double high = from_gamma_rad + zone_rad * (i + 1) / rows;
-    const double cell_sr = (std::cos(low) - std::cos(high)) * kStep_rad;
+    const double cell_sr = (calc::cos(low) - calc::cos(high)) * kStep_rad;
     for (int k = 0; k < 720; ++k) {
       sum_lm += cell_sr * intensity_cd(kStep_rad * (k + 0.5), 0.5 * (low + high));
     }
@@ -173,14 +174,14 @@ WebAngles angles_of(const std::array<double, 3>& direction) {
   const auto [x, y, z] = direction;
   const double across = std::sqrt(x * x + y * y);
   if (across == 0.0) return {0.0, z > 0.0 ? kPi : 0.0};
-  const double c = std::atan2(y, x);
-  return {c < 0.0 ? c + 2.0 * kPi : c, std::atan2(across, -z)};
+  const double c = calc::atan2(y, x);
+  return {c < 0.0 ? c + 2.0 * kPi : c, calc::atan2(across, -z)};
 }
 
 std::array<double, 3> direction_of(const WebAngles& angles) {
-  const double across = std::sin(angles.gamma_rad);
-  return {across * std::cos(angles.c_rad), across * std::sin(angles.c_rad),
-          -std::cos(angles.gamma_rad)};
+  const double across = calc::sin(angles.gamma_rad);
+  return {across * calc::cos(angles.c_rad), across * calc::sin(angles.c_rad),
+          -calc::cos(angles.gamma_rad)};
 }
 
 std::size_t interval_of(const std::vector<double>& nodes, double x) {

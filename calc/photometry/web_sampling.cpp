@@ -1,5 +1,6 @@
 #include "calc/photometry/web_sampling.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/sine_segment.h"
 #include "calc/turns.h"
 #include "calc/units.h"
@@ -78,9 +79,9 @@ std::array<double, 3> WebSampler::sample(double u0, double u1) const {
       plane.fraction = plane_total(i) > 0.0 ? 0.0 : 1.0;
     gamma = sample_gamma_rad(plane, u1);
   }
-  const double across = std::sin(gamma);
+  const double across = calc::sin(gamma);
   const SineCosine c = sine_cosine_of_turns(c_turns);
-  return web_.from_table({across * c.cosine, across * c.sine, -std::cos(gamma)});
+  return web_.from_table({across * c.cosine, across * c.sine, -calc::cos(gamma)});
 }
 
 double WebSampler::pdf(const std::array<double, 3>& direction) const {

@@ -1,5 +1,6 @@
 #include "calc/planner/beam.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ class Cells {
   explicit Cells(const PhotometricWeb& web) : web_(web), c_rad_(web.c_rad()) {
     if (web.is_axial()) c_rad_.push_back(2.0 * kPi);
     for (const double gamma : web.gamma_rad()) {
-      sin_.push_back(std::sin(gamma));
-      cos_.push_back(std::cos(gamma));
+      sin_.push_back(calc::sin(gamma));
+      cos_.push_back(calc::cos(gamma));
     }
   }
 
@@ -47,11 +48,11 @@ class Cells {
   // derivative vanishes.
   double least_cosine(const glm::dvec3& axis) const {
     const double across = std::hypot(axis.x, axis.y);
-    const double phi = std::atan2(axis.y, axis.x);
+    const double phi = calc::atan2(axis.y, axis.x);
     double least = 1.0;
     for (std::size_t p = 0; p < planes(); ++p) {
       const double side = across * least_cosine_between(from_c_rad(p) - phi, to_c_rad(p) - phi);
-      const double turning_rad = std::atan2(side, -axis.z) + kPi;  // in [0, 2 pi]
+      const double turning_rad = calc::atan2(side, -axis.z) + kPi;  // in [0, 2 pi]
       for (std::size_t g = 0; g < gammas(); ++g) {
         if (light(p, g) <= 0.0) continue;
         least = std::min(
@@ -68,7 +69,7 @@ class Cells {
     glm::dvec3 sum(0.0);
     for (std::size_t p = 0; p < planes(); ++p) {
       const double c = 0.5 * (from_c_rad(p) + to_c_rad(p)), width = to_c_rad(p) - from_c_rad(p);
-      const glm::dvec3 outward(std::cos(c), std::sin(c), 0.0);
+      const glm::dvec3 outward(calc::cos(c), calc::sin(c), 0.0);
       for (std::size_t g = 0; g < gammas(); ++g) {
         const double solid_angle = width * (cos_[g] - cos_[g + 1]);
         const double s = 0.5 * (sin_[g] + sin_[g + 1]), z = 0.5 * (cos_[g] + cos_[g + 1]);
@@ -95,7 +96,7 @@ class Cells {
   static double least_cosine_between(double from_rad, double to_rad) {
     const double half_turns = std::ceil((from_rad / kPi - 1.0) / 2.0);  // first pi + 2 pi k >= from
     if (kPi * (1.0 + 2.0 * half_turns) <= to_rad) return -1.0;
-    return std::min(std::cos(from_rad), std::cos(to_rad));
+    return std::min(calc::cos(from_rad), calc::cos(to_rad));
   }
 
   const PhotometricWeb& web_;
@@ -122,19 +123,19 @@ struct PolarCorner {
 bool tangent_plane_separates(const Beam& beam, const PlacedLuminaire& luminaire,
                              std::span<const glm::dvec3> corners, double side_m) {
   const double angle = beam.half_angle_rad + kAngleSlack_rad;
-  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const double sine = calc::sin(angle), cosine = calc::cos(angle);
   const glm::dvec3 aside = std::abs(beam.axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(beam.axis, aside));
   const glm::dvec3 y = glm::cross(beam.axis, x);
   const auto separates = [&](double phi) {
-    const glm::dvec3 normal = sine * beam.axis + cosine * (std::cos(phi) * x + std::sin(phi) * y);
+    const glm::dvec3 normal = sine * beam.axis + cosine * (calc::cos(phi) * x + calc::sin(phi) * y);
     return all_behind(luminaire, corners, normal, side_m);
   };
 
   const double opening_m = 0.5 * glm::length(luminaire.opening.size_m());
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& corner : corners) middle += corner - luminaire.position_m;
-  if (separates(std::atan2(-glm::dot(middle, y), -glm::dot(middle, x)))) return true;
+  if (separates(calc::atan2(-glm::dot(middle, y), -glm::dot(middle, x)))) return true;
   for (const glm::dvec3& corner : corners) {
     const glm::dvec3 d = corner - luminaire.position_m;
     const double along_m = glm::dot(d, beam.axis);
@@ -143,8 +144,8 @@ bool tangent_plane_separates(const Beam& beam, const PlacedLuminaire& luminaire,
     const double needed = -(sine * along_m + side_m + opening_m);
     if (needed < -cosine * across_m) return false;  // no tangent plane has it behind
     if (needed >= cosine * across_m) continue;      // every one has
-    const double phi_k = std::atan2(glm::dot(d, y), glm::dot(d, x));
-    const double range_end = std::acos(needed / (cosine * across_m));
+    const double phi_k = calc::atan2(glm::dot(d, y), glm::dot(d, x));
+    const double range_end = calc::acos(needed / (cosine * across_m));
     constexpr double kNudge_rad = 1.0e-9;
     if (separates(phi_k + range_end + kNudge_rad) || separates(phi_k - range_end - kNudge_rad)) {
       return true;
@@ -158,7 +159,7 @@ bool lies_in_dark_cone(const Beam& beam, const PlacedLuminaire& luminaire,
   const double angle = kPi - beam.half_angle_rad - kAngleSlack_rad;
   if (!(angle > 0.0)) return false;
   const double opening_m = 0.5 * glm::length(luminaire.opening.size_m());
-  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const double sine = calc::sin(angle), cosine = calc::cos(angle);
   return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
     const glm::dvec3 d = corner - luminaire.position_m;
     const double along_m = -glm::dot(d, beam.axis);
@@ -182,7 +183,7 @@ Beam beam_about_table(const PhotometricWeb& web) {
   const glm::dvec3 mean = cells.mean_direction();
   if (!(glm::length(mean) > 0.0)) return beam;
   const glm::dvec3 axis = glm::normalize(mean);
-  const double half_angle_rad = std::acos(cells.least_cosine(axis)) + kAngleSlack_rad;
+  const double half_angle_rad = calc::acos(cells.least_cosine(axis)) + kAngleSlack_rad;
   // A symmetric beam's mean is a pole up to rounding: the pole itself is then the better axis.
   if (half_angle_rad < beam.half_angle_rad) beam = {axis, half_angle_rad};
   return beam;

@@ -1,5 +1,6 @@
 #include "calc/radiosity/cut.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/node_terms.h"
 #include "calc/radiosity/node_weights.h"
 
@@ -49,10 +50,10 @@ bool faces_away(const ReceiverTile& tile, const VertexNode& node, const NodeView
   }
   if (view.distance <= reach) return false;
   // angle(axis, to_tile) > 90 degrees + spread + angle that both spheres take up
-  const float spread = std::acos(std::min(1.0f, node.cos_spread));
-  const float sphere = std::asin(reach / view.distance);
-  return std::acos(std::clamp(cosine / view.distance, -1.0f, 1.0f)) >
-         std::acos(0.0f) + spread + sphere + 1e-3f;
+  const float spread = calc::acos(std::min(1.0f, node.cos_spread));
+  const float sphere = calc::asin(reach / view.distance);
+  return calc::acos(std::clamp(cosine / view.distance, -1.0f, 1.0f)) >
+         calc::acos(0.0f) + spread + sphere + 1e-3f;
 }
 
 float bound_of(const VertexNode& node, float smallest_bound_per_m2) {

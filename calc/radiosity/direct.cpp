@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace calc {
@@ -87,8 +86,10 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
   constexpr double kOneSampleError = 0.8;
   constexpr double kWantedError = 0.005;
   const double ratio = std::min(1.0, diameter_m / distance_m);
-  return std::bit_ceil(static_cast<std::uint32_t>(
-      std::ceil(std::pow(kOneSampleError * ratio / kWantedError, 2.0 / 3.0))));
+  const double wanted = kOneSampleError * ratio / kWantedError;  // n^1.5, at most 160
+  double n = 1.0;
+  while (n * n * n < wanted * wanted) n *= 2.0;
+  return static_cast<std::uint32_t>(n);
 }
 
 // A receiver in touch with the opening would split for ever; 2^-12 of an opening's sides is a

@@ -1,6 +1,7 @@
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/shadow_batch.h"
+#include "calc/rays/triangle_tree.h"
 
 #include <cstddef>
 #include <vector>
@@ -59,7 +60,7 @@ class CpuGatherer : public Gatherer {
     return rays;
   }
 
-  std::string description() const override { return "cpu (" + tracer_version() + ")"; }
+  std::string description() const override { return "cpu (" + tree_builder_version() + ")"; }
 };
 
 }  // namespace

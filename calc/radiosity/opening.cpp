@@ -1,5 +1,6 @@
 #include "calc/radiosity/opening.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ double outline_m2(const LuminousOpening& opening, const glm::dvec3& half_m,
 
 glm::dvec2 unit_disk(double s, double t) {
   const double radius = std::sqrt(s);  // area-preserving
-  return radius * glm::dvec2(std::cos(2.0 * kPi * t), std::sin(2.0 * kPi * t));
+  return radius * glm::dvec2(calc::cos(2.0 * kPi * t), calc::sin(2.0 * kPi * t));
 }
 
 }  // namespace
@@ -138,11 +139,11 @@ OpeningView::LocalPoint OpeningView::cylinder_point(std::size_t piece, double s,
     return {half_m_ * unit, normal};
   }
   // On the unit circle that the section is an image of: evenly across the direction's outline.
-  const double middle = std::atan2(local_towards_[b] / half_m_[b], local_towards_[a] / half_m_[a]);
-  const double angle = middle + std::asin(std::clamp(2.0 * s - 1.0, -1.0, 1.0));
+  const double middle = calc::atan2(local_towards_[b] / half_m_[b], local_towards_[a] / half_m_[a]);
+  const double angle = middle + calc::asin(std::clamp(2.0 * s - 1.0, -1.0, 1.0));
   unit[axis] = 2.0 * t - 1.0;
-  unit[a] = std::cos(angle);
-  unit[b] = std::sin(angle);
+  unit[a] = calc::cos(angle);
+  unit[b] = calc::sin(angle);
   normal[a] = unit[a] / half_m_[a];
   normal[b] = unit[b] / half_m_[b];
   return {half_m_ * unit, glm::normalize(normal)};

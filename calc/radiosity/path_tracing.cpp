@@ -1,5 +1,6 @@
 #include "calc/radiosity/path_tracing.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/light_paths.h"
@@ -35,8 +36,8 @@ FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<do
   }
   const double z = 1.0 - 2.0 * u[0];
   const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const glm::dvec3 direction(radius * std::cos(2.0 * kPi * u[1]),
-                             radius * std::sin(2.0 * kPi * u[1]), z);
+  const glm::dvec3 direction(radius * calc::cos(2.0 * kPi * u[1]),
+                             radius * calc::sin(2.0 * kPi * u[1]), z);
   return {receiver.position_m, direction,
           4.0 * response_times_distance(receiver.kernel, receiver.axis, direction)};
 }

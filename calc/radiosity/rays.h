@@ -1,17 +1,16 @@
 #pragma once
-// Visibility and closest hits. Embree is known to rays.cpp and rays_distance.cpp alone.
+// Visibility, closest hits and distances in one prepared scene.
 
 #include "calc/radiosity/identity.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace calc {
@@ -37,46 +36,41 @@ struct CloseSurface {
   double distance_m;  // from the point
 };
 
-// Up to 16 segments, as arrays for a ray packet.
+// Up to 16 segments between lifted points, local coordinates.
 struct SegmentPacket {
   static constexpr int kSize = 16;
-  alignas(64) std::array<float, kSize> from_x, from_y, from_z, to_x, to_y, to_z;  // lifted, local
+  std::array<Ray, kSize> segment;  // from one end to the other at 1
   int count = 0;
 
   bool is_full() const { return count == kSize; }
   // Returns its place. The packet must not be full.
   std::size_t add(const glm::vec3& from_m, const glm::vec3& to_m) {
     const auto k = static_cast<std::size_t>(count++);
-    from_x[k] = from_m.x;
-    from_y[k] = from_m.y;
-    from_z[k] = from_m.z;
-    to_x[k] = to_m.x;
-    to_y[k] = to_m.y;
-    to_z[k] = to_m.z;
+    segment[k].origin = from_m;
+    segment[k].direction = to_m - from_m;
     return k;
   }
 };
 
-// Up to 16 rays with unit directions, as arrays.
+// Up to 16 rays with unit directions.
 struct RayPacket {
   static constexpr int kSize = 16;
-  alignas(64) std::array<float, kSize> x, y, z, dx, dy, dz;
+  std::array<Ray, kSize> ray;
   int count = 0;
 
   bool is_full() const { return count == kSize; }
   // The packet must not be full.
   void add(const glm::dvec3& origin_m, const glm::dvec3& direction) {
     const auto k = static_cast<std::size_t>(count++);
-    x[k] = static_cast<float>(origin_m.x);
-    y[k] = static_cast<float>(origin_m.y);
-    z[k] = static_cast<float>(origin_m.z);
-    dx[k] = static_cast<float>(direction.x);
-    dy[k] = static_cast<float>(direction.y);
-    dz[k] = static_cast<float>(direction.z);
+    ray[k].origin = glm::vec3(origin_m);
+    ray[k].direction = glm::vec3(direction);
   }
 };
+static_assert(SegmentPacket::kSize == TriangleTree::kRays &&
+              RayPacket::kSize == TriangleTree::kRays);
 
-// Ray queries on one prepared scene. Queries are const and may run on many threads at once.
+// Ray queries on one prepared scene. Queries are const and may run on many threads at once. Answers
+// are the same bits on every processor, see triangle_tree.h.
 //
 // Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points
 // along their normals; the query leaves out the last stretch of that length at either end as well,
@@ -84,7 +78,6 @@ struct RayPacket {
 class Tracer {
  public:
   explicit Tracer(const PreparedScene& scene);
-  ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
@@ -145,20 +138,19 @@ class Tracer {
   std::uint32_t blocked(const SegmentPacket& packet) const;
 
  private:
-  struct Embree;
   glm::dvec3 point_on(std::uint32_t triangle, double u, double v) const;
-  SurfaceHit surface_hit(std::uint32_t triangle, double u, double v,
-                         const glm::dvec3& direction) const;
+  SurfaceHit surface_hit(const TriangleHit& hit, const glm::dvec3& direction) const;
 
   const PreparedScene& scene_;
   std::uint64_t identity_ = new_identity();
   double offset_m_;
   bool has_shadows_ = true;
   std::vector<glm::dvec3> triangle_normal_;  // unit
-  std::unique_ptr<Embree> embree_;
+  TriangleTree tree_;
 };
 
-// Denormal numbers are flushed to zero while it lives, as Embree asks for, on the current thread.
+// Denormal numbers are flushed to zero while it lives, on the current thread: they cost a hundred
+// times the time of others and are far below every rounding that matters.
 class FlushDenormals {
  public:
   FlushDenormals();
@@ -169,8 +161,5 @@ class FlushDenormals {
  private:
   unsigned saved_;
 };
-
-// "Embree 3.13.5"
-std::string tracer_version();
 
 }  // namespace calc

@@ -1,5 +1,6 @@
 #include "calc/radiosity/surface_light.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/solve.h"
 #include "calc/statistics.h"
 
@@ -254,7 +255,7 @@ class CornerLight {
       direct_lx_[corner[i]] = static_cast<float>(mean.mean - indirect_lx);
       indirect_lx_[corner[i]] = static_cast<float>(indirect_lx);
       if (!(mean.mean > 0.0)) continue;
-      squares_ += std::pow(mean.standard_error / mean.mean, 2);
+      squares_ += calc::pow(mean.standard_error / mean.mean, 2);
       points_ += 1.0;
     }
     return true;

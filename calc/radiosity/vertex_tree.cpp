@@ -1,5 +1,6 @@
 #include "calc/radiosity/vertex_tree.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/radix_sort.h"
 
 #include <algorithm>
@@ -110,9 +111,9 @@ void summarise_pair(VertexNode& node, const VertexNode& a, const VertexNode& b) 
       a.axis * static_cast<float>(a.size()) + b.axis * static_cast<float>(b.size());
   const float length = glm::length(sum);
   const auto widest = [&](const VertexNode& part) {
-    if (part.cos_spread <= -1.0f) return std::acos(-1.0f);
-    return std::acos(std::clamp(glm::dot(node.axis, part.axis), -1.0f, 1.0f)) +
-           std::acos(std::clamp(part.cos_spread, -1.0f, 1.0f));
+    if (part.cos_spread <= -1.0f) return calc::acos(-1.0f);
+    return calc::acos(std::clamp(glm::dot(node.axis, part.axis), -1.0f, 1.0f)) +
+           calc::acos(std::clamp(part.cos_spread, -1.0f, 1.0f));
   };
   if (length < 1e-3f) {
     node.cos_spread = -1.0f;
@@ -123,7 +124,7 @@ void summarise_pair(VertexNode& node, const VertexNode& a, const VertexNode& b) 
     node.cos_spread = std::min(a.cos_spread, b.cos_spread);
     return;
   }
-  node.cos_spread = std::cos(std::min(std::max(widest(a), widest(b)), std::acos(-1.0f)));
+  node.cos_spread = calc::cos(std::min(std::max(widest(a), widest(b)), calc::acos(-1.0f)));
 }
 
 float density(const VertexNode& node) {

@@ -1,11 +1,13 @@
 #include "calc/scene/frame.h"
 
+#include "calc/elementary.h"
+
 #include <cmath>
 
 namespace calc {
 
 glm::dmat3 rotation_about_z(double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  const double c = calc::cos(angle_rad), s = calc::sin(angle_rad);
   return {glm::dvec3(c, s, 0), glm::dvec3(-s, c, 0), glm::dvec3(0, 0, 1)};
 }
 

@@ -1,5 +1,6 @@
 #include "calc/scene/planes_xml.h"
 
+#include "calc/elementary.h"
 #include "calc/scene/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "calc/text.h"
@@ -152,7 +153,7 @@ class PlaneReader {
     const double cosine = glm::dot(u, v) / lengths;
     if (std::abs(cosine) > kPerpendicularCosine) {
       reader_.report(DiagnosticId::not_perpendicular, reader_.where("u"),
-                     degrees_from_radians(std::acos(cosine)));
+                     degrees_from_radians(calc::acos(cosine)));
       return std::nullopt;
     }
     return rectangle_area({origin, u, v});
@@ -296,7 +297,7 @@ glm::dvec3 read_look(ElementReader& reader, const PlaneQuantity& quantity) {
   if (reader.diagnostics().error_count() > errors) return glm::dvec3(0.0);
   if (is_horizontal(look)) return made_horizontal(look);
   reader.report(DiagnosticId::not_horizontal, reader.where(kName), kName, "plane",
-                degrees_from_radians(std::asin(look.z)));
+                degrees_from_radians(calc::asin(look.z)));
   return glm::dvec3(0.0);
 }
 

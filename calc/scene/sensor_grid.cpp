@@ -1,5 +1,6 @@
 #include "calc/scene/sensor_grid.h"
 
+#include "calc/elementary.h"
 #include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
@@ -38,7 +39,7 @@ RuleSpacing spacing_by_rule(const GridByRule& rule, double side_u_m, double side
   RuleSpacing result;
   result.is_shorter = longer >= rule.shorter_from_ratio * shorter * (1.0 - kTie);
   result.d_m = result.is_shorter ? shorter : longer;
-  result.spacing_m = rule.factor_m * std::pow(rule.base, std::log10(result.d_m));
+  result.spacing_m = rule.factor_m * calc::pow(rule.base, calc::log10(result.d_m));
   result.is_capped = result.spacing_m > rule.max_spacing_m;
   if (result.is_capped) result.spacing_m = rule.max_spacing_m;
   return result;

@@ -1,5 +1,6 @@
 #include "calc/scene/solids.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ Ray generic_ray(int attempt) {
   constexpr double kGoldenRatio = 1.6180339887498949;
   const double turn = 1.0 + attempt * 2.0 * kPi / kGoldenRatio;
   const double slant = 0.2360679 + std::fmod(attempt * 0.4142135, 0.5);
-  return {slant * std::cos(turn), slant * std::sin(turn)};
+  return {slant * calc::cos(turn), slant * calc::sin(turn)};
 }
 
 enum class Hit { no, yes, unclear };

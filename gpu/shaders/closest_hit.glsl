@@ -2,39 +2,24 @@
 // visited in the order of the tree, not of the ray; what is found shortens the rest of the way.
 // calc::Tracer::closest_hits() is what it must answer like.
 
-// a * b + c, rounded once, where fma() may be a product and a sum.
-float fused(float a, float b, float c) { return float(double(a) * double(b) + double(c)); }
-
-// dot(cross(a, b), c), each step rounded as by Embree.
-float volume(vec3 a, vec3 b, vec3 c) {
-  const float x = fused(a.y, b.z, -(a.z * b.y));
-  const float y = fused(a.z, b.x, -(a.x * b.z));
-  const float z = fused(a.x, b.y, -(a.y * b.x));
-  return fused(x, c.x, fused(y, c.y, z * c.z));
-}
-
-// Shares of the triangle's second and third corner at the place that a ray meets. Light paths carry
-// rounding on and enlarge it: hence to the bit, nearly always, what Embree finds on processors with
-// fused operations.
-vec2 place_on(uint triangle, vec3 from, vec3 along) {
-  const vec3 v0 = bvh_corner[3u * triangle].xyz - from;
-  const vec3 v1 = bvh_corner[3u * triangle + 1u].xyz - from;
-  const vec3 v2 = bvh_corner[3u * triangle + 2u].xyz - from;
-  precise float volume0 = volume(v2 - v0, v2 + v0, along);
-  precise float volume1 = volume(v0 - v1, v0 + v1, along);
-  precise float volume2 = volume(v1 - v2, v1 + v2, along);
-  precise float sum = volume0 + volume1 + volume2;
-  if (sum == 0.0) return vec2(1.0 / 3.0);
-  return clamp(vec2(volume0, volume1) * (1.0 / sum), vec2(0.0), vec2(1.0));
+// Shares of the triangle's second and third corner at the place that a ray meets, as
+// calc::meets() has them: light paths carry rounding on and enlarge it.
+dvec2 place_on(uint triangle, vec3 from, vec3 along) {
+  const dvec3 side = sides_of(dvec3(from), dvec3(along), dvec3(bvh_corner[3u * triangle].xyz),
+                              dvec3(bvh_corner[3u * triangle + 1u].xyz),
+                              dvec3(bvh_corner[3u * triangle + 2u].xyz));
+  EXACT double sum = side.x + side.y + side.z;
+  if (sum == DBL(0.0)) return dvec2(DBL(1.0) / DBL(3.0));
+  return clamp(side.yz / sum, dvec2(DBL(0.0)), dvec2(DBL(1.0)));
 }
 
 // share: of the triangle's second and third corner at the place that is met.
 bool closest_hit(vec3 from, vec3 along, float t_near, float t_far, out uint triangle,
-                 out vec2 share) {
+                 out dvec2 share) {
   const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
   bool is_found = false;
   triangle = 0u;
-  share = vec2(0.0);
+  share = dvec2(DBL(0.0));
   uint at = 0u;
   while (at < node_count) {
     const uvec4 low = bvh_node[2u * at];

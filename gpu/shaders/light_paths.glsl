@@ -15,7 +15,7 @@ void main() {
   uint vertices = 0u, ending = PATH_LIVES;
   for (uint k = 0u; k < reflections; ++k) {
     uint triangle;
-    vec2 share;
+    dvec2 share;
     if (!closest_hit(path.origin_m, path.direction, 0.0, 1.0e30, triangle, share)) {
       path.escaped_lm += path.weight_lm;
       ending = PATH_ENDED_BY_RAY;

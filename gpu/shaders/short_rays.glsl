@@ -36,7 +36,7 @@ void main() {
   const vec3 from = uintBitsToFloat(c.xyz);
   const vec3 along = vec3(c.w != 0u ? cosine_direction(axis, u0, u1) : sphere_direction(u0, u1));
   uint triangle;
-  vec2 share;
+  dvec2 share;
   const bool is_met = closest_hit(from, along, least_m, most_m, triangle, share);
   if (is_cut) return;  // not done
   if (!is_met) {
@@ -44,6 +44,6 @@ void main() {
     return;
   }
   hit[3u * ray] = triangle_of[triangle] | (is_met_in_front(triangle, along) ? 0u : HIT_FROM_BEHIND);
-  hit[3u * ray + 1u] = floatBitsToUint(share.x);
-  hit[3u * ray + 2u] = floatBitsToUint(share.y);
+  hit[3u * ray + 1u] = floatBitsToUint(float(share.x));
+  hit[3u * ray + 2u] = floatBitsToUint(float(share.y));
 }

@@ -20,9 +20,9 @@ dvec3 facing_normal(uint triangle, vec3 along) {
                packDouble2x32(uvec2(b.x, b.y ^ flip)));
 }
 
-dvec3 position_on(uint triangle, vec2 share) {
+dvec3 position_on(uint triangle, dvec2 share) {
   const dvec3 a = dvec3(bvh_corner[3u * triangle].xyz);
   const dvec3 b = dvec3(bvh_corner[3u * triangle + 1u].xyz);
   const dvec3 c = dvec3(bvh_corner[3u * triangle + 2u].xyz);
-  return a + double(share.x) * (b - a) + double(share.y) * (c - a);
+  return a + share.x * (b - a) + share.y * (c - a);
 }

@@ -1,5 +1,6 @@
 #include "report/cli/backend.h"
 
+#include "calc/rays/triangle_tree.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "gpu/shadow_map_gatherer.h"
@@ -40,7 +41,7 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
   const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field};
   if (stages == GpuStages()) return gpu;
   return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
-                     calc::tracer_version(), fmt::join(gpu_stage_names(rest), ", "));
+                     calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
 }
 
 // None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to

@@ -1,6 +1,7 @@
 #include "report/cli/converge.h"
 
 #include "calc/radiosity/phase_timer.h"
+#include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "calc/text.h"
@@ -158,7 +159,7 @@ void describe(const ConvergeOptions& options, const Subject& subject,
   document.path = options.project;
   document.space_id = subject.space->id;
   document.program = program_version();
-  document.tracer = calc::tracer_version();
+  document.tracer = calc::tree_builder_version();
   document.part = options.is_indirect ? "indirect" : "total";
   document.reference =
       options.reference == "own"

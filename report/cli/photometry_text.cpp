@@ -1,3 +1,4 @@
+#include "calc/elementary.h"
 #include "calc/units.h"
 #include "report/cli/photometry.h"
 #include "report/number_format.h"
@@ -23,7 +24,7 @@ std::string degrees(double rad, int decimals = 1) {
 }
 
 std::string number(double value, int digits = 5) {
-  const int before = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
+  const int before = value > 0.0 ? static_cast<int>(std::floor(calc::log10(value))) + 1 : 1;
   return report::format_fixed(value, std::max(0, digits - std::max(before, 1)));
 }
 
@@ -172,9 +173,9 @@ std::string lamp_tilt_rows(const calc::PhotometrySource& source) {
 std::string peak_to_side(const calc::Peak& peak, LongerSide side) {
   if (peak.gamma_rad <= 0.0 || peak.gamma_rad >= calc::kPi) return "";
   const double axis_rad = side == LongerSide::c0_c180 ? 0.0 : 0.5 * calc::kPi;
-  const double along = std::abs(std::cos(peak.c_rad - axis_rad));
-  if (along > std::cos(calc::kPi / 8.0)) return ", the maximum lies along it";
-  if (along < std::sin(calc::kPi / 8.0)) return ", the maximum lies across it";
+  const double along = std::abs(calc::cos(peak.c_rad - axis_rad));
+  if (along > calc::cos(calc::kPi / 8.0)) return ", the maximum lies along it";
+  if (along < calc::sin(calc::kPi / 8.0)) return ", the maximum lies across it";
   return ", the maximum lies at an angle to it";
 }
 

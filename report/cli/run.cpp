@@ -1,5 +1,7 @@
 #include "report/cli/run.h"
 
+#include "calc/numbers_version.h"
+#include "calc/rays/instruction_set.h"
 #include "calc/scene/project_xml.h"
 #include "gpu/egl_context.h"
 #include "report/cli/backend.h"
@@ -24,16 +26,21 @@
 #include "report/read_json.h"
 #include "report/redact.h"
 #include "report/result_schema.h"
+#include "report/same_bits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace cli {
 namespace {
@@ -106,6 +113,7 @@ report::Provenance provenance_of(const Options& options, Backend backend,
   provenance.max_paths = options.radiosity.max_paths;
   provenance.replicates = options.radiosity.replicates;
   provenance.backend = description;
+  provenance.numbers_version = calc::kNumbersVersion;
   return provenance;
 }
 
@@ -243,6 +251,7 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
     if (options.timing && document.projects.back().is_judged)
       print_timing(document.projects.back());
   }
+  document.provenance.same_bits = report::same_bits_of(document, backend.backend == Backend::gpu);
   fmt::print(stderr, "{}", cost_log);
   if (options.redact) report::redact(document);
   const bool is_written = write_results(options, environment, document, files.paths());
@@ -369,6 +378,13 @@ ExitCode run(const Options& options, const Environment& environment) {
   if (!fault) {
     print_error(calc::DiagnosticId::backend_not_available, "gpu",
                 fmt::format("LUXGATE_GL_FAULT, which is for tests, is '{}'", environment.gl_fault));
+    return kNotJudged;
+  }
+  const std::vector<std::string_view> here = calc::instruction_sets();
+  const std::string_view wanted = calc::wanted_instruction_set();
+  if (!wanted.empty() && std::find(here.begin(), here.end(), wanted) == here.end()) {
+    print_error(calc::DiagnosticId::instruction_set_not_available, std::string(wanted),
+                fmt::format("{}", fmt::join(here, ", ")));
     return kNotJudged;
   }
   switch (options.command) {

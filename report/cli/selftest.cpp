@@ -2,7 +2,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
-#include "calc/radiosity/rays.h"
+#include "calc/rays/triangle_tree.h"
 #include "report/cli/interrupt.h"
 #include "report/cli/selftest/report.h"
 #include "report/cli/selftest/sweep.h"
@@ -152,7 +152,7 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   selftest::RunResult result;
   result.seed = options.seed;
   result.program = program_version();
-  result.tracer = calc::tracer_version();
+  result.tracer = calc::tree_builder_version();
   result.cases = run_cases(std::move(cases), options, announce);
   announce.clear();
   if (interrupted()) return interrupted_outcome();

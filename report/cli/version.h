@@ -6,8 +6,8 @@
 namespace cli {
 
 std::string program_version();  // "0.1.0"
-// The answer to `luxgate version`: program, compiler, build type, Embree. Lines, or a JSON
-// object that has the OpenGL devices too, which takes a moment.
+// The answer to `luxgate version`: program, numbers, compiler, build type, Embree, vectors in use.
+// Lines, or a JSON object that has the OpenGL devices too, which takes a moment.
 std::string version_text(bool as_json);
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 #include "report/cli/vpl.h"
 
 #include "calc/radiosity/scene_fingerprint.h"
+#include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project_xml.h"
 #include "report/cli/chosen_space.h"
@@ -28,7 +29,7 @@ constexpr std::uint64_t kLargestFileBytes = std::uint64_t{510} << 20;
 constexpr int kFewestReplicates = 4;
 
 std::string maker() {
-  return fmt::format("luxgate {} ({})", program_version(), calc::tracer_version());
+  return fmt::format("luxgate {} ({})", program_version(), calc::tree_builder_version());
 }
 
 double reflected_lm(const calc::VertexCache& cache) {

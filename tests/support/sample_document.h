@@ -100,6 +100,7 @@ inline Document small_document() {
   document.provenance.command_line = "luxgate check office.xml --seed 1";
   document.provenance.seed = 1;
   document.provenance.backend = "cpu";
+  document.provenance.numbers_version = 1;
   document.projects = {project};
   return document;
 }
@@ -330,6 +331,7 @@ inline Document sample_document() {
   document.provenance.max_paths = 1048576;
   document.provenance.replicates = 16;
   document.provenance.backend = "cpu (Embree 3.13.5)";
+  document.provenance.numbers_version = 1;
   document.projects.push_back(std::move(project));
   ProjectPart broken;
   broken.path = "yard.xml";

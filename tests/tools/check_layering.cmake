@@ -1,7 +1,7 @@
 # Allowed directions between folders, read from the #include lines.
 #   cmake -DROOT=<source folder> -P check_layering.cmake
 # calc -> calc, rules -> calc, gpu -> calc, report -> rules and calc, report/cli -> everything. Inside calc the
-# model (scene, photometry, top level) must not know radiosity or planner. Single libraries belong to single files.
+# model (scene, photometry, top level) must not know rays, radiosity or planner; rays know triangles only. Single libraries belong to single files.
 cmake_minimum_required(VERSION 3.25)
 
 set(allowed_calc calc)
@@ -12,7 +12,9 @@ set(allowed_cli report rules calc gpu)
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
-  "embree3/|calc/radiosity/rays[_a-z]*\\."
+  "embree3/|calc/rays/triangle_tree\\.cpp"
+  "hwy/|calc/rays/[a-z_]+\\.cpp"
+  "sleef|calc/elementary\\.cpp"
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
   "CLI/|report/cli/(rules_)?options\\.cpp"
@@ -43,9 +45,12 @@ function(check_file root file)
     if(layer STREQUAL "report" AND target STREQUAL "report" AND rest MATCHES "^cli/")
       message(SEND_ERROR "${name}: report must not include report/cli")
     endif()
-    if(target STREQUAL "calc" AND rest MATCHES "^(radiosity|planner)/")
+    if(name MATCHES "^calc/rays/" AND rest MATCHES "/" AND NOT rest MATCHES "^rays/")
+      message(SEND_ERROR "${name}: rays know triangles only, not calc/${rest}")
+    endif()
+    if(target STREQUAL "calc" AND rest MATCHES "^(rays|radiosity|planner)/")
       if(layer MATCHES "^(rules|report)$" OR
-         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(radiosity|planner)/"))
+         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(rays|radiosity|planner)/"))
         message(SEND_ERROR "${name}: must not include calc/radiosity: a verdict traces no ray")
       endif()
       # The proofs stand below the solver, which calls them; only the plan knows the solver.

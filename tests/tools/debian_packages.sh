@@ -3,7 +3,7 @@
 
 luxgate_build_packages=(
   cmake ninja-build g++
-  libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev
+  libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev libhwy-dev libsleef-dev
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
   libepoxy-dev
 )

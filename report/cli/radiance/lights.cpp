@@ -1,5 +1,6 @@
 #include "report/cli/radiance/lights.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/web_resample.h"
 #include "calc/units.h"
 #include "report/number_format.h"
@@ -163,11 +164,11 @@ std::vector<glm::dvec2> rectangle(double along_x, double along_y) {
 std::vector<glm::dvec2> ellipse(double along_x, double along_y) {
   constexpr int kCorners = 32;
   const double step = 2.0 * calc::kPi / kCorners;
-  const double grow = std::sqrt(step / std::sin(step));
+  const double grow = std::sqrt(step / calc::sin(step));
   std::vector<glm::dvec2> corners;
   for (int k = 0; k < kCorners; ++k) {
-    corners.emplace_back(0.5 * grow * along_x * std::cos((k + 0.5) * step),
-                         0.5 * grow * along_y * std::sin((k + 0.5) * step));
+    corners.emplace_back(0.5 * grow * along_x * calc::cos((k + 0.5) * step),
+                         0.5 * grow * along_y * calc::sin((k + 0.5) * step));
   }
   return corners;
 }

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/box_radiosity.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace cli::selftest {
 namespace {
 
 // Lines of the mesh, denser towards the edges of a face, where radiosity bends most.
-double graded(int k, int n) { return 0.5 * (1.0 - std::cos(calc::kPi * k / n)); }
+double graded(int k, int n) { return 0.5 * (1.0 - calc::cos(calc::kPi * k / n)); }
 
 // Mean over the midpoints of n x n parts of a patch.
 template <class Patch, class Function>
@@ -108,7 +109,7 @@ double BoxRadiosity::factor(const glm::dvec3& x, const glm::dvec3& n, const Patc
     const glm::dvec3 c = glm::cross(a, b);
     const double s = glm::length(c);
     if (s < 1e-14) continue;
-    sum += std::atan2(s, glm::dot(a, b)) / s * glm::dot(c, n);
+    sum += calc::atan2(s, glm::dot(a, b)) / s * glm::dot(c, n);
   }
   return std::abs(sum) / (2.0 * calc::kPi);
 }

@@ -1,4 +1,5 @@
 // Area sources: luminous openings of luminaires against configuration factors.
+#include "calc/elementary.h"
 #include "report/cli/selftest/case.h"
 #include "report/cli/selftest/closed_forms.h"
 
@@ -97,7 +98,7 @@ CaseResult sphere(const Effort& effort) {
   for (const Point& p : points) {
     const glm::dvec3 w = centre - p.position_m;
     const double d = glm::length(w);
-    exact.push_back(kPi * luminance * sphere_factor(r, d, std::acos(glm::dot(w, p.normal) / d)));
+    exact.push_back(kPi * luminance * sphere_factor(r, d, calc::acos(glm::dot(w, p.normal) / d)));
   }
   CaseResult result;
   result.add_points(solve(scene, points, effort), points, exact, 0.0, 0.06);

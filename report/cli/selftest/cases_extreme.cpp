@@ -1,4 +1,5 @@
 // Extremes: reflectance to the end, 1:1000, far from the origin, 1 mm, double walls, needles.
+#include "calc/elementary.h"
 #include "report/cli/selftest/case.h"
 #include "report/cli/selftest/closed_forms.h"
 
@@ -203,7 +204,7 @@ CaseResult narrow_spot(const Effort& effort) {
   for (int k = 0; k <= kSteps; ++k) {
     const double degrees = 12.0 * k / kSteps;
     gamma_rad.push_back(calc::kRadiansPerDegree * degrees);
-    cd.push_back(k == kSteps ? 0.0 : 50000.0 * std::pow(0.5, degrees * degrees / 16.0));
+    cd.push_back(k == kSteps ? 0.0 : 50000.0 * calc::pow(0.5, degrees * degrees / 16.0));
   }
   const glm::dvec3 lamp(3, 3, 5);
   Scene scene;
@@ -211,9 +212,9 @@ CaseResult narrow_spot(const Effort& effort) {
   scene.add_luminaire(calc::PhotometricWeb::make({0.0}, gamma_rad, cd, {}, {}), lamp);
   const SurfaceValue exitance = [&](const glm::dvec3& y) {
     const glm::dvec3 w = lamp - y;
-    const double d = glm::length(w), degrees = std::acos(w.z / d) / calc::kRadiansPerDegree;
+    const double d = glm::length(w), degrees = calc::acos(w.z / d) / calc::kRadiansPerDegree;
     return degrees < 12.0
-               ? 0.5 * 50000.0 * std::pow(0.5, degrees * degrees / 16.0) * w.z / (d * d * d)
+               ? 0.5 * 50000.0 * calc::pow(0.5, degrees * degrees / 16.0) * w.z / (d * d * d)
                : 0.0;
   };
   const std::vector<Point> points = {

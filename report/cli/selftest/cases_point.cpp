@@ -1,4 +1,5 @@
 // Point sources: E = I(C, gamma) cos i / d^2. Nothing is sampled, so that every digit counts.
+#include "calc/elementary.h"
 #include "report/cli/selftest/case.h"
 
 #include "calc/units.h"
@@ -12,7 +13,7 @@ using calc::kPi;
 
 double inverse_square_lx(double cd, const glm::dvec3& source, const Point& point) {
   const glm::dvec3 w = source - point.position_m;
-  return std::max(0.0, cd * glm::dot(w, point.normal)) / std::pow(glm::length(w), 3);
+  return std::max(0.0, cd * glm::dot(w, point.normal)) / calc::pow(glm::length(w), 3);
 }
 
 // CIE 171:2006, 5.2: 1000 cos gamma cd, 3 m above the plane, ten points of an octant. The printed
@@ -51,9 +52,9 @@ CaseResult axes_and_turns(const Effort& effort) {
     }
   }
   const double turn = kPi / 6.0, tilt = kPi / 9.0;
-  const glm::dvec3 c0(std::cos(turn), std::sin(turn), 0.0);
-  const glm::dvec3 level(-std::sin(turn), std::cos(turn), 0.0);
-  const glm::dvec3 c90 = std::cos(tilt) * level + std::sin(tilt) * kUp;
+  const glm::dvec3 c0(calc::cos(turn), calc::sin(turn), 0.0);
+  const glm::dvec3 level(-calc::sin(turn), calc::cos(turn), 0.0);
+  const glm::dvec3 c90 = calc::cos(tilt) * level + calc::sin(tilt) * kUp;
   const glm::dvec3 back = glm::cross(c0, c90), lamp(2, 3, 2.8);
   Scene scene;
   scene.add_luminaire(calc::PhotometricWeb::make(c_rad, gamma_rad, cd, {}, {}), lamp,
@@ -66,9 +67,9 @@ CaseResult axes_and_turns(const Effort& effort) {
   for (const Point& point : points) {
     const glm::dvec3 out = glm::normalize(point.position_m - lamp);
     const double x = glm::dot(out, c0), y = glm::dot(out, c90), z = glm::dot(out, back);
-    double c = std::atan2(y, x);
+    double c = calc::atan2(y, x);
     if (c < 0.0) c += 2.0 * kPi;
-    const double gamma = std::acos(-z), step = 0.25 * kPi;
+    const double gamma = calc::acos(-z), step = 0.25 * kPi;
     // Towards a pole the C part fades out over the last step of the table.
     const double fade = std::min(1.0, std::min(gamma, kPi - gamma) / step);
     double factor = 0.0;

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/closed_forms.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ double polygon_factor(const glm::dvec3& x, const glm::dvec3& n,
     const glm::dvec3 c = glm::cross(a, b);
     const double s = glm::length(c);
     if (s < 1e-15) continue;
-    sum += std::atan2(s, glm::dot(a, b)) / s * glm::dot(c, n);
+    sum += calc::atan2(s, glm::dot(a, b)) / s * glm::dot(c, n);
   }
   return std::abs(sum) / (2.0 * kPi);
 }
@@ -66,40 +67,41 @@ double disc_factor_perpendicular(double r, double h, double offset) {
 }
 
 double sphere_factor(double r, double d, double t) {
-  const double ratio = d / r, dip = std::asin(1.0 / ratio);  // half of the sphere's width
-  if (t <= 0.5 * kPi - dip) return std::cos(t) / (ratio * ratio);
+  const double ratio = d / r, dip = calc::asin(1.0 / ratio);  // half of the sphere's width
+  if (t <= 0.5 * kPi - dip) return calc::cos(t) / (ratio * ratio);
   if (t >= 0.5 * kPi + dip) return 0.0;
-  const double x = std::sqrt(ratio * ratio - 1.0), y = -x / std::tan(t);
-  const double w = std::sin(t) * std::sqrt(1.0 - y * y);
-  return (std::cos(t) * std::acos(y) - x * w) / (kPi * ratio * ratio) + std::atan(w / x) / kPi;
+  const double x = std::sqrt(ratio * ratio - 1.0), y = -x / calc::tan(t);
+  const double w = calc::sin(t) * std::sqrt(1.0 - y * y);
+  return (calc::cos(t) * calc::acos(y) - x * w) / (kPi * ratio * ratio) + calc::atan(w / x) / kPi;
 }
 
 double opposite_rectangles(double a, double b, double c) {
   const double x = a / c, y = b / c, x1 = std::sqrt(1.0 + x * x), y1 = std::sqrt(1.0 + y * y);
   return 2.0 / (kPi * x * y) *
-         (0.5 * std::log(x1 * x1 * y1 * y1 / (1.0 + x * x + y * y)) + x * y1 * std::atan(x / y1) +
-          y * x1 * std::atan(y / x1) - x * std::atan(x) - y * std::atan(y));
+         (0.5 * calc::log(x1 * x1 * y1 * y1 / (1.0 + x * x + y * y)) + x * y1 * calc::atan(x / y1) +
+          y * x1 * calc::atan(y / x1) - x * calc::atan(x) - y * calc::atan(y));
 }
 
 double rectangles_with_edge(double l, double w, double h) {
   const double ww = w * w / (l * l), hh = h * h / (l * l), s = ww + hh;
   const double ratio = (1.0 + ww) * (1.0 + hh) / (1.0 + s);
-  const double w_part = std::pow(ww * (1.0 + s) / ((1.0 + ww) * s), ww);
-  const double h_part = std::pow(hh * (1.0 + s) / ((1.0 + hh) * s), hh);
+  const double w_part = calc::pow(ww * (1.0 + s) / ((1.0 + ww) * s), ww);
+  const double h_part = calc::pow(hh * (1.0 + s) / ((1.0 + hh) * s), hh);
   const double rw = w / l, rh = h / l;
-  return (rw * std::atan(1.0 / rw) + rh * std::atan(1.0 / rh) -
-          std::sqrt(s) * std::atan(1.0 / std::sqrt(s)) + 0.25 * std::log(ratio * w_part * h_part)) /
+  return (rw * calc::atan(1.0 / rw) + rh * calc::atan(1.0 / rh) -
+          std::sqrt(s) * calc::atan(1.0 / std::sqrt(s)) +
+          0.25 * calc::log(ratio * w_part * h_part)) /
          (kPi * rw);
 }
 
 double corner_solid_angle(double a, double b, double h) {
-  return std::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));
+  return calc::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));
 }
 
 double strip_middle_lx(double half_m, double per_m_cd, double h) {
   // integral of per_m h^2 / (h^2 + s^2)^2 ds
   return per_m_cd * h * h *
-         (half_m / (h * h * (h * h + half_m * half_m)) + std::atan(half_m / h) / (h * h * h));
+         (half_m / (h * h * (h * h + half_m * half_m)) + calc::atan(half_m / h) / (h * h * h));
 }
 
 }  // namespace cli::selftest

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/open_places.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ Places places_on_disc(const glm::dvec3& centre_m, double radius_m, const glm::dv
     for (int i = 0; i < around; ++i) {
       const double angle = 2.0 * calc::kPi * (i + 0.5) / around;
       places.point.push_back(
-          {centre_m + r * std::cos(angle) * u + r * std::sin(angle) * v, normal});
+          {centre_m + r * calc::cos(angle) * u + r * calc::sin(angle) * v, normal});
       places.area_m2.push_back(calc::kPi * radius_m * radius_m * rule.weight[k] / around);
     }
   }

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/open_scalars.h"
 
+#include "calc/elementary.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/units.h"
 #include "report/cli/selftest/open_grid.h"
@@ -33,7 +34,7 @@ std::optional<double> rho_of(const std::string& name) {
 // About the same number of reflections whatever is absorbed.
 std::uint64_t paths_for(double absorbed) {
   const double wanted = std::clamp(4096.0 * absorbed, 16.0, 1024.0);
-  return std::uint64_t{1} << static_cast<int>(std::log2(wanted));
+  return std::uint64_t{1} << static_cast<int>(calc::log2(wanted));
 }
 
 bool is_direct(const Row& row) {

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/open_scene.h"
 
+#include "calc/elementary.h"
 #include "calc/photometry/photometry_file.h"
 #include "calc/text.h"
 #include "calc/units.h"
@@ -108,7 +109,7 @@ void add_line(const Row& row, Scene& scene) {
   for (int g = 0; g <= 180; ++g) gamma_rad.push_back(calc::kPi * g / 180.0);
   for (const double c : c_rad) {
     for (const double g : gamma_rad) {
-      const double along = std::sin(g) * std::cos(c);
+      const double along = calc::sin(g) * calc::cos(c);
       cd.push_back(cd_per_m * length_m * std::sqrt(std::max(0.0, 1.0 - along * along)));
     }
   }

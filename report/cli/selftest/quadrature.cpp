@@ -1,5 +1,6 @@
 #include "report/cli/selftest/quadrature.h"
 
+#include "calc/elementary.h"
 #include "calc/units.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ struct Integral {
 GaussRule gauss_rule(int n) {
   GaussRule rule;
   for (int k = 0; k < n; ++k) {
-    double x = std::cos(calc::kPi * (k + 0.75) / (n + 0.5)), slope = 1.0;
+    double x = calc::cos(calc::kPi * (k + 0.75) / (n + 0.5)), slope = 1.0;
     for (int step = 0; step < 50; ++step) {  // Newton's method on the Legendre polynomial
       double p = 1.0, before = 0.0;
       for (int j = 1; j <= n; ++j) {

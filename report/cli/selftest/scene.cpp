@@ -1,5 +1,6 @@
 #include "report/cli/selftest/scene.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/units.h"
@@ -42,7 +43,7 @@ calc::PhotometricWeb lambert_web(double axis_cd, calc::LuminousOpening opening) 
   std::vector<double> gamma_rad, cd;
   for (int k = 0; k <= kSteps; ++k) {
     gamma_rad.push_back(0.5 * calc::kPi * k / kSteps);
-    cd.push_back(k == kSteps ? 0.0 : axis_cd * std::cos(gamma_rad.back()));
+    cd.push_back(k == kSteps ? 0.0 : axis_cd * calc::cos(gamma_rad.back()));
   }
   return calc::PhotometricWeb::make({0.0}, gamma_rad, cd, opening, {});
 }

@@ -1,5 +1,6 @@
 #include "report/cli/selftest/sweep.h"
 
+#include "calc/elementary.h"
 #include "calc/statistics.h"
 #include "calc/units.h"
 
@@ -135,7 +136,7 @@ std::vector<Plan> plans(const Effort& effort) {
        [effort](double absorbed) {
          // About the same number of reflections in every step.
          const double wanted = std::clamp(4096.0 * absorbed, 16.0, 1024.0);
-         const auto paths = std::uint64_t{1} << static_cast<int>(std::log2(wanted));
+         const auto paths = std::uint64_t{1} << static_cast<int>(calc::log2(wanted));
          return closed_box(absorbed, kRoom, kLamp, 1.0 - absorbed, paths, {0.0, kRoom.x}, 6,
                            effort);
        }},

@@ -4,6 +4,7 @@
 #include "report/html_markup.h"
 #include "report/html_pages.h"
 #include "report/html_script.h"
+#include "report/same_bits.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
 
@@ -616,9 +617,20 @@ TEST(Html, TimeAppearsOnlyOnRequest) {
 
 TEST(Html, RepeatabilityIsPromisedOnlyWhereItHolds) {
   Document document = small_document();
-  EXPECT_THAT(render_html(document), HasSubstr("gives the same report."));
+  EXPECT_THAT(render_html(document), HasSubstr("to the bit, on any x86-64 processor."));
+  document.provenance.same_bits = SameBits::same_device;
+  EXPECT_THAT(render_html(document), HasSubstr("to the bit, on the same graphics device"));
+  document.provenance.same_bits = SameBits::nowhere;
+  EXPECT_THAT(render_html(document), Not(HasSubstr("to the bit")));
+}
+
+TEST(SameBits, ARunThatTimeCutShortIsTheSameNowhere) {
+  Document document = small_document();
+  EXPECT_EQ(same_bits_of(document, false), SameBits::any_processor);
+  EXPECT_EQ(same_bits_of(document, true), SameBits::same_device);
   document.projects[0].spaces[0].planes[0].stop = calc::StopReason::time_limit;
-  EXPECT_THAT(render_html(document), Not(HasSubstr("gives the same report.")));
+  EXPECT_EQ(same_bits_of(document, false), SameBits::nowhere);
+  EXPECT_EQ(same_bits_of(document, true), SameBits::nowhere);
 }
 
 TEST(Html, SameDocumentSameBytes) {
