@@ -81,7 +81,7 @@ std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
     rest = rest.subspan(count);
   }
   return gatherer.draw_and_gather(
-      {tracer_, batch.tree, batch.bounds, cut, draws, has_shadows_, batch.deadline_s, tiles});
+      {tracer_, batch.tree, batch.bounds, cut, draws, has_shadows(), batch.deadline_s, tiles});
 }
 
 // Every vertex once: instant radiosity.
@@ -93,8 +93,8 @@ std::uint64_t PlaneWork::connect_all(const ReceiverGroup& tile, const VertexBatc
   for (std::uint32_t k = 0; k < tile.point.size(); ++k) {
     for (std::uint32_t j = 0; j < vertices.size(); ++j) connections.push_back({k, j, 1.0f});
   }
-  return gatherer.gather({tracer_, vertices, batch.bounds, tile.receiver, connections, has_shadows_,
-                          batch.tree.identity()},
+  return gatherer.gather({tracer_, vertices, batch.bounds, tile.receiver, connections,
+                          has_shadows(), batch.tree.identity()},
                          {sums.lx.data(), tile.point.size(), sums.largest_lx.data()});
 }
 

@@ -1,6 +1,5 @@
 #include "calc/radiosity/plane_work.h"
 
-#include "calc/planner/predicates.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/glare.h"
 #include "calc/radiosity/grid_receivers.h"
@@ -31,14 +30,14 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
 }  // namespace
 
 PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-                     const std::vector<Beam>& beams, const RadiositySettings& settings)
+                     const PlaneDecision& decision, const RadiositySettings& settings)
     : tracer_(tracer),
       settings_(settings),
+      decision_(decision),
       opening_key_(stage_key(settings.seed, RandomStage::opening).with(plane_id)),
       near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
       draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
   receiver_ = receivers_of(tracer, grid);
-  is_eyes_ = grid.derived == DerivedQuantity::ugr;
   const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
@@ -51,19 +50,14 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   rounds_.assign(points(), 0);
   paths_.assign(points(), 0);
   possible_sample_lx_.assign(points(), 0.0);
-  const PreparedScene& scene = tracer.scene();
-  const std::vector<glm::dvec3> local_m = local_positions_m(scene, grid);
-  const PointSet set{local_m, grid.normal, grid.kernel};
   // A point's other receivers see nothing that the first one does not.
-  const std::vector<std::uint8_t> sees = find_reflection_view(scene, set).sees_reflection;
   for (std::size_t part = 0; part < receivers_per_point(grid.derived); ++part) {
-    sees_reflection_.insert(sees_reflection_.end(), sees.begin(), sees.end());
+    may_be_sampled_.insert(may_be_sampled_.end(), decision.may_see_reflection.begin(),
+                           decision.may_see_reflection.end());
+    gathers_reflection_.insert(gathers_reflection_.end(), decision.gathers_reflection.begin(),
+                               decision.gathers_reflection.end());
   }
-  may_be_sampled_ = has_indirect_ = sees_reflection_;
-  if (settings.skips.allows(Skip::dark_pairs) && points() > 0) {
-    is_dark_ = find_dark_luminaires(scene, beams, bounds_of(set));
-  }
-  if (!settings.skips.allows(Skip::behind_plane)) sees_reflection_.assign(points(), 1);
+  has_indirect_ = may_be_sampled_;
   if (std::string problem = point_problem(tracer, grid, receiver_, settings.refuses_close_points);
       !problem.empty()) {
     refuse(std::move(problem));
@@ -80,10 +74,6 @@ void PlaneWork::finish(StopReason reason) {
   field_.stop = reason;
 }
 
-bool PlaneWork::sees_reflection() const {
-  return std::find(sees_reflection_.begin(), sees_reflection_.end(), 1) != sees_reflection_.end();
-}
-
 void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
   active_ = active;
   active_.resize(points(), 1);
@@ -91,10 +81,10 @@ void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
 
 void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
-  if (is_eyes_) return add_glare(deadline_s);
+  if (!decision_.measures_direct) return add_glare(deadline_s);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
-    return add_point_sources(tracer_, receiver_[i], {is_dark_, has_shadows_},
+    return add_point_sources(tracer_, receiver_[i], {decision_.is_dark, has_shadows()},
                              &field_.direct_exact_lx[i], points())
         .traced;
   });
@@ -104,7 +94,7 @@ void PlaneWork::add_glare(double deadline_s) {
   std::vector<GlareSum> sums(points() * channels());  // [point][channel]
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
-    return add_glare_sources(tracer_, receiver_[i], has_shadows_,
+    return add_glare_sources(tracer_, receiver_[i], has_shadows(),
                              std::span(sums).subspan(i * channels(), channels()));
   });
   GlareField& glare = field_.glare;
@@ -122,7 +112,7 @@ void PlaneWork::add_glare(double deadline_s) {
 }
 
 void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
-  if (is_eyes_) return;
+  if (!decision_.samples_openings) return;
   if (most_rounds_ > 0 && !opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   direct_sum_lx_.resize(values());
@@ -132,8 +122,8 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
     if (active_[i] == 0 || is_past(deadline_s)) return rays;
     for (std::size_t r = 0; r < field_.replicates; ++r) {
       const DirectRays direct = add_extended_sources(
-          tracer_, receiver_[i], {is_dark_, has_shadows_}, opening_key_.with(i).with(r), rounds_[i],
-          last, &direct_sum_lx_[r * channels() * points() + i], points());
+          tracer_, receiver_[i], {decision_.is_dark, has_shadows()}, opening_key_.with(i).with(r),
+          rounds_[i], last, &direct_sum_lx_[r * channels() * points() + i], points());
       rays += direct.traced;
       if (direct.may_be_lit) may_be_sampled_[i] = 1;
     }
@@ -150,7 +140,7 @@ void PlaneWork::start_look(double near_reach_m, double largest_sample) {
   largest_sum_lx_.resize(field_.replicates * points());
   std::vector<std::uint8_t> is_wanted(points());
   for (std::size_t i = 0; i < points(); ++i) {
-    is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && sees_reflection_[i] != 0);
+    is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && gathers_reflection_[i] != 0);
   }
   tiles_ = make_tiles(receiver_, spatial_order_, is_wanted);
   reach_m_ = near_reach_m;

@@ -3,7 +3,7 @@
 // field.
 
 #include "calc/field.h"
-#include "calc/planner/beam.h"
+#include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/rays.h"
@@ -52,9 +52,11 @@ std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double r
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
-  // beams: beams_of(scene).
+  // decision: of this plane, must outlive the work.
   PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-            const std::vector<Beam>& beams, const RadiositySettings& settings);
+            const PlaneDecision& decision, const RadiositySettings& settings);
+
+  const PlaneDecision& decision() const { return decision_; }
 
   // Whether looks still add to this plane.
   bool is_active() const { return is_active_; }
@@ -62,17 +64,9 @@ class PlaneWork {
   void finish(StopReason reason);    // ends the work with what was published last
   const PlaneField& field() const { return field_; }
   PlaneField take_field() { return std::move(field_); }
-  // Whether indirect light can reach any point.
-  bool sees_reflection() const;
   // [point], 1: looks add to it; empty: to all.
   void narrow(const std::vector<std::uint8_t>& active);
 
-  // Nothing stands between this plane's points and any luminaire or surface, by proof
-  // (ConvexSpace::holds()): no ray is traced to find out. Other planes do not matter.
-  void leave_out_shadows() { has_shadows_ = false; }
-
-  // False for eyes, whose direct light is glare: add_exact() is all they need of luminaires.
-  bool measures_direct() const { return !is_eyes_; }
   // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
   // VertexBatch, for all that follows.
   void add_exact(double deadline_s, SolveTimes& times);
@@ -88,7 +82,7 @@ class PlaneWork {
   // The same in two steps, for gatherers that connect all planes at once (shared_gather.h): the
   // points of this look, and what was gathered at them, [channel * stride + point] in their order.
   std::span<const ReceiverGroup> tiles() const { return tiles_; }
-  bool has_shadows() const { return has_shadows_; }
+  bool has_shadows() const { return !decision_.is_unobstructed; }
   void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
   // All replicates of a look are in, with batch_paths new paths each.
   void finish_look(std::uint64_t batch_paths);
@@ -123,19 +117,19 @@ class PlaneWork {
 
   const Tracer& tracer_;
   const RadiositySettings& settings_;
+  const PlaneDecision& decision_;
   RandomKey opening_key_, near_key_, draw_key_;
-  std::vector<Receiver> receiver_;             // local
-  std::vector<std::uint32_t> spatial_order_;   // of points, neighbours together
-  std::vector<std::uint8_t> active_;           // [point]
-  std::vector<std::uint8_t> sees_reflection_;  // [point]
-  std::vector<std::uint8_t> may_be_sampled_;   // [point]
-  std::vector<std::uint8_t> is_dark_;          // [luminaire], see add_point_sources()
-  std::vector<double> clear_m_;                // [point], up to the first look's reach
-  std::vector<ReceiverGroup> tiles_;           // of this look
-  std::vector<std::uint8_t> has_indirect_;     // [point], 0 = proved that indirect light is 0
-  double look_sample_lx_ = 0.0;                // see start_look()
-  std::vector<double> possible_sample_lx_;     // [point], the largest of its looks
-  double reach_m_ = 0.0;                       // of this look's short rays
+  std::vector<Receiver> receiver_;                // local
+  std::vector<std::uint32_t> spatial_order_;      // of points, neighbours together
+  std::vector<std::uint8_t> active_;              // [point]
+  std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
+  std::vector<std::uint8_t> may_be_sampled_;      // [point]
+  std::vector<double> clear_m_;                   // [point], up to the first look's reach
+  std::vector<ReceiverGroup> tiles_;              // of this look
+  std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
+  double look_sample_lx_ = 0.0;                   // see start_look()
+  std::vector<double> possible_sample_lx_;        // [point], the largest of its looks
+  double reach_m_ = 0.0;                          // of this look's short rays
 
   std::vector<double> direct_sum_lx_;  // [replicate][channel][point], sum over rounds
   std::vector<std::uint32_t> rounds_;  // [point]
@@ -145,8 +139,6 @@ class PlaneWork {
   std::vector<float> largest_sum_lx_;    // [replicate][point], largest sample times its paths
   std::vector<std::uint64_t> replicate_connection_rays_, replicate_near_rays_;
   bool is_active_ = true;
-  bool has_shadows_ = true;
-  bool is_eyes_ = false;  // DerivedQuantity::ugr
   PlaneField field_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // How much work the calculation may do.
 
-#include "calc/radiosity/skips.h"
+#include "calc/proofs/skips.h"
 
 #include <cstdint>
 #include <string>

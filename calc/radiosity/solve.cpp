@@ -1,7 +1,6 @@
 #include "calc/radiosity/solve.h"
 
-#include "calc/planner/convex_space.h"
-#include "calc/planner/predicates.h"
+#include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
@@ -46,9 +45,9 @@ constexpr double kGlobalSoftening = 0.1;
 
 class Solver {
  public:
-  Solver(const PreparedScene& scene, const RadiositySettings& settings, double confidence,
-         const Stages& stages, const LookTest& test, const ProgressSink& progress,
-         const VertexCache* cache)
+  Solver(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
+         const RadiositySettings& settings, double confidence, const Stages& stages,
+         const LookTest& test, const ProgressSink& progress, const VertexCache* cache)
       : settings_(settings),
         confidence_(confidence),
         stages_(stages),
@@ -56,16 +55,12 @@ class Solver {
         progress_(progress),
         cache_(cache),
         start_s_(now_s()),
+        plan_(decide(scene, tasks, settings.skips)),
         tracer_(scene),
-        beams_(beams_of(scene)),
-        emitter_(scene, settings.skips.allows(Skip::unlit_surfaces)
-                            ? find_unlit_surfaces(scene, beams_)
-                            : std::vector<std::uint8_t>{}) {
+        emitter_(scene, plan_.is_unlit) {
     solution_.times.build_s = now_s() - start_s_;
     solution_.balance.emitted_lm = emitter_.flux_lm();
     solution_.balance.untraced_lm = emitter_.flux_lm() - emitter_.traced_flux_lm();
-    const bool is_left_out = settings.skips.allows(Skip::no_reflection) && no_reflection(scene);
-    samples_indirect_ = !is_left_out && emitter_.traced_flux_lm() > 0.0;
     double largest_reflectance = 0.0;
     for (const double rho : scene.reflectance) {
       largest_reflectance = std::max(largest_reflectance, rho);
@@ -75,7 +70,6 @@ class Solver {
     }
     may_be_endless_ = largest_reflectance > kSuspectReflectance;
     if (settings.time_limit_s > 0.0) deadline_s_ = start_s_ + settings.time_limit_s;
-    samples_openings_ = has_extended_luminaires(scene);
   }
 
   SpaceSolution run(const std::vector<PlaneTask>& tasks) {
@@ -83,10 +77,10 @@ class Solver {
       v->resize(replicates());
     }
     planes_.reserve(tasks.size());
-    for (const PlaneTask& task : tasks) {
-      planes_.emplace_back(tracer_, task.plane_id, *task.grid, beams_, settings_);
+    for (std::size_t p = 0; p < tasks.size(); ++p) {
+      planes_.emplace_back(tracer_, tasks[p].plane_id, *tasks[p].grid, plan_.planes[p], settings_);
     }
-    if (settings_.skips.allows(Skip::convex)) leave_out_shadows(tasks);
+    if (plan_.is_convex) tracer_.leave_out_shadows();  // between surfaces and luminaires
     for (PlaneWork& plane : planes_) {
       if (!plane.is_active()) continue;
       plane.add_exact(deadline_s_, solution_.times);
@@ -94,9 +88,7 @@ class Solver {
     }
     // What needs no samples is done, whatever becomes of the other planes.
     for (PlaneWork& plane : planes_) {
-      const bool is_sampled = (samples_openings_ && plane.measures_direct()) ||
-                              (samples_indirect_ && plane.sees_reflection());
-      if (plane.is_active() && !is_sampled) plane.finish(StopReason::exact);
+      if (plane.is_active() && plane.decision().is_exact()) plane.finish(StopReason::exact);
     }
     if (any_active() && is_endless()) {
       refuse_active(fmt::format(
@@ -116,23 +108,6 @@ class Solver {
   }
 
  private:
-  // Per plane, so that a plane outside the walls changes nothing for the others.
-  void leave_out_shadows(const std::vector<PlaneTask>& tasks) {
-    const ConvexAnswer answer = find_convex_space(tracer_.scene());
-    if (!answer.space) return;
-    tracer_.leave_out_shadows();  // between surfaces and luminaires
-    for (std::size_t p = 0; p < tasks.size(); ++p) {
-      const SensorGrid& grid = *tasks[p].grid;
-      const std::vector<glm::dvec3> local_m = local_positions_m(tracer_.scene(), grid);
-      // Of several receivers of a point some are lifted across its axis, as half-cylinders are.
-      const ReceiverKernel kernel =
-          receivers_per_point(grid.derived) > 1 ? ReceiverKernel::semicylindrical : grid.kernel;
-      const PointSet points{local_m, grid.normal, kernel};
-      if (local_m.empty() || !answer.space->holds(points, bounds_of(points))) continue;
-      planes_[p].leave_out_shadows();
-    }
-  }
-
   static std::string why_no_result(StopReason stopped) {
     switch (stopped) {
       case StopReason::memory_limit:
@@ -160,7 +135,7 @@ class Solver {
   bool is_endless() {
     constexpr std::uint64_t kProbeSeed = 1;
     constexpr std::uint32_t kProbes = 32;
-    if (!samples_indirect_ || !may_be_endless_) return false;
+    if (!plan_.samples_indirect || !may_be_endless_) return false;
     PathBatch probes{kProbeSeed, 0, 0, kProbes, deadline_s_};
     probes.most_vertices = kProbes * kMostMeanReflections;
     const TracedPaths traced = trace_light_paths(tracer_, emitter_, probes);
@@ -215,17 +190,17 @@ class Solver {
   // stopped half-way; what was published before then stands.
   std::optional<StopReason> look(std::uint64_t done_paths, std::uint64_t paths) {
     for (PlaneWork& plane : planes_) {
-      if (samples_openings_ && plane.is_active())
-        plane.sample_openings(deadline_s_, solution_.times);
+      if (plane.is_active()) plane.sample_openings(deadline_s_, solution_.times);
     }
-    if (const auto stopped = reason_to_stop(paths); stopped || !samples_indirect_) return stopped;
+    if (const auto stopped = reason_to_stop(paths); stopped || !plan_.samples_indirect)
+      return stopped;
 
     const std::uint64_t batch_paths = paths - done_paths;
     const bool is_pool = settings_.method == Method::light_pool;
     const GeometryBound bound(tracer_, emitter_, batch_paths);
     lit_planes_.clear();
     for (PlaneWork& plane : planes_) {
-      if (!plane.is_active() || !plane.sees_reflection()) continue;
+      if (!plane.is_active() || !plane.decision().samples_reflection) continue;
       plane.start_look(is_pool ? bound.reach_m() : 0.0,
                        is_pool ? largest_path_lm_ * bound.smallest() / kPi : 0.0);
       lit_planes_.push_back(&plane);
@@ -373,8 +348,8 @@ class Solver {
   const ProgressSink& progress_;
   const VertexCache* cache_;
   double start_s_;
+  SolvePlan plan_;
   Tracer tracer_;
-  std::vector<Beam> beams_;
   Emitter emitter_;
   std::vector<PlaneWork> planes_;
   std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look
@@ -384,7 +359,7 @@ class Solver {
   std::atomic<std::uint64_t> pool_rays_{0};
   std::atomic<bool> is_stopped_{false};
   std::mutex progress_mutex_;
-  bool samples_openings_ = false, samples_indirect_ = false, may_be_endless_ = false;
+  bool may_be_endless_ = false;
   double largest_path_lm_ = 0.0;  // reflected flux of one path's vertex, times the number of paths
   double deadline_s_ = 0.0;       // 0 = none
   SpaceSolution solution_;
@@ -398,7 +373,7 @@ SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<Pl
                                 const ProgressSink& progress, const VertexCache* cache) {
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
   return arena.execute([&] {
-    return Solver(scene, settings, confidence, stages, test, progress, cache).run(tasks);
+    return Solver(scene, tasks, settings, confidence, stages, test, progress, cache).run(tasks);
   });
 }
 

@@ -19,13 +19,6 @@ namespace calc {
 
 struct VertexCache;
 
-// A plane to compute: its id keys the random numbers, so that a plane's result does not depend on
-// which other planes are computed or in which order.
-struct PlaneTask {
-  std::string plane_id;
-  const SensorGrid* grid;
-};
-
 // Which look it is: a plane takes at most `planned` looks (sample sizes double), a number fixed
 // before the first, so that a test may spend its error probability over them.
 struct Look {

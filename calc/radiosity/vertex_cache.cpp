@@ -1,7 +1,8 @@
 #include "calc/radiosity/vertex_cache.h"
 
-#include "calc/planner/beam.h"
-#include "calc/planner/predicates.h"
+#include "calc/proofs/beam.h"
+#include "calc/proofs/predicates.h"
+#include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/scene_fingerprint.h"
@@ -91,12 +92,6 @@ std::uint64_t VertexCache::vertices() const {
   return sum;
 }
 
-std::vector<std::uint8_t> unlit_luminaires(const PreparedScene& scene,
-                                           const RadiositySettings& settings) {
-  if (!settings.skips.allows(Skip::unlit_surfaces)) return {};
-  return find_unlit_surfaces(scene, beams_of(scene));
-}
-
 TracedCache trace_vertex_cache(const PreparedScene& scene, const RadiositySettings& settings) {
   VertexCache cache;
   cache.seed = settings.seed;
@@ -105,7 +100,8 @@ TracedCache trace_vertex_cache(const PreparedScene& scene, const RadiositySettin
   cache.paths = settings.max_paths;
   cache.origin_m = scene.origin_m;
   cache.channels = scene.channels.size();
-  const std::vector<std::uint8_t> is_unlit = unlit_luminaires(scene, settings);
+  const std::vector<std::uint8_t> is_unlit =
+      unlit_luminaires(scene, beams_of(scene), settings.skips);
   cache.scene = scene_fingerprint(scene, is_unlit);
   tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
   std::string problem = arena.execute([&] { return trace_all(scene, is_unlit, cache); });

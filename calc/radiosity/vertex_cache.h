@@ -40,10 +40,6 @@ struct VertexCache {
   std::uint64_t vertices() const;
 };
 
-// What Emitter leaves out for these settings.
-std::vector<std::uint8_t> unlit_luminaires(const PreparedScene& scene,
-                                           const RadiositySettings& settings);
-
 struct TracedCache {
   std::optional<VertexCache> cache;
   std::string problem;  // why there is none

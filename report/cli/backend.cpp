@@ -47,7 +47,7 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
 // None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to
 // share, so that the answer is the same for any number of threads.
 constexpr double kCores = 16.0;
-constexpr double kCpuConnection_ns = 170.0;    // of one core, as in calc/planner/cost_model.cpp
+constexpr double kCpuConnection_ns = 170.0;    // of one core, as in calc/forecast/cost_model.cpp
 constexpr double kOpen_s = 0.4;                // a context, programs; 0.15 to 0.5
 constexpr double kDeviceConnection_ns = 1.0;   // assumed
 constexpr double kBesideConnection_ns = 20.0;  // of one core: groups, packing [bench_gpu]

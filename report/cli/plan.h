@@ -3,7 +3,7 @@
 
 #include "calc/diagnostics.h"
 #include "calc/file_reader.h"
-#include "calc/planner/scene_plan.h"
+#include "calc/forecast/scene_plan.h"
 #include "report/cli/backend.h"
 #include "rules/rule_pack.h"
 

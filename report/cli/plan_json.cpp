@@ -1,4 +1,4 @@
-#include "calc/radiosity/skips.h"
+#include "calc/proofs/skips.h"
 #include "report/cli/option_values.h"
 #include "report/cli/plan.h"
 #include "report/json_layout.h"

@@ -1,4 +1,4 @@
-#include "calc/radiosity/skips.h"
+#include "calc/proofs/skips.h"
 #include "report/cli/plan.h"
 #include "report/number_format.h"
 #include "report/plain_text.h"

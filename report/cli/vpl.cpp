@@ -1,5 +1,6 @@
 #include "report/cli/vpl.h"
 
+#include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/scene_fingerprint.h"
 #include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
@@ -211,8 +212,8 @@ bool has_space_of(const calc::VertexCache& cache, const calc::Project& project,
 
 bool fits(const calc::VertexCache& cache, const calc::PreparedScene& scene, const Options& options,
           calc::Diagnostics& diagnostics) {
-  const std::uint64_t print =
-      calc::scene_fingerprint(scene, calc::unlit_luminaires(scene, options.radiosity));
+  const std::uint64_t print = calc::scene_fingerprint(
+      scene, calc::unlit_luminaires(scene, calc::beams_of(scene), options.radiosity.skips));
   if (print == cache.scene && cache.channels == scene.channels.size()) return true;
   diagnostics.report(
       calc::DiagnosticId::vertex_cache_unfit, {options.vpl_file, 0, 0},

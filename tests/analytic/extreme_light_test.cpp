@@ -1,5 +1,5 @@
 // Extreme reflectances and luminaires, each against a closed form or an estimate of its own.
-#include "calc/radiosity/skips.h"
+#include "calc/proofs/skips.h"
 #include "tests/analytic/extreme_reference.h"
 
 namespace {

@@ -1,7 +1,8 @@
 # Allowed directions between folders, read from the #include lines.
 #   cmake -DROOT=<source folder> -P check_layering.cmake
 # calc -> calc, rules -> calc, gpu -> calc, report -> rules and calc, report/cli -> everything. Inside calc the
-# model (scene, photometry, top level) must not know rays, radiosity or planner; rays know triangles only. Single libraries belong to single files.
+# model (scene, photometry, top level) must not know rays, proofs, radiosity or forecast;
+# rays know triangles only, proofs neither rays nor the solver, the solver not the forecast. Single libraries belong to single files.
 cmake_minimum_required(VERSION 3.25)
 
 set(allowed_calc calc)
@@ -48,15 +49,16 @@ function(check_file root file)
     if(name MATCHES "^calc/rays/" AND rest MATCHES "/" AND NOT rest MATCHES "^rays/")
       message(SEND_ERROR "${name}: rays know triangles only, not calc/${rest}")
     endif()
-    if(target STREQUAL "calc" AND rest MATCHES "^(rays|radiosity|planner)/")
+    if(target STREQUAL "calc" AND rest MATCHES "^(rays|proofs|radiosity|forecast)/")
       if(layer MATCHES "^(rules|report)$" OR
-         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(rays|radiosity|planner)/"))
+         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(rays|proofs|radiosity|forecast)/"))
         message(SEND_ERROR "${name}: must not include calc/radiosity: a verdict traces no ray")
       endif()
-      # The proofs stand below the solver, which calls them; only the plan knows the solver.
-      if(name MATCHES "^calc/planner/" AND rest MATCHES "^radiosity/" AND
-         NOT name MATCHES "^calc/planner/(scene_plan|cost_model)\\.")
+      if(name MATCHES "^calc/proofs/" AND NOT rest MATCHES "^proofs/")
         message(SEND_ERROR "${name}: a proof must not include calc/${rest}")
+      endif()
+      if(rest MATCHES "^forecast/" AND name MATCHES "^calc/" AND NOT name MATCHES "^calc/forecast/")
+        message(SEND_ERROR "${name}: nothing in calc stands on the forecast")
       endif()
     endif()
   endforeach()

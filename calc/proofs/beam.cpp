@@ -1,4 +1,4 @@
-#include "calc/planner/beam.h"
+#include "calc/proofs/beam.h"
 
 #include "calc/elementary.h"
 #include "calc/units.h"

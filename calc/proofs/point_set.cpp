@@ -1,4 +1,4 @@
-#include "calc/planner/point_set.h"
+#include "calc/proofs/point_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 // What the calculation of a space will do, what it may leave out, and why.
 
-#include "calc/planner/cost_model.h"
+#include "calc/forecast/cost_model.h"
+#include "calc/proofs/skips.h"
 #include "calc/radiosity/settings.h"
-#include "calc/radiosity/skips.h"
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 

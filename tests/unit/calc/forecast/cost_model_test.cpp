@@ -1,4 +1,4 @@
-#include "calc/planner/cost_model.h"
+#include "calc/forecast/cost_model.h"
 
 #include "calc/radiosity/plane_work.h"
 

@@ -1,9 +1,7 @@
-#include "calc/planner/scene_plan.h"
+#include "calc/forecast/scene_plan.h"
 
-#include "calc/planner/beam.h"
-#include "calc/planner/convex_space.h"
-#include "calc/planner/point_set.h"
-#include "calc/planner/predicates.h"
+#include "calc/proofs/point_set.h"
+#include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/near_field.h"
 
@@ -35,7 +33,8 @@ double opening_samples_per_point(const PreparedScene& scene, const PointSet& poi
     const glm::dvec3& position_m = points.position_m[(2 * k + 1) * count / (2 * probes)];
     for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
       const PlacedLuminaire& luminaire = scene.luminaires[l];
-      if (luminaire.opening.shape == OpeningShape::point || dark[l] != 0) continue;
+      if (luminaire.opening.shape == OpeningShape::point) continue;
+      if (!dark.empty() && dark[l] != 0) continue;
       for (const OpeningCell& cell : opening_cells(luminaire, position_m)) samples += cell.samples;
     }
   }
@@ -84,7 +83,7 @@ class Planner {
         tasks_(tasks),
         settings_(settings),
         surfaces_(summarise_surfaces(scene)),
-        beams_(beams_of(scene)) {
+        solve_(decide(scene, tasks, settings.skips)) {
     plan_.luminaires = scene.luminaires.size();
     plan_.threads = thread_count(settings);
     for (std::size_t s = 0; s < kSkips; ++s) {
@@ -97,18 +96,13 @@ class Planner {
   }
 
   ScenePlan run() {
-    for (const PlaneTask& task : tasks_) {
-      position_m_.push_back(local_positions_m(scene_, *task.grid));
-      points_.push_back({position_m_.back(), task.grid->normal, task.grid->kernel});
-      bounds_.push_back(bounds_of(points_.back()));
-      plan_.planes.push_back({task.plane_id, points_.back().position_m.size(), 0, 0, false});
-    }
-    decide_no_reflection();
-    decide_unlit_surfaces();
-    decide_behind_plane();
-    decide_dark_pairs();
-    decide_convex();
-    decide_running();
+    for (std::size_t p = 0; p < tasks_.size(); ++p) add_plane(p);
+    say_no_reflection();
+    say_unlit_surfaces();
+    say_behind_plane();
+    say_dark_pairs();
+    say_convex();
+    say_running();
     finish();
     return std::move(plan_);
   }
@@ -122,14 +116,56 @@ class Planner {
     decision(skip).why = std::move(why);
   }
 
-  void decide_no_reflection() {
-    const bool is_black = no_reflection(scene_);
-    has_indirect_ = !scene_.luminaires.empty() && !(is_black && allows(Skip::no_reflection));
+  void add_plane(std::size_t p) {
+    const PlaneDecision& decided = solve_.planes[p];
+    PlanePlan plane;
+    plane.plane_id = tasks_[p].plane_id;
+    plane.points = decided.points;
+    plane.luminaires = scene_.luminaires.size() - count_ones(decided.is_dark);
+    if (decided.samples_reflection) plane.seeing_points = decided.gathering_points();
+    plane.is_exact = decided.is_exact();
+    plan_.planes.push_back(std::move(plane));
+    add_workload(p);
+  }
+
+  void add_workload(std::size_t p) {
+    const PlaneDecision& decided = solve_.planes[p];
+    const std::vector<glm::dvec3> position_m = local_positions_m(scene_, *tasks_[p].grid);
+    const PointSet points{position_m, tasks_[p].grid->normal, tasks_[p].grid->kernel};
+    const std::size_t of_each = decided.points == 0 ? 1 : decided.receivers / decided.points;
+    PlaneWorkload load;
+    load.points = decided.receivers;
+    load.seeing_points = plan_.planes[p].seeing_points * of_each;
+    load.is_unobstructed = decided.is_unobstructed;
+    if (load.seeing_points > 0) {
+      load.near_points =
+          static_cast<double>(load.seeing_points) *
+          (allows(Skip::clear_distance) ? near_share(scene_, points, near_reach_m(surfaces_))
+                                        : 1.0);
+    }
+    std::size_t exact_openings = 0;
+    for (std::size_t l = 0; l < scene_.luminaires.size(); ++l) {
+      if (!decided.is_dark.empty() && decided.is_dark[l] != 0) continue;
+      // Eyes look at every opening once, whatever its shape.
+      if (!decided.measures_direct || scene_.luminaires[l].opening.shape == OpeningShape::point) {
+        ++exact_openings;
+      }
+    }
+    const auto receivers = static_cast<double>(decided.receivers);
+    load.exact_direct_rays = receivers * static_cast<double>(exact_openings);
+    if (decided.samples_openings) {
+      load.sampled_direct_rays = receivers * settings_.replicates *
+                                 opening_samples_per_point(scene_, points, decided.is_dark);
+    }
+    plan_.workload.planes.push_back(load);
+  }
+
+  void say_no_reflection() {
     if (!allows(Skip::no_reflection)) return;
     const auto reflecting =
         static_cast<std::size_t>(std::count_if(scene_.reflectance.begin(), scene_.reflectance.end(),
                                                [](double rho) { return rho > 0.0; }));
-    if (is_black) {
+    if (!solve_.has_reflection) {
       set(Skip::no_reflection, SkipState::applies,
           scene_.triangle.empty() ? "there is no surface" : "every surface is black");
     } else {
@@ -138,37 +174,39 @@ class Planner {
     }
   }
 
-  void decide_unlit_surfaces() {
+  // Whether there would be light paths if no luminaire were left out for lighting no surface.
+  bool may_reflect() const {
+    return !scene_.luminaires.empty() && (solve_.has_reflection || !allows(Skip::no_reflection));
+  }
+
+  void say_unlit_surfaces() {
     if (!allows(Skip::unlit_surfaces)) return;
-    if (!has_indirect_) return set(Skip::unlit_surfaces, SkipState::not_needed, kNoIndirect);
-    const std::size_t all = scene_.luminaires.size();
-    const std::size_t unlit = count_ones(find_unlit_surfaces(scene_, beams_));
+    if (!may_reflect()) return set(Skip::unlit_surfaces, SkipState::not_needed, kNoIndirect);
+    const std::size_t unlit = count_ones(solve_.is_unlit);
     decision(Skip::unlit_surfaces).luminaires = unlit;
     if (unlit == 0) {
       return set(Skip::unlit_surfaces, SkipState::not_proved,
                  "every luminaire may light a reflecting surface");
     }
-    has_indirect_ = unlit < all;
     set(Skip::unlit_surfaces, SkipState::applies,
-        of_all(unlit, all, "luminaires") + " cannot light any reflecting surface");
+        of_all(unlit, scene_.luminaires.size(), "luminaires") +
+            " cannot light any reflecting surface");
   }
 
-  void decide_behind_plane() {
-    std::vector<std::string>& proved = decision(Skip::behind_plane).planes;
+  void say_behind_plane() {
+    if (!allows(Skip::behind_plane)) return;
+    if (!solve_.samples_indirect) {
+      return set(Skip::behind_plane, SkipState::not_needed, kNoIndirect);
+    }
     std::size_t hidden = 0, all = 0;
     for (std::size_t p = 0; p < tasks_.size(); ++p) {
-      const std::size_t count = plan_.planes[p].points;
-      all += count;
-      if (!has_indirect_) continue;
-      plan_.planes[p].seeing_points = count;
-      if (!allows(Skip::behind_plane)) continue;
-      const ReflectionView view = find_reflection_view(scene_, points_[p]);
-      plan_.planes[p].seeing_points = view.seeing;
-      hidden += count - view.seeing;
-      if (view.is_behind_plane()) proved.push_back(tasks_[p].plane_id);
+      const PlaneDecision& decided = solve_.planes[p];
+      all += decided.points;
+      hidden += decided.points - decided.gathering_points();
+      if (!decided.samples_reflection) {
+        decision(Skip::behind_plane).planes.push_back(tasks_[p].plane_id);
+      }
     }
-    if (!allows(Skip::behind_plane)) return;
-    if (!has_indirect_) return set(Skip::behind_plane, SkipState::not_needed, kNoIndirect);
     if (hidden == 0) {
       return set(Skip::behind_plane, SkipState::not_proved,
                  "reflecting surfaces reach in front of every point");
@@ -177,21 +215,17 @@ class Planner {
         "every reflecting surface lies behind " + of_all(hidden, all, "points"));
   }
 
-  void decide_dark_pairs() {
+  void say_dark_pairs() {
+    if (!allows(Skip::dark_pairs)) return;
     const std::size_t luminaires = scene_.luminaires.size();
     std::size_t dark_pairs = 0;
     for (std::size_t p = 0; p < tasks_.size(); ++p) {
-      std::vector<std::uint8_t> dark(luminaires, 0);
-      if (allows(Skip::dark_pairs)) dark = find_dark_luminaires(scene_, beams_, bounds_[p]);
-      const std::size_t dark_here = count_ones(dark);
+      const std::size_t dark_here = count_ones(solve_.planes[p].is_dark);
       dark_pairs += dark_here;
-      plan_.planes[p].luminaires = luminaires - dark_here;
       if (dark_here == luminaires && luminaires > 0) {
         decision(Skip::dark_pairs).planes.push_back(tasks_[p].plane_id);
       }
-      plan_direct(p, dark);
     }
-    if (!allows(Skip::dark_pairs)) return;
     decision(Skip::dark_pairs).luminaires = dark_pairs;
     if (dark_pairs == 0) {
       return set(Skip::dark_pairs, SkipState::not_proved,
@@ -202,63 +236,37 @@ class Planner {
             " are dark: the beam misses the plane or comes from behind");
   }
 
-  void plan_direct(std::size_t p, const std::vector<std::uint8_t>& dark) {
-    PlaneWorkload load;
-    load.points = plan_.planes[p].points;
-    load.seeing_points = plan_.planes[p].seeing_points;
-    if (load.seeing_points > 0) {
-      const bool is_skipped = allows(Skip::clear_distance);
-      load.near_points =
-          static_cast<double>(load.seeing_points) *
-          (is_skipped ? near_share(scene_, points_[p], near_reach_m(surfaces_)) : 1.0);
-    }
-    std::size_t point_openings = 0;
-    for (std::size_t l = 0; l < dark.size(); ++l) {
-      if (dark[l] == 0 && scene_.luminaires[l].opening.shape == OpeningShape::point) {
-        ++point_openings;
-      }
-    }
-    const auto points = static_cast<double>(load.points);
-    load.exact_direct_rays = points * static_cast<double>(point_openings);
-    load.sampled_direct_rays =
-        points * settings_.replicates * opening_samples_per_point(scene_, points_[p], dark);
-    plan_.planes[p].is_exact = load.sampled_direct_rays == 0.0 && load.seeing_points == 0;
-    plan_.workload.planes.push_back(load);
-  }
-
-  void decide_convex() {
+  void say_convex() {
     if (!allows(Skip::convex)) return;
-    ConvexAnswer answer = find_convex_space(scene_);
-    if (!answer.space) {
-      decision(Skip::convex).body = answer.obstacle_body;
-      return set(Skip::convex, SkipState::not_proved, std::move(answer.why_not));
+    if (!solve_.is_convex) {
+      decision(Skip::convex).body = solve_.obstacle_body;
+      return set(Skip::convex, SkipState::not_proved, solve_.why_not_convex);
     }
     std::vector<std::string>& proved = decision(Skip::convex).planes;
     for (std::size_t p = 0; p < tasks_.size(); ++p) {
-      if (!answer.space->holds(points_[p], bounds_[p])) continue;
-      proved.push_back(tasks_[p].plane_id);
-      plan_.workload.planes[p].is_unobstructed = true;
+      if (solve_.planes[p].is_unobstructed) proved.push_back(tasks_[p].plane_id);
     }
     if (proved.empty()) {
-      return set(Skip::convex, SkipState::not_proved, "points lie outside the surfaces' walls");
+      return set(Skip::convex, SkipState::not_proved,
+                 "points, or where their rays begin, lie outside the surfaces' walls");
     }
     set(Skip::convex, SkipState::applies, "nothing stands between two points of the space");
   }
 
   // Sought by the calculation itself, at each point or look.
-  void decide_running() {
+  void say_running() {
     const bool is_sampled = std::any_of(plan_.planes.begin(), plan_.planes.end(),
                                         [](const PlanePlan& p) { return p.seeing_points > 0; });
     const bool has_pool = is_sampled && settings_.method == Method::light_pool;
-    decide_running(Skip::hidden_nodes, has_pool,
-                   "groups of light vertices behind a point or facing away");
-    decide_running(Skip::clear_distance, is_sampled, "points with no surface near them");
+    say_running(Skip::hidden_nodes, has_pool,
+                "groups of light vertices behind a point or facing away");
+    say_running(Skip::clear_distance, is_sampled, "points with no surface near them");
     const bool has_looks = std::any_of(plan_.planes.begin(), plan_.planes.end(),
                                        [](const PlanePlan& p) { return !p.is_exact; });
-    decide_running(Skip::decided_points, has_looks, "points that no open verdict needs");
+    say_running(Skip::decided_points, has_looks, "points that no open verdict needs");
   }
 
-  void decide_running(Skip skip, bool is_needed, const char* what) {
+  void say_running(Skip skip, bool is_needed, const char* what) {
     if (!allows(skip)) return;
     if (is_needed) return set(skip, SkipState::while_calculating, what);
     set(skip, SkipState::not_needed,
@@ -292,11 +300,7 @@ class Planner {
   const std::vector<PlaneTask>& tasks_;
   const RadiositySettings& settings_;
   SurfaceSummary surfaces_;
-  std::vector<Beam> beams_;
-  std::vector<std::vector<glm::dvec3>> position_m_;
-  std::vector<PointSet> points_;
-  std::vector<PointBounds> bounds_;
-  bool has_indirect_ = true;
+  SolvePlan solve_;
   ScenePlan plan_;
 };
 

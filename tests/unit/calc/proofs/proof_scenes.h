@@ -1,7 +1,7 @@
 #pragma once
-// Scenes and planes for the planner's tests.
+// Scenes and planes for tests of proofs and forecast.
 
-#include "calc/planner/point_set.h"
+#include "calc/proofs/point_set.h"
 #include "tests/support/scenes.h"
 
 #include <glm/gtc/constants.hpp>
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace planner_tests {
+namespace proof_scenes {
 
 // n x n points over the square from `corner` with the sides u, v (world), normals all the same.
 inline calc::SensorGrid square_grid(const glm::dvec3& corner, const glm::dvec3& u,
@@ -72,4 +72,4 @@ inline glm::dvec3 random_unit(std::mt19937& random) {
   return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-}  // namespace planner_tests
+}  // namespace proof_scenes

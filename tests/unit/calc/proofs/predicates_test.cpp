@@ -1,9 +1,9 @@
-#include "calc/planner/predicates.h"
+#include "calc/proofs/predicates.h"
 
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/opening.h"
-#include "tests/unit/calc/planner/planner_scenes.h"
+#include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace planner_tests;
+using namespace proof_scenes;
 using test_support::add_box;
 using test_support::add_luminaire;
 using test_support::add_quad;

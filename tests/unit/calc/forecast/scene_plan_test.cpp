@@ -1,13 +1,13 @@
-#include "calc/planner/scene_plan.h"
+#include "calc/forecast/scene_plan.h"
 
-#include "tests/unit/calc/planner/planner_scenes.h"
+#include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
 
-using namespace planner_tests;
+using namespace proof_scenes;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

@@ -1,7 +1,7 @@
 #pragma once
 // A space in which nothing can stand between two points.
 
-#include "calc/planner/point_set.h"
+#include "calc/proofs/point_set.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
-#include "calc/planner/convex_space.h"
+#include "calc/proofs/convex_space.h"
 
-#include "calc/planner/beam.h"
+#include "calc/proofs/beam.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // changes nothing beyond what a ray's own blur, PreparedScene::ray_offset_m(), changes; false means
 // "not proved", never "disproved". None traces a ray. [method 03]
 
-#include "calc/planner/beam.h"
-#include "calc/planner/point_set.h"
+#include "calc/proofs/beam.h"
+#include "calc/proofs/point_set.h"
 #include "calc/scene/prepared_scene.h"
 
 #include <cstddef>

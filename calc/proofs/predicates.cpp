@@ -1,4 +1,4 @@
-#include "calc/planner/predicates.h"
+#include "calc/proofs/predicates.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "calc/planner/beam.h"
+#include "calc/proofs/beam.h"
 
 #include "calc/photometry/web_sampling.h"
-#include "tests/unit/calc/planner/planner_scenes.h"
+#include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace {
 
 using calc::kPi;
-using namespace planner_tests;
+using namespace proof_scenes;
 
 constexpr double kDegree = kPi / 180.0;
 

@@ -1,14 +1,14 @@
-#include "calc/planner/convex_space.h"
+#include "calc/proofs/convex_space.h"
 
 #include "calc/radiosity/opening.h"
-#include "tests/unit/calc/planner/planner_scenes.h"
+#include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace {
 
-using namespace planner_tests;
+using namespace proof_scenes;
 using test_support::add_box;
 using test_support::add_luminaire;
 using test_support::add_quad;

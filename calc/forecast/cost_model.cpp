@@ -1,4 +1,4 @@
-#include "calc/planner/cost_model.h"
+#include "calc/forecast/cost_model.h"
 
 #include "calc/radiosity/plane_work.h"
 
@@ -63,8 +63,9 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
       const std::uint64_t batch = total - done;  // a look traces only new paths
       largest_batch = std::max(largest_batch, batch);
       const std::uint32_t draws = draws_per_point(batch, plane.points);
-      const double connections = is_pool ? static_cast<double>(draws)
-                                         : static_cast<double>(batch) * space.vertices_per_path;
+      // A pool without vertices has nothing to draw.
+      const double vertices = static_cast<double>(batch) * space.vertices_per_path;
+      const double connections = is_pool && vertices > 0.0 ? static_cast<double>(draws) : vertices;
       const double rays =
           replicates * static_cast<double>(plane.seeing_points) * connections * kVisibleShare;
       work.connection_rays += traced * rays;

@@ -1,5 +1,5 @@
 #pragma once
-// The points of one plane as the planner's proofs see them.
+// The points of one plane as the proofs see them.
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/receiver_kernel.h"

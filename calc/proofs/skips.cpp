@@ -1,4 +1,4 @@
-#include "calc/radiosity/skips.h"
+#include "calc/proofs/skips.h"
 
 #include <algorithm>
 #include <array>
