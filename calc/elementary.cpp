@@ -2,6 +2,8 @@
 
 #include <sleef.h>
 
+#include <cmath>
+
 namespace calc {
 
 double sin(double x) { return Sleef_cinz_sind1_u35purec(x); }
@@ -22,5 +24,7 @@ double log1p(double x) { return Sleef_cinz_log1pd1_u10purec(x); }
 double log2(double x) { return Sleef_cinz_log2d1_u10purec(x); }
 double log10(double x) { return Sleef_cinz_log10d1_u10purec(x); }
 double pow(double base, double exponent) { return Sleef_cinz_powd1_u10purec(base, exponent); }
+
+double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace calc

@@ -32,4 +32,6 @@ double log2(double x);
 double log10(double x);
 double pow(double base, double exponent);
 
+double hypot(double x, double y);  // sqrt(x x + y y), as it stands: no care for 1e154 and beyond
+
 }  // namespace calc

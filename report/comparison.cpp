@@ -1,5 +1,6 @@
 #include "report/comparison.h"
 
+#include "calc/elementary.h"
 #include "calc/statistics.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ double severity(const ComparedPoint& point) {
 
 }  // namespace
 
-double ComparedPoint::interval_lx() const { return std::hypot(a.half_width_lx, b.half_width_lx); }
+double ComparedPoint::interval_lx() const { return calc::hypot(a.half_width_lx, b.half_width_lx); }
 
 std::size_t Comparison::points() const {
   std::size_t sum = 0;
@@ -56,7 +57,7 @@ std::size_t Comparison::averages_beyond() const {
 
 std::optional<double> ComparedPlane::average_interval_lx() const {
   if (!average_half_width_a_lx || !average_half_width_b_lx) return std::nullopt;
-  return std::hypot(*average_half_width_a_lx, *average_half_width_b_lx);
+  return calc::hypot(*average_half_width_a_lx, *average_half_width_b_lx);
 }
 
 void compare_points(Comparison& comparison) {

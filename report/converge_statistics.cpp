@@ -78,7 +78,7 @@ bool holds(std::span<const double> values, double truth, double error, double co
   const double t =
       calc::student_t_quantile(0.5 + 0.5 * confidence, static_cast<int>(values.size()) - 1);
   ++coverage.tried;
-  const bool is_held = std::abs(known.mean - truth) <= t * std::hypot(known.standard_error, error);
+  const bool is_held = std::abs(known.mean - truth) <= t * calc::hypot(known.standard_error, error);
   if (is_held) ++coverage.held;
   return is_held;
 }
@@ -121,7 +121,7 @@ ConvergeTruth truth_of(std::vector<double> lx, std::vector<double> error_lx) {
       static_cast<std::size_t>(std::min_element(lx.begin(), lx.end()) - lx.begin());
   if (truth.average_lx > 0.0) {
     truth.uo_error =
-        std::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) / truth.average_lx;
+        calc::hypot(error_lx[darkest], truth.uo * truth.average_error_lx) / truth.average_lx;
   }
   truth.lx = std::move(lx);
   truth.error_lx = std::move(error_lx);

@@ -1,3 +1,4 @@
+#include "calc/elementary.h"
 #include "calc/utf8.h"
 #include "report/dot_font.h"
 #include "report/heatmap.h"
@@ -58,7 +59,7 @@ class Canvas {
         const double px = x + 0.5 - a.x;
         const double py = y + 0.5 - a.y;
         const double t = length2 > 0.0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-        const double distance = std::hypot(px - t * dx, py - t * dy);
+        const double distance = calc::hypot(px - t * dx, py - t * dy);
         const double share = std::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0);
         float& covered = coverage_[index(x, y)];
         covered = std::max(covered, static_cast<float>(share));
@@ -112,7 +113,7 @@ void draw_line(const PolarLine& line, Canvas& canvas) {
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
     const PolarPoint a = line.points[i];
     const PolarPoint b = line.points[i + 1];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = calc::hypot(b.x - a.x, b.y - a.y);
     double done = 0.0;
     while (done < length) {
       const double phase = std::fmod(along + done, kDash + kGap);

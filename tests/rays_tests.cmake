@@ -8,7 +8,7 @@ luxgate_test(rays_tests
   LIBRARIES calc_radiosity embree)
 
 # The names are those of calc/rays/instruction_set.cpp.
-foreach(set sse2 sse4.2 avx avx2 avx512)
+foreach(set sse2 ssse3 sse4.2 avx avx2 avx512)
   add_test(NAME rays.${set} COMMAND rays_tests --gtest_filter=TriangleTree.*)
   set_tests_properties(rays.${set} PROPERTIES ENVIRONMENT LUXGATE_ISA=${set}
     SKIP_REGULAR_EXPRESSION "no instruction set '${set}'")

@@ -18,7 +18,7 @@ constexpr double kConnectionShadow_ns = 45.0;  // the part of it that a convex s
 constexpr double kShortRay_ns = 300.0;         // with the light at its end
 constexpr double kDirectRay_ns = 300.0;        // photometry and shadow ray
 constexpr double kDirectShadow_ns = 20.0;
-constexpr double kPrepare_ns_per_triangle = 1200.0;  // Embree's tree
+constexpr double kPrepare_ns_per_triangle = 1200.0;  // the tree
 constexpr double kPrepare_s = 0.0004;                // its device
 
 // Connections that face each other; the others need no ray.
@@ -27,7 +27,7 @@ constexpr double kVisibleShare = 0.9;
 constexpr double kRaysPerShortRay = 1.7;
 
 constexpr double kBytesPerVertex = 150.0;    // with sorting keys and the tree
-constexpr double kBytesPerTriangle = 300.0;  // with its share of Embree's tree
+constexpr double kBytesPerTriangle = 600.0;  // with its share of the tree, while it is built
 // Sums and published values, direct and indirect.
 constexpr double kBytesPerResult = 4.0 * sizeof(double);
 

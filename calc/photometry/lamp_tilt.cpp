@@ -14,7 +14,7 @@ double lamp_tilt_rad(const LampTilt& tilt, const glm::dmat3& world_from_luminair
   }
   // atan2 keeps the angle of a luminaire that points straight down exactly 0.
   const glm::dvec3& up = world_from_luminaire[2];
-  return calc::atan2(std::hypot(up.x, up.y), up.z);
+  return calc::atan2(calc::hypot(up.x, up.y), up.z);
 }
 
 bool covers(const LampTilt& tilt, double tilt_rad) {

@@ -47,7 +47,7 @@ class Cells {
   // least in C where cos(C - phi) is, whatever g is (sin g >= 0); then in g at an end or where its
   // derivative vanishes.
   double least_cosine(const glm::dvec3& axis) const {
-    const double across = std::hypot(axis.x, axis.y);
+    const double across = calc::hypot(axis.x, axis.y);
     const double phi = calc::atan2(axis.y, axis.x);
     double least = 1.0;
     for (std::size_t p = 0; p < planes(); ++p) {
@@ -58,7 +58,7 @@ class Cells {
         least = std::min(
             {least, side * sin_[g] - axis.z * cos_[g], side * sin_[g + 1] - axis.z * cos_[g + 1]});
         if (turning_rad >= web_.gamma_rad()[g] && turning_rad <= web_.gamma_rad()[g + 1]) {
-          least = std::min(least, -std::hypot(side, axis.z));
+          least = std::min(least, -calc::hypot(side, axis.z));
         }
       }
     }
@@ -139,7 +139,7 @@ bool tangent_plane_separates(const Beam& beam, const PlacedLuminaire& luminaire,
   for (const glm::dvec3& corner : corners) {
     const glm::dvec3 d = corner - luminaire.position_m;
     const double along_m = glm::dot(d, beam.axis);
-    const double across_m = std::hypot(glm::dot(d, x), glm::dot(d, y));
+    const double across_m = calc::hypot(glm::dot(d, x), glm::dot(d, y));
     // sine * along + cosine * across * cos(phi - phi_k) <= -clear
     const double needed = -(sine * along_m + side_m + opening_m);
     if (needed < -cosine * across_m) return false;  // no tangent plane has it behind

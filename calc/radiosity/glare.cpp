@@ -291,7 +291,7 @@ std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& 
   const SeenAt seen(to_source, look);
   if (!seen.is_in_field() || seen.is_below()) return std::nullopt;
   const double upwards = std::max(0.0, seen.upwards);
-  const double s = degrees_from_radians(calc::atan(std::hypot(seen.sideways, upwards)));
+  const double s = degrees_from_radians(calc::atan(calc::hypot(seen.sideways, upwards)));
   const double t = degrees_from_radians(calc::atan2(seen.sideways, upwards));
   return calc::exp((35.2 - 0.31889 * t - 1.22 * calc::exp(-2.0 * t / 9.0)) * 1.0e-3 * s +
                    (21.0 + 0.26667 * t - 0.002963 * t * t) * 1.0e-5 * s * s);

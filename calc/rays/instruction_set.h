@@ -8,8 +8,8 @@
 
 namespace calc {
 
-// Names that LUXGATE_ISA may have on this processor, narrowest first: "sse2", "sse4.2", "avx",
-// "avx2", "avx512".
+// Names that LUXGATE_ISA may have on this processor, narrowest first: "sse2", "ssse3", "sse4.2",
+// "avx", "avx2", "avx512".
 std::vector<std::string_view> instruction_sets();
 
 // What LUXGATE_ISA says; "" = not set.
@@ -19,7 +19,7 @@ std::string_view wanted_instruction_set();
 // not among instruction_sets().
 std::string_view instruction_set();
 
-// The same for Embree: "isa=avx2".
+// The same for Embree, which has no "ssse3": "isa=avx2".
 std::string embree_instruction_set();
 
 }  // namespace calc

@@ -47,7 +47,8 @@ HWY_INLINE void prepare(const TreeView& tree, const Ray& ray, Probe& probe) {
     origin_sum += std::fabs(ray.origin[k]);
   }
   // (plane - origin) * inverse is wrong by 4 u of |plane - origin| at most, the moved origin by one
-  // more u of itself: 5 u (largest + |origin|1) would do.
+  // more u of itself: 5 u (largest + |origin|1); a hit lies off the ray, and so outside its box, by
+  // up to 8 u (kMostOff of triangle_hit.cpp), and its distance is rounded to single precision, 1 u.
   const float margin = 16.0f * kRounding * (tree.largest_m + origin_sum);
   // So slow a direction leaves no box within any distance that matters.
   const float slowest = 1e-18f * direction_sum;
@@ -67,7 +68,9 @@ HWY_INLINE void prepare(const TreeView& tree, const Ray& ray, Probe& probe) {
   // height - normal . origin: 6 u (reach + |origin|) with the rounding of height and normal, and 2
   // u of each comparison.
   probe.height_error = 12.0f * kRounding * (tree.reach_m + origin_sum);
-  probe.slope_error = 6.0f * kRounding * direction_sum;  // normal . direction: 5 u |direction|1
+  // normal . direction: 5 u |direction|1. A slope below it means a place beyond the triangle unless
+  // the height is below its error, too, so that this only saves looking twice.
+  probe.slope_error = 6.0f * kRounding * direction_sum;
   probe.least = ray.least;
   probe.most = ray.most;
 }
@@ -239,8 +242,9 @@ HWY_INLINE void look_for_first(const TreeView& tree, const Tree::Block& block, c
     hit.triangle = block.index[next_bit(possible)];
     if (!meets(ray, tree.triangles[hit.triangle], hit) || !hit.is_before(first)) continue;
     first = hit;
-    // What lies farther matters no longer; what lies as far may come first.
-    probe.most = static_cast<float>(hit.t * (1.0 + 4.0 * static_cast<double>(kRounding)));
+    // What lies farther matters no longer; what lies as far may come first: the margins of boxes
+    // and planes are above this rounding.
+    probe.most = static_cast<float>(hit.t);
   }
 }
 

@@ -31,6 +31,10 @@ struct ReleaseTree {
   void operator()(RTCBVH tree) const { rtcReleaseBVH(tree); }
 };
 
+// Sine of the angle between two edges below which rounding to double may turn the normal by more
+// than single precision shows: 2^-53 / kThinnest is far below 2^-24.
+constexpr double kThinnest = 0x1p-22;
+
 float rounded_up(double value) { return std::nextafter(static_cast<float>(value), kInfinity); }
 
 }  // namespace
@@ -47,6 +51,7 @@ class TriangleTree::Builder {
     if (device == nullptr) throw std::runtime_error("Embree gives no device");
     rtcSetDeviceErrorFunction(device.get(), throw_embree_error, nullptr);
     const std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseTree> tree(rtcNewBVH(device.get()));
+    if (tree == nullptr) throw std::runtime_error("Embree gives no tree");
 
     std::vector<RTCBuildPrimitive> primitives;
     primitives.reserve(tree_.triangles_.size());
@@ -70,7 +75,9 @@ class TriangleTree::Builder {
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = create_leaf;
     arguments.userPtr = this;
-    tree_.root_ = child_of(rtcBuildBVH(&arguments));
+    void* const root = rtcBuildBVH(&arguments);
+    if (root == nullptr) throw std::runtime_error("Embree builds no tree");
+    tree_.root_ = child_of(root);
     if (depth(tree_.root_) * (kWidth - 1) + kWidth > tree_detail::kStack) {
       throw std::runtime_error("the tree over the surfaces is too deep");
     }
@@ -137,8 +144,11 @@ class TriangleTree::Builder {
   void fill_lane(Block& block, std::size_t lane, std::uint32_t index) const {
     const Triangle& triangle = tree_.triangles_[index];
     const std::array<glm::dvec3, 3> corner{triangle.a, triangle.b, triangle.c};
-    const glm::dvec3 normal =
-        glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+    const glm::dvec3 ab = corner[1] - corner[0], ac = corner[2] - corner[0];
+    const glm::dvec3 across = glm::cross(ab, ac);
+    // Corners so nearly on one line leave the plane unknown: a normal of 0 makes it decide nothing.
+    const bool has_plane = glm::length(across) > kThinnest * glm::length(ab) * glm::length(ac);
+    const glm::dvec3 normal = has_plane ? glm::normalize(across) : glm::dvec3(0.0);
     double longest = 0.0;
     for (std::size_t which = 0; which < 3; ++which) {
       const glm::dvec3 &begin = corner[(which + 1) % 3], &end = corner[(which + 2) % 3];

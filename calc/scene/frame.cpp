@@ -14,7 +14,7 @@ glm::dmat3 rotation_about_z(double angle_rad) {
 glm::dmat3 luminaire_frame(const glm::dvec3& axis, double rotation_rad) {
   const glm::dvec3 a = glm::normalize(axis);
   const glm::dmat3 turned = rotation_about_z(rotation_rad);
-  const double sine = std::hypot(a.x, a.y);
+  const double sine = calc::hypot(a.x, a.y);
   if (sine == 0.0) {
     const glm::dmat3 half_turn_about_x(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0),
                                        glm::dvec3(0, 0, -1));

@@ -1,5 +1,6 @@
 #include "report/cli/room_pictures.h"
 
+#include "calc/elementary.h"
 #include "calc/radiosity/surface_light.h"
 #include "gpu/picture.h"
 #include "report/cli/outputs.h"
@@ -94,7 +95,7 @@ double spacing_px(const report::PlanePart& plane, const glm::dvec3& origin_m,
   if (plane.points.size() < 2) return 1e9;
   const glm::dvec3 a = camera.project(plane.points[0].position_m - origin_m);
   const glm::dvec3 b = camera.project(plane.points[1].position_m - origin_m);
-  return 0.5 * width_px * std::hypot(b.x - a.x, (b.y - a.y) / camera.aspect);
+  return 0.5 * width_px * calc::hypot(b.x - a.x, (b.y - a.y) / camera.aspect);
 }
 
 void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,

@@ -2,7 +2,9 @@
 #   cmake -DROOT=<source folder> -P check_elementary.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(names "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log1p|log10|pow|cbrt|erf|erfc|tgamma|lgamma|sincos")
+set(names "sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|hypot|exp10|exp|exp2|expm1|log|log2|log1p|log10|pow|cbrt|erf|erfc|tgamma|lgamma|sincos")
+# A call, a name taken over, or the address of a function.
+set(call "((std|glm)::|[^:A-Za-z0-9_.>]|[^:A-Za-z0-9_]::)(${names})[fl]?\\(|using std::(${names});|&(std)?::(${names})[^a-z0-9_]")
 set(count 0)
 foreach(module calc rules gpu report)
   file(GLOB_RECURSE files ${ROOT}/${module}/*.h ${ROOT}/${module}/*.cpp)
@@ -12,18 +14,18 @@ foreach(module calc rules gpu report)
     if(name MATCHES "^calc/elementary\\.")
       continue()
     endif()
-    file(STRINGS ${file} lines REGEX "(std::|glm::|[^:A-Za-z0-9_.>])(${names})[fl]?\\(")
+    file(STRINGS ${file} lines REGEX "${call}")
     foreach(line IN LISTS lines)
       if(line MATCHES "^lg_")  # text of a Radiance function file
         continue()
       endif()
       string(REGEX REPLACE "//.*" "" code "${line}")
-      if(code MATCHES "(std::|glm::|[^:A-Za-z0-9_.>])(${names})[fl]?\\(")
+      if(code MATCHES "${call}")
         message(SEND_ERROR "${name}: ${line}\n  see calc/elementary.h")
       endif()
     endforeach()
     # glm's rotations call the C library.
-    file(STRINGS ${file} lines REGEX "glm::(rotate|angleAxis|perspective|slerp)")
+    file(STRINGS ${file} lines REGEX "glm::(rotate|angleAxis|perspective|slerp|angle|euler|yaw|pitch|roll)[A-Za-z]*\\(|std::[a-z]*_distribution")
     foreach(line IN LISTS lines)
       message(SEND_ERROR "${name}: ${line}\n  glm works out sines by the C library; see calc/elementary.h")
     endforeach()
