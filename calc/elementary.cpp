@@ -1,5 +1,6 @@
 #include "calc/elementary.h"
 
+#include <emmintrin.h>
 #include <sleef.h>
 
 #include <cmath>
@@ -13,6 +14,12 @@ double asin(double x) { return Sleef_cinz_asind1_u35purec(x); }
 double acos(double x) { return Sleef_cinz_acosd1_u35purec(x); }
 double atan(double x) { return Sleef_cinz_atand1_u35purec(x); }
 double atan2(double y, double x) { return Sleef_cinz_atan2d1_u35purec(y, x); }
+std::array<double, 2> atan2(const std::array<double, 2>& y, const std::array<double, 2>& x) {
+  std::array<double, 2> angle;
+  _mm_storeu_pd(angle.data(),
+                Sleef_cinz_atan2d2_u35sse2(_mm_loadu_pd(y.data()), _mm_loadu_pd(x.data())));
+  return angle;
+}
 float cos(float x) { return Sleef_cinz_cosf1_u35purec(x); }
 float asin(float x) { return Sleef_cinz_asinf1_u35purec(x); }
 float acos(float x) { return Sleef_cinz_acosf1_u35purec(x); }

@@ -8,6 +8,8 @@
 // Angles in radians. Special values as in the C library: atan2(0, -1) is pi, log(0) -infinity,
 // acos(1.1) NaN.
 
+#include <array>
+
 namespace calc {
 
 // Within 3.5 units of the last place; sines and cosines for |x| up to 1e9.
@@ -18,6 +20,8 @@ double asin(double x);
 double acos(double x);
 double atan(double x);
 double atan2(double y, double x);
+// Two at once: the same bits, in the time of one.
+std::array<double, 2> atan2(const std::array<double, 2>& y, const std::array<double, 2>& x);
 float cos(float x);
 float asin(float x);
 float acos(float x);

@@ -174,8 +174,8 @@ WebAngles angles_of(const std::array<double, 3>& direction) {
   const auto [x, y, z] = direction;
   const double across = std::sqrt(x * x + y * y);
   if (across == 0.0) return {0.0, z > 0.0 ? kPi : 0.0};
-  const double c = calc::atan2(y, x);
-  return {c < 0.0 ? c + 2.0 * kPi : c, calc::atan2(across, -z)};
+  const auto [c, gamma] = calc::atan2({y, across}, {x, -z});
+  return {c < 0.0 ? c + 2.0 * kPi : c, gamma};
 }
 
 std::array<double, 3> direction_of(const WebAngles& angles) {

@@ -1,11 +1,9 @@
 #include "calc/rays/instruction_set.h"
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -13,39 +11,45 @@ namespace calc {
 namespace {
 
 struct Row {
-  std::string_view name;
-  bool (*is_here)();
-  std::int64_t target;  // Highway's; smaller numbers are better ones. 0 = the baseline
+  std::string_view name, embree;
+  SearchKernels kernels;
+  bool (*is_here)();  // with all that Highway takes for granted beside it
 };
 
-const std::array<Row, 6> kRows{{
-    {"sse2", [] { return true; }, 0},  // without vectors: Highway has none for it
-    {"ssse3", [] { return __builtin_cpu_supports("ssse3") != 0; }, HWY_SSSE3},
-    {"sse4.2", [] { return __builtin_cpu_supports("sse4.2") != 0; }, HWY_SSE4},
-    {"avx", [] { return __builtin_cpu_supports("avx") != 0; }, HWY_SSE4},  // Highway has none of it
-    {"avx2", [] { return __builtin_cpu_supports("avx2") != 0; }, HWY_AVX2},
-    {"avx512",
-     [] {
-       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-              __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0;
-     },
-     HWY_AVX3},
+bool has_sse4() {
+  return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("aes") &&
+         __builtin_cpu_supports("pclmul");
+}
+bool has_avx() { return has_sse4() && __builtin_cpu_supports("avx"); }
+bool has_avx2() {
+  return has_avx() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+         __builtin_cpu_supports("f16c");
+}
+bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd");
+}
+
+constexpr std::array<Row, 6> kRows{{
+    {"sse2", "sse2", SearchKernels::sse2, [] { return true; }},
+    {"ssse3", "sse2", SearchKernels::ssse3, [] { return __builtin_cpu_supports("ssse3") != 0; }},
+    {"sse4.2", "sse4.2", SearchKernels::sse4, has_sse4},
+    {"avx", "avx", SearchKernels::sse4, has_avx},  // Highway has none of its own
+    {"avx2", "avx2", SearchKernels::avx2, has_avx2},
+    {"avx512", "avx512", SearchKernels::avx512, has_avx512},
 }};
 
 const Row& choose() {
-  const std::vector<std::string_view> here = instruction_sets();
   const std::string_view wanted = wanted_instruction_set();
-  const std::string_view name = wanted.empty() ? here.back() : wanted;
-  if (std::find(here.begin(), here.end(), name) == here.end()) {
-    throw std::runtime_error(fmt::format("no instruction set '{}'", name));
+  const auto found = std::find_if(kRows.rbegin(), kRows.rend(), [&](const Row& row) {
+    return (wanted.empty() || row.name == wanted) && row.is_here();
+  });
+  if (found == kRows.rend()) {
+    throw std::runtime_error(fmt::format("no instruction set '{}'", wanted));
   }
-  const Row& row =
-      *std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) { return r.name == name; });
-  if (!wanted.empty()) {
-    const std::int64_t all = hwy::SupportedTargets();
-    hwy::DisableTargets(row.target == 0 ? all : all & (row.target - 1));
-  }
-  return row;
+  return *found;
 }
 
 const Row& chosen() {
@@ -70,8 +74,8 @@ std::string_view wanted_instruction_set() {
 
 std::string_view instruction_set() { return chosen().name; }
 
-std::string embree_instruction_set() {
-  return fmt::format("isa={}", chosen().name == "ssse3" ? "sse2" : chosen().name);
-}
+SearchKernels search_kernels() { return chosen().kernels; }
+
+std::string embree_instruction_set() { return fmt::format("isa={}", chosen().embree); }
 
 }  // namespace calc

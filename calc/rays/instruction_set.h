@@ -19,6 +19,11 @@ std::string_view wanted_instruction_set();
 // not among instruction_sets().
 std::string_view instruction_set();
 
+// The versions in which the searches are compiled; sse2: without vectors, for which Highway has
+// none.
+enum class SearchKernels { sse2, ssse3, sse4, avx2, avx512 };
+SearchKernels search_kernels();
+
 // The same for Embree, which has no "ssse3": "isa=avx2".
 std::string embree_instruction_set();
 

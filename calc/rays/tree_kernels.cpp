@@ -6,6 +6,8 @@
 // may be flushed: scenes are taken to be larger than a micrometre.
 #include "calc/rays/tree_kernels.h"
 
+#include "calc/rays/instruction_set.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -298,16 +300,51 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace calc {
 
-HWY_EXPORT(Blocked);
-HWY_EXPORT(FirstHits);
+namespace {
+
+// Not Highway's own choice: its library measures the clock whenever a program starts.
+struct Searches {
+  std::uint32_t (*blocked)(const TreeView&, std::span<const Ray>);
+  std::uint32_t (*first_hits)(const TreeView&, std::span<const Ray>, std::span<TriangleHit>);
+};
+
+Searches choose_searches() {
+  switch (search_kernels()) {
+#if (HWY_TARGETS & HWY_AVX3) != 0
+    case SearchKernels::avx512:
+      return {N_AVX3::Blocked, N_AVX3::FirstHits};
+#endif
+#if (HWY_TARGETS & HWY_AVX2) != 0
+    case SearchKernels::avx2:
+      return {N_AVX2::Blocked, N_AVX2::FirstHits};
+#endif
+#if (HWY_TARGETS & HWY_SSE4) != 0
+    case SearchKernels::sse4:
+      return {N_SSE4::Blocked, N_SSE4::FirstHits};
+#endif
+#if (HWY_TARGETS & HWY_SSSE3) != 0
+    case SearchKernels::ssse3:
+      return {N_SSSE3::Blocked, N_SSSE3::FirstHits};
+#endif
+    default:
+      return {HWY_NAMESPACE::Blocked, HWY_NAMESPACE::FirstHits};  // of all processors
+  }
+}
+
+const Searches& searches() {
+  static const Searches chosen = choose_searches();
+  return chosen;
+}
+
+}  // namespace
 
 std::uint32_t blocked_rays(const TreeView& tree, std::span<const Ray> rays) {
-  return HWY_DYNAMIC_DISPATCH(Blocked)(tree, rays);
+  return searches().blocked(tree, rays);
 }
 
 std::uint32_t first_hits_of_rays(const TreeView& tree, std::span<const Ray> rays,
                                  std::span<TriangleHit> hits) {
-  return HWY_DYNAMIC_DISPATCH(FirstHits)(tree, rays, hits);
+  return searches().first_hits(tree, rays, hits);
 }
 
 }  // namespace calc

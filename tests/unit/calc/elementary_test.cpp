@@ -40,6 +40,15 @@ TEST(Elementary, IsAsNearToTheCLibraryAsItSays) {
   EXPECT_LE(others, 2.0);
 }
 
+TEST(Elementary, TwoAnglesAtOnceAreThoseOneByOne) {
+  for (int k = -2000; k <= 2000; ++k) {
+    const double y = 0.0031 * k, x = 0.7 - 0.0007 * k;
+    const std::array<double, 2> both = calc::atan2({y, x}, {x, -y});
+    EXPECT_EQ(both[0], calc::atan2(y, x));
+    EXPECT_EQ(both[1], calc::atan2(x, -y));
+  }
+}
+
 TEST(Elementary, PowersOfTenAreExact) {
   double power = 1.0;
   for (int k = 0; k <= 22; ++k, power *= 10.0) {
