@@ -72,7 +72,7 @@ CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& 
 CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
   entry.finding = &finding;
   entry.verdict = finding.verdict;
-  entry.counts = !finding.is_waived && finding.requirement.severity == rules::Severity::shall;
+  entry.counts = rules::counts(outcome_of(finding));
   entry.rule = rules::metric_name(finding.requirement.metric);
   entry.key += "/" + printable(finding.requirement.id);
   if (!finding.requirement.where.file.empty()) entry.where = finding.requirement.where;
@@ -100,7 +100,7 @@ CiFinding of_aggregate(const ProjectPart& project, const rules::AggregateFinding
   }
   entry.aggregate = &finding;
   entry.verdict = finding.verdict;
-  entry.counts = !finding.is_waived && finding.severity == rules::Severity::shall;
+  entry.counts = rules::counts(outcome_of(finding));
   entry.rule = rules::kind_name(finding.kind);
   entry.key = printable(
       fmt::format("{}:{}/{}/{}", entry.rule, finding.space_id, finding.plane_id, finding.id));

@@ -39,18 +39,25 @@ constexpr const char* kBold = "\033[1m";
 constexpr const char* kDim = "\033[2m";
 constexpr const char* kReset = "\033[0m";
 
-const char* verdict_colour(rules::Verdict verdict) {
-  switch (verdict) {
-    case rules::Verdict::pass:
-      return "\033[32m";
-    case rules::Verdict::fail:
-      return "\033[1;31m";
-    case rules::Verdict::undecided:
-      return "\033[1;33m";
-    case rules::Verdict::not_judged:
+const char* outcome_colour(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::fail:
+      return "\033[1;31m";
+    case rules::Outcome::undecided:
+      return "\033[1;33m";
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return "\033[32m";
+    case rules::Outcome::nothing_asked:
+      return kDim;
   }
   return "\033[1;35m";
+}
+
+const char* verdict_colour(rules::Verdict verdict) {
+  return outcome_colour(rules::outcome_of(verdict));
 }
 
 // A failure stands out in a log without colours, too: it alone is in capitals.
@@ -265,9 +272,8 @@ std::string render_text(const Document& document, const TextOptions& options, co
     for (const Line& line : tables[i]) text += render_line(line, widths, options.colour);
     text += "\n";
   }
-  const rules::Verdict overall = overall_verdict(document);
   std::string summary = summary_words(t, document);
-  if (options.colour) summary = verdict_colour(overall) + summary + kReset;
+  if (options.colour) summary = outcome_colour(outcome_of(document)) + summary + kReset;
   text += summary + "\n";
   if (const std::string words = redaction_words(document, t); !words.empty()) text += words + "\n";
   return text;

@@ -6,21 +6,43 @@
 namespace report {
 namespace {
 
-void count(rules::Verdict verdict, VerdictCounts& counts) {
-  switch (verdict) {
-    case rules::Verdict::pass:
-      ++counts.pass;
-      return;
-    case rules::Verdict::fail:
-      ++counts.fail;
-      return;
-    case rules::Verdict::undecided:
-      ++counts.undecided;
-      return;
-    case rules::Verdict::not_judged:
+void count(rules::Outcome outcome, VerdictCounts& counts) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
       ++counts.not_judged;
       return;
+    case rules::Outcome::fail:
+      ++counts.fail;
+      return;
+    case rules::Outcome::undecided:
+      ++counts.undecided;
+      return;
+    case rules::Outcome::pass:
+      ++counts.pass;
+      return;
+    case rules::Outcome::waived:
+      ++counts.waived;
+      return;
+    case rules::Outcome::nothing_asked:
+      return;
   }
+}
+
+void add(const VerdictCounts& counts, VerdictCounts& sum) {
+  sum.pass += counts.pass;
+  sum.fail += counts.fail;
+  sum.undecided += counts.undecided;
+  sum.not_judged += counts.not_judged;
+  sum.waived += counts.waived;
+}
+
+rules::Outcome outcome_of(const PlanePart& plane) {
+  if (!plane.is_computed) return rules::Outcome::not_judged;
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  for (const rules::Finding& finding : plane.findings) {
+    outcome = graver(outcome, outcome_of(finding));
+  }
+  return outcome;
 }
 
 }  // namespace
@@ -58,54 +80,62 @@ void settle_estimates(PlanePart& plane) {
   }
 }
 
+int VerdictCounts::of(rules::Verdict verdict) const {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      return pass;
+    case rules::Verdict::fail:
+      return fail;
+    case rules::Verdict::undecided:
+      return undecided;
+    case rules::Verdict::not_judged:
+      break;
+  }
+  return not_judged;
+}
+
+VerdictCounts count_verdicts(const SpacePart& space) {
+  VerdictCounts counts;
+  for (const PlanePart& plane : space.planes) {
+    for (const rules::Finding& finding : plane.findings) count(outcome_of(finding), counts);
+  }
+  return counts;
+}
+
 VerdictCounts count_verdicts(const ProjectPart& project) {
   VerdictCounts counts;
-  if (!project.is_judged) count(rules::Verdict::not_judged, counts);
-  for (const SpacePart& space : project.spaces) {
-    for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) {
-        if (finding.requirement.severity != rules::Severity::shall) continue;
-        if (finding.is_waived) {
-          ++counts.waived;
-        } else {
-          count(finding.verdict, counts);
-        }
-      }
-    }
-  }
+  if (!project.is_judged) count(rules::Outcome::not_judged, counts);
+  for (const SpacePart& space : project.spaces) add(count_verdicts(space), counts);
   for (const rules::AggregateFinding& finding : project.aggregates) {
-    if (finding.severity != rules::Severity::shall) continue;
-    if (finding.is_waived) {
-      ++counts.waived;
-    } else {
-      count(finding.verdict, counts);
-    }
+    count(outcome_of(finding), counts);
   }
   return counts;
 }
 
 VerdictCounts count_verdicts(const Document& document) {
   VerdictCounts sum;
-  for (const ProjectPart& project : document.projects) {
-    const VerdictCounts counts = count_verdicts(project);
-    sum.pass += counts.pass;
-    sum.fail += counts.fail;
-    sum.undecided += counts.undecided;
-    sum.not_judged += counts.not_judged;
-    sum.waived += counts.waived;
-  }
+  for (const ProjectPart& project : document.projects) add(count_verdicts(project), sum);
   return sum;
 }
 
-bool has_uncomputed_plane(const Document& document) {
-  for (const ProjectPart& project : document.projects) {
-    for (const SpacePart& space : project.spaces) {
-      for (const PlanePart& plane : space.planes) {
-        if (!plane.is_computed) return true;
-      }
-    }
+rules::Outcome outcome_of(const ProjectPart& project) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  if (!project.is_judged) outcome = rules::Outcome::not_judged;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) outcome = graver(outcome, outcome_of(plane));
   }
-  return false;
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    outcome = graver(outcome, outcome_of(finding));
+  }
+  return outcome;
+}
+
+rules::Outcome outcome_of(const Document& document) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  for (const ProjectPart& project : document.projects) {
+    outcome = graver(outcome, outcome_of(project));
+  }
+  return outcome;
 }
 
 }  // namespace report

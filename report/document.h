@@ -11,6 +11,7 @@
 #include "rules/aggregate.h"
 #include "rules/goal.h"
 #include "rules/judge.h"
+#include "rules/outcome.h"
 
 #include <glm/glm.hpp>
 
@@ -204,6 +205,9 @@ struct ProjectPart {
 struct VerdictCounts {
   int pass = 0, fail = 0, undecided = 0, not_judged = 0;
   int waived = 0;  // fail or undecided, but do not count
+
+  int of(rules::Verdict verdict) const;
+  int all() const { return pass + fail + undecided + not_judged + waived; }
 };
 
 struct Document {
@@ -222,8 +226,11 @@ void settle_estimates(PlanePart& plane);
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);
+VerdictCounts count_verdicts(const SpacePart& space);  // of its planes, without aggregates
 
-// Also one of which nothing is required.
-bool has_uncomputed_plane(const Document& document);
+// The gravest of everything in it. not_judged: also a project that could not be judged at all, and
+// a plane without result, even one of which nothing is required.
+rules::Outcome outcome_of(const Document& document);
+rules::Outcome outcome_of(const ProjectPart& project);
 
 }  // namespace report

@@ -203,7 +203,7 @@ std::string whole_page(const Texts& t, const Document& document, const std::stri
   for (std::size_t p = 0; p < document.projects.size(); ++p)
     body += project_html(t, document, p, folder);
   const std::string title =
-      std::string(verdict_symbol(overall_verdict(document))) + " " + page_title(t, document);
+      std::string(outcome_symbol(outcome_of(document))) + " " + page_title(t, document);
   return page(t, title, masthead(t, document, !attention.empty()),
               body + html_provenance(t, document), document, true);
 }

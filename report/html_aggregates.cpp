@@ -74,7 +74,8 @@ std::vector<std::string> html_aggregate_items(const Texts& t, const Document& do
   for (std::size_t p = 0; p < document.projects.size(); ++p) {
     const ProjectPart& project = document.projects[p];
     for (const rules::AggregateFinding& finding : project.aggregates) {
-      if (finding.verdict != verdict || finding.severity != rules::Severity::shall) continue;
+      if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
+        continue;
       items.push_back(fmt::format(
           "<li>{}<div><p><a href=\"#aggregates{}\">{}</a> <span class=\"quiet\">{}</span></p>"
           "<p><b>{}</b> ({}) {}</p>{}</div></li>\n",

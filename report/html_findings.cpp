@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -126,21 +125,6 @@ std::string head_cells(const Texts& t, bool is_sortable) {
       t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
 }
 
-// In the order in which verdicts ask for attention.
-int rank(rules::Verdict verdict) {
-  switch (verdict) {
-    case rules::Verdict::not_judged:
-      return 0;
-    case rules::Verdict::fail:
-      return 1;
-    case rules::Verdict::undecided:
-      return 2;
-    case rules::Verdict::pass:
-      break;
-  }
-  return 3;
-}
-
 std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
   const Cells cells = cells_of(t, plane, finding);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
@@ -148,7 +132,7 @@ std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::F
       "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
       "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
       "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
-      rank(finding.verdict), badge(t, finding.verdict),
+      rules::gravity_rank(finding.verdict), badge(t, finding.verdict),
       escape_html(quantity_words(t, finding.requirement)), cells.requirement,
       format_shortest(finding.requirement.limit), cells.required,
       is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
@@ -217,26 +201,14 @@ std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
 
 // "2 fail, 1 pass" of a room.
 std::string room_words(const Texts& t, const SpacePart& space) {
-  std::array<int, 4> counts{};
-  int waived = 0;
-  for (const PlanePart& plane : space.planes) {
-    for (const rules::Finding& finding : plane.findings) {
-      if (finding.requirement.severity != rules::Severity::shall) continue;
-      if (finding.is_waived)
-        ++waived;
-      else
-        ++counts.at(static_cast<std::size_t>(rank(finding.verdict)));
-    }
-  }
+  const VerdictCounts counts = count_verdicts(space);
   std::string words;
-  const auto add = [&](int count, Text word) {
-    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, t[word]);
+  const auto add = [&](int count, const char* word) {
+    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
   };
-  add(counts[0], Text::verdict_not_judged);
-  add(counts[1], Text::verdict_fail);
-  add(counts[2], Text::verdict_undecided);
-  add(counts[3], Text::verdict_pass);
-  add(waived, Text::waived);
+  for (const rules::Verdict verdict : rules::kGravestFirst)
+    add(counts.of(verdict), verdict_words(t, verdict));
+  add(counts.waived, t[Text::waived]);
   return words;
 }
 
@@ -283,8 +255,8 @@ void add_attention(const Texts& t, const Document& document, rules::Verdict verd
   for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
                                const PlanePart& plane) {
     for (const rules::Finding& finding : plane.findings) {
-      const bool counts = finding.requirement.severity == rules::Severity::shall;
-      if (finding.verdict != verdict || !counts) continue;
+      if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
+        continue;
       const bool is_judged = verdict != rules::Verdict::not_judged;
       found.emplace_back(is_judged ? finding.margin : 0.0,
                          attention_item(t, index, space, plane, finding, folder));
@@ -318,54 +290,72 @@ std::string tools(const Texts& t) {
       t[Text::find], t[Text::find_hint], t[Text::verdict], choices);
 }
 
+Text banner_sentence(rules::Outcome outcome, const VerdictCounts& counts) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return Text::not_all_met;
+    case rules::Outcome::undecided:
+      return Text::not_all_decided;
+    case rules::Outcome::pass:
+      return counts.waived > 0 ? Text::all_met_or_waived : Text::all_met;
+    case rules::Outcome::waived:
+      return Text::all_waived;
+    case rules::Outcome::nothing_asked:
+      return Text::nothing_asked;
+  }
+  return counts.fail > 0 ? Text::not_all_judged_or_met : Text::not_all_judged;
+}
+
+// Its class gives the banner the tone of a verdict; what is waived is accepted. Where nothing was
+// asked there is no verdict: grey is set here, so that the style of all other pages stays as it is.
+std::string banner_attributes(rules::Outcome outcome) {
+  const auto like = [](rules::Verdict verdict) {
+    return fmt::format("class=\"banner {}\"", verdict_key(verdict));
+  };
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return like(rules::Verdict::fail);
+    case rules::Outcome::undecided:
+      return like(rules::Verdict::undecided);
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return like(rules::Verdict::pass);
+    case rules::Outcome::nothing_asked:
+      return "class=\"banner nothing-asked\" style=\"--tone: var(--none); --tone-soft: "
+             "var(--none-soft)\"";
+  }
+  return like(rules::Verdict::not_judged);
+}
+
 }  // namespace
 
 std::string html_verdict_banner(const Texts& t, const Document& document) {
   const VerdictCounts counts = count_verdicts(document);
-  const rules::Verdict overall = overall_verdict(document);
-  const bool is_empty =
-      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived == 0;
-  Text sentence = Text::nothing_judged;
-  switch (overall) {
-    case rules::Verdict::pass:
-      sentence = counts.waived > 0 ? Text::all_met_or_waived : Text::all_met;
-      if (counts.pass == 0) sentence = Text::all_waived;
-      break;
-    case rules::Verdict::fail:
-      sentence = Text::not_all_met;
-      break;
-    case rules::Verdict::undecided:
-      sentence = Text::not_all_decided;
-      break;
-    case rules::Verdict::not_judged:
-      if (!is_empty || has_uncomputed_plane(document)) sentence = Text::not_all_judged;
-      if (counts.fail > 0) sentence = Text::not_all_judged_or_met;
-      break;
-  }
-  const std::array<std::pair<rules::Verdict, int>, 4> all{
-      {{rules::Verdict::not_judged, counts.not_judged},
-       {rules::Verdict::fail, counts.fail},
-       {rules::Verdict::undecided, counts.undecided},
-       {rules::Verdict::pass, counts.pass}}};
+  const rules::Outcome outcome = outcome_of(document);
   std::string chips;
-  for (const auto& [verdict, count] : all) {
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    const int count = counts.of(verdict);
     chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", verdict_key(verdict),
                          count == 0 ? " none" : "", count, verdict_words(t, verdict));
   }
   return fmt::format(
-      "<div class=\"banner {}\"><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
+      "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
       "class=\"outcome\">{}</p>"
       "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
-      verdict_key(overall), verdict_symbol(overall), t[sentence], summary_words(t, document),
-      chips);
+      banner_attributes(outcome), outcome_symbol(outcome), t[banner_sentence(outcome, counts)],
+      summary_words(t, document), chips);
 }
 
 std::string html_attention(const Texts& t, const Document& document, const std::string& folder) {
   constexpr std::size_t kOpen = 20;  // more are folded
   std::vector<std::string> items;
-  add_attention(t, document, rules::Verdict::not_judged, folder, items);
-  add_attention(t, document, rules::Verdict::fail, folder, items);
-  add_attention(t, document, rules::Verdict::undecided, folder, items);
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    if (verdict != rules::Verdict::pass) add_attention(t, document, verdict, folder, items);
+  }
   if (items.empty()) return {};
   std::string html = std::string("<section aria-labelledby=\"attention\"><h2 id=\"attention\">") +
                      t[Text::needs_attention] + "</h2>\n<ul class=\"attention\">\n";

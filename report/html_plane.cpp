@@ -263,8 +263,7 @@ bool is_all_passed(const PlanePart& plane) {
 // What a folded card still says: one badge for each verdict that it holds, and the average.
 std::string badges(const Texts& t, const PlanePart& plane) {
   std::string html;
-  for (const rules::Verdict verdict : {rules::Verdict::not_judged, rules::Verdict::fail,
-                                       rules::Verdict::undecided, rules::Verdict::pass}) {
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
     const auto count = std::count_if(
         plane.findings.begin(), plane.findings.end(),
         [verdict](const rules::Finding& finding) { return finding.verdict == verdict; });

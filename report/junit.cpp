@@ -13,13 +13,23 @@
 namespace report {
 namespace {
 
+enum class CaseResult { passed, skipped, error, failure };
+
+CaseResult result_of(const CiFinding& entry) {
+  if (entry.verdict == rules::Verdict::pass) return CaseResult::passed;
+  if (!entry.counts) return CaseResult::skipped;
+  return entry.verdict == rules::Verdict::not_judged ? CaseResult::error : CaseResult::failure;
+}
+
 struct Counts {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
 
   void add(const CiFinding& entry) {
     ++tests;
-    if (entry.verdict == rules::Verdict::pass) return;
-    ++(!entry.counts ? skipped : entry.verdict == rules::Verdict::not_judged ? errors : failures);
+    const CaseResult result = result_of(entry);
+    skipped += result == CaseResult::skipped ? 1 : 0;
+    errors += result == CaseResult::error ? 1 : 0;
+    failures += result == CaseResult::failure ? 1 : 0;
   }
   // Schemas of others know no "skipped" of all suites together.
   void write_to(pugi::xml_node node, bool is_suite) const {
@@ -54,16 +64,16 @@ void add_case(pugi::xml_node suite, const CiFinding& entry) {
   set(test, "file", printable(entry.where.file));
   if (entry.where.line > 0) test.append_attribute("line") = entry.where.line;
   const std::string words = entry.place + ": " + entry.message;
-  if (entry.verdict == rules::Verdict::pass) {
+  const CaseResult result = result_of(entry);
+  if (result == CaseResult::passed) {
     test.append_child("system-out").text() = words.c_str();
     return;
   }
-  if (!entry.counts) {
+  if (result == CaseResult::skipped) {
     set(test.append_child("skipped"), "message", words);
     return;
   }
-  const bool is_error = entry.verdict == rules::Verdict::not_judged;
-  pugi::xml_node problem = test.append_child(is_error ? "error" : "failure");
+  pugi::xml_node problem = test.append_child(result == CaseResult::error ? "error" : "failure");
   set(problem, "type", verdict_key(entry.verdict));
   set(problem, "message", words);
   problem.text() = words.c_str();
@@ -94,6 +104,11 @@ std::string render_junit(const Document& document) {
       if (entry.project == &project) add_case(suite, entry);
     }
     std::string notes;
+    // A suite of which nothing was asked has no failure either: it must not look like a pass.
+    if (const rules::Outcome outcome = outcome_of(project);
+        outcome == rules::Outcome::nothing_asked) {
+      notes += std::string(outcome_words(outcome)) + "\n";
+    }
     for (const std::string& note : ci_notes(project)) notes += note + "\n";
     const std::string words = redaction_words(document);
     if (!words.empty() && &project == &document.projects.front()) notes += words + "\n";

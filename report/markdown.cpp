@@ -89,9 +89,9 @@ std::string render_markdown(const Document& document, const Texts& t) {
   for (CiFinding& entry : ci_findings(document, t)) {
     (entry.verdict == rules::Verdict::pass ? passed : others).push_back(std::move(entry));
   }
-  const rules::Verdict overall = overall_verdict(document);
-  std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", verdict_symbol(overall),
-                                 outcome_words(t, document), summary_words(t, document));
+  const rules::Outcome outcome = outcome_of(document);
+  std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
+                                 outcome_words(t, outcome), summary_words(t, document));
   if (!others.empty()) text += "\n" + table(t, others);
   for (const ProjectPart& project : document.projects) {
     const std::vector<std::string> notes = ci_notes(project, t);

@@ -58,36 +58,51 @@ QuantityTexts quantity_texts(calc::ReceiverKernel kernel, calc::DerivedQuantity 
 
 }  // namespace
 
-const char* verdict_symbol(rules::Verdict verdict) {
-  switch (verdict) {
-    case rules::Verdict::pass:
-      return "✓";
-    case rules::Verdict::fail:
-      return "✗";
-    case rules::Verdict::undecided:
-      return "?";
-    case rules::Verdict::not_judged:
+const char* outcome_symbol(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::fail:
+      return "✗";
+    case rules::Outcome::undecided:
+      return "?";
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return "✓";
+    case rules::Outcome::nothing_asked:
+      return "○";
   }
   return "–";
+}
+
+const char* verdict_symbol(rules::Verdict verdict) {
+  return outcome_symbol(rules::outcome_of(verdict));
 }
 
 const char* verdict_key(rules::Verdict verdict) {
   return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
 }
 
-const char* verdict_words(const Texts& t, rules::Verdict verdict) {
-  switch (verdict) {
-    case rules::Verdict::pass:
-      return t[Text::verdict_pass];
-    case rules::Verdict::fail:
-      return t[Text::verdict_fail];
-    case rules::Verdict::undecided:
-      return t[Text::verdict_undecided];
-    case rules::Verdict::not_judged:
+const char* outcome_words(const Texts& t, rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::fail:
+      return t[Text::verdict_fail];
+    case rules::Outcome::undecided:
+      return t[Text::verdict_undecided];
+    case rules::Outcome::pass:
+      return t[Text::verdict_pass];
+    case rules::Outcome::waived:
+      return t[Text::waived];
+    case rules::Outcome::nothing_asked:
+      return t[Text::outcome_nothing_asked];
   }
   return t[Text::verdict_not_judged];
+}
+
+const char* verdict_words(const Texts& t, rules::Verdict verdict) {
+  return outcome_words(t, rules::outcome_of(verdict));
 }
 
 const char* light_state_words(const Texts& t, rules::LightState state) {
@@ -322,8 +337,7 @@ std::string summary_words(const Texts& t, const Document& document) {
       std::count_if(document.projects.begin(), document.projects.end(),
                     [](const ProjectPart& project) { return !project.is_judged; }));
   counts.not_judged -= not_judged_projects;
-  const int total =
-      counts.pass + counts.fail + counts.undecided + counts.not_judged + counts.waived;
+  const int total = counts.all();
   std::string text =
       total == 1 ? t.say<Text::one_requirement>(total) : t.say<Text::requirements>(total);
   const char* separator = ": ";
@@ -337,29 +351,19 @@ std::string summary_words(const Texts& t, const Document& document) {
   add(counts.undecided, Text::verdict_undecided);
   add(counts.not_judged, Text::verdict_not_judged);
   add(counts.waived, Text::waived);
+  if (const rules::Outcome outcome = outcome_of(document);
+      outcome == rules::Outcome::nothing_asked) {
+    text += std::string(separator) + outcome_words(t, outcome);
+  }
   if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
   if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);
   return text;
-}
-
-rules::Verdict overall_verdict(const Document& document) {
-  const VerdictCounts counts = count_verdicts(document);
-  if (counts.not_judged > 0 || has_uncomputed_plane(document)) return rules::Verdict::not_judged;
-  if (counts.fail > 0) return rules::Verdict::fail;
-  if (counts.undecided > 0) return rules::Verdict::undecided;
-  return counts.pass + counts.waived > 0 ? rules::Verdict::pass : rules::Verdict::not_judged;
 }
 
 std::string close_words(const Texts& t, const rules::Finding& finding) {
   if (!finding.is_close) return {};
   return t[finding.requirement.policy.compares_rounded ? Text::close_unrounded
                                                        : Text::close_rounded];
-}
-
-const char* outcome_words(const Texts& t, const Document& document) {
-  const rules::Verdict overall = overall_verdict(document);
-  const bool is_met = overall == rules::Verdict::pass && count_verdicts(document).pass > 0;
-  return overall == rules::Verdict::pass && !is_met ? t[Text::waived] : verdict_words(t, overall);
 }
 
 std::string looks_words(const Texts& t, const PlanePart& plane) {

@@ -11,14 +11,18 @@
 
 namespace report {
 
-// "✓", "✗", "?", "–": a verdict is never told by colour alone.
+// "✓", "✗", "?", "–", and "○" where nothing was asked: nothing is told by colour alone.
+const char* outcome_symbol(rules::Outcome outcome);
 const char* verdict_symbol(rules::Verdict verdict);
 
 // Name without blanks for class names and data: "pass", "fail", "undecided", "not-judged".
 const char* verdict_key(rules::Verdict verdict);
 
-// "pass", "fail", ... for people.
+// "pass", "fail", ..., "waived", "nothing was asked" for people.
+const char* outcome_words(const Texts& t, rules::Outcome outcome);
+inline const char* outcome_words(rules::Outcome outcome) { return outcome_words({}, outcome); }
 const char* verdict_words(const Texts& t, rules::Verdict verdict);
+
 // "maintained", "initial", "end-of-duration".
 const char* light_state_words(const Texts& t, rules::LightState state);
 
@@ -103,16 +107,10 @@ const char* stop_words(const Texts& t, calc::StopReason stop);
 const char* drop_key(calc::DropReason reason);
 const char* drop_words(const Texts& t, calc::DropReason reason);
 
-// "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged".
+// "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged", "0 requirements: nothing was
+// asked".
 std::string summary_words(const Texts& t, const Document& document);
 inline std::string summary_words(const Document& document) { return summary_words({}, document); }
-
-// The gravest verdict, in the order of the exit codes: not_judged (also for a plane without
-// result), then fail, then undecided, then pass. Nothing judged: not_judged.
-rules::Verdict overall_verdict(const Document& document);
-// Its name; "waived" where it is a pass of which every requirement is waived.
-const char* outcome_words(const Texts& t, const Document& document);
-inline const char* outcome_words(const Document& document) { return outcome_words({}, document); }
 
 // "3 of 9 planned"; "" where nothing was sampled.
 std::string looks_words(const Texts& t, const PlanePart& plane);

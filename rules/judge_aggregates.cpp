@@ -3,6 +3,7 @@
 #include "calc/scene/polygon.h"
 #include "rules/evaluate.h"
 #include "rules/limit.h"
+#include "rules/outcome.h"
 
 #include <fmt/format.h>
 
@@ -94,12 +95,10 @@ LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
           origin.is_modified ? RowLevel::modified : RowLevel::required, origin.facts};
 }
 
-// As much as can be said of all of them together.
-Verdict worst(Verdict a, Verdict b) {
-  for (const Verdict verdict : {Verdict::fail, Verdict::not_judged, Verdict::undecided}) {
-    if (a == verdict || b == verdict) return verdict;
-  }
-  return Verdict::pass;
+// As much as can be said of all of them together. Other than in a batch a member that fails comes
+// before one that cannot be judged: whatever the latter is, not all of them are met.
+Verdict verdict_of_both(Verdict a, Verdict b) {
+  return a == Verdict::fail || b == Verdict::fail ? Verdict::fail : graver(a, b);
 }
 
 // A member with what it would be if everything waived were met.
@@ -139,8 +138,9 @@ Part part_of(std::string name, const std::vector<Entry>& entries) {
   part.member.verdict = Verdict::pass;
   for (const Entry& entry : entries) {
     const Finding& finding = *entry.finding;
-    part.member.verdict = worst(part.member.verdict, finding.verdict);
-    part.lived_with = worst(part.lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
+    part.member.verdict = verdict_of_both(part.member.verdict, finding.verdict);
+    part.lived_with =
+        verdict_of_both(part.lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
     part.member.is_waived = part.member.is_waived || finding.is_waived;
   }
   part.member.reason = where_from(entries, part.member.verdict);
@@ -212,12 +212,12 @@ std::vector<Part> parts_by_room(const RulePack& pack, const std::vector<std::str
     Part part = part_of(room.front().place->space->id, room);
     for (const Group& use : grouped(room, is_same_use)) {
       for (const Part& check : parts_by_check(pack, checks, use)) {
-        const Verdict verdict = worst(part.member.verdict, check.member.verdict);
+        const Verdict verdict = verdict_of_both(part.member.verdict, check.member.verdict);
         if (verdict != part.member.verdict) {
           part.member.reason = check.member.name + ": " + check.member.reason;
         }
         part.member.verdict = verdict;
-        part.lived_with = worst(part.lived_with, check.lived_with);
+        part.lived_with = verdict_of_both(part.lived_with, check.lived_with);
       }
     }
     part.member.area_m2 = area_of(*room.front().place->space);

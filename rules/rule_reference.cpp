@@ -3,13 +3,13 @@
 #include "calc/text.h"
 #include "rules/derived_metrics.h"
 #include "rules/limit.h"
+#include "rules/named_pack.h"
 #include "rules/pack_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,43 +23,26 @@ using calc::ElementReader;
 
 constexpr const char* kElement = "require";
 
-std::string list_of(const std::vector<const RulePack*>& packs) {
-  std::string text;
-  for (const RulePack* pack : packs) {
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", pack->full_id(), pack->file);
-  }
-  return text;
-}
-
 }  // namespace
 
 const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
   const std::string name = reader.text("pack");
   if (name.empty()) return nullptr;
-  std::vector<const RulePack*> all;
-  std::vector<const RulePack*> fitting;
-  calc::Names names;
-  for (const RulePack& pack : packs) {
-    all.push_back(&pack);
-    names.emplace_back(pack.id);
-    if (name == pack.id || name == pack.full_id()) fitting.push_back(&pack);
-  }
-  // A bare id means the edition in force.
-  if (fitting.size() > 1) {
-    const auto is_old = [](const RulePack* pack) { return pack->status != "published"; };
-    if (std::count_if(fitting.begin(), fitting.end(), std::not_fn(is_old)) == 1) {
-      std::erase_if(fitting, is_old);
+  const NamedPack found = named_pack(name, packs);
+  if (found.is_ambiguous()) {
+    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, found.candidates);
+  } else if (found.pack == nullptr) {
+    std::vector<const RulePack*> all;
+    calc::Names names;
+    for (const RulePack& pack : packs) {
+      all.push_back(&pack);
+      names.emplace_back(pack.id);
     }
-  }
-  if (fitting.size() == 1) return fitting.front();
-  if (fitting.empty()) {
     reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack",
-                  reader.element().name, "rule pack", name, "allowed: " + list_of(all),
+                  reader.element().name, "rule pack", name, "allowed: " + pack_list(all),
                   calc::suggestion(name, names));
-  } else {
-    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, list_of(fitting));
   }
-  return nullptr;
+  return found.pack;
 }
 
 const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {

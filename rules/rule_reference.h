@@ -30,7 +30,7 @@ std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
                                              const RequirementContext& context,
                                              const ChosenScene& scene);
 
-// The attribute "pack", by "id" (the edition in force) or "id:edition". nullptr after an error.
+// The attribute "pack", see named_pack(). nullptr after an error.
 const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePack>& packs);
 // The attribute "row"; nullptr if there is none, or after an error.
 const RuleRow* find_row(calc::ElementReader& reader, const RulePack& pack);

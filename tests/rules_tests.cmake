@@ -14,7 +14,9 @@ luxgate_test(rules_tests
     unit/rules/judge_test.cpp
     unit/rules/mask_test.cpp
     unit/rules/measure_test.cpp
+    unit/rules/named_pack_test.cpp
     unit/rules/outage_test.cpp
+    unit/rules/outcome_test.cpp
     unit/rules/metrics_test.cpp
     unit/rules/replicate_sample_test.cpp
     unit/rules/requirement_test.cpp

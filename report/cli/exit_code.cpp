@@ -2,12 +2,20 @@
 
 namespace cli {
 
-ExitCode exit_code_for(const report::Document& document) {
-  const report::VerdictCounts counts = report::count_verdicts(document);
-  if (counts.not_judged > 0 || report::has_uncomputed_plane(document)) return kNotJudged;
-  if (counts.fail > 0) return kNotMet;
-  if (counts.undecided > 0) return kUndecided;
-  return kAllMet;
+ExitCode exit_code_of(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return kNotMet;
+    case rules::Outcome::undecided:
+      return kUndecided;
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+    case rules::Outcome::nothing_asked:
+      return kAllMet;
+  }
+  return kNotJudged;
 }
 
 }  // namespace cli

@@ -311,34 +311,11 @@ std::string explain_checks(const RulePack& pack, const std::vector<const RuleChe
   return text + "\n" + shared_text(pack, ids, "") + sources_text(pack, {});
 }
 
-std::optional<std::string> explain_rule(const RulePack& pack, const std::string& name) {
-  if (const RuleRow* row = pack.find_row(name)) return explain_row(pack, *row);
-  std::vector<const RuleCheck*> checks;
-  for (const RuleCheck& check : pack.checks) {
-    if (check.role == name || check.id == name) checks.push_back(&check);
-  }
-  if (checks.empty()) return std::nullopt;
-  return explain_checks(pack, checks);
-}
-
 constexpr calc::DiagnosticId kMessages[] = {
 #define LUXGATE_DIAGNOSTIC(id, severity, text) calc::DiagnosticId::id,
 #include "calc/diagnostics.def"
 #undef LUXGATE_DIAGNOSTIC
 };
-
-std::optional<std::string> explain_message(const std::string& name) {
-  for (const calc::DiagnosticId id : kMessages) {
-    if (calc::diagnostic_name(id) != name) continue;
-    const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
-    return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
-                       is_error ? "error" : "warning", calc::diagnostic_template(id),
-                       is_error
-                           ? "The file is not judged, and the exit code is 2."
-                           : "Everything is judged all the same; the exit code does not change.");
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -349,15 +326,6 @@ std::string list_rule_packs(const std::vector<RulePack>& packs) {
                         pack.status, pack.rows.size(), pack.checks.size(), pack.file);
   }
   return text;
-}
-
-const RulePack* find_rule_pack(const std::vector<RulePack>& packs, const std::string& name) {
-  const RulePack* found = nullptr;
-  for (const RulePack& pack : packs) {
-    if (pack.full_id() == name) return &pack;
-    if (pack.id == name && (found == nullptr || pack.status == "published")) found = &pack;
-  }
-  return found;
 }
 
 std::string show_rule_pack(const RulePack& pack) {
@@ -380,11 +348,27 @@ std::string show_rule_pack(const RulePack& pack) {
   return text;
 }
 
-std::optional<std::string> explain(const std::string& what, const std::vector<RulePack>& packs) {
-  const std::size_t slash = what.find('/');
-  if (slash == std::string::npos) return explain_message(what);
-  const RulePack* pack = find_rule_pack(packs, what.substr(0, slash));
-  return pack == nullptr ? std::nullopt : explain_rule(*pack, what.substr(slash + 1));
+std::optional<std::string> explain_rule(const RulePack& pack, const std::string& name) {
+  if (const RuleRow* row = pack.find_row(name)) return explain_row(pack, *row);
+  std::vector<const RuleCheck*> checks;
+  for (const RuleCheck& check : pack.checks) {
+    if (check.role == name || check.id == name) checks.push_back(&check);
+  }
+  if (checks.empty()) return std::nullopt;
+  return explain_checks(pack, checks);
+}
+
+std::optional<std::string> explain_message(const std::string& name) {
+  for (const calc::DiagnosticId id : kMessages) {
+    if (calc::diagnostic_name(id) != name) continue;
+    const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
+    return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
+                       is_error ? "error" : "warning", calc::diagnostic_template(id),
+                       is_error
+                           ? "The file is not judged, and the exit code is 2."
+                           : "Everything is judged all the same; the exit code does not change.");
+  }
+  return std::nullopt;
 }
 
 }  // namespace cli

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kExitCodes =
     "Exit codes:\n"
-    "  0    every requirement is met (also if none is stated: a warning says so)\n"
+    "  0    every requirement is met or waived, or nothing was asked: a warning says so\n"
     "  1    at least one requirement is not met\n"
     "  2    usage, input or file error, or a plane or project that could not be judged\n"
     "  3    nothing failed, but a result's interval holds its limit: undecided\n"

@@ -148,8 +148,10 @@ class Run {
         result_.out += render_photometry_text(file, colour_);
       }
     }
-    if (wanted_.strict && has_warnings_) result_.exit_code = kNotMet;
-    if (has_errors_) result_.exit_code = kNotJudged;
+    rules::Outcome outcome = rules::Outcome::nothing_asked;
+    if (wanted_.strict && has_warnings_) outcome = graver(outcome, rules::Outcome::fail);
+    if (has_errors_) outcome = graver(outcome, rules::Outcome::not_judged);
+    result_.exit_code = exit_code_of(outcome);
   }
 
   const Options& options_;

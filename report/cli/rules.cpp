@@ -9,6 +9,7 @@
 #include "report/write.h"
 #include "rules/builtin_packs.h"
 #include "rules/import_rows.h"
+#include "rules/named_pack.h"
 #include "rules/rule_lint.h"
 
 #include <fmt/format.h>
@@ -50,10 +51,21 @@ std::string joined_ids(const std::vector<rules::RulePack>& packs) {
   return calc::join_choices(names);
 }
 
+// An ambiguous name is reported; one that is unknown is left to the caller.
+rules::NamedPack find_pack(const std::string& name, const std::vector<rules::RulePack>& packs,
+                           calc::Diagnostics& diagnostics) {
+  rules::NamedPack found = rules::named_pack(name, packs);
+  if (found.is_ambiguous()) {
+    diagnostics.report(calc::DiagnosticId::ambiguous_rule_pack, {}, name, found.candidates);
+  }
+  return found;
+}
+
 std::string show(const Options& options, const std::vector<rules::RulePack>& packs,
                  calc::Diagnostics& diagnostics) {
-  const rules::RulePack* pack = find_rule_pack(packs, options.rules_command.pack);
-  if (pack != nullptr) return show_rule_pack(*pack);
+  const rules::NamedPack found = find_pack(options.rules_command.pack, packs, diagnostics);
+  if (found.is_ambiguous()) return {};
+  if (found.pack != nullptr) return show_rule_pack(*found.pack);
   diagnostics.report(calc::DiagnosticId::rule_import, {},
                      fmt::format("there is no rule pack '{}'; allowed: {}",
                                  options.rules_command.pack, joined_ids(packs)));
@@ -120,6 +132,25 @@ std::string import_table(const Options& options, const calc::FileReader& files,
   return {};
 }
 
+// "PACK/ROW", "PACK/ROLE", "PACK/CHECK" or the id of a message.
+std::string explain(const std::string& what, const std::vector<rules::RulePack>& packs,
+                    calc::Diagnostics& diagnostics) {
+  const std::size_t slash = what.find('/');
+  std::optional<std::string> text;
+  if (slash == std::string::npos) {
+    text = explain_message(what);
+  } else {
+    const rules::NamedPack found = find_pack(what.substr(0, slash), packs, diagnostics);
+    if (found.is_ambiguous()) return {};
+    if (found.pack != nullptr) text = explain_rule(*found.pack, what.substr(slash + 1));
+  }
+  if (!text) {
+    diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
+                       "packs: ", joined_ids(packs));
+  }
+  return text.value_or("");
+}
+
 }  // namespace
 
 RulesRun run_rules(const Options& options, const calc::FileReader& files) {
@@ -151,12 +182,8 @@ RulesRun run_explain(const Options& options, const calc::FileReader& files) {
   calc::Diagnostics diagnostics;
   const std::vector<rules::RulePack> packs =
       load_rule_packs(options.rule_files, files, diagnostics);
-  const std::optional<std::string> text = explain(options.rules_command.explained, packs);
-  if (!text) {
-    diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, options.rules_command.explained,
-                       "packs: ", joined_ids(packs));
-  }
-  return finished(printable_lines(text.value_or("")), diagnostics);
+  std::string out = printable_lines(explain(options.rules_command.explained, packs, diagnostics));
+  return finished(std::move(out), diagnostics);
 }
 
 }  // namespace cli

@@ -56,8 +56,10 @@ void add_rules_options(CLI::App& rules, RulesOptions& options,
 void add_explain_options(CLI::App& explain, RulesOptions& options,
                          std::vector<std::string>& rule_files) {
   explain
-      .add_option("what", options.explained,
-                  "PACK/ROW, PACK/ROLE or PACK/CHECK of a rule pack, or the id of a message")
+      .add_option(
+          "what", options.explained,
+          "PACK/ROW, PACK/ROLE or PACK/CHECK, PACK being the id of a rule pack or id:edition; "
+          "or the id of a message")
       ->required()
       ->type_name("WHAT");
   add_rule_files(explain, rule_files);

@@ -45,6 +45,8 @@
 namespace cli {
 namespace {
 
+using rules::Outcome;
+
 void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only) {
   for (const calc::Diagnostic& diagnostic : diagnostics) {
     if (errors_only && diagnostic.severity() != calc::Severity::error) continue;
@@ -255,7 +257,7 @@ ExitCode run_check(const Options& asked, const Environment& environment, gpu::Fa
   fmt::print(stderr, "{}", cost_log);
   if (options.redact) report::redact(document);
   const bool is_written = write_results(options, environment, document, files.paths());
-  return is_written ? exit_code_for(document) : kNotJudged;
+  return is_written ? exit_code_of(outcome_of(document)) : kNotJudged;
 }
 
 ExitCode run_report(const Options& options, const Environment& environment) {
@@ -286,19 +288,21 @@ ExitCode run_plan(const Options& options, gpu::Fault fault) {
   const std::optional<std::vector<rules::RulePack>> packs =
       load_packs_or_print(options.rule_files, files);
   if (!packs) return kNotJudged;
-  ExitCode code = kAllMet;
+  Outcome outcome = Outcome::nothing_asked;
   const std::vector<ProjectPlan> plans = plan_projects(options, files, *packs);
   for (const ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
-    if (!plan.is_planned) code = kNotJudged;
+    if (!plan.is_planned) outcome = graver(outcome, Outcome::not_judged);
   }
   const BackendChoice backend =
       choose_backend(options, fault, [&] { return first_look_work(plans); });
-  if (!open_or_complain(backend, fault, "", options.quiet)) code = kNotJudged;
+  if (!open_or_complain(backend, fault, "", options.quiet)) {
+    outcome = graver(outcome, Outcome::not_judged);
+  }
   const std::string text = options.plan_as_json
                                ? render_plan_json(plans, options.radiosity, backend)
                                : render_plan_text(plans, options.radiosity, backend);
-  return print_result(text) ? code : kNotJudged;
+  return print_result(text) ? exit_code_of(outcome) : kNotJudged;
 }
 
 ExitCode run_validate(const Options& options) {
@@ -306,14 +310,14 @@ ExitCode run_validate(const Options& options) {
   const std::optional<std::vector<rules::RulePack>> packs =
       load_packs_or_print(options.rule_files, files);
   if (!packs) return kNotJudged;
-  ExitCode code = kAllMet;
+  Outcome outcome = Outcome::nothing_asked;
   for (const std::string& path : options.projects) {
     const report::ProjectPart part = validate_project(path, files, *packs);
     print_diagnostics(part.diagnostics, options.quiet);
-    if (!part.is_judged) code = kNotJudged;
+    if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
     if (part.is_judged && !options.quiet) fmt::print("{}: no error\n", path);
   }
-  return code;
+  return exit_code_of(outcome);
 }
 
 // Results to standard output, messages before them to standard error.
@@ -325,17 +329,17 @@ ExitCode print_outcome(const CommandOutcome& outcome, bool quiet) {
 ExitCode run_geometry(const Options& options) {
   const calc::DiskFileReader files;
   std::vector<GeometryReport> reports;
-  ExitCode code = kAllMet;
+  Outcome outcome = Outcome::nothing_asked;
   for (const std::string& path : options.geometry_files) {
     reports.push_back(examine_geometry(path, files, options));
     const GeometryReport& report = reports.back();
     print_diagnostics(report.diagnostics, false);
-    if (!report.is_readable()) code = kNotJudged;
-    if (code == kAllMet && options.strict && !report.diagnostics.empty()) code = kNotMet;
+    if (!report.is_readable()) outcome = graver(outcome, Outcome::not_judged);
+    if (options.strict && !report.diagnostics.empty()) outcome = graver(outcome, Outcome::fail);
   }
   const std::string text =
       options.geometry_as_json ? render_geometry_json(reports) : render_geometry_text(reports);
-  return print_result(text) ? code : kNotJudged;
+  return print_result(text) ? exit_code_of(outcome) : kNotJudged;
 }
 
 ExitCode run_init(const Options& options) {

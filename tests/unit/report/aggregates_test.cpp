@@ -85,7 +85,7 @@ TEST(Aggregates, CountAsRequirementsAndTheirMembersDoNot) {
   waived.is_waived = true;
   EXPECT_EQ(counts(waived).fail, 0);
   EXPECT_EQ(counts(waived).waived, 1);
-  EXPECT_EQ(overall_verdict(document_with(any_of_two(rules::Verdict::fail))), rules::Verdict::fail);
+  EXPECT_EQ(outcome_of(document_with(any_of_two(rules::Verdict::fail))), rules::Outcome::fail);
 }
 
 TEST(Aggregates, HaveWords) {

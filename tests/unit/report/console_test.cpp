@@ -35,7 +35,7 @@ TEST(Console, PlaneWithoutRequirementIsListed) {
     no limit  Office / Work plane
               └ average 512.5 ± 4.0 lx, minimum 424.5 ± 4.2 lx, Uo 0.828 ± 0.006
 
-0 requirements
+0 requirements: nothing was asked
 )");
 }
 

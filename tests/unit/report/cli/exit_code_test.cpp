@@ -1,5 +1,7 @@
 #include "report/cli/exit_code.h"
 
+#include "report/document.h"
+
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -27,7 +29,7 @@ report::ProjectPart project(std::initializer_list<Verdict> verdicts) {
 int code(std::initializer_list<Verdict> verdicts) {
   report::Document document;
   document.projects.push_back(project(verdicts));
-  return cli::exit_code_for(document);
+  return cli::exit_code_of(outcome_of(document));
 }
 
 TEST(ExitCode, WorstVerdictCountsInTheDocumentedOrder) {
@@ -37,20 +39,29 @@ TEST(ExitCode, WorstVerdictCountsInTheDocumentedOrder) {
   EXPECT_EQ(code({Verdict::fail, Verdict::not_judged}), 2);
 }
 
+TEST(ExitCode, EveryOutcomeHasTheDocumentedCode) {
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::not_judged), 2);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::fail), 1);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::undecided), 3);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::pass), 0);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::waived), 0);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::nothing_asked), 0);
+}
+
 TEST(ExitCode, NothingRequiredIsNoFailure) { EXPECT_EQ(code({}), 0); }
 
 TEST(ExitCode, AnUnreadableProjectSpoilsTheBatch) {
   report::Document document;
   document.projects.push_back(project({Verdict::pass}));
   document.projects.emplace_back();
-  EXPECT_EQ(cli::exit_code_for(document), 2);
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 2);
 }
 
 TEST(ExitCode, APlaneWithoutResultCountsEvenIfNothingWasRequired) {
   report::Document document;
   document.projects.push_back(project({}));
   document.projects[0].spaces[0].planes[0].is_computed = false;
-  EXPECT_EQ(cli::exit_code_for(document), 2);
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 2);
 }
 
 }  // namespace
