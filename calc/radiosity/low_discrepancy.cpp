@@ -67,7 +67,8 @@ constexpr DirectionTable make_directions() {
 
 constexpr DirectionTable kDirections = make_directions();
 
-// [dimension][byte of the index][value]: the direction numbers of its bits, combined.
+// [dimension][byte of the index][value]: the direction numbers of its bits, combined, and reversed
+// as the scramble wants them.
 using ByteTable =
     std::array<std::array<std::array<std::uint32_t, 256>, kBits / 8>, kSobolDimensions>;
 
@@ -78,7 +79,7 @@ ByteTable make_byte_table() {
       for (std::size_t value = 1; value < 256; ++value) {
         const auto low = static_cast<std::size_t>(std::countr_zero(value));
         table[d][byte][value] =
-            table[d][byte][value & (value - 1)] ^ kDirections[d][8 * byte + low];
+            table[d][byte][value & (value - 1)] ^ reverse_bits(kDirections[d][8 * byte + low]);
       }
     }
   }
@@ -114,7 +115,7 @@ double ScrambledSobol::sample(std::uint32_t index, int dimension) const {
   std::uint32_t x = table[0][index & 0xffu];
   std::size_t byte = 1;
   for (std::uint32_t rest = index >> 8; rest != 0; rest >>= 8) x ^= table[byte++][rest & 0xffu];
-  return static_cast<double>(nested_scramble(x, scramble(dimension))) * 0x1.0p-32;
+  return static_cast<double>(nested_scramble_reversed(x, scramble(dimension))) * 0x1.0p-32;
 }
 
 }  // namespace calc

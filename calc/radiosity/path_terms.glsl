@@ -12,14 +12,19 @@ TERM UINT reverse_bits(UINT x) {
 // Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2,
 // by hashing the reversed word with a permutation whose carries run upwards.  [Burley20; constants:
 // Vegdahl]
-TERM UINT nested_scramble(UINT x, UINT seed) {
-  x = reverse_bits(x);
+// reversed: of the word's bits.
+TERM UINT nested_scramble_reversed(UINT reversed, UINT seed) {
+  UINT x = reversed;
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
   x ^= x * 0x05526c56u;
   x ^= x * 0x53a22864u;
   return reverse_bits(x);
+}
+
+TERM UINT nested_scramble(UINT x, UINT seed) {
+  return nested_scramble_reversed(reverse_bits(x), seed);
 }
 
 // Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
