@@ -12,6 +12,7 @@ luxgate_test(rules_tests
     unit/rules/gradient_test.cpp
     unit/rules/import_rows_test.cpp
     unit/rules/judge_test.cpp
+    unit/rules/judged_project_test.cpp
     unit/rules/mask_test.cpp
     unit/rules/measure_test.cpp
     unit/rules/outage_test.cpp
