@@ -18,6 +18,7 @@ luxgate_test(rules_tests
     unit/rules/outage_test.cpp
     unit/rules/metrics_test.cpp
     unit/rules/replicate_sample_test.cpp
+    unit/rules/requirement_attributes_test.cpp
     unit/rules/requirement_test.cpp
     unit/rules/rule_corpus_test.cpp
     unit/rules/rule_pack_test.cpp
