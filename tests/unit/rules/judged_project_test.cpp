@@ -27,7 +27,7 @@ struct Judged {
 Judged load(const std::string& xml) {
   calc::Diagnostics diagnostics;
   Judged judged;
-  judged.project = load_judged_project(calc::testing::project_files(xml), "dir/p.xml",
+  judged.project = load_judged_project(calc::testing::files_for_messages(xml), "dir/p.xml",
                                        builtin_rule_packs(), diagnostics);
   for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
     judged.messages.push_back(format_diagnostic(diagnostic));
@@ -79,6 +79,15 @@ TEST(LoadJudgedProject, ErrorsOfShapesAndOfRequirementsComeTogetherInTheOrderOfL
               ElementsAre("6 unknown-attribute", "6 unknown-value", "7 unknown-reference",
                           "7 unknown-value", "8 wrong-number-count", "9 number-out-of-range",
                           "10 not-a-number"));
+}
+
+TEST(LoadJudgedProject, MessagesAboutOtherFilesKeepTheirPlaces) {
+  EXPECT_THAT(load(in_project("<luminaire-type id='t' photometry='broken.ies'/>\n"
+                              "<plane id='p' origin='0 0 1' u='1 0 0' v='0 1 0'>"
+                              "<require quantity='averge' at-least='1'/></plane>\n"
+                              "<material id='m' reflectance='2'/>"))
+                  .messages,
+              ElementsAre(HasSubstr("p.xml:5"), HasSubstr("broken.ies"), HasSubstr("p.xml:6")));
 }
 
 TEST(LoadJudgedProject, WhatAWrongQuantityLeavesOpenIsReadAllTheSame) {
