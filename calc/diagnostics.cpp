@@ -52,6 +52,20 @@ std::string format_diagnostic(const Diagnostic& diagnostic) {
   return text + "[" + diagnostic_name(diagnostic.id) + "]: " + diagnostic.message;
 }
 
+void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
+  std::vector<std::size_t> places;
+  std::vector<Diagnostic> sorted;
+  for (std::size_t i = first; i < all_.size(); ++i) {
+    if (all_[i].where.file != file) continue;
+    places.push_back(i);
+    sorted.push_back(all_[i]);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.where.line < b.where.line;
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) all_[places[i]] = std::move(sorted[i]);
+}
+
 void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
   if (diagnostic_severity(id) == Severity::error) ++error_count_;
   // Messages quote files, which may hold anything.

@@ -60,6 +60,10 @@ class Diagnostics {
   std::size_t error_count() const { return error_count_; }
   const std::vector<Diagnostic>& all() const { return all_; }
 
+  // Messages about `file` from the `first` one on go into the order of its lines; those of a line
+  // keep theirs, and those about other files keep their places.
+  void sort_by_line(std::string_view file, std::size_t first);
+
  private:
   void add(DiagnosticId id, const SourceLocation& where, std::string message);
 

@@ -21,14 +21,13 @@ class PlaneIds {
  public:
   PlaneIds(const calc::CalcPlane& plane, calc::Diagnostics& diagnostics) {
     for (const calc::RequirementText& text : plane.requirements) {
-      for (const calc::RequirementText::Attribute& attribute : text.attributes) {
-        if (attribute.name != "id") continue;
-        const auto [first, is_new] = line_of_given_.emplace(attribute.value, attribute.where.line);
-        if (is_new || attribute.value.empty())
-          continue;  // an empty id is reported where it is read
-        diagnostics.report(calc::DiagnosticId::duplicate_id, attribute.where, "requirement id",
-                           attribute.value, first->second);
-      }
+      if (!text.role.empty()) continue;  // a workplace, whose id is another one
+      const calc::XmlAttribute* id = text.element.find("id");
+      if (id == nullptr || id->value.empty()) continue;  // an empty id is reported where it is read
+      const auto [first, is_new] = line_of_given_.emplace(id->value, id->where.line);
+      if (is_new) continue;
+      diagnostics.report(calc::DiagnosticId::duplicate_id, id->where, "requirement id", id->value,
+                         first->second);
     }
   }
 
@@ -117,6 +116,21 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
     }
   }
   return bound;
+}
+
+void check_requirements(const calc::Project& project, const std::vector<RulePack>& packs,
+                        calc::Diagnostics& diagnostics) {
+  for (const calc::Space& space : project.spaces) {
+    for (const calc::CalcPlane& plane : space.planes) {
+      const RequirementContext context{
+          plane.kernel,  project.scenes,         packs, nullptr, nullptr,
+          plane.derived, plane.is_quantity_known};
+      const PlaneIds ids(plane, diagnostics);
+      for (const calc::RequirementText& text : plane.requirements) {
+        read_requirement(text, context, diagnostics);
+      }
+    }
+  }
 }
 
 std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,

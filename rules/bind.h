@@ -19,6 +19,11 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            const std::vector<RulePack>& packs,
                                            calc::Diagnostics& diagnostics);
 
+// Of a project that has errors of its own (calc::ReadProject): reports those of its requirements,
+// too. Nothing is taken from planes but their quantity.
+void check_requirements(const calc::Project& project, const std::vector<RulePack>& packs,
+                        calc::Diagnostics& diagnostics);
+
 // In order.
 std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
                                                std::string_view plane_id);

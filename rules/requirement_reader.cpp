@@ -1,17 +1,17 @@
 #include "rules/requirement_reader.h"
 
 #include "calc/text.h"
-#include "calc/xml_document.h"
 #include "calc/xml_reader.h"
 #include "rules/derived_metrics.h"
 #include "rules/limit_text.h"
+#include "rules/requirement_attributes.h"
 #include "rules/rule_reference.h"
 #include "rules/waiver.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,32 +28,16 @@ using calc::Names;
 constexpr const char* kElement = "require";
 
 // A limit is written here, or a row of a rule pack has it.
-constexpr std::array<std::string_view, 13> kOwnAttributes{
-    "id", "quantity", "at-least", "at-most", "percent", "at",   "from",
-    "to", "unit",     "state",    "scene",   "clause",  "light"};
-constexpr std::array<std::string_view, 5> kRowAttributes{"pack", "row", "level", "role", "facts"};
-// Beside either.
-constexpr std::array<std::string_view, 3> kWaiverAttributes{"waived-because", "waived-by",
-                                                            "waived-until"};
-
-constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
-
-// The element again, so that requirements are read as strictly as everything else.
-calc::XmlElement element_of(const calc::RequirementText& text) {
-  calc::XmlElement element;
-  element.name = kElement;
-  element.where = text.where;
-  for (const calc::RequirementText::Attribute& attribute : text.attributes) {
-    element.attributes.push_back({attribute.name, attribute.value, attribute.where});
-  }
-  return element;
+bool has_any(const ElementReader& reader, AttributeForm form) {
+  const auto& all = requirement_attributes();
+  return std::any_of(all.begin(), all.end(), [&](const RequirementAttribute& attribute) {
+    return attribute.form == form && reader.has(attribute.name);
+  });
 }
 
-void allow_known_attributes(ElementReader& reader) {
-  Names names(kOwnAttributes.begin(), kOwnAttributes.end());
-  names.insert(names.end(), kRowAttributes.begin(), kRowAttributes.end());
-  names.insert(names.end(), kWaiverAttributes.begin(), kWaiverAttributes.end());
-  reader.allow_attributes(names);
+// Index of the word; 0 after an error.
+std::size_t read_word(ElementReader& reader, std::string_view name, std::size_t usual) {
+  return reader.choice_or(name, requirement_attribute(name).words, usual);
 }
 
 void report_unfit(ElementReader& reader, std::string_view attribute, std::string_view beside) {
@@ -85,7 +69,7 @@ LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity 
     }
     return is_ratio(metric) ? LimitUnit::lux : LimitUnit::plain;
   }
-  return reader.choice_or("unit", {"lx", "fc"}, 0) == 0 ? LimitUnit::lux : LimitUnit::footcandle;
+  return read_word(reader, "unit", 0) == 0 ? LimitUnit::lux : LimitUnit::footcandle;
 }
 
 std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
@@ -119,19 +103,11 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
   }
 }
 
-Names all_metric_names() {
-  Names names = metric_names();
-  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx, Metric::leni}) {
-    names.emplace_back(metric_name(metric));
-  }
-  return names;
-}
-
 // Whether such points have this quantity.
 bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
-  if (is_metric_of(metric, context.derived)) return true;
+  if (!context.is_quantity_known || is_metric_of(metric, context.derived)) return true;
   Names allowed;
-  for (const std::string_view name : all_metric_names()) {
+  for (const std::string_view name : requirement_attribute("quantity").words) {
     if (is_metric_of(*metric_from_name(name), context.derived)) allowed.push_back(name);
   }
   reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
@@ -142,8 +118,14 @@ bool check_metric(ElementReader& reader, Metric metric, const RequirementContext
 
 void read_quantity(ElementReader& reader, const RequirementContext& context,
                    Requirement& requirement) {
-  const std::optional<Metric> metric = read_metric(reader, all_metric_names());
-  if (!metric || !check_metric(reader, *metric, context)) return;
+  const std::optional<Metric> metric = read_metric(reader, requirement_attribute("quantity").words);
+  if (!metric || !check_metric(reader, *metric, context)) {
+    // What they mean hangs on the quantity; that they are no numbers does not.
+    for (const char* name : {"at-least", "at-most", "unit", "percent", "from", "to", "at"}) {
+      check_value(reader, name);
+    }
+    return;
+  }
   requirement.metric = *metric;
   const LimitUnit unit = read_unit(reader, *metric, context.derived);
   if (const std::optional<Comparison> comparison = read_comparison(reader)) {
@@ -151,12 +133,11 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
     requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
   }
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
-    requirement.percent = reader.number("percent", kPercent);
+    requirement.percent = reader.number("percent", requirement_attribute("percent").range);
   }
   read_range(reader, *metric, context.derived, requirement.range);
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
-    const std::vector<double> at =
-        reader.numbers("at", 3, "3 numbers (x y z) in metres, in world coordinates");
+    const std::vector<double> at = reader.numbers("at", 3, kPointWords);
     requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
   }
 }
@@ -171,7 +152,7 @@ bool read_light(ElementReader& reader, const Requirement& requirement) {
                           : std::string("ugr points"));
     return false;
   }
-  return reader.choice_or("light", {"all", "direct"}, 0) == 1;
+  return read_word(reader, "light", 0) == 1;
 }
 
 std::vector<Requirement> read_own(ElementReader& reader, const RequirementContext& context) {
@@ -182,9 +163,8 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   read_quantity(reader, context, requirement);
   // Glare is worst when everything is new.
   const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;
-  requirement.state = reader.choice_or("state", {"maintained", "initial"}, usual) == 0
-                          ? LightState::maintained
-                          : LightState::initial;
+  requirement.state =
+      read_word(reader, "state", usual) == 0 ? LightState::maintained : LightState::initial;
   // Installed power is that of full output.
   for (const char* name : {"state", "scene"}) {
     if (is_of_space(requirement.metric) && reader.has(name)) {
@@ -255,14 +235,14 @@ std::string outage_problem(const std::string& scene, const RequirementContext& c
   return {};
 }
 
-// The scene is the project's choice; everything else is the pack's.
-std::vector<Requirement> read_rule(ElementReader& reader, const RequirementContext& context) {
-  for (const std::string_view name : kOwnAttributes) {
-    if (reader.has(name) && name != "scene") report_unfit(reader, name, "pack");
-  }
+// The scene is the project's choice; everything else is the pack's. role: of a plane that a
+// workplace has made; "": the element may have one.
+std::vector<Requirement> read_rule(ElementReader& reader, const std::string& role,
+                                   const RequirementContext& context) {
   const std::string scene = read_scene(reader, context.scenes);
   std::vector<Requirement> requirements = read_rule_reference(
-      reader, context, {scene, unnamed_luminaires(scene, context), outage_problem(scene, context)});
+      reader, role, context,
+      {scene, unnamed_luminaires(scene, context), outage_problem(scene, context)});
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {
@@ -272,23 +252,34 @@ std::vector<Requirement> read_rule(ElementReader& reader, const RequirementConte
   return requirements;
 }
 
+// <require>
+std::vector<Requirement> read_written(ElementReader& reader, const RequirementContext& context) {
+  reader.allow_attributes(requirement_attribute_names());
+  reader.allow_children({});
+  std::vector<Requirement> requirements;
+  if (has_any(reader, AttributeForm::row)) {
+    for (const RequirementAttribute& attribute : requirement_attributes()) {
+      const bool is_unfit = attribute.form == AttributeForm::own && reader.has(attribute.name);
+      if (is_unfit) report_unfit(reader, attribute.name, "pack");
+    }
+    requirements = read_rule(reader, "", context);
+  } else {
+    requirements = read_own(reader, context);
+  }
+  const std::optional<Waiver> waiver = read_waiver(reader);
+  for (Requirement& requirement : requirements) requirement.waiver = waiver;
+  return requirements;
+}
+
 }  // namespace
 
 std::vector<Requirement> read_requirement(const calc::RequirementText& text,
                                           const RequirementContext& context,
                                           calc::Diagnostics& diagnostics) {
-  const calc::XmlElement element = element_of(text);
-  ElementReader reader(element, diagnostics);
-  allow_known_attributes(reader);
-  const bool is_row = std::any_of(kRowAttributes.begin(), kRowAttributes.end(),
-                                  [&](std::string_view name) { return reader.has(name); });
+  ElementReader reader(text.element, diagnostics);
   std::vector<Requirement> requirements =
-      is_row ? read_rule(reader, context) : read_own(reader, context);
-  const std::optional<Waiver> waiver = read_waiver(reader);
-  for (Requirement& requirement : requirements) {
-    requirement.waiver = waiver;
-    requirement.derived = context.derived;
-  }
+      text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, context);
+  for (Requirement& requirement : requirements) requirement.derived = context.derived;
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

@@ -5,6 +5,7 @@
 #include "rules/limit.h"
 #include "rules/named_pack.h"
 #include "rules/pack_parts.h"
+#include "rules/requirement_attributes.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,6 @@ namespace {
 
 using calc::DiagnosticId;
 using calc::ElementReader;
-
-constexpr const char* kElement = "require";
 
 }  // namespace
 
@@ -65,8 +64,8 @@ std::string find_role(ElementReader& reader, const RulePack& pack) {
   std::string role = reader.text("role");
   const std::vector<std::string> roles = pack.roles();
   if (role.empty() || std::find(roles.begin(), roles.end(), role) != roles.end()) return role;
-  report_unknown_name(reader.diagnostics(), reader.where("role"), "role", kElement, "role", role,
-                      calc::Names(roles.begin(), roles.end()));
+  report_unknown_name(reader.diagnostics(), reader.where("role"), "role", reader.element().name,
+                      "role", role, calc::Names(roles.begin(), roles.end()));
   return {};
 }
 
@@ -117,6 +116,7 @@ struct Reference {
   LimitScope scope;
   calc::ReceiverKernel kernel;
   calc::DerivedQuantity derived;
+  bool is_quantity_known;
   ChosenScene scene;
   const calc::CalcPlane* plane;
   std::optional<double> floor_z_m;
@@ -250,7 +250,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 // False after an error.
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
-  const bool is_of_points = !is_power(check);
+  const bool is_of_points = !is_power(check) && reference.is_quantity_known;
   if (is_of_points && (check.quantity->kernel != reference.kernel ||
                        check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
@@ -264,7 +264,8 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
     return false;
   }
   if (reference.row == nullptr && needs_row(check.limit, reference.pack)) {
-    reader.report(DiagnosticId::missing_partner, reader.where("pack"), kElement, "pack", "row");
+    reader.report(DiagnosticId::missing_partner, reader.where("pack"), reader.element().name,
+                  "pack", "row");
     return false;
   }
   return true;
@@ -291,7 +292,8 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
 }  // namespace
 
 RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
-  if (reader.choice_or("level", {"required", "modified"}, 0) == 0) return RowLevel::required;
+  const calc::Names& words = requirement_attribute("level").words;
+  if (reader.choice_or("level", words, 0) == 0) return RowLevel::required;
   if (row != nullptr && !row->has_modified_level()) {
     reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());
   }
@@ -329,8 +331,8 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
     const std::string id(calc::trim(part.substr(0, equals)));
     const RuleName* fact = pack.find_fact(id);
     if (fact == nullptr) {
-      report_unknown_name(reader.diagnostics(), reader.where("facts"), "facts", kElement, "fact",
-                          id, names);
+      report_unknown_name(reader.diagnostics(), reader.where("facts"), "facts",
+                          reader.element().name, "fact", id, names);
       continue;
     }
     const ParsedExpression value = parse_expression(
@@ -345,6 +347,10 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
   return facts;
 }
 
+void check_row_values(ElementReader& reader) {
+  for (const char* name : {"row", "level", "role", "facts"}) check_value(reader, name);
+}
+
 namespace {
 
 std::optional<double> floor_of(const calc::Space* space) {
@@ -354,18 +360,23 @@ std::optional<double> floor_of(const calc::Space* space) {
 
 }  // namespace
 
-std::vector<Requirement> read_rule_reference(ElementReader& reader,
+std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::string& given_role,
                                              const RequirementContext& context,
                                              const ChosenScene& scene) {
   for (const char* name : {"row", "level", "role", "facts"}) {
     if (!reader.has(name) || reader.has("pack")) continue;
-    reader.report(DiagnosticId::missing_partner, reader.where(name), kElement, name, "pack");
+    reader.report(DiagnosticId::missing_partner, reader.where(name), reader.element().name, name,
+                  "pack");
+    check_row_values(reader);
     return {};
   }
   const RulePack* pack = find_pack(reader, context.packs);
-  if (pack == nullptr) return {};
+  if (pack == nullptr) {
+    check_row_values(reader);
+    return {};
+  }
   const RuleRow* row = find_row(reader, *pack);
-  const std::string role = find_role(reader, *pack);
+  const std::string role = given_role.empty() ? find_role(reader, *pack) : given_role;
   if (reader.has("level")) reader.require_together("level", "row");
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
@@ -373,7 +384,7 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader,
   return requirements_of_role(
       reader, role,
       {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel, context.derived,
-       scene, context.plane, floor_of(context.space)});
+       context.is_quantity_known, scene, context.plane, floor_of(context.space)});
 }
 
 }  // namespace rules

@@ -25,8 +25,9 @@ struct ChosenScene {
 // not stated, a limit that hangs on another plane's result, light that luxgate does not calculate,
 // a plane that faces another way or lies at another height than the role's) has its reason in
 // `problem`, a height that is only unusual in `note`. `scene`: as read and checked by the caller.
-// Empty after an error, which is reported.
-std::vector<Requirement> read_rule_reference(calc::ElementReader& reader,
+// role: of a plane that a workplace has made; "": the attribute, or else the pack's own. Empty
+// after an error, which is reported.
+std::vector<Requirement> read_rule_reference(calc::ElementReader& reader, const std::string& role,
                                              const RequirementContext& context,
                                              const ChosenScene& scene);
 
@@ -36,6 +37,9 @@ const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePac
 const RuleRow* find_row(calc::ElementReader& reader, const RulePack& pack);
 // The attribute "level"; required without it.
 RowLevel read_level(calc::ElementReader& reader, const RulePack& pack, const RuleRow* row);
+
+// What can be said of row, level, role and facts without a pack.
+void check_row_values(calc::ElementReader& reader);
 
 // The limit needs a row: a value of it, or the limit of a check that needs one.
 bool needs_row(const RuleCheck& check, const RulePack& pack);

@@ -1,11 +1,12 @@
 #include "rules/workplace.h"
 
 #include "calc/scene/sensor_grid.h"
+#include "calc/scene/workplace_xml.h"
 #include "calc/text.h"
-#include "calc/xml_document.h"
 #include "calc/xml_reader.h"
 #include "rules/limit.h"
 #include "rules/pack_parts.h"
+#include "rules/requirement_attributes.h"
 #include "rules/rule_reference.h"
 #include "rules/straight_walls.h"
 #include "rules/zone_plane.h"
@@ -30,17 +31,6 @@ using calc::DiagnosticId;
 using calc::ElementReader;
 using calc::Workplace;
 using calc::ZoneText;
-
-// The element again, for what only a pack can tell.
-calc::XmlElement element_of(const Workplace& workplace) {
-  calc::XmlElement element;
-  element.name = "workplace";
-  element.where = workplace.where;
-  for (const calc::RequirementText::Attribute& attribute : workplace.rule) {
-    element.attributes.push_back({attribute.name, attribute.value, attribute.where});
-  }
-  return element;
-}
 
 // Line of every plane of the project.
 using PlaneIds = std::map<std::string, int, std::less<>>;
@@ -85,11 +75,33 @@ class WorkplaceMaker {
         space_(space),
         diagnostics_(diagnostics) {}
 
-  // Nothing is added after an error.
+  // That the zones are of the pack and may be changed so.
+  void check_zones() {
+    std::vector<std::string> allowed;
+    for (const std::string& role : pack_.roles()) {
+      const RulePlane* plane = pack_.find_plane(role);
+      if (plane == nullptr || !has_area(*plane)) continue;
+      if (!find_quantity(role)->kernel) continue;
+      allowed.push_back(role);
+      for (std::size_t i = 1; i <= parts_of(role, *plane); ++i) {
+        allowed.push_back(fmt::format("{}.{}", role, i));
+      }
+    }
+    for (const ZoneText& zone : workplace_.zones) {
+      if (zone.role.empty()) continue;  // reported where it was read
+      if (std::find(allowed.begin(), allowed.end(), zone.role) == allowed.end()) {
+        report_unknown_name(diagnostics_, zone.role_where, "role",
+                            zone.is_left_out ? "without" : "zone", "zone", zone.role,
+                            calc::Names(allowed.begin(), allowed.end()));
+      } else {
+        check_fit(zone);
+      }
+    }
+  }
+
+  // After check_zones() without an error. Nothing is added after an error.
   void run(PlaneIds& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
-    check_zone_names();
-    if (diagnostics_.error_count() > errors) return;
     for (const std::string& role : pack_.roles()) add_role(role);
     if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
       diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
@@ -122,28 +134,6 @@ class WorkplaceMaker {
                     total.planes, total.points),
         fmt::format("at most {} planes and {:.3g} points of all workplaces", kMostPlanes,
                     kMostPoints));
-  }
-
-  void check_zone_names() {
-    std::vector<std::string> allowed;
-    for (const std::string& role : pack_.roles()) {
-      const RulePlane* plane = pack_.find_plane(role);
-      if (plane == nullptr || !has_area(*plane)) continue;
-      if (!find_quantity(role)->kernel) continue;
-      allowed.push_back(role);
-      for (std::size_t i = 1; i <= parts_of(role, *plane); ++i) {
-        allowed.push_back(fmt::format("{}.{}", role, i));
-      }
-    }
-    for (const ZoneText& zone : workplace_.zones) {
-      if (std::find(allowed.begin(), allowed.end(), zone.role) == allowed.end()) {
-        report_unknown_name(diagnostics_, zone.role_where, "role",
-                            zone.is_left_out ? "without" : "zone", "zone", zone.role,
-                            calc::Names(allowed.begin(), allowed.end()));
-      } else {
-        check_fit(zone);
-      }
-    }
   }
 
   // Surfaces of the room are where they are.
@@ -304,10 +294,7 @@ class WorkplaceMaker {
     plane.made_by =
         fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, made.words);
     plane.changed = std::move(made.changed);
-    calc::RequirementText& requirement = plane.requirements.emplace_back();
-    requirement.where = workplace_.where;
-    requirement.attributes = workplace_.rule;
-    requirement.attributes.push_back({"role", rule.role, workplace_.where});
+    plane.requirements.push_back({workplace_.element, rule.role});
   }
 
   std::string rule_words() const {
@@ -351,18 +338,22 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
 void make_planes(const Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
                  PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
-  const calc::XmlElement element = element_of(workplace);
-  ElementReader reader(element, diagnostics);
+  ElementReader reader(workplace.element, diagnostics);
+  calc::Names names(calc::kWorkplaceAttributes.begin(), calc::kWorkplaceAttributes.end());
+  for (const std::string_view name : workplace_rule_names()) names.push_back(name);
+  reader.allow_attributes(names);
   check_scene(reader, scenes);
+  if (!reader.has("row")) reader.text("row");  // reports its absence
   const RulePack* pack = find_pack(reader, packs);
-  if (pack == nullptr) return;
+  if (pack == nullptr) return check_row_values(reader);
   const RuleRow* row = find_row(reader, *pack);
-  if (row == nullptr) return;
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
-  if (!reader.ok()) return;
-  WorkplaceMaker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space, diagnostics)
-      .run(ids, total);
+  if (row == nullptr || workplace.walls.empty()) return;
+  WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
+                       diagnostics);
+  maker.check_zones();
+  if (workplace.is_good && reader.ok()) maker.run(ids, total);
 }
 
 }  // namespace

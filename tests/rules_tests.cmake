@@ -12,6 +12,7 @@ luxgate_test(rules_tests
     unit/rules/gradient_test.cpp
     unit/rules/import_rows_test.cpp
     unit/rules/judge_test.cpp
+    unit/rules/judged_project_test.cpp
     unit/rules/mask_test.cpp
     unit/rules/measure_test.cpp
     unit/rules/named_pack_test.cpp
@@ -19,6 +20,7 @@ luxgate_test(rules_tests
     unit/rules/outcome_test.cpp
     unit/rules/metrics_test.cpp
     unit/rules/replicate_sample_test.cpp
+    unit/rules/requirement_attributes_test.cpp
     unit/rules/requirement_test.cpp
     unit/rules/rule_corpus_test.cpp
     unit/rules/rule_pack_test.cpp

@@ -322,28 +322,14 @@ void read_quantity(ElementReader& reader, CalcPlane& plane) {
       kPlaneQuantities[reader.choice_or("quantity", plane_quantity_names(), 0)];
   plane.kernel = quantity.kernel;
   plane.derived = quantity.derived;
-  if (reader.diagnostics().error_count() > errors) return;  // unknown: nothing follows from it
+  plane.is_quantity_known = reader.diagnostics().error_count() == errors;
+  if (!plane.is_quantity_known) return;  // nothing follows from it
   if (!reader.has("file")) {
     plane.direction = read_look(reader, quantity);
   } else if (reader.has("direction")) {
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("direction"), "plane",
                   "direction", "file");
   }
-}
-
-// Attributes are kept as written; rules/ knows their meaning.
-RequirementText read_requirement(const XmlElement& element, Diagnostics& diagnostics) {
-  ElementReader reader(element, diagnostics);
-  reader.allow_attributes(
-      {"id",     "quantity", "at-least",       "at-most",   "percent",     "at",   "state", "scene",
-       "clause", "unit",     "pack",           "row",       "level",       "role", "facts", "from",
-       "to",     "light",    "waived-because", "waived-by", "waived-until"});
-  reader.allow_children({});
-  RequirementText requirement{{}, element.where};
-  for (const XmlAttribute& attribute : element.attributes) {
-    requirement.attributes.push_back({attribute.name, attribute.value, attribute.where});
-  }
-  return requirement;
 }
 
 }  // namespace
@@ -353,8 +339,8 @@ GridText read_grid(ProjectContext& context, ElementReader& reader) {
   return {read_grid_rule(context, reader), is_given};
 }
 
-std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
-                                    const PlaneSurroundings& surroundings) {
+CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
+                     const PlaneSurroundings& surroundings) {
   reader.allow_attributes({"id", "name", "height", "origin", "u", "v", "points", "on", "on-top-of",
                            "file", "margin", "count", "spacing", "rounding", "quantity",
                            "direction"});
@@ -365,18 +351,16 @@ std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& read
   plane.name = reader.text_or("name", "");
   plane.where = reader.where();
   for (const XmlElement& child : reader.element().children) {
-    if (child.name != "require") continue;
-    plane.requirements.push_back(read_requirement(child, context.diagnostics));
+    if (child.name == "require") plane.requirements.push_back({child, ""});
   }
   auto area = PlaneReader(context, reader, surroundings).read();
   read_quantity(reader, plane);
-  if (!area || !reader.ok()) return std::nullopt;
+  if (!area || !reader.ok()) return plane;
   if (reader.has("on") || reader.has("on-top-of")) context.planes_on_surfaces.insert(plane.id);
   plane.area = std::move(*area);
   auto* list = std::get_if<PointList>(&plane.area);
   if (list != nullptr && has_look(plane.kernel, plane.derived)) {
     check_looks(reader, *list);
-    if (!reader.ok()) return std::nullopt;
   }
   return plane;
 }

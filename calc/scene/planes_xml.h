@@ -31,8 +31,8 @@ struct GridText {
 };
 GridText read_grid(ProjectContext& context, ElementReader& reader);
 
-// Empty on errors.
-std::optional<CalcPlane> read_plane(ProjectContext& context, ElementReader& reader,
-                                    const PlaneSurroundings& surroundings);
+// After an error only its id and its requirements are of use.
+CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
+                     const PlaneSurroundings& surroundings);
 
 }  // namespace calc

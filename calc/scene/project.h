@@ -4,6 +4,7 @@
 #include "calc/diagnostics.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
+#include "calc/xml_document.h"
 
 #include <glm/glm.hpp>
 
@@ -116,14 +117,12 @@ struct PointList {
   std::vector<int> line;  // of the file, as many
 };
 
-// A requirement as written; rules/ gives it a meaning. Attributes in file order.
+// What asks something of a plane: a <require>, or the <workplace> that has made the plane, which
+// then has this role in it. As written, not even the names of its attributes are checked: rules/
+// knows the grammar.
 struct RequirementText {
-  struct Attribute {
-    std::string name, value;
-    SourceLocation where;
-  };
-  std::vector<Attribute> attributes;
-  SourceLocation where;
+  XmlElement element;
+  std::string role;  // "" of a <require>
 };
 
 struct CalcPlane {
@@ -132,6 +131,7 @@ struct CalcPlane {
   std::variant<PlanarArea, PointList> area;
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
+  bool is_quantity_known = true;  // false after an error in it: the two above say nothing
   // Of an area's points that look somewhere (has_look()): where, unit and horizontal; else 0.
   // Points of a list look along their normals, and all others of an area have its normal for an
   // axis.
@@ -157,12 +157,13 @@ struct ZoneText {
 // Zones of a room as a standard's row wants them. The plain facts; rules/workplace.h makes planes.
 struct Workplace {
   std::string id, name;
-  std::vector<RequirementText::Attribute> rule;  // pack, row, level, scene, facts: as written
+  XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
   std::vector<glm::dvec2> task_m;  // world x and y, counter-clockwise; empty: the whole room
   std::optional<double> height_m;  // of the task, above the floor
   PlanarArea ceiling;
   std::vector<PlanarArea> walls;  // in the order of the project's numbers
   std::vector<ZoneText> zones;
+  bool is_good = true;  // false after an error in it or in the shape of its room
   SourceLocation where;
 };
 

@@ -37,11 +37,7 @@ void read_root(ProjectContext& context, const XmlElement& root) {
   context.metres_per_unit = metres_per_unit(reader.choice_or("units", unit_names(), 0));
 }
 
-void read_project(ProjectContext& context, const XmlElement& root) {
-  if (root.name != "luxgate") {
-    context.diagnostics.report(DiagnosticId::wrong_root_element, root.where, root.name, "luxgate");
-    return;
-  }
+void read_contents(ProjectContext& context, const XmlElement& root) {
   read_root(context, root);
   read_materials(context, root);
   read_luminaire_types(context, root);
@@ -53,10 +49,11 @@ void read_project(ProjectContext& context, const XmlElement& root) {
 
 }  // namespace
 
-std::optional<Project> load_project(const FileReader& files, const std::string& path,
-                                    Diagnostics& diagnostics) {
+std::optional<ReadProject> read_project(const FileReader& files, const std::string& path,
+                                        Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  Project project;
+  ReadProject read;
+  Project& project = read.project;
   project.path = path;
   ProjectFiles project_files(files, project, diagnostics);
   ProjectContext context{project, project_files, diagnostics};
@@ -64,10 +61,23 @@ std::optional<Project> load_project(const FileReader& files, const std::string& 
   if (!bytes) return std::nullopt;
   const std::optional<XmlElement> root = parse_xml(std::move(*bytes), path, diagnostics);
   if (!root) return std::nullopt;
-  read_project(context, *root);
-  if (diagnostics.error_count() != errors_before) return std::nullopt;
-  warn_about_project(project, context.planes_on_surfaces, diagnostics);
-  return project;
+  if (root->name != "luxgate") {
+    diagnostics.report(DiagnosticId::wrong_root_element, root->where, root->name, "luxgate");
+    return std::nullopt;
+  }
+  read_contents(context, *root);
+  read.is_good = diagnostics.error_count() == errors_before;
+  if (read.is_good) warn_about_project(project, context.planes_on_surfaces, diagnostics);
+  return read;
+}
+
+std::optional<Project> load_project(const FileReader& files, const std::string& path,
+                                    Diagnostics& diagnostics) {
+  const std::size_t first = diagnostics.all().size();
+  std::optional<ReadProject> read = read_project(files, path, diagnostics);
+  if (read && read->is_good) return std::move(read->project);
+  diagnostics.sort_by_line(path, first);
+  return std::nullopt;
 }
 
 }  // namespace calc

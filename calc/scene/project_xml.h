@@ -12,9 +12,21 @@
 
 namespace calc {
 
+// With errors a project is good for one thing: that those who know more than this folder find
+// theirs in the same run. Its planes and workplaces are all there, whatever is wrong with them.
+struct ReadProject {
+  Project project;
+  bool is_good = false;  // no error was reported
+};
+
 // Reads the project and every file it names (photometry, meshes, point lists; only beside the
-// project file or below it). All problems are reported, not only the first; empty if and only if at
-// least one of them is an error.
+// project file or below it), but for the meaning of requirements, which rules/ knows. All problems
+// are reported, not only the first. Empty after an error if the file is no project at all.
+std::optional<ReadProject> read_project(const FileReader& files, const std::string& path,
+                                        Diagnostics& diagnostics);
+
+// The same for those who want the scene only: empty if and only if there is an error, and errors
+// are in the order of lines.
 std::optional<Project> load_project(const FileReader& files, const std::string& path,
                                     Diagnostics& diagnostics);
 

@@ -109,9 +109,7 @@ void read_planes(ProjectContext& context, const XmlElement& parent,
   for (const XmlElement& child : parent.children) {
     if (child.name != "plane") continue;
     ElementReader reader(child, context.diagnostics);
-    if (auto plane = read_plane(context, reader, surroundings)) {
-      space.planes.push_back(std::move(*plane));
-    }
+    space.planes.push_back(read_plane(context, reader, surroundings));
   }
 }
 

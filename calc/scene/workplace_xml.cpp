@@ -21,19 +21,12 @@ class WorkplaceReader {
       : context_(context), around_(around), space_(space) {}
 
   Workplace read(ElementReader& reader) {
-    reader.allow_attributes({"id", "name", "pack", "row", "level", "scene", "facts", "origin",
-                             "size", "footprint", "height"});
     reader.allow_children({"zone", "without"});
     Workplace workplace;
     workplace.where = reader.where();
     workplace.id = reader.id();
     workplace.name = reader.text_or("name", "");
-    for (const char* name : {"pack", "row"}) reader.text(name);  // reports their absence
-    for (const XmlAttribute& attribute : reader.element().attributes) {
-      if (is_rule(attribute.name)) {
-        workplace.rule.push_back({attribute.name, attribute.value, attribute.where});
-      }
-    }
+    workplace.element = reader.element();
     workplace.task_m = read_area(reader);
     workplace.height_m = read_height(reader);
     add_room(workplace);
@@ -44,10 +37,6 @@ class WorkplaceReader {
   }
 
  private:
-  static bool is_rule(std::string_view name) {
-    return name == "pack" || name == "row" || name == "level" || name == "scene" || name == "facts";
-  }
-
   // What planes are measured from. Nothing without a good room, which then has its own message.
   void add_room(Workplace& workplace) const {
     if (!around_.room_is_good || around_.room == nullptr) return;
@@ -181,6 +170,7 @@ void read_workplaces(ProjectContext& context, const XmlElement& room,
       reader.report(DiagnosticId::duplicate_id, reader.where("id"), "workplace", workplace.id,
                     first->second);
     }
+    workplace.is_good = surroundings.room_is_good && reader.ok();
     space.workplaces.push_back(std::move(workplace));
   }
 }

@@ -9,13 +9,13 @@
 #include "report/build_luminaire_shares.h"
 #include "report/build_plan_marks.h"
 #include "report/cli/interrupt.h"
-#include "report/cli/load_judged_project.h"
 #include "report/cli/plan.h"
 #include "report/cli/vpl.h"
 #include "rules/bind.h"
 #include "rules/error_spending.h"
 #include "rules/judge.h"
 #include "rules/judge_aggregates.h"
+#include "rules/judged_project.h"
 #include "rules/stop_rule.h"
 #include "rules/waiver.h"
 
@@ -41,22 +41,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// A project that was read without error.
-struct LoadedProject {
-  calc::Project project;
-  std::vector<rules::Requirement> requirements;
-};
-
-std::optional<LoadedProject> load(const std::string& path, const calc::FileReader& files,
-                                  const std::vector<rules::RulePack>& packs,
-                                  calc::Diagnostics& diagnostics) {
-  std::optional<calc::Project> project = load_judged_project(path, files, packs, diagnostics);
-  if (!project) return std::nullopt;
-  LoadedProject loaded{std::move(*project), {}};
-  loaded.requirements = rules::bind_requirements(loaded.project, packs, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
+std::optional<rules::JudgedProject> load(const std::string& path, const calc::FileReader& files,
+                                         const std::vector<rules::RulePack>& packs,
+                                         calc::Diagnostics& diagnostics) {
+  std::optional<rules::JudgedProject> loaded =
+      rules::load_judged_project(files, path, packs, diagnostics);
+  if (!loaded) return std::nullopt;
   const bool counts = std::any_of(
-      loaded.requirements.begin(), loaded.requirements.end(),
+      loaded->requirements.begin(), loaded->requirements.end(),
       [](const auto& requirement) { return requirement.severity != rules::Severity::advice; });
   if (!counts) {
     diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
@@ -80,7 +72,7 @@ struct PlaneJob {
   std::string reason;
 };
 
-std::vector<PlaneJob> make_grids(const calc::Space& space, const LoadedProject& loaded,
+std::vector<PlaneJob> make_grids(const calc::Space& space, const rules::JudgedProject& loaded,
                                  calc::Diagnostics& diagnostics) {
   std::vector<PlaneJob> jobs;
   for (const calc::CalcPlane& plane : space.planes) {
@@ -221,7 +213,7 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
   times.near_s += solution.times.near_s;
 }
 
-report::SpacePart check_space(const calc::Space& space, const LoadedProject& loaded,
+report::SpacePart check_space(const calc::Space& space, const rules::JudgedProject& loaded,
                               const CheckContext& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
@@ -295,7 +287,8 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
 report::ProjectPart check_project(const std::string& path, const CheckContext& context) {
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
-  const std::optional<LoadedProject> loaded = load(path, context.files, context.packs, diagnostics);
+  const std::optional<rules::JudgedProject> loaded =
+      load(path, context.files, context.packs, diagnostics);
   if (!loaded) return unreadable_project(path, diagnostics);
 
   report::ProjectPart part = report::build_project(loaded->project);
@@ -326,7 +319,7 @@ report::ProjectPart check_project(const std::string& path, const CheckContext& c
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
                                      const std::vector<rules::RulePack>& packs) {
   calc::Diagnostics diagnostics;
-  const std::optional<LoadedProject> loaded = load(path, files, packs, diagnostics);
+  const std::optional<rules::JudgedProject> loaded = load(path, files, packs, diagnostics);
   if (!loaded) return unreadable_project(path, diagnostics);
 
   report::ProjectPart part = report::build_project(loaded->project);

@@ -2,8 +2,7 @@
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
-#include "report/cli/load_judged_project.h"
-#include "rules/bind.h"
+#include "rules/judged_project.h"
 
 #include <fmt/format.h>
 
@@ -58,13 +57,11 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
-  if (std::optional<calc::Project> project = load_judged_project(path, files, packs, diagnostics)) {
-    rules::bind_requirements(*project, packs, diagnostics);
-    plan.name = project->name;
-    if (!diagnostics.has_errors()) {
-      for (const calc::Space& space : project->spaces) {
-        plan.spaces.push_back(plan_space(*project, space, settings, diagnostics));
-      }
+  if (const auto judged = rules::load_judged_project(files, path, packs, diagnostics)) {
+    const calc::Project& project = judged->project;
+    plan.name = project.name;
+    for (const calc::Space& space : project.spaces) {
+      plan.spaces.push_back(plan_space(project, space, settings, diagnostics));
     }
   }
   plan.is_planned = !diagnostics.has_errors();

@@ -1,10 +1,7 @@
 // Project files, with small intact files of every kind beside them, and the requirements in them.
-#include "calc/scene/project_xml.h"
-
 #include "calc/file_reader.h"
-#include "rules/bind.h"
+#include "rules/judged_project.h"
 #include "rules/rule_pack.h"
-#include "rules/workplace.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/gbxml_samples.h"
@@ -116,13 +113,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::vector<rules::RulePack> kPacks = rules::builtin_rule_packs();
   files.project = fuzz::as_text(data, size);
   calc::Diagnostics diagnostics;
-  auto project = calc::load_project(files, "d/p.xml", diagnostics);
-  fuzz::check_messages(project.has_value(), diagnostics);
-  if (!project) return 0;
-  check_project(*project);
-  rules::make_workplace_planes(*project, kPacks, diagnostics);
-  for (const rules::Requirement& requirement :
-       rules::bind_requirements(*project, kPacks, diagnostics)) {
+  const auto judged = rules::load_judged_project(files, "d/p.xml", kPacks, diagnostics);
+  fuzz::check_messages(judged.has_value(), diagnostics);
+  if (!judged) return 0;
+  check_project(judged->project);
+  for (const rules::Requirement& requirement : judged->requirements) {
     fuzz::require(std::isfinite(requirement.limit) && requirement.limit >= 0.0, "a limit >= 0");
   }
   return 0;

@@ -18,10 +18,12 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 // Line `line`; attributes in columns 10, 20, ...
 calc::RequirementText text_of(const Attributes& attributes, int line = 7) {
-  calc::RequirementText text{{}, {"project.xml", line, 5}};
+  calc::RequirementText text;
+  text.element.name = "require";
+  text.element.where = {"project.xml", line, 5};
   int column = 0;
   for (const auto& [name, value] : attributes) {
-    text.attributes.push_back({name, value, {"project.xml", line, column += 10}});
+    text.element.attributes.push_back({name, value, {"project.xml", line, column += 10}});
   }
   return text;
 }
@@ -546,8 +548,8 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
               ElementsAre("project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
                           "of <require>; allowed: id, quantity, at-least, at-most, percent, at, "
-                          "from, to, unit, state, scene, clause, light, pack, row, level, role, "
-                          "facts, waived-because, waived-by or waived-until; did you mean "
+                          "state, scene, clause, unit, pack, row, level, role, facts, from, to, "
+                          "light, waived-because, waived-by or waived-until; did you mean "
                           "'at-least'?"));
 }
 

@@ -1,10 +1,10 @@
 #include "rules/workplace.h"
 
 #include "calc/scene/polygon.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "calc/scene/zone_shapes.h"
 #include "rules/bind.h"
+#include "rules/judged_project.h"
 #include "rules/mask.h"
 #include "tests/support/memory_file_reader.h"
 
@@ -74,12 +74,10 @@ Made make(const std::string& lines, const std::string& shape = "size='12 8 2.8'"
       "\n<luminaire id='l' type='spot' position='1 1 2.5'/></room></luxgate>";
   calc::Diagnostics diagnostics;
   Made made;
-  auto project = calc::load_project(calc::MemoryFileReader({{"p.xml", xml}, {"spot.ies", kIes}}),
-                                    "p.xml", diagnostics);
-  if (project) {
-    make_workplace_planes(*project, packs, diagnostics);
-    made.requirements = bind_requirements(*project, packs, diagnostics);
-    made.project = std::move(*project);
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  if (auto judged = load_judged_project(files, "p.xml", packs, diagnostics)) {
+    made.requirements = std::move(judged->requirements);
+    made.project = std::move(judged->project);
   }
   for (const auto& d : diagnostics.all()) made.messages.push_back(format_diagnostic(d));
   return made;

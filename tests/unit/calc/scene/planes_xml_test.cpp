@@ -225,7 +225,9 @@ TEST(PlanesXml, RequirementsAreKeptAsWritten) {
       "<require quantity='average' at-least=' 500 '/><require pack='x' row='y'/></plane>");
   EXPECT_EQ(plane.name, "Task");
   ASSERT_EQ(plane.requirements.size(), 2u);
-  const auto& attributes = plane.requirements[0].attributes;
+  EXPECT_EQ(plane.requirements[0].role, "");
+  EXPECT_EQ(plane.requirements[0].element.name, "require");
+  const auto& attributes = plane.requirements[0].element.attributes;
   ASSERT_EQ(attributes.size(), 2u);
   EXPECT_EQ(attributes[1].name, "at-least");
   EXPECT_EQ(attributes[1].value, " 500 ");

@@ -139,12 +139,6 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:5:15: error[point-list-not-horizontal]: 2 of the 3 normals in 'looks.csv' are not "
      "horizontal, as the directions that semicylindrical and UGR points look in must be; the first "
      "is (0,0,1) in line 4"},
-    {"UnknownRequirementAttribute",
-     in_room(R"(<plane id="p" height="0.8"><require quantity="average" atleast="500"/></plane>)"),
-     "dir/p.xml:5:56: error[unknown-attribute]: unknown attribute 'atleast' of <require>; allowed: "
-     "id, quantity, at-least, at-most, percent, at, state, scene, clause, unit, pack, row, level, "
-     "role, facts, from, to, light, waived-because, waived-by or waived-until; did you mean "
-     "'at-least'?"},
     {"LuminaireOutsideRoom", in_room(R"(<luminaire id="k" type="spot" position="1 1 2.6"/>)"),
      "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r': its light "
      "does not reach the room"},

@@ -33,9 +33,9 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
   EXPECT_EQ(loaded.messages, "");  // a workplace counts as planes
   const Workplace& w = loaded.project->spaces.at(0).workplaces.at(0);
   EXPECT_EQ(w.name, "Desk");
-  ASSERT_EQ(w.rule.size(), 3u);
-  EXPECT_EQ(w.rule[2].name, "level");
-  EXPECT_EQ(w.rule[2].value, "modified");
+  EXPECT_TRUE(w.is_good);
+  ASSERT_NE(w.element.find("level"), nullptr);
+  EXPECT_EQ(w.element.find("level")->value, "modified");
   ASSERT_EQ(w.task_m.size(), 4u);
   EXPECT_EQ(w.task_m[0], glm::dvec2(11, 20.5));
   EXPECT_EQ(w.task_m[2], glm::dvec2(13, 21.5));
@@ -102,13 +102,6 @@ TEST(WorkplacesXmlMessage, SameZoneTwice) {
   expect_message(
       load_workplace("", "<zone role='wall' margin='0'/>\n<without role='wall' because='x'/>"),
       "p.xml:6:10: error[duplicate-id]: the zone 'wall' is given twice, also in line 5");
-}
-
-TEST(WorkplacesXmlMessage, WithoutPackOrRow) {
-  expect_message(load(in_room("<workplace id='w' row='1'/>")),
-                 "<workplace> needs the attribute 'pack'");
-  expect_message(load(in_room("<workplace id='w' pack='p'/>")),
-                 "<workplace> needs the attribute 'row'");
 }
 
 TEST(WorkplacesXmlMessage, SameIdTwice) {
