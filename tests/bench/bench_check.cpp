@@ -2,8 +2,8 @@
 // need.
 //   bench_check PROJECT.xml [TOLERANCE]
 // Prints one line per space: points, paths, seconds by phase, rays per second, and the ratio of the
-// connection phase to Embree's raw occlusion time for as many of the same rays, measured in the
-// same process.
+// connection phase to the time of its shadow rays alone, for as many of the same rays, measured in
+// the same process.
 #include "calc/file_reader.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_paths.h"
@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
                      grids[0], 200000);
     const double raw = raw_occlusion_rate(tracer, packets);
     const double connect = static_cast<double>(connection_rays) / t.connect_s;
-    fmt::print("  connection rays/s {:.1f} M, Embree alone {:.1f} M, ratio {:.2f}\n", connect / 1e6,
+    fmt::print("  connection rays/s {:.1f} M, rays alone {:.1f} M, ratio {:.2f}\n", connect / 1e6,
                raw / 1e6, connect / raw);
   }
   return 0;
