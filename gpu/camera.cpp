@@ -1,6 +1,6 @@
 #include "gpu/camera.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

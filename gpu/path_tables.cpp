@@ -1,6 +1,6 @@
 #include "gpu/path_tables.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 #include "gpu/path_shader_text.h"
 
 #include <algorithm>

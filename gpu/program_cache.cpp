@@ -1,6 +1,6 @@
 #include "gpu/program_cache.h"
 
-#include "calc/file_hash.h"
+#include "calc/base/file_hash.h"
 
 #include <fmt/format.h>
 

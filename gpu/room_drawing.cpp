@@ -1,8 +1,8 @@
 #include "gpu/room_drawing.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/radiosity/opening.h"
-#include "calc/units.h"
 
 #include <algorithm>
 #include <array>

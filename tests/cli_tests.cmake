@@ -1,15 +1,15 @@
 # The program from outside: examples, golden cases, independence of threads and neighbours; and the tree's own rules.
 luxgate_test(cli_tests
   SOURCES
-    unit/report/build_test.cpp
-    unit/report/cli/backend_test.cpp
-    unit/report/cli/environment_test.cpp
-    unit/report/cli/exit_code_test.cpp
-    unit/report/cli/geometry_test.cpp
-    unit/report/cli/init_test.cpp
+    unit/report/build/build_test.cpp
+    unit/report/check/backend_test.cpp
+    unit/report/shell/environment_test.cpp
+    unit/report/shell/exit_code_test.cpp
+    unit/report/tools/geometry/geometry_test.cpp
+    unit/report/tools/init/init_test.cpp
     unit/report/cli/options_test.cpp
-    unit/report/cli/outputs_test.cpp
-    unit/report/cli/photometry_test.cpp
+    unit/report/shell/outputs_test.cpp
+    unit/report/tools/photometry/photometry_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 
 add_executable(compare_csv tools/compare_csv.cpp)

@@ -3,10 +3,10 @@ luxgate_test(converge_tests
   SOURCES
     unit/calc/radiosity/path_tracing_test.cpp
     unit/calc/radiosity/vertex_cache_test.cpp
-    unit/report/cli/converge_options_test.cpp
-    unit/report/cli/converge_reference_test.cpp
-    unit/report/converge_formats_test.cpp
-    unit/report/converge_statistics_test.cpp
+    unit/report/tools/converge/converge_options_test.cpp
+    unit/report/tools/converge/converge_reference_test.cpp
+    unit/report/tools/converge/converge_formats_test.cpp
+    unit/report/tools/converge/converge_statistics_test.cpp
   LIBRARIES luxgate_cli pugixml::pugixml nlohmann_json::nlohmann_json)
 
 add_test(NAME cli.light_vertices_are_used_again COMMAND ${CMAKE_COMMAND}

@@ -1,10 +1,10 @@
 # luxgate selftest, compare and export: each from outside, and what they are made of.
 luxgate_test(evidence_tests
   SOURCES
-    unit/report/cli/export_test.cpp
-    unit/report/cli/selftest_test.cpp
-    unit/report/cli/value_table_test.cpp
-    unit/report/comparison_test.cpp
+    unit/report/tools/export/export_test.cpp
+    unit/report/tools/selftest/selftest_test.cpp
+    unit/report/tools/compare/value_table_test.cpp
+    unit/report/tools/compare/comparison_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 
 # One run: every case is right, and the report in validation/ is what the program writes.

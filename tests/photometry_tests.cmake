@@ -1,31 +1,31 @@
 luxgate_test(photometry_tests
   SOURCES
-    unit/calc/photometry/eulumdat_test.cpp
+    unit/calc/photometry/read/eulumdat_test.cpp
     unit/calc/photometry/full_circle_test.cpp
-    unit/calc/photometry/gldf_choice_test.cpp
-    unit/calc/photometry/gldf_test.cpp
-    unit/calc/photometry/ies_lm63_test.cpp
-    unit/calc/photometry/ies_opening_test.cpp
-    unit/calc/photometry/ies_tilt_test.cpp
-    unit/calc/photometry/ies_types_ab_test.cpp
-    unit/calc/line_cursor_test.cpp
-    unit/calc/photometry/number_stream_test.cpp
-    unit/calc/photometry/photometry_file_test.cpp
-    unit/calc/photometry/pitfalls_test.cpp
-    unit/calc/photometry/real_files_test.cpp
-    unit/calc/photometry/real_made_files_test.cpp
-    unit/calc/photometry/real_pairs_test.cpp
+    unit/calc/photometry/read/gldf_choice_test.cpp
+    unit/calc/photometry/read/gldf_test.cpp
+    unit/calc/photometry/read/ies_lm63_test.cpp
+    unit/calc/photometry/read/ies_opening_test.cpp
+    unit/calc/photometry/read/ies_tilt_test.cpp
+    unit/calc/photometry/read/ies_types_ab_test.cpp
+    unit/calc/base/line_cursor_test.cpp
+    unit/calc/photometry/read/number_stream_test.cpp
+    unit/calc/photometry/read/photometry_file_test.cpp
+    unit/calc/photometry/read/pitfalls_test.cpp
+    unit/calc/photometry/read/real_files_test.cpp
+    unit/calc/photometry/read/real_made_files_test.cpp
+    unit/calc/photometry/read/real_pairs_test.cpp
     unit/calc/photometry/sine_segment_test.cpp
-    unit/calc/photometry/text_encoding_test.cpp
-    unit/calc/photometry/tm33_opening_test.cpp
-    unit/calc/photometry/tm33_xml_test.cpp
+    unit/calc/photometry/read/text_encoding_test.cpp
+    unit/calc/photometry/read/tm33_opening_test.cpp
+    unit/calc/photometry/read/tm33_xml_test.cpp
     unit/calc/photometry/web_compare_test.cpp
     unit/calc/photometry/web_hermite_test.cpp
     unit/calc/photometry/web_measures_test.cpp
     unit/calc/photometry/web_resample_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
     unit/calc/photometry/web_test.cpp
-    unit/calc/photometry/write_photometry_test.cpp
-    unit/calc/photometry/xml_query_test.cpp
-    unit/calc/photometry/zip_archive_test.cpp
+    unit/calc/photometry/write/write_photometry_test.cpp
+    unit/calc/photometry/read/xml_query_test.cpp
+    unit/calc/photometry/read/zip_archive_test.cpp
   LIBRARIES calc_model ${LUXGATE_ZIP_LIBRARY})

@@ -5,8 +5,8 @@ luxgate_test(picture_tests
     unit/calc/radiosity/cutaway_test.cpp
     unit/calc/radiosity/surface_light_test.cpp
     unit/gpu/picture_test.cpp
-    unit/report/cli/room_pictures_test.cpp
-    unit/report/room_picture_test.cpp
+    unit/report/tools/pictures/room_pictures_test.cpp
+    unit/report/images/room_picture_test.cpp
   LIBRARIES luxgate_cli gpu report calc_radiosity)
 
 add_test(NAME cli.pictures COMMAND ${CMAKE_COMMAND}

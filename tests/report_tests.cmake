@@ -1,33 +1,33 @@
 luxgate_test(report_tests
   SOURCES
-    unit/report/build_evidence_test.cpp
-    unit/report/build_plan_marks_test.cpp
-    unit/report/ci_formats_test.cpp
-    unit/report/console_test.cpp
-    unit/report/csv_test.cpp
-    unit/report/document_test.cpp
-    unit/report/exr_test.cpp
-    unit/report/german_report_test.cpp
-    unit/report/heatmap_svg_test.cpp
-    unit/report/heatmap_test.cpp
-    unit/report/html_test.cpp
-    unit/report/isolux_test.cpp
-    unit/report/json_test.cpp
-    unit/report/number_format_test.cpp
-    unit/report/pass_factor_test.cpp
-    unit/report/plain_text_test.cpp
-    unit/report/plan_layout_test.cpp
-    unit/report/png_test.cpp
-    unit/report/polar_diagram_test.cpp
-    unit/report/read_json_test.cpp
-    unit/report/redact_test.cpp
-    unit/report/shell_words_test.cpp
-    unit/report/texts_test.cpp
-    unit/report/write_test.cpp
+    unit/report/build/build_evidence_test.cpp
+    unit/report/build/build_plan_marks_test.cpp
+    unit/report/formats/ci_formats_test.cpp
+    unit/report/formats/console_test.cpp
+    unit/report/formats/csv_test.cpp
+    unit/report/document/document_test.cpp
+    unit/report/images/exr_test.cpp
+    unit/report/formats/german_report_test.cpp
+    unit/report/html/heatmap_svg_test.cpp
+    unit/report/images/heatmap_test.cpp
+    unit/report/html/html_test.cpp
+    unit/report/html/isolux_test.cpp
+    unit/report/result_file/json_test.cpp
+    unit/report/text/number_format_test.cpp
+    unit/report/html/pass_factor_test.cpp
+    unit/report/text/plain_text_test.cpp
+    unit/report/html/plan_layout_test.cpp
+    unit/report/images/png_test.cpp
+    unit/report/images/polar_diagram_test.cpp
+    unit/report/result_file/read_json_test.cpp
+    unit/report/text/redact_test.cpp
+    unit/report/text/shell_words_test.cpp
+    unit/report/text/texts_test.cpp
+    unit/report/shell/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
 
-luxgate_test(luminaire_shares_tests SOURCES unit/report/build_luminaire_shares_test.cpp LIBRARIES report)
+luxgate_test(luminaire_shares_tests SOURCES unit/report/build/build_luminaire_shares_test.cpp LIBRARIES report)
 
 # JUnit XML has no official schema: ours holds the elements that CI systems are documented to read.
 find_program(LUXGATE_XMLLINT xmllint)

@@ -1,6 +1,6 @@
 #include "calc/photometry/lamp_tilt.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "calc/photometry/sine_segment.h"
 
-#include "calc/elementary.h"
-#include "calc/turns.h"
+#include "calc/base/elementary.h"
+#include "calc/base/turns.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "calc/shader_words.h"
+#include "calc/base/shader_words.h"
 
 namespace calc {
 namespace {
@@ -44,4 +44,4 @@ double invert_linear_density(double start, double end, double u) {
 
 }  // namespace calc
 
-#include "calc/shader_words_end.h"
+#include "calc/base/shader_words_end.h"

@@ -1,6 +1,6 @@
 // A piece of a photometric plane between two table angles, intensity linear in gamma, weighted with
 // sin(gamma): one text for C++ (sine_segment.cpp) and GLSL (gpu/). What it may use beside the words
-// of calc/shader_words.h: SineCosine half_angle(x), of x / 2, and abs, min, max, clamp, sqrt.
+// of calc/base/shader_words.h: SineCosine half_angle(x), of x / 2, and abs, min, max, clamp, sqrt.
 
 // Intensity at the lower angle, its slope per rad, and the lower angle.
 struct SegmentShape {

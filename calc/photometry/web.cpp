@@ -1,8 +1,8 @@
 #include "calc/photometry/web.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/photometry/sine_segment.h"
-#include "calc/units.h"
 
 #include <algorithm>
 #include <cmath>

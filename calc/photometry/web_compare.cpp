@@ -1,7 +1,7 @@
 #include "calc/photometry/web_compare.h"
 
+#include "calc/base/units.h"
 #include "calc/photometry/web_measures.h"
-#include "calc/units.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "calc/photometry/web_resample.h"
 
-#include "calc/units.h"
+#include "calc/base/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "calc/photometry/web_sampling.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/turns.h"
+#include "calc/base/units.h"
 #include "calc/photometry/sine_segment.h"
-#include "calc/turns.h"
-#include "calc/units.h"
 
 #include <algorithm>
 #include <cmath>

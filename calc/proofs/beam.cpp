@@ -1,7 +1,7 @@
 #include "calc/proofs/beam.h"
 
-#include "calc/elementary.h"
-#include "calc/units.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 
 #include <algorithm>
 #include <array>

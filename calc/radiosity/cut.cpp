@@ -1,6 +1,6 @@
 #include "calc/radiosity/cut.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 #include "calc/radiosity/node_terms.h"
 #include "calc/radiosity/node_weights.h"
 

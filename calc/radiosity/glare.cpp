@@ -1,10 +1,10 @@
 #include "calc/radiosity/glare.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/opening.h"
 #include "calc/radiosity/shadow_batch.h"
-#include "calc/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@
 // its own, with its own L, w and p, and `low` and `high` hold what it would count as above, too.
 // CIE 147 has a rule for larger sources; no public source for it is known to us: they are refused.
 
-#include "calc/field.h"
+#include "calc/base/field.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 

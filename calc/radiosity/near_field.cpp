@@ -1,5 +1,6 @@
 #include "calc/radiosity/near_field.h"
 
+#include "calc/base/units.h"
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/draws.h"
@@ -7,7 +8,6 @@
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/scene/surface_summary.h"
-#include "calc/units.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Formulas of light paths and short rays: one text for C++ (path_terms.h) and GLSL (gpu/), in
-// double, so that both choose the same directions. See calc/shader_words.h.
+// double, so that both choose the same directions. See calc/base/shader_words.h.
 
 TERM UINT reverse_bits(UINT x) {
   x = ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);

@@ -1,7 +1,7 @@
 #pragma once
 // path_terms.glsl as C++.
 
-#include "calc/turns.h"
+#include "calc/base/turns.h"
 
 #include <glm/glm.hpp>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "calc/shader_words.h"
+#include "calc/base/shader_words.h"
 
 namespace calc {
 namespace path_terms {
@@ -27,4 +27,4 @@ using path_terms::sphere_direction;
 
 }  // namespace calc
 
-#include "calc/shader_words_end.h"
+#include "calc/base/shader_words_end.h"

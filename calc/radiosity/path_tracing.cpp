@@ -1,13 +1,13 @@
 #include "calc/radiosity/path_tracing.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/grid_receivers.h"
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/low_discrepancy.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/random.h"
-#include "calc/units.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

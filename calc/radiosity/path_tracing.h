@@ -2,7 +2,7 @@
 // Illuminance by paths from the points: a second way to the same numbers, plain and slow, that
 // shares neither light vertices nor bounds with the first. For comparison and tests.
 
-#include "calc/field.h"
+#include "calc/base/field.h"
 #include "calc/radiosity/rays.h"
 #include "calc/scene/sensor_grid.h"
 

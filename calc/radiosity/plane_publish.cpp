@@ -1,6 +1,6 @@
 // A plane's sums so far as a field, and how much they are to be trusted.
+#include "calc/base/statistics.h"
 #include "calc/radiosity/plane_work.h"
-#include "calc/statistics.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 // One plane while it is being computed: its points, its random keys, and the sums that become its
 // field.
 
-#include "calc/field.h"
+#include "calc/base/field.h"
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"

@@ -1,5 +1,7 @@
 #include "calc/radiosity/solve.h"
 
+#include "calc/base/statistics.h"
+#include "calc/base/units.h"
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
@@ -11,8 +13,6 @@
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
-#include "calc/statistics.h"
-#include "calc/units.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>

@@ -2,7 +2,7 @@
 // Illuminance of every plane of a space: direct light, light-vertex pool, connections, near field,
 // looks.
 
-#include "calc/field.h"
+#include "calc/base/field.h"
 #include "calc/radiosity/plane_work.h"
 #include "calc/radiosity/settings.h"
 #include "calc/radiosity/stages.h"

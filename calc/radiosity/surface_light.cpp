@@ -1,8 +1,8 @@
 #include "calc/radiosity/surface_light.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
+#include "calc/base/statistics.h"
 #include "calc/radiosity/solve.h"
-#include "calc/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "calc/radiosity/vertex_tree.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 #include "calc/radiosity/radix_sort.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "calc/shader_words.h"
+#include "calc/base/shader_words.h"
 
 #define EXACT const  // -ffp-contract=off does it
 
@@ -47,4 +47,4 @@ bool meets(const Ray& ray, const Triangle& triangle, TriangleHit& hit) {
 }  // namespace calc
 
 #undef EXACT
-#include "calc/shader_words_end.h"
+#include "calc/base/shader_words_end.h"

@@ -1,5 +1,5 @@
 // Where a ray passes a triangle: one text for C++ (triangle_hit.cpp) and GLSL (gpu/), in double, so
-// that both find the same place. See calc/shader_words.h; EXACT forbids to join the steps.
+// that both find the same place. See calc/base/shader_words.h; EXACT forbids to join the steps.
 
 // Six times the volume between the ray and an edge, given its ends from the ray's origin; by its
 // sign the ray passes on one side or the other. Exchanging the ends changes the sign and nothing

@@ -1,8 +1,8 @@
 #pragma once
 // One space, ready for rays: triangles in one list, shifted to a local origin, luminaires resolved.
 
-#include "calc/diagnostics.h"
-#include "calc/field.h"
+#include "calc/base/diagnostics.h"
+#include "calc/base/field.h"
 #include "calc/scene/project.h"
 
 #include <glm/glm.hpp>

@@ -1,10 +1,10 @@
 #pragma once
 // A project as read: plain data, world coordinates, metres, radians. Made by load_project().
 
-#include "calc/diagnostics.h"
+#include "calc/base/diagnostics.h"
+#include "calc/base/xml_document.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
-#include "calc/xml_document.h"
 
 #include <glm/glm.hpp>
 
@@ -154,7 +154,8 @@ struct ZoneText {
   SourceLocation where, role_where;
 };
 
-// Zones of a room as a standard's row wants them. The plain facts; rules/workplace.h makes planes.
+// Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
+// planes.
 struct Workplace {
   std::string id, name;
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts

@@ -1,6 +1,6 @@
 #include "calc/scene/sensor_grid.h"
 
-#include "calc/elementary.h"
+#include "calc/base/elementary.h"
 #include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Calculation points of a plane, and an account of how they were chosen.
 
-#include "calc/diagnostics.h"
+#include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 

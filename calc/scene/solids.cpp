@@ -1,7 +1,7 @@
 #include "calc/scene/solids.h"
 
-#include "calc/elementary.h"
-#include "calc/units.h"
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #include "report/cli/options.h"
 
-#include "report/cli/exit_code.h"
-#include "report/cli/option_values.h"
-#include "report/cli/photometry_options.h"
-#include "report/cli/version.h"
-#include "report/shell_words.h"
+#include "report/shell/exit_code.h"
+#include "report/shell/option_values.h"
+#include "report/text/shell_words.h"
+#include "report/tools/devices/version.h"
+#include "report/tools/photometry/photometry_options.h"
 
 #include <fmt/format.h>
 

@@ -2,14 +2,14 @@
 // The command line as a value. Only options.cpp and rules_options.cpp include CLI11.
 
 #include "calc/radiosity/settings.h"
-#include "report/cli/compare_options.h"
-#include "report/cli/converge_options.h"
-#include "report/cli/export_options.h"
-#include "report/cli/rules_options.h"
-#include "report/cli/selftest_options.h"
-#include "report/cli/vpl_options.h"
-#include "report/texts.h"
-#include "rules/goal.h"
+#include "report/text/texts.h"
+#include "report/tools/compare/compare_options.h"
+#include "report/tools/converge/converge_options.h"
+#include "report/tools/export/export_options.h"
+#include "report/tools/rules/rules_options.h"
+#include "report/tools/selftest/selftest_options.h"
+#include "report/tools/vpl/vpl_options.h"
+#include "rules/catalogue/goal.h"
 
 #include <optional>
 #include <string>

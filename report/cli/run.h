@@ -1,9 +1,9 @@
 #pragma once
 // A whole run of the program.
 
-#include "report/cli/environment.h"
-#include "report/cli/exit_code.h"
 #include "report/cli/options.h"
+#include "report/shell/environment.h"
+#include "report/shell/exit_code.h"
 
 namespace cli {
 

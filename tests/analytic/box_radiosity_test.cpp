@@ -1,7 +1,7 @@
 // A closed box of equal reflectance against classical radiosity on a fine mesh
 // (report/cli/selftest/ box_radiosity.h): no ray and no random number in common with the program.
-#include "report/cli/selftest/box_radiosity.h"
-#include "calc/statistics.h"
+#include "report/tools/selftest/box_radiosity.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

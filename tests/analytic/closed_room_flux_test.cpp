@@ -1,6 +1,6 @@
 // Energy: in a closed room everything emitted is absorbed, sum over surfaces of (1 - rho) E A =
 // Phi.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // References for extreme cases that share no ray, no table and no random number with the program:
 // brute force against every triangle in double precision, and quadrature of one reflection.
 
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // UGR: Guth's index, one source in a uniform field, a hand-computed installation, what is refused.
 #include "calc/radiosity/glare.h"
 #include "calc/radiosity/opening.h"
-#include "rules/derived_points.h"
-#include "rules/measure.h"
+#include "rules/measure/derived_points.h"
+#include "rules/measure/measure.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // everywhere, and with an isotropic source in the centre total E = Phi / (4 pi r^2) / (1 - rho).
 // The truth of the tessellated sphere: flux balance gives the mean over its area exactly, Phi / (A
 // (1 - rho)).
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

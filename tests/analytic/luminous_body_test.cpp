@@ -1,8 +1,8 @@
 // Luminous bodies and lines near a point, against closed forms and against sums over their surface.
+#include "calc/base/statistics.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/opening.h"
-#include "calc/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Modelling and the cylinder of four planes against the closed forms of a point source, and against
 // the planes that they are made of.
-#include "calc/statistics.h"
-#include "rules/derived_points.h"
-#include "rules/measure.h"
-#include "rules/replicate_sample.h"
+#include "calc/base/statistics.h"
+#include "rules/measure/derived_points.h"
+#include "rules/measure/measure.h"
+#include "rules/measure/replicate_sample.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Cylindrical, semicylindrical, hemispherical and scalar illuminance: closed forms of a point
 // source, identities between them, uniform light, and a wall 5 mm away.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

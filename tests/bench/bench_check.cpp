@@ -4,17 +4,17 @@
 // Prints one line per space: points, paths, seconds by phase, rays per second, and the ratio of the
 // connection phase to the time of its shadow rays alone, for as many of the same rays, measured in
 // the same process.
-#include "calc/file_reader.h"
+#include "calc/base/file_reader.h"
+#include "calc/project/project_xml.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/solve.h"
 #include "calc/radiosity/vertex_tree.h"
 #include "calc/scene/prepared_scene.h"
-#include "calc/scene/project_xml.h"
 #include "calc/scene/sensor_grid.h"
-#include "rules/bind.h"
-#include "rules/builtin_packs.h"
-#include "rules/stop_rule.h"
+#include "rules/binding/bind.h"
+#include "rules/pack/builtin_packs.h"
+#include "rules/verdict/stop_rule.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -2,7 +2,7 @@
 // connection beside the device (in software too, that is on other threads); one CSV line each.
 //   bench_gpu PATHS PROJECT.xml...
 // PATHS: light paths per replicate, a power of two; one thread, 4 replicates, one look.
-#include "calc/scene/project_xml.h"
+#include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "gpu/gl_gatherer.h"
 #include "tests/support/same_sum.h"

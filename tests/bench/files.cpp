@@ -1,7 +1,7 @@
 // Reading photometry files: files a minute on one core, and memory for a large one.
-#include "calc/diagnostics.h"
-#include "calc/file_reader.h"
-#include "calc/photometry/photometry_file.h"
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+#include "calc/photometry/read/photometry_file.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/photometry.h"

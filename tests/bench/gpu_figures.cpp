@@ -9,7 +9,7 @@
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
-#include "report/cli/backend.h"
+#include "report/check/backend.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"
 

@@ -1,5 +1,5 @@
 // Points next to walls, in corners and beside washed walls: error, bias and intervals.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/path_tracing.h"
 #include "tests/bench/scenes.h"

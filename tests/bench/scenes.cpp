@@ -1,6 +1,6 @@
 #include "tests/bench/scenes.h"
 
-#include "calc/units.h"
+#include "calc/base/units.h"
 
 #include <fmt/format.h>
 

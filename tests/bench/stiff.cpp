@@ -1,6 +1,6 @@
 // Rooms that absorb little: error of the plane average against rays, growth of the cost, and the
 // gain of one roulette number per path over one per bounce.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/path_tracing.h"
 #include "tests/bench/scenes.h"

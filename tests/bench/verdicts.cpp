@@ -1,7 +1,7 @@
 // What a verdict costs beside numbers that are accurate everywhere, and how often it is wrong.
 #include "calc/radiosity/phase_timer.h"
-#include "rules/judge.h"
-#include "rules/stop_rule.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/stop_rule.h"
 #include "tests/bench/experiments.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/table.h"

@@ -1,5 +1,5 @@
 // What is left out changes nothing: every skip against the full path.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

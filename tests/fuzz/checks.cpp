@@ -1,8 +1,8 @@
 #include "tests/fuzz/checks.h"
 
+#include "calc/base/units.h"
+#include "calc/base/utf8.h"
 #include "calc/photometry/web_hermite.h"
-#include "calc/units.h"
-#include "calc/utf8.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 // What holds for every result of a reader, whatever its input. A check that fails says so and
 // aborts, which the fuzzer and the standalone driver count as a crash.
 
-#include "calc/diagnostics.h"
+#include "calc/base/diagnostics.h"
+#include "calc/meshes/triangle_mesh.h"
 #include "calc/photometry/web.h"
-#include "calc/scene/triangle_mesh.h"
 
 #include <glm/glm.hpp>
 

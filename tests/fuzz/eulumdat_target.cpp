@@ -1,5 +1,5 @@
 // EULUMDAT, with the lamp set that the length of the input asks for.
-#include "calc/photometry/eulumdat.h"
+#include "calc/photometry/read/eulumdat.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

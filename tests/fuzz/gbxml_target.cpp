@@ -1,5 +1,5 @@
 // gbXML: the building, then its first rooms.
-#include "calc/scene/gbxml.h"
+#include "calc/meshes/gbxml.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

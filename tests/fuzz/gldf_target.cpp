@@ -1,6 +1,6 @@
 // GLDF from the inside: the input is product.xml of an intact archive, whose checksums mutations of
 // an archive never get right. The second file, if there is one, is the choice of an emitter.
-#include "calc/photometry/gldf.h"
+#include "calc/photometry/read/gldf.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -1,5 +1,5 @@
 // glTF, JSON and GLB; the second file, if there is one, stands beside it under every name.
-#include "calc/scene/mesh_gltf.h"
+#include "calc/meshes/mesh_gltf.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -1,5 +1,5 @@
 // LM-63; the second file, if there is one, is what TILT=<file> names.
-#include "calc/photometry/ies_lm63.h"
+#include "calc/photometry/read/ies_lm63.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

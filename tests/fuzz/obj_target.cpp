@@ -1,5 +1,5 @@
 // OBJ meshes.
-#include "calc/scene/mesh_obj.h"
+#include "calc/meshes/mesh_obj.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -1,9 +1,9 @@
 // Any photometry file: the archive of GLDF byte by byte, how a format is told by its content, and
 // what becomes of the light when it is written as another file.
-#include "calc/photometry/photometry_file.h"
+#include "calc/photometry/read/photometry_file.h"
 
-#include "calc/photometry/write_eulumdat.h"
-#include "calc/photometry/write_lm63.h"
+#include "calc/photometry/write/write_eulumdat.h"
+#include "calc/photometry/write/write_lm63.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
 

@@ -1,5 +1,5 @@
 // PLY meshes.
-#include "calc/scene/mesh_ply.h"
+#include "calc/meshes/mesh_ply.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

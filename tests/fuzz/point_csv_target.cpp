@@ -1,5 +1,5 @@
 // Lists of points.
-#include "calc/scene/point_list_csv.h"
+#include "calc/project/point_list_csv.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

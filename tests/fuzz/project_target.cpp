@@ -1,7 +1,7 @@
 // Project files, with small intact files of every kind beside them, and the requirements in them.
-#include "calc/file_reader.h"
-#include "rules/judged_project.h"
-#include "rules/rule_pack.h"
+#include "calc/base/file_reader.h"
+#include "rules/binding/judged_project.h"
+#include "rules/pack/rule_pack.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/gbxml_samples.h"

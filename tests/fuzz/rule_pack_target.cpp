@@ -1,7 +1,7 @@
 // Rule packs: reading, and the limits of what was read.
-#include "rules/limit.h"
-#include "rules/rule_lint.h"
-#include "rules/rule_pack.h"
+#include "rules/pack/limit.h"
+#include "rules/pack/rule_lint.h"
+#include "rules/pack/rule_pack.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -3,7 +3,7 @@
 // An input that crashes, takes a minute or asks for too much memory is written to crash-NAME in the
 // current folder, and the program ends as the crash does. One that takes a second is written to
 // slow-NAME, which is no failure: machines are slow or busy.
-#include "calc/text.h"
+#include "calc/base/text.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/fuzz/target.h"

@@ -1,5 +1,5 @@
 // STL meshes.
-#include "calc/scene/mesh_stl.h"
+#include "calc/meshes/mesh_stl.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

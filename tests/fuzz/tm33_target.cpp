@@ -1,5 +1,5 @@
 // TM-33; the second file, if there is one, is the choice of an emitter.
-#include "calc/photometry/tm33_xml.h"
+#include "calc/photometry/read/tm33_xml.h"
 
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/target.h"

@@ -1,7 +1,7 @@
 // Do the 95 % intervals hold the truth in 95 % of runs? 240 independent seeds, points in the open,
 // 5 mm from a wall and in a corner, and the plane average; the truth is a run with 256 times the
 // paths under other seeds.
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // 4000 experiments. The generator (its output is specified) and the seed are fixed, so that a
 // result does not change from run to run.
 
-#include "rules/metrics.h"
+#include "rules/measure/metrics.h"
 #include "tests/support/normal_numbers.h"
 
 #include <gtest/gtest.h>

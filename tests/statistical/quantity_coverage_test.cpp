@@ -1,7 +1,7 @@
 // Do the 95 % intervals of the quantities that are more than one illuminance hold the truth in 95 %
 // of runs? 120 seeds of a small furnished room: the real sampling with its correlated points and
 // skewed noise, not normal numbers. The truth is a run with 256 times the paths under other seeds.
-#include "rules/measure.h"
+#include "rules/measure/measure.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

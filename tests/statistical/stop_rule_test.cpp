@@ -2,10 +2,10 @@
 // decided? Synthetic replicates with known means, sample sizes that double, points left out as the
 // rule says. Generator and seed are fixed, so that a result does not change from run to run.
 
-#include "rules/stop_rule.h"
+#include "rules/verdict/stop_rule.h"
 
-#include "rules/error_spending.h"
-#include "rules/judge.h"
+#include "rules/measure/error_spending.h"
+#include "rules/verdict/judge.h"
 #include "tests/support/normal_numbers.h"
 
 #include <gtest/gtest.h>

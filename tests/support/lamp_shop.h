@@ -1,9 +1,9 @@
 #pragma once
 // Luminaires of every kind that light paths start from.
 
+#include "calc/base/units.h"
 #include "calc/photometry/web.h"
 #include "calc/radiosity/random.h"
-#include "calc/units.h"
 #include "tests/support/scenes.h"
 
 #include <array>

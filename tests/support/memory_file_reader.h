@@ -1,7 +1,7 @@
 #pragma once
 // Files that exist only in a test.
 
-#include "calc/file_reader.h"
+#include "calc/base/file_reader.h"
 
 #include <map>
 #include <string>

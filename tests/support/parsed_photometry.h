@@ -1,8 +1,8 @@
 #pragma once
 // Photometry files as tests read them: the light beside every message.
 
-#include "calc/diagnostics.h"
-#include "calc/photometry/photometry_file.h"
+#include "calc/base/diagnostics.h"
+#include "calc/photometry/read/photometry_file.h"
 #include "tests/support/photometry_samples.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #pragma once
 // Small photometry files and webs written by formula, so that tests know the light they describe.
 
-#include "calc/photometry/photometry_file.h"
+#include "calc/base/units.h"
+#include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/web.h"
-#include "calc/units.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // sample_document(): everything a report can show, with light from a simple closed form, so that
 // pictures look like real ones.
 
-#include "report/document.h"
+#include "report/document/document.h"
 
 #include <glm/glm.hpp>
 

@@ -1,11 +1,11 @@
 #pragma once
 // Small scenes built in code, so that tests of the calculation need no files.
 
+#include "calc/base/units.h"
 #include "calc/photometry/web.h"
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
-#include "calc/units.h"
 
 #include <glm/glm.hpp>
 

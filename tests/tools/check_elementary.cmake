@@ -1,4 +1,4 @@
-# Elementary functions come from calc/elementary.h: those of the C library differ from processor to processor.
+# Elementary functions come from calc/base/elementary.h: those of the C library differ from processor to processor.
 #   cmake -DROOT=<source folder> -P check_elementary.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -11,7 +11,7 @@ foreach(module calc rules gpu report)
   foreach(file IN LISTS files)
     math(EXPR count "${count} + 1")
     file(RELATIVE_PATH name ${ROOT} ${file})
-    if(name MATCHES "^calc/elementary\\.")
+    if(name MATCHES "^calc/base/elementary\\.")
       continue()
     endif()
     file(STRINGS ${file} lines REGEX "${call}")
@@ -21,13 +21,13 @@ foreach(module calc rules gpu report)
       endif()
       string(REGEX REPLACE "//.*" "" code "${line}")
       if(code MATCHES "${call}")
-        message(SEND_ERROR "${name}: ${line}\n  see calc/elementary.h")
+        message(SEND_ERROR "${name}: ${line}\n  see calc/base/elementary.h")
       endif()
     endforeach()
     # glm's rotations call the C library.
     file(STRINGS ${file} lines REGEX "glm::(rotate|angleAxis|perspective|slerp|angle|euler|yaw|pitch|roll)[A-Za-z]*\\(|std::[a-z]*_distribution")
     foreach(line IN LISTS lines)
-      message(SEND_ERROR "${name}: ${line}\n  glm works out sines by the C library; see calc/elementary.h")
+      message(SEND_ERROR "${name}: ${line}\n  glm works out sines by the C library; see calc/base/elementary.h")
     endforeach()
   endforeach()
 endforeach()

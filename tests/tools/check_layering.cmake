@@ -15,7 +15,7 @@ set(allowed_cli report rules calc gpu)
 set(owned_libraries
   "embree3/|calc/rays/triangle_tree\\.cpp"
   "hwy/|calc/rays/[a-z_]+\\.cpp"
-  "sleef|calc/elementary\\.cpp"
+  "sleef|calc/base/elementary\\.cpp"
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
   "CLI/|report/cli/(rules_)?options\\.cpp"

@@ -3,8 +3,8 @@
 // different, 2 unreadable. CMake scripts cannot compare decimal numbers; this is all it is for.
 // Fields with line ends are not supported.
 
-#include "calc/file_reader.h"
-#include "calc/text.h"
+#include "calc/base/file_reader.h"
+#include "calc/base/text.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // Words and counts (whole numbers of up to five digits in both) are the same; other
 // numbers agree within 2 % of the larger one, or within 0.1 where a per cent sign follows; how many
 // numbers lie in their interval may differ by five.
-#include "calc/text.h"
+#include "calc/base/text.h"
 
 #include <algorithm>
 #include <cmath>

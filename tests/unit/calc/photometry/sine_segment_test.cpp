@@ -1,6 +1,6 @@
 #include "calc/photometry/sine_segment.h"
 
-#include "calc/units.h"
+#include "calc/base/units.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "calc/photometry/web_resample.h"
 
-#include "calc/photometry/photometry_file.h"
+#include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/web_compare.h"
-#include "calc/photometry/write_eulumdat.h"
-#include "calc/photometry/write_lm63.h"
+#include "calc/photometry/write/write_eulumdat.h"
+#include "calc/photometry/write/write_lm63.h"
 #include "tests/support/web_changes.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "calc/radiosity/near_field.h"
 
-#include "calc/statistics.h"
+#include "calc/base/statistics.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

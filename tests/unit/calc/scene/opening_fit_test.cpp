@@ -1,7 +1,7 @@
 #include "calc/scene/opening_fit.h"
 
 #include "calc/scene/prepared_scene.h"
-#include "tests/unit/calc/scene/project_xml_support.h"
+#include "tests/unit/calc/project/project_xml_support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,76 @@
+#include "calc/base/diagnostics.h"
+
+#include "calc/base/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace calc {
+namespace {
+
+struct Entry {
+  std::string_view name;
+  Severity severity;
+  std::string_view text;
+};
+
+constexpr std::array kEntries{
+#define LUXGATE_DIAGNOSTIC(id, severity, text) Entry{#id, Severity::severity, text},
+#include "calc/base/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+};
+
+const Entry& entry(DiagnosticId id) { return kEntries[static_cast<std::size_t>(id)]; }
+
+}  // namespace
+
+std::string diagnostic_name(DiagnosticId id) {
+  std::string name(entry(id).name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+std::optional<DiagnosticId> diagnostic_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    const auto id = static_cast<DiagnosticId>(i);
+    if (diagnostic_name(id) == name) return id;
+  }
+  return std::nullopt;
+}
+
+Severity diagnostic_severity(DiagnosticId id) { return entry(id).severity; }
+
+std::string_view diagnostic_template(DiagnosticId id) { return entry(id).text; }
+
+std::string format_diagnostic(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.where.file;
+  if (diagnostic.where.line > 0) text += fmt::format(":{}", diagnostic.where.line);
+  if (diagnostic.where.column > 0) text += fmt::format(":{}", diagnostic.where.column);
+  if (!text.empty()) text += ": ";
+  text += diagnostic.severity() == Severity::error ? "error" : "warning";
+  return text + "[" + diagnostic_name(diagnostic.id) + "]: " + diagnostic.message;
+}
+
+void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
+  std::vector<std::size_t> places;
+  std::vector<Diagnostic> sorted;
+  for (std::size_t i = first; i < all_.size(); ++i) {
+    if (all_[i].where.file != file) continue;
+    places.push_back(i);
+    sorted.push_back(all_[i]);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return a.where.line < b.where.line;
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) all_[places[i]] = std::move(sorted[i]);
+}
+
+void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
+  if (diagnostic_severity(id) == Severity::error) ++error_count_;
+  // Messages quote files, which may hold anything.
+  message = without_control_characters(message);
+  all_.push_back(Diagnostic{id, where, std::move(message)});
+}
+
+}  // namespace calc

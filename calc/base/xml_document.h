@@ -1,0 +1,45 @@
+#pragma once
+// Bytes to a tree of XML elements with source locations. The only owner of pugixml; stricter than
+// it: everything an XML parser must refuse is refused, and so is what our files never need
+// (DOCTYPE, other encodings, and text between tags unless it is asked for).
+
+#include "calc/base/diagnostics.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+struct XmlAttribute {
+  std::string name;
+  std::string value;  // references like &amp; resolved, line ends and tabs as blanks
+  SourceLocation where;
+};
+
+struct XmlElement {
+  std::string name;
+  std::vector<XmlAttribute> attributes;  // in file order, no name twice
+  std::vector<XmlElement> children;      // in file order
+  SourceLocation where;                  // of its '<'
+  std::string text{};  // own text, references resolved, line ends as blanks; XmlText::keep only
+
+  // Null if there is none.
+  const XmlAttribute* find(std::string_view attribute) const;
+};
+
+inline constexpr int kXmlDepthLimit = 64;
+inline constexpr std::size_t kXmlAttributeLimit = 100;
+
+// Text between tags: an error in our own formats, data in foreign ones.
+enum class XmlText { refuse, keep };
+
+// The root element of a UTF-8 file (byte order mark and CRLF are fine; columns count characters).
+// name: the path used in messages. Comments and processing instructions are skipped. Empty if and
+// only if an error was reported.
+std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
+                                    Diagnostics& diagnostics, XmlText text = XmlText::refuse);
+
+}  // namespace calc

@@ -1,0 +1,101 @@
+#pragma once
+// Strict typed access to the attributes of one XML element: whatever is missing, unknown, malformed
+// or out of range is reported with its place and with what is allowed.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/xml_document.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+// Numbers from low (left out if is_open) to high; words complete "expected ...".
+struct NumberRange {
+  double low;
+  double high;
+  bool is_open;
+  std::string_view words;
+};
+
+// Beyond 1e9 nothing is meant seriously, and squares or differences would lose their meaning.
+inline constexpr NumberRange kCoordinate{-1.0e9, 1.0e9, false, "a number from -1e9 to 1e9"};
+inline constexpr NumberRange kPositive{0.0, 1.0e9, true, "a number above 0, up to 1e9"};
+inline constexpr NumberRange kNonNegative{0.0, 1.0e9, false, "a number from 0 to 1e9"};
+inline constexpr NumberRange kFraction{0.0, 1.0, false, "a number from 0 to 1"};
+inline constexpr NumberRange kPositiveFraction{0.0, 1.0, true, "a number above 0, up to 1"};
+
+using Names = std::vector<std::string_view>;
+
+// True for a non-empty text of A-Z, a-z, digits and _ . : -
+bool is_id(std::string_view text);
+
+// Getters report problems and then return something harmless of the right size: check ok() before
+// using values. Both the element and the diagnostics must outlive the reader.
+class ElementReader {
+ public:
+  ElementReader(const XmlElement& element, Diagnostics& diagnostics);
+
+  const XmlElement& element() const { return element_; }
+  const SourceLocation& where() const { return element_.where; }
+  // Of an attribute; of the element if it has no such attribute.
+  const SourceLocation& where(std::string_view name) const;
+  Diagnostics& diagnostics() { return diagnostics_; }
+  // No error was reported, by anyone, since this reader was made.
+  bool ok() const { return diagnostics_.error_count() == errors_before_; }
+
+  // Reports every attribute, or child element, not named here.
+  void allow_attributes(const Names& names);
+  void allow_children(const Names& names);
+
+  bool has(std::string_view name) const { return element_.find(name) != nullptr; }
+  // True if at most one of the two is there.
+  bool exclude(std::string_view one, std::string_view other);
+  // True if both are there or none is.
+  bool require_together(std::string_view one, std::string_view other);
+
+  // Required ones report their absence.
+  std::string id(std::string_view name = "id");
+  std::string text(std::string_view name);
+  double number(std::string_view name, const NumberRange& range);
+  int integer(std::string_view name, int low);
+  // Index into `choices`.
+  std::size_t choice(std::string_view name, const Names& choices);
+  // Exactly `count` numbers; words name them: "3 numbers (x y z)".
+  std::vector<double> numbers(std::string_view name, std::size_t count, std::string_view words,
+                              const NumberRange& range = kCoordinate);
+  // Exactly `count` whole numbers from `low`.
+  std::vector<int> integers(std::string_view name, std::size_t count, std::string_view words,
+                            int low);
+  // A multiple of `group` numbers, at least minimum * group and at most maximum * group of them.
+  // Empty on errors.
+  std::vector<double> number_groups(std::string_view name, std::size_t group, std::size_t minimum,
+                                    std::size_t maximum, std::string_view words,
+                                    const NumberRange& range = kCoordinate);
+
+  // Optional ones.
+  std::string text_or(std::string_view name, std::string_view fallback);
+  double number_or(std::string_view name, const NumberRange& range, double fallback);
+  std::optional<double> optional_number(std::string_view name, const NumberRange& range);
+  std::size_t choice_or(std::string_view name, const Names& choices, std::size_t fallback);
+
+  template <class... Args>
+  void report(DiagnosticId what, const SourceLocation& place, const Args&... args) {
+    diagnostics_.report(what, place, args...);
+  }
+
+ private:
+  const XmlAttribute* require(std::string_view name);
+  std::optional<double> parse(const XmlAttribute& attribute, std::string_view word,
+                              const NumberRange& range);
+  std::optional<int> parse(const XmlAttribute& attribute, std::string_view word, int low);
+
+  const XmlElement& element_;
+  Diagnostics& diagnostics_;
+  std::size_t errors_before_;
+};
+
+}  // namespace calc

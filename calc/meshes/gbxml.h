@@ -1,0 +1,77 @@
+#pragma once
+// gbXML (Green Building XML) to the surfaces around a space. Prefixes of names are passed over,
+// lengths become metres.
+
+#include "calc/base/diagnostics.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+struct GbxmlOpening {
+  std::string id, type;  // openingType
+  std::vector<glm::dvec3> corner_m;
+  int line = 0;
+};
+
+struct GbxmlSurface {
+  struct Side {
+    std::string space;  // spaceIdRef
+    std::string type;   // as the space sees it; "" = the surface's type
+  };
+  std::string id, type;  // surfaceType
+  std::vector<Side> side;
+  std::vector<glm::dvec3> corner_m;
+  std::vector<GbxmlOpening> opening;
+  int line = 0;
+};
+
+struct GbxmlSpace {
+  std::string id, name;
+  std::vector<glm::dvec3> floor_m;  // corners of its own PlanarGeometry; empty if it has none
+};
+
+struct GbxmlBuilding {
+  std::string file;
+  std::vector<GbxmlSpace> space;
+  std::vector<GbxmlSurface> surface;
+};
+
+// True if the root element is gbXML, with any prefix.
+bool is_gbxml(std::string_view bytes);
+
+// Empty if and only if an error was reported.
+std::optional<GbxmlBuilding> parse_gbxml(std::string bytes, const std::string& name,
+                                         Diagnostics& diagnostics);
+
+// One surface, without its openings, or one opening.
+struct GbxmlPart {
+  std::string id, type;
+  std::vector<glm::dvec3> vertex_m;
+  std::vector<glm::uvec3> triangle;
+};
+
+struct GbxmlRoom {
+  std::string name;
+  std::vector<GbxmlPart> part;
+  // Of the space's own PlanarGeometry, else of the floor if it is one polygon; empty if that is not
+  // horizontal. The height is that of the highest surface above it.
+  std::vector<glm::dvec2> footprint_m;
+  double floor_z_m = 0.0, height_m = 0.0;
+};
+
+// All surfaces next to the space. Each point belongs to one part: openings are cut out of their
+// surface, and out of each other. InteriorFloor and Ceiling are told apart by whether they lie
+// below or above the middle of the room, unless the file says how the space sees them. What cannot
+// be used is left out with a warning. Empty, with an error at `where`, if there is no such space or
+// it has no surface.
+std::optional<GbxmlRoom> gbxml_room(const GbxmlBuilding& building, const std::string& space_id,
+                                    const SourceLocation& where, Diagnostics& diagnostics);
+
+}  // namespace calc

@@ -1,0 +1,83 @@
+#pragma once
+// Faces to triangles, the same way for all mesh formats.
+
+#include "calc/base/diagnostics.h"
+#include "calc/meshes/triangle_mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+// Names in order of first use.
+class NameList {
+ public:
+  std::uint32_t index_of(std::string_view name);
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t, std::less<>> index_;
+};
+
+// Faces with more than three corners are triangulated (concave ones correctly); those not flat too,
+// as seen along their mean normal, with one warning. Faces without area or with crossing sides are
+// left out, with one warning. Only an area of exactly zero is no surface: needles are kept.
+class MeshBuilder {
+ public:
+  // name: the path used in messages.
+  MeshBuilder(MeshFormat format, std::string name, Diagnostics& diagnostics);
+
+  // Of the faces that follow.
+  void set_material(std::string_view name);
+  void set_object(std::string_view name);
+
+  // False, and an error, when so many more would be too many.
+  bool has_room_for_vertices(std::size_t count);
+  // False, and an error, for a position that is not finite or too far away; `what` names it:
+  // "object 'desk', vertex 3".
+  bool add_vertex(const glm::dvec3& position, const std::function<std::string()>& what);
+  void set_vertices(std::vector<glm::dvec3> vertices) { mesh_.vertex = std::move(vertices); }
+  std::size_t vertices() const { return mesh_.vertex.size(); }
+
+  // corner: indices of vertices, all in range; line 0 = not known. False after an error.
+  bool add_face(std::span<const std::uint32_t> corner, int line);
+
+  // Warnings, then the mesh; empty, with an error, if it has no triangle.
+  std::optional<TriangleMesh> finish();
+
+ private:
+  bool is_small_enough(std::size_t corners, int line);
+  void split_triangle(const std::vector<std::uint32_t>& corner, int line);
+  bool split_polygon(const std::vector<std::uint32_t>& corner, int line);
+  std::vector<std::uint32_t> distinct_corners(std::span<const std::uint32_t> corner) const;
+  void add_triangle(const glm::uvec3& triangle);
+  void leave_out(int line);
+  void warn() const;
+
+  struct Place {
+    std::size_t face = 0;  // from 1
+    int line = 0;
+  };
+
+  std::string name_;
+  Diagnostics& diagnostics_;
+  TriangleMesh mesh_;
+  NameList materials_, objects_;
+  std::string material_, object_;
+  std::optional<std::uint32_t> material_index_, object_index_;
+  double corner_pairs_ = 0.0, worst_deviation_ = 0.0;
+  std::size_t bent_ = 0;
+  Place worst_, first_left_out_;
+};
+
+}  // namespace calc

@@ -1,0 +1,28 @@
+#pragma once
+// Any mesh file to triangles. The contents decide what it is, not the file's name.
+
+#include "calc/base/diagnostics.h"
+#include "calc/meshes/triangle_mesh.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+// Bytes of a file that a mesh file names, e.g. the .bin of a .gltf: path relative to the mesh
+// file's folder, normalised, in that folder or below. Reports what is wrong, then gives nothing.
+using SideFiles = std::function<std::optional<std::string>(const std::string& path)>;
+
+// "glTF" or "{" at the start: glTF; "ply": PLY; "solid", or the exact size of a binary STL: STL;
+// all other text: OBJ. Empty for bytes that are none of them.
+std::optional<MeshFormat> detect_mesh_format(std::string_view bytes);
+
+// name: the path used in messages. format: if given, anything else is an error. Empty if and only
+// if an error was reported.
+std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::string& name,
+                                            const SideFiles& side_files, Diagnostics& diagnostics,
+                                            std::optional<MeshFormat> format = std::nullopt);
+
+}  // namespace calc

@@ -1,0 +1,322 @@
+#include "calc/meshes/mesh_gltf.h"
+
+#include "calc/base/utf8.h"
+#include "calc/meshes/gltf_container.h"
+#include "calc/meshes/mesh_builder.h"
+#include "calc/meshes/mesh_gltf_accessor.h"
+#include "calc/project/project_files.h"
+
+#include <tiny_gltf.h>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace calc {
+namespace {
+
+using gltf::Broken;
+using gltf::checked;
+using gltf::fail;
+using gltf::read_accessor;
+
+constexpr std::size_t kMostBufferBytes = std::size_t{1} << 30;  // of all buffers together
+
+// An error that is already reported.
+struct Reported {};
+
+// ---- buffers ----
+
+// The only files that the library gets to see, by the name it asks for.
+struct BufferFiles {
+  std::map<std::string, std::string, std::less<>> bytes_of;
+  std::size_t bytes_given = 0;
+};
+
+BufferFiles read_buffer_files(const GltfContainer& container, const SideFiles& side_files) {
+  BufferFiles files;
+  for (const std::string& uri : container.buffer_uri) {
+    if (uri.starts_with("data:")) continue;
+    const std::string name = percent_decoded(uri, false);
+    const std::optional<std::string> path = normalize_relative_path(name);
+    if (!path || path->empty() || name.find(':') != std::string::npos) {
+      fail("its buffer '{}' is not a file beside it or in a folder below it",
+           shorten_utf8(uri, 60));
+    }
+    if (files.bytes_of.contains(name)) continue;
+    std::optional<std::string> bytes = side_files(*path);
+    if (!bytes) throw Reported{};
+    // The library takes + for a blank.
+    files.bytes_of[percent_decoded(uri, true)] = *bytes;
+    files.bytes_of[name] = std::move(*bytes);
+  }
+  return files;
+}
+
+tinygltf::FsCallbacks callbacks_of(BufferFiles& files) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string& name, void* self) {
+    return static_cast<BufferFiles*>(self)->bytes_of.contains(name);
+  };
+  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* problem,
+                               const std::string& name, void* self) {
+    auto& known = *static_cast<BufferFiles*>(self);
+    const std::string& bytes = known.bytes_of.at(name);
+    known.bytes_given += bytes.size();
+    if (known.bytes_given > kMostBufferBytes) {
+      *problem = "the buffers are too large together";
+      return false;
+    }
+    out->assign(bytes.begin(), bytes.end());
+    return true;
+  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                void*) { return false; };
+  callbacks.user_data = &files;
+  return callbacks;
+}
+
+bool ignore_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
+                  int, void*) {
+  return true;
+}
+
+tinygltf::Model load_model(std::string_view bytes, const GltfContainer& container,
+                           BufferFiles& files) {
+  // Each buffer without a URI is a copy of the GLB's bytes; the standard allows one.
+  if (container.buffers > container.buffer_uri.size() + (container.is_binary ? 1 : 0)) {
+    fail("buffers without a URI; only the first one of a GLB may have none");
+  }
+  tinygltf::TinyGLTF library;
+  library.SetImageLoader(ignore_image, nullptr);
+  library.SetFsCallbacks(callbacks_of(files));
+  tinygltf::Model model;
+  std::string problem, warning;
+  const auto size = static_cast<unsigned>(bytes.size());
+  bool good = false;
+  if (container.is_binary) {
+    good = library.LoadBinaryFromMemory(&model, &problem, &warning,
+                                        reinterpret_cast<const unsigned char*>(bytes.data()), size);
+  } else {
+    good = library.LoadASCIIFromString(&model, &problem, &warning, bytes.data(), size, "");
+  }
+  if (!good || !problem.empty()) {
+    std::replace(problem.begin(), problem.end(), '\n', ' ');
+    fail("{}", problem.empty() ? "no reason is known" : shorten_utf8(problem, 200));
+  }
+  if (!model.asset.version.starts_with("2.")) {
+    fail("its version is '{}'; only version 2 is read", shorten_utf8(model.asset.version, 20));
+  }
+  return model;
+}
+
+// ---- the scene ----
+
+glm::dmat4 matrix_of(const tinygltf::Node& node) {
+  glm::dmat4 matrix(1.0);
+  if (node.matrix.size() == 16) {
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+    return matrix;
+  }
+  const auto has = [&](const std::vector<double>& list, std::size_t size) {
+    if (!list.empty() && list.size() != size)
+      fail("a node's transform has {} numbers", list.size());
+    return !list.empty();
+  };
+  has(node.matrix, 16);
+  if (has(node.rotation, 4)) {
+    const std::vector<double>& r = node.rotation;
+    const glm::dquat turn(r[3], r[0], r[1], r[2]);
+    if (!(glm::length(turn) > 0.0)) fail("a node's rotation is zero");
+    matrix = glm::mat4_cast(glm::normalize(turn));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    if (has(node.scale, 3)) matrix[axis] *= node.scale[a];
+    if (has(node.translation, 3)) matrix[3][axis] = node.translation[a];
+  }
+  return matrix;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const tinygltf::Model& model, const std::string& name, Diagnostics& diagnostics)
+      : model_(model),
+        name_(name),
+        diagnostics_(diagnostics),
+        builder_(MeshFormat::gltf, name, diagnostics) {}
+
+  std::optional<TriangleMesh> run() {
+    struct Visit {
+      int node;
+      glm::dmat4 world_from_parent;
+    };
+    std::vector<bool> seen(model_.nodes.size());
+    std::vector<Visit> open;
+    for (const int root : roots()) open.push_back({root, glm::dmat4(1.0)});
+    std::reverse(open.begin(), open.end());  // in file order
+    while (!open.empty()) {
+      const Visit visit = open.back();
+      open.pop_back();
+      const tinygltf::Node& node = checked(model_.nodes, visit.node, "node");
+      if (seen[static_cast<std::size_t>(visit.node)]) {
+        fail("node {} is the child of two nodes, or of itself", visit.node);
+      }
+      seen[static_cast<std::size_t>(visit.node)] = true;
+      const glm::dmat4 world_from_node = visit.world_from_parent * matrix_of(node);
+      if (node.mesh >= 0) add_mesh(node, visit.node, world_from_node);
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+        open.push_back({*child, world_from_node});
+      }
+    }
+    if (deformed_ > 0) {
+      diagnostics_.report(DiagnosticId::mesh_deformed, {name_, 0, 0}, deformed_);
+    }
+    return builder_.finish();
+  }
+
+ private:
+  std::vector<int> roots() const {
+    if (!model_.scenes.empty()) {
+      return checked(model_.scenes, std::max(model_.defaultScene, 0), "scene").nodes;
+    }
+    std::vector<bool> is_child(model_.nodes.size());
+    for (const tinygltf::Node& node : model_.nodes) {
+      for (const int child : node.children) {
+        checked(model_.nodes, child, "node");
+        is_child[static_cast<std::size_t>(child)] = true;
+      }
+    }
+    std::vector<int> list;
+    for (std::size_t n = 0; n < is_child.size(); ++n) {
+      if (!is_child[n]) list.push_back(static_cast<int>(n));
+    }
+    return list;
+  }
+
+  void add_mesh(const tinygltf::Node& node, int node_index, const glm::dmat4& world_from_node) {
+    const tinygltf::Mesh& mesh = checked(model_.meshes, node.mesh, "mesh");
+    std::string object = node.name.empty() ? mesh.name : node.name;
+    if (object.empty()) object = fmt::format("node {}", node_index);
+    builder_.set_object(object);
+    bool is_deformed = node.skin >= 0;
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      is_deformed = is_deformed || !mesh.primitives[p].targets.empty();
+      add_primitive(mesh.primitives[p], fmt::format("object '{}', primitive {}", object, p),
+                    world_from_node);
+    }
+    if (is_deformed) ++deformed_;
+  }
+
+  void add_primitive(const tinygltf::Primitive& primitive, const std::string& where,
+                     const glm::dmat4& world_from_node) {
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    if (mode < TINYGLTF_MODE_TRIANGLES) return;  // points and lines
+    if (mode > TINYGLTF_MODE_TRIANGLE_FAN) fail("{}: mode {} is not known", where, mode);
+    const auto positions = primitive.attributes.find("POSITION");
+    if (positions == primitive.attributes.end()) fail("{} has no POSITION", where);
+    const std::vector<double> numbers =
+        read_accessor(model_, positions->second, TINYGLTF_TYPE_VEC3, 3, kMaxMeshVertices);
+    const std::size_t count = numbers.size() / 3;
+    const std::size_t first = builder_.vertices();
+    if (!builder_.has_room_for_vertices(count)) throw Reported{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec4 local(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2], 1.0);
+      const bool good = builder_.add_vertex(glm::dvec3(world_from_node * local), [&] {
+        return fmt::format("{}, position {}", where, i);
+      });
+      if (!good) throw Reported{};
+    }
+    set_material(primitive.material);
+    add_faces(mode, corners_of(primitive, where, first, count), where);
+  }
+
+  void set_material(int index) {
+    if (index < 0) return builder_.set_material("");
+    const std::string& name = checked(model_.materials, index, "material").name;
+    builder_.set_material(name.empty() ? fmt::format("material {}", index) : name);
+  }
+
+  std::vector<std::uint32_t> corners_of(const tinygltf::Primitive& primitive,
+                                        const std::string& where, std::size_t first,
+                                        std::size_t count) const {
+    std::vector<std::uint32_t> corners;
+    if (primitive.indices < 0) {
+      for (std::size_t i = 0; i < count; ++i) {
+        corners.push_back(static_cast<std::uint32_t>(first + i));
+      }
+      return corners;
+    }
+    constexpr std::size_t kMostCorners = 3 * kMaxMeshTriangles + 3;
+    for (const double index :
+         read_accessor(model_, primitive.indices, TINYGLTF_TYPE_SCALAR, 1, kMostCorners)) {
+      if (!(index >= 0.0 && index < static_cast<double>(count))) {
+        fail("{} names position {}; allowed: 0 to {}", where, index, count - 1);
+      }
+      corners.push_back(static_cast<std::uint32_t>(first + static_cast<std::size_t>(index)));
+    }
+    return corners;
+  }
+
+  void add_faces(int mode, const std::vector<std::uint32_t>& corner, const std::string& where) {
+    const bool is_list = mode == TINYGLTF_MODE_TRIANGLES;
+    if (corner.size() < 3 || (is_list && corner.size() % 3 != 0)) {
+      fail("{} has {} corners, which are no triangles", where, corner.size());
+    }
+    for (std::size_t i = 0; i + 2 < corner.size(); i += is_list ? 3 : 1) {
+      std::array<std::uint32_t, 3> face{corner[i], corner[i + 1], corner[i + 2]};
+      if (mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) std::swap(face[1], face[2]);
+      if (mode == TINYGLTF_MODE_TRIANGLE_FAN) face = {corner[i + 1], corner[i + 2], corner[0]};
+      if (!builder_.add_face(face, 0)) throw Reported{};
+    }
+  }
+
+  const tinygltf::Model& model_;
+  const std::string& name_;
+  Diagnostics& diagnostics_;
+  MeshBuilder builder_;
+  std::size_t deformed_ = 0;
+};
+
+std::optional<TriangleMesh> read_gltf(std::string_view bytes, const std::string& name,
+                                      const SideFiles& side_files, Diagnostics& diagnostics) {
+  const std::optional<GltfContainer> container = open_gltf(bytes, name, diagnostics);
+  if (!container) return std::nullopt;
+  const std::string required = unknown_gltf_extensions(container->extensions_required);
+  if (!required.empty()) {
+    diagnostics.report(DiagnosticId::mesh_extension_required, SourceLocation{name, 0, 0}, required);
+    return std::nullopt;
+  }
+  BufferFiles files = read_buffer_files(*container, side_files);
+  const tinygltf::Model model = load_model(bytes, *container, files);
+  files.bytes_of.clear();
+  const std::string ignored = unknown_gltf_extensions(container->extensions_used);
+  if (!ignored.empty()) {
+    diagnostics.report(DiagnosticId::mesh_extension_ignored, SourceLocation{name, 0, 0}, ignored);
+  }
+  return SceneReader(model, name, diagnostics).run();
+}
+
+}  // namespace
+
+std::optional<TriangleMesh> parse_gltf(std::string_view bytes, const std::string& name,
+                                       const SideFiles& side_files, Diagnostics& diagnostics) {
+  const SourceLocation where{name, 0, 0};
+  try {
+    return read_gltf(bytes, name, side_files, diagnostics);
+  } catch (const Broken& broken) {
+    diagnostics.report(DiagnosticId::mesh_broken, where, "glTF", broken.what);
+  } catch (const Reported&) {
+    // nothing to add
+  } catch (const std::exception& exception) {
+    diagnostics.report(DiagnosticId::mesh_broken, where, "glTF", exception.what());
+  }
+  return std::nullopt;
+}
+
+}  // namespace calc

@@ -1,0 +1,65 @@
+#pragma once
+// What product.xml of a GLDF file says about light: files, photometries, emitters, variants.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/xml_document.h"
+#include "calc/photometry/read/photometry_options.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace calc {
+
+struct GldfFile {
+  std::string id, content_type, text;  // text: a file name or an address
+  bool is_url = false;
+  SourceLocation where;
+};
+
+struct GldfPhotometry {
+  std::string id, file_id;
+  SourceLocation where;
+};
+
+// One way in which an emitter can shine; the fittings of an emitter are alternatives.
+struct GldfFitting {
+  std::string name;  // may be empty
+  std::string photometry_id;
+  bool only_emergency = false;
+  bool is_turned = false;  // a rotation of the light is stated, of the fitting or its photometry
+  // As stated, 0 = not. Of a fixed emitter (product.xml leaves open whether of its lamps or of the
+  // luminaire); of the equipment, for all its lamps together; of the lamps without the equipment.
+  double fixed_flux_lm = 0.0, equipment_flux_lm = 0.0, lamps_flux_lm = 0.0;
+  double equipment_power_w = 0.0, source_power_w = 0.0;  // with and without gear; 0 = not stated
+  SourceLocation where;
+};
+
+struct GldfEmitter {
+  std::string id;
+  std::vector<GldfFitting> fittings;  // empty: a sensor
+  SourceLocation where;
+
+  PhotometryChoice choice() const { return {id, fittings.empty() ? "" : fittings.front().name}; }
+};
+
+struct GldfVariant {
+  std::string id, name;
+  std::vector<std::string> emitter_ids;  // each once, in file order
+  SourceLocation where;
+};
+
+struct GldfProduct {
+  std::string manufacturer, name;
+  std::vector<GldfFile> files;
+  std::vector<GldfPhotometry> photometries;
+  std::vector<GldfEmitter> emitters;
+  std::vector<GldfVariant> variants;
+};
+
+// root: <Root> of product.xml. Reads GLDF 1.0 and the earlier form with <LightEmitter>. Texts in
+// several languages: English if there is any, else the first. References are not followed here,
+// except for lamps and equipment. Empty if and only if an error was reported.
+std::optional<GldfProduct> read_gldf_product(const XmlElement& root, Diagnostics& diagnostics);
+
+}  // namespace calc

@@ -1,0 +1,33 @@
+#pragma once
+// LM-63 tables of photometric types A and B, as tables over full circles.
+
+#include "calc/photometry/read/web_assembly.h"
+
+#include <string>
+#include <vector>
+
+namespace calc {
+
+enum class Lm63Type { c = 1, b = 2, a = 3 };
+
+// As in the file, all factors applied. Angles ascend within [-90, 90]; a list that starts at 0
+// stands for its mirror image too.
+struct TypeAbTable {
+  Lm63Type type = Lm63Type::b;
+  std::vector<double> vertical_deg, horizontal_deg;
+  std::vector<double> intensity_cd;  // [horizontal][vertical]
+};
+
+// With directions as LM-63-2002, 3 says - horizontal angles run clockwise - in the frame of
+// PhotometricWeb:
+//   A: (cos V cos H, -cos V sin H, sin V)   planes of constant H about the vertical: H = -C,
+//                                           V = gamma - 90
+//   B: (cos H sin V, -sin H, -cos H cos V)  the same about the line of C90: TableAxis::lateral with
+//                                           C = V, gamma = H + 90
+// Both are C-gamma tables of that axis as they stand: nothing is resampled. Beyond the listed
+// angles there is no light; the table falls to 0 within 1e-5 degrees there. A type B file with a
+// single horizontal angle is a beam of equal light around straight down. problem: set, and the
+// result useless, if the angles do not make sense together (words for a message).
+FileTable table_of_type_ab(const TypeAbTable& file, std::string& problem);
+
+}  // namespace calc

@@ -1,0 +1,104 @@
+#include "calc/photometry/read/photometry_file.h"
+
+#include "calc/base/line_cursor.h"
+#include "calc/base/text.h"
+#include "calc/photometry/read/eulumdat.h"
+#include "calc/photometry/read/gldf.h"
+#include "calc/photometry/read/ies_header.h"
+#include "calc/photometry/read/ies_lm63.h"
+#include "calc/photometry/read/number_stream.h"
+#include "calc/photometry/read/text_encoding.h"
+#include "calc/photometry/read/tm33_xml.h"
+#include "calc/photometry/read/zip_archive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace calc {
+namespace {
+
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+constexpr char kDosEndOfFile = '\x1A';
+
+// Type, symmetry and number of planes: three lines of one whole number each, at lines 2 to 4.
+bool looks_like_eulumdat(std::string_view text) {
+  LineCursor lines(text);
+  lines.next();
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<std::string_view> line = lines.next();
+    if (!line) return false;
+    const std::optional<double> value = parse_photometry_number(trim(*line));
+    if (!value || *value != std::floor(*value)) return false;
+  }
+  return true;
+}
+
+// The same with values that are allowed. Texts of EULUMDAT may start with TILT=; an LM-63 file that
+// states one number per line begins with IES or with its TILT= line.
+bool is_surely_eulumdat(std::string_view text) {
+  LineCursor lines(text);
+  const std::optional<std::string_view> first = lines.next();
+  if (!first || trim(*first).starts_with("IES")) return false;
+  constexpr double kMost[] = {3.0, 4.0, 1.0e9};  // Ityp, Isym, Mc
+  for (const double most : kMost) {
+    const std::optional<std::string_view> line = lines.next();
+    const std::optional<double> value = line ? parse_photometry_number(trim(*line)) : std::nullopt;
+    if (!value || *value != std::floor(*value) || *value < 0.0 || *value > most) return false;
+  }
+  const std::optional<Lm63Header> header = read_lm63_header(text);
+  return !header || header->tilt_line != 1 || (header->tilt != "NONE" && header->tilt != "INCLUDE");
+}
+
+std::string what_it_is(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
+  if (looks_like_zip(text)) return "it is a ZIP archive inside another one";
+  return "no TILT= line, and lines 2 to 4 are not the three counts of EULUMDAT";
+}
+
+bool looks_like_xml(std::string_view text) {
+  const std::string_view start = trim(text.substr(0, 200));
+  if (!start.starts_with('<') || start.size() < 2) return false;
+  const char next = start[1];
+  return next == '?' || next == '!' || (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');
+}
+
+}  // namespace
+
+std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
+                                               Diagnostics& diagnostics,
+                                               const PhotometryOptions& options) {
+  if (looks_like_zip(bytes)) return parse_gldf(bytes, name, options, diagnostics);
+  return parse_text_photometry(bytes, name, diagnostics, options);
+}
+
+std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, const std::string& name,
+                                                    Diagnostics& diagnostics,
+                                                    const PhotometryOptions& options) {
+  const SourceLocation file{name, 0, 0};
+  if (looks_like_utf16(bytes)) {
+    diagnostics.report(DiagnosticId::photometry_encoding, file);
+    return std::nullopt;
+  }
+  std::string_view text = bytes;
+  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
+  if (const std::size_t end = text.find(kDosEndOfFile); end != std::string_view::npos) {
+    diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
+    text = text.substr(0, end);
+  }
+  const bool may_be_eulumdat = looks_like_eulumdat(text);  // whose first line may be any name
+  const bool has_lm63_tag = trim(text.substr(0, 200)).starts_with("IES");
+  if ((read_lm63_header(text) && !is_surely_eulumdat(text)) || (has_lm63_tag && !may_be_eulumdat)) {
+    if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
+    return parse_lm63(text, name, diagnostics, options.read_companion);
+  }
+  if (may_be_eulumdat) {
+    if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
+      return std::nullopt;
+    return parse_eulumdat(text, name, options, diagnostics);
+  }
+  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
+  diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text));
+  return std::nullopt;
+}
+
+}  // namespace calc

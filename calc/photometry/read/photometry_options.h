@@ -1,0 +1,46 @@
+#pragma once
+// What to take from a photometry file that holds more than one light.
+
+#include "calc/base/diagnostics.h"
+
+#include "calc/photometry/read/ies_tilt.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+struct PhotometryOptions {
+  int lamp_set = 0;       // EULUMDAT: 1-based; 0 = the first, with a warning if there are others
+  std::string variant{};  // GLDF: id; empty = not chosen
+  std::string emitter{};  // GLDF: id, or id#n for the n-th of its fittings; TM-33: id, description
+                          // or 1-based number; empty = not chosen
+  SourceLocation
+      where{};  // where the choice was written; empty = mistakes are reported at the file
+  CompanionReader read_companion{};  // LM-63: for TILT=<file>, which is refused without it
+};
+
+// One of several things to choose from: how it is written in an option, and words about it.
+struct PhotometryChoice {
+  std::string id;
+  std::string label;  // may be empty
+};
+
+// "a (words), b (words)": at most ten, then "...".
+std::string list_choices(const std::vector<PhotometryChoice>& choices);
+
+// Where to report a mistake in the options for the photometry file `name`.
+SourceLocation place_of_choice(const PhotometryOptions& options, const std::string& name);
+
+// Which options a format knows.
+struct KnownOptions {
+  bool lamp_set = false, variant = false, emitter = false;
+};
+
+// False, with an error for each, if options are given that the format does not have.
+// format: in words, "an LM-63 file".
+bool check_options(const PhotometryOptions& options, const KnownOptions& known,
+                   std::string_view format, const std::string& name, Diagnostics& diagnostics);
+
+}  // namespace calc

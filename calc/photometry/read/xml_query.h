@@ -1,0 +1,39 @@
+#pragma once
+// Looking up things in foreign XML: by local names (prefixes of namespaces are ignored), unknown
+// elements are passed over, and numbers stand in the text of elements.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/xml_document.h"
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+std::string_view local_name(std::string_view name);
+
+// The first child of one of these names, the earlier name first; null if there is none.
+const XmlElement* child_of(const XmlElement& parent, std::initializer_list<std::string_view> names);
+const XmlElement* child_of(const XmlElement& parent, std::string_view name);
+// Down a path of names; null where it ends.
+const XmlElement* descend(const XmlElement& from, std::initializer_list<std::string_view> path);
+std::vector<const XmlElement*> children_of(const XmlElement& parent, std::string_view name);
+
+// Without blanks around, and with single blanks inside; "" for a null element.
+std::string text_of(const XmlElement* element);
+// The same of an attribute, looked up by its local name; "" if there is none.
+std::string attribute_of(const XmlElement& element, std::string_view name);
+
+// The text as a finite number. Empty if the element is null, or if it is no number, which is
+// reported.
+std::optional<double> number_in(const XmlElement* element, Diagnostics& diagnostics);
+// The text of a true/false element; empty if absent or anything else.
+std::optional<bool> flag_in(const XmlElement* element);
+
+// Lower-case letters and digits of a text: "CIE _ C" and "CIE_C" are both "ciec".
+std::string letters_of(std::string_view text);
+
+}  // namespace calc

@@ -1,0 +1,145 @@
+#include "calc/project/library_xml.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace calc {
+namespace {
+
+constexpr double kUnusualReflectance = 0.95;
+
+Material read_material_element(ElementReader& reader) {
+  reader.allow_attributes({"id", "reflectance"});
+  reader.allow_children({});
+  Material material{reader.id(), reader.number("reflectance", kFraction), reader.where()};
+  if (material.reflectance > kUnusualReflectance) {
+    reader.report(DiagnosticId::reflectance_very_high, reader.where("reflectance"), material.id,
+                  material.reflectance);
+  }
+  return material;
+}
+
+MaintenanceFactor read_maintenance(ElementReader& reader) {
+  constexpr std::array<std::string_view, 4> kParts{"llmf", "lsf", "lmf", "rsmf"};
+  MaintenanceFactor factor;
+  const std::array<std::optional<double>*, 4> parts{&factor.llmf, &factor.lsf, &factor.lmf,
+                                                    &factor.rsmf};
+  bool has_parts = false;
+  for (std::size_t i = 0; i < kParts.size(); ++i) {
+    *parts[i] = reader.optional_number(kParts[i], kPositiveFraction);
+    if (!parts[i]->has_value()) continue;
+    if (!has_parts) reader.exclude("maintenance-factor", kParts[i]);
+    has_parts = true;
+    factor.product *= **parts[i];
+  }
+  if (!has_parts) factor.product = reader.number_or("maintenance-factor", kPositiveFraction, 1.0);
+  return factor;
+}
+
+// Which light of the photometry file is meant.
+PhotometryOptions read_photometry_options(ElementReader& reader) {
+  PhotometryOptions options;
+  options.where = reader.where("photometry");
+  if (reader.has("lamp-set")) options.lamp_set = reader.integer("lamp-set", 1);
+  if (reader.has("variant")) options.variant = reader.text("variant");
+  if (reader.has("emitter")) options.emitter = reader.text("emitter");
+  return options;
+}
+
+LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader) {
+  reader.allow_attributes({"id", "photometry", "flux-lm", "power-w", "maintenance-factor", "llmf",
+                           "lsf", "lmf", "rsmf", "opening", "interpolation", "lamp-set", "variant",
+                           "emitter"});
+  reader.allow_children({});
+  LuminaireType type;
+  type.id = reader.id();
+  type.where = reader.where();
+  type.photometry_file = reader.text("photometry");
+  type.maintenance = read_maintenance(reader);
+  const WebUse use{reader.choice_or("opening", {"file", "point"}, 0) == 1,
+                   reader.choice_or("interpolation", {"linear", "cubic"}, 0) == 1};
+  const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
+  const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
+  const std::size_t errors = reader.diagnostics().error_count();
+  const PhotometryOptions options = read_photometry_options(reader);
+  if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return type;
+  const std::optional<std::size_t> index =
+      context.files.web(type.photometry_file, use, reader.where("photometry"), options);
+  if (!index) return type;
+  const PhotometricWeb& web = context.project.webs[*index];
+  type.web = *index;
+  if (flux_lm) type.flux_scale = *flux_lm / web.flux_lm();
+  // What another flux takes is not known from the file.
+  const bool is_other_light = flux_lm && std::abs(type.flux_scale - 1.0) > 1e-3;
+  type.power_w = power_w.value_or(is_other_light ? 0.0 : web.source().input_power_w);
+  return type;
+}
+
+// Empty if `name` was dimmed before.
+void read_dim(const ProjectContext& context, ElementReader& reader, LightScene& scene) {
+  reader.allow_attributes({"group", "level"});
+  reader.allow_children({});
+  const std::string group = reader.text("group");
+  const double level = reader.number("level", kFraction);
+  if (group.empty()) return;
+  if (!context.groups.contains(group)) {
+    report_unknown_reference(reader, "group", "luminaire with the dimming group", group,
+                             Names(context.groups.begin(), context.groups.end()));
+  }
+  scene.level_of_group.emplace_back(group, level);
+}
+
+LightScene read_light_scene(const ProjectContext& context, ElementReader& reader) {
+  reader.allow_attributes({"id"});
+  reader.allow_children({"dim"});
+  LightScene scene;
+  scene.id = reader.id();
+  scene.where = reader.where();
+  IdTable groups("dimming group");
+  for (const XmlElement& child : reader.element().children) {
+    if (child.name != "dim") continue;
+    ElementReader dim(child, reader.diagnostics());
+    read_dim(context, dim, scene);
+    groups.add(dim, dim.text_or("group", ""), 0);
+  }
+  return scene;
+}
+
+}  // namespace
+
+void read_materials(ProjectContext& context, const XmlElement& root) {
+  for (const XmlElement& child : root.children) {
+    if (child.name != "material") continue;
+    ElementReader reader(child, context.diagnostics);
+    Material material = read_material_element(reader);
+    context.materials.add(reader, material.id, context.project.materials.size());
+    context.project.materials.push_back(std::move(material));
+  }
+}
+
+void read_luminaire_types(ProjectContext& context, const XmlElement& root) {
+  for (const XmlElement& child : root.children) {
+    if (child.name != "luminaire-type") continue;
+    ElementReader reader(child, context.diagnostics);
+    LuminaireType type = read_luminaire_type(context, reader);
+    context.luminaire_types.add(reader, type.id, context.project.luminaire_types.size());
+    context.project.luminaire_types.push_back(std::move(type));
+  }
+}
+
+void read_light_scenes(ProjectContext& context, const XmlElement& root) {
+  IdTable ids("scene");
+  for (const XmlElement& child : root.children) {
+    if (child.name != "scene") continue;
+    ElementReader reader(child, context.diagnostics);
+    LightScene scene = read_light_scene(context, reader);
+    ids.add(reader, scene.id, 0);
+    context.project.scenes.push_back(std::move(scene));
+  }
+}
+
+}  // namespace calc

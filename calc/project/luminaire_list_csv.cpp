@@ -1,0 +1,172 @@
+#include "calc/project/luminaire_list_csv.h"
+
+#include "calc/base/line_cursor.h"
+#include "calc/base/text.h"
+#include "calc/base/units.h"
+#include "calc/base/utf8.h"
+#include "calc/base/xml_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+namespace calc {
+namespace {
+
+enum Column : std::size_t {
+  kName,
+  kType,
+  kX,
+  kY,
+  kZ,
+  kAxisX,
+  kAxisY,
+  kAxisZ,
+  kAimX,
+  kAimY,
+  kAimZ,
+  kRotation,
+  kGroup,
+  kColumns
+};
+constexpr std::array<std::string_view, kColumns> kNames{
+    "name",   "type",    "x_m",     "y_m",     "z_m",          "axis_x", "axis_y",
+    "axis_z", "aim_x_m", "aim_y_m", "aim_z_m", "rotation_deg", "group"};
+constexpr std::size_t kRequired = kAxisX;
+constexpr std::size_t kBadLineLimit = 10;
+constexpr double kShortestDirection = 1.0e-9;
+
+// What is wrong with the line; thrown within this file only.
+struct BadLine {
+  std::string what;
+};
+
+class ListReader {
+ public:
+  // Throws BadLine.
+  void read_header(std::string_view line) {
+    position_.fill(kAbsent);
+    const std::vector<std::string_view> words = split_at_commas(line);
+    columns_ = words.size();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const auto known = std::find(kNames.begin(), kNames.end(), words[i]);
+      if (known == kNames.end()) throw BadLine{"found '" + shorten_utf8(words[i], 40) + "'"};
+      std::size_t& place = position_[static_cast<std::size_t>(known - kNames.begin())];
+      if (place != kAbsent) throw BadLine{fmt::format("'{}' is there twice", words[i])};
+      place = i;
+    }
+    for (std::size_t c = 0; c < kRequired; ++c) {
+      if (position_[c] == kAbsent) throw BadLine{fmt::format("'{}' is missing", kNames[c])};
+    }
+    for (const Column first : {kAxisX, kAimX}) {
+      const bool has = position_[first] != kAbsent;
+      for (std::size_t c = first; c < first + 3u; ++c) {
+        if ((position_[c] != kAbsent) != has) {
+          throw BadLine{fmt::format("of {}, {} and {} only some are there", kNames[first],
+                                    kNames[first + 1u], kNames[first + 2u])};
+        }
+      }
+    }
+  }
+
+  LuminaireEntry read_line(std::string_view line, int number) {
+    if (line.find('"') != std::string_view::npos) throw BadLine{"quotes are not read"};
+    cells_ = split_at_commas(line);
+    if (cells_.size() != columns_) {
+      throw BadLine{fmt::format("expected {} values as in the first line, found {}", columns_,
+                                cells_.size())};
+    }
+    LuminaireEntry entry;
+    entry.line = number;
+    entry.name = cell(kName);
+    entry.type = cell(kType);
+    entry.group = cell(kGroup);
+    if (!is_id(entry.name)) {
+      throw BadLine{
+          fmt::format("the name '{}' is not an id; allowed are letters, digits and _ . : -",
+                      shorten_utf8(entry.name, 40))};
+    }
+    if (entry.type.empty()) throw BadLine{"the type is empty"};
+    entry.position_m = {number_in(kX), number_in(kY), number_in(kZ)};
+    entry.axis = optional_vector(kAxisX);
+    entry.aim_m = optional_vector(kAimX);
+    if (entry.axis && entry.aim_m) throw BadLine{"it has both an axis and an aim"};
+    if (entry.axis && glm::length(*entry.axis) < kShortestDirection) {
+      throw BadLine{"the axis is zero"};
+    }
+    if (entry.aim_m && glm::distance(*entry.aim_m, entry.position_m) < kShortestDirection) {
+      throw BadLine{"the aim is the luminaire's own position"};
+    }
+    if (!cell(kRotation).empty()) entry.rotation_rad = radians_from_degrees(number_in(kRotation));
+    const auto [first, is_new] = line_of_name_.try_emplace(entry.name, number);
+    if (!is_new) {
+      throw BadLine{fmt::format("the name '{}' is also in line {}", entry.name, first->second)};
+    }
+    return entry;
+  }
+
+ private:
+  static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
+
+  std::string_view cell(Column column) const {
+    return position_[column] == kAbsent ? std::string_view() : cells_[position_[column]];
+  }
+
+  double number_in(Column column) const {
+    const std::string_view text = cell(column);
+    const std::optional<double> number = parse_number(text);
+    if (number && std::abs(*number) <= kCoordinate.high) return *number;
+    throw BadLine{fmt::format("{} '{}' is not a number from -1e9 to 1e9", kNames[column],
+                              shorten_utf8(text, 30))};
+  }
+
+  std::optional<glm::dvec3> optional_vector(Column first) const {
+    const auto y = static_cast<Column>(first + 1u), z = static_cast<Column>(first + 2u);
+    if (cell(first).empty() && cell(y).empty() && cell(z).empty()) return std::nullopt;
+    return glm::dvec3(number_in(first), number_in(y), number_in(z));
+  }
+
+  std::array<std::size_t, kColumns> position_{};
+  std::size_t columns_ = 0;
+  std::vector<std::string_view> cells_;
+  std::map<std::string, int> line_of_name_;
+};
+
+}  // namespace
+
+std::optional<LuminaireList> parse_luminaire_list(std::string_view bytes, const std::string& name,
+                                                  Diagnostics& diagnostics) {
+  if (bytes.starts_with(kUtf8ByteOrderMark)) bytes.remove_prefix(kUtf8ByteOrderMark.size());
+  LuminaireList list;
+  list.file = name;
+  ListReader reader;
+  LineCursor lines(bytes);
+  try {
+    reader.read_header(lines.next().value_or(""));
+  } catch (const BadLine& bad) {
+    diagnostics.report(DiagnosticId::luminaire_list_header, SourceLocation{name, 1, 0}, bad.what);
+    return std::nullopt;
+  }
+  std::size_t bad_lines = 0;
+  while (const std::optional<std::string_view> line = lines.next()) {
+    if (trim(*line).empty()) continue;
+    const SourceLocation where{name, lines.line(), 0};
+    try {
+      list.entry.push_back(reader.read_line(*line, lines.line()));
+    } catch (const BadLine& bad) {
+      if (++bad_lines > kBadLineLimit) {
+        diagnostics.report(DiagnosticId::luminaire_list_gives_up, where, kBadLineLimit);
+        break;
+      }
+      diagnostics.report(DiagnosticId::luminaire_list_line, where, bad.what);
+    }
+  }
+  if (bad_lines > 0) return std::nullopt;
+  if (!list.entry.empty()) return list;
+  diagnostics.report(DiagnosticId::luminaire_list_empty, SourceLocation{name, 0, 0});
+  return std::nullopt;
+}
+
+}  // namespace calc

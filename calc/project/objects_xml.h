@@ -1,0 +1,19 @@
+#pragma once
+// Everything that can stand in a room, in the open space or in an assembly.
+
+#include "calc/base/xml_document.h"
+#include "calc/project/object_set.h"
+#include "calc/project/project_context.h"
+
+namespace calc {
+
+inline constexpr int kAssemblyDepthLimit = 16;
+
+// "box", "quad", ..., "luminaire-ring".
+const Names& object_names();
+
+// All child elements with one of these names, in the coordinates around them; other children are
+// left to the caller.
+ObjectSet read_objects(ProjectContext& context, const XmlElement& parent);
+
+}  // namespace calc

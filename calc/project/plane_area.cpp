@@ -1,0 +1,102 @@
+#include "calc/project/plane_area.h"
+
+#include "calc/scene/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace calc {
+namespace {
+
+glm::dvec3 newell_normal(const std::vector<glm::dvec3>& corners) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  return glm::normalize(sum);
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+double outline_size(const PlanarArea& area) {
+  double size = 0.0;
+  for (const glm::dvec2& corner : area.outline_m) {
+    size = std::max(size, glm::distance(corner, area.outline_m[0]));
+  }
+  return size;
+}
+
+}  // namespace
+
+PlanarArea rectangle_area(const Rectangle& rectangle) {
+  PlanarArea area;
+  const double width = glm::length(rectangle.u_m), height = glm::length(rectangle.v_m);
+  area.origin_m = rectangle.origin_m;
+  area.u = rectangle.u_m / width;
+  area.v = glm::normalize(rectangle.v_m - glm::dot(rectangle.v_m, area.u) * area.u);
+  area.outline_m = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  return area;
+}
+
+glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline) {
+  constexpr double kTie = 1.0e-9;
+  const std::size_t n = outline.size();
+  glm::dvec2 longest(0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    glm::dvec2 side = outline[(i + 1) % n] - outline[i];
+    const glm::dvec2 along = glm::normalize(side);
+    for (std::size_t k = 1; k < n; ++k) {
+      const glm::dvec2 next = outline[(i + k + 1) % n] - outline[(i + k) % n];
+      if (std::abs(cross(along, next)) > kTie * glm::length(next) || glm::dot(along, next) < 0.0) {
+        break;
+      }
+      side += next;
+    }
+    if (glm::length(side) > glm::length(longest) * (1.0 + kTie)) longest = side;
+  }
+  glm::dvec2 axis = glm::normalize(longest);
+  while (!(axis.x > 0.0 && std::abs(axis.y) <= axis.x * (1.0 + kTie))) axis = {-axis.y, axis.x};
+  if (std::abs(axis.y) < kTie) axis = {1.0, 0.0};
+  return axis;
+}
+
+PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up) {
+  PlanarArea area;
+  area.origin_m = room.origin_m + glm::dvec3(0, 0, height_m);
+  area.outline_m = room.outline();
+  const glm::dvec2 axis = long_axis(area.outline_m);
+  area.u = glm::dvec3(axis, 0.0);
+  area.v = glm::dvec3(-axis.y, axis.x, 0.0);
+  for (glm::dvec2& corner : area.outline_m) corner = {glm::dot(corner, axis), cross(axis, corner)};
+  if (faces_up) return area;
+  area.v = -area.v;
+  for (glm::dvec2& corner : area.outline_m) corner.y = -corner.y;
+  std::reverse(area.outline_m.begin(), area.outline_m.end());
+  return area;
+}
+
+std::optional<PlanarArea> polygon_area(const std::vector<glm::dvec3>& corners) {
+  if (!triangulate_polygon(corners)) return std::nullopt;
+  PlanarArea area;
+  const glm::dvec3 normal = newell_normal(corners);
+  const glm::dvec3 side = corners[1] - corners[0];
+  area.origin_m = corners[0];
+  area.u = glm::normalize(side - glm::dot(side, normal) * normal);
+  area.v = glm::cross(normal, area.u);
+  for (const glm::dvec3& corner : corners) area.outline_m.push_back(area_coordinates(area, corner));
+  return area;
+}
+
+glm::dvec2 area_coordinates(const PlanarArea& area, const glm::dvec3& point) {
+  const glm::dvec3 offset = point - area.origin_m;
+  return {glm::dot(offset, area.u), glm::dot(offset, area.v)};
+}
+
+bool lies_in_area(const PlanarArea& area, const glm::dvec3& point) {
+  const double distance = std::abs(glm::dot(point - area.origin_m, area.normal()));
+  return distance <= kPlanarTolerance * outline_size(area) &&
+         contains_point(area.outline_m, area_coordinates(area, point));
+}
+
+}  // namespace calc

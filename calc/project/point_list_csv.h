@@ -1,0 +1,20 @@
+#pragma once
+// Points with normals from a CSV file, e.g. the places of a site measurement.
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/project.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+// First line "x,y,z,nx,ny,nz", then six numbers per line; empty lines are skipped. Positions keep
+// the unit of the file (PointList::position_m is to be scaled by the caller), normals are made unit
+// vectors. name: path used in messages and in PointList::file. Empty if and only if an error was
+// reported.
+std::optional<PointList> parse_point_list(std::string_view bytes, const std::string& name,
+                                          Diagnostics& diagnostics);
+
+}  // namespace calc

@@ -1,0 +1,152 @@
+#include "calc/project/project_context.h"
+
+#include "calc/base/text.h"
+#include "calc/base/units.h"
+#include "calc/base/utf8.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace calc {
+namespace {
+
+constexpr std::size_t kNamesShown = 12;
+constexpr std::size_t kNamesCompared = 1000;
+constexpr std::size_t kLongestIdCompared = 100;
+constexpr double kShortestDirection = 1.0e-9;
+constexpr std::string_view kXyz = "3 numbers (x y z)";
+
+glm::dvec3 to_vector(const std::vector<double>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace
+
+void IdTable::add(ElementReader& reader, const std::string& id, std::size_t index) {
+  if (id.empty()) return;
+  const auto [entry, is_new] = entries_.try_emplace(id, Entry{index, reader.where().line});
+  if (is_new) return;
+  reader.report(DiagnosticId::duplicate_id, reader.where("id"), kind_, id, entry->second.line);
+}
+
+std::size_t IdTable::find(ElementReader& reader, std::string_view attribute) const {
+  return find(reader, attribute, reader.text(attribute));
+}
+
+std::size_t IdTable::find(ElementReader& reader, std::string_view attribute,
+                          const std::string& id) const {
+  if (id.empty()) return 0;
+  if (const auto found = entries_.find(id); found != entries_.end()) return found->second.index;
+  report_unknown_reference(reader, attribute, kind_, id, ids());
+  return 0;
+}
+
+std::optional<std::size_t> IdTable::look_up(std::string_view id) const {
+  const auto found = entries_.find(id);
+  if (found == entries_.end()) return std::nullopt;
+  return found->second.index;
+}
+
+Names IdTable::ids() const {
+  Names known;
+  for (const auto& [name, entry] : entries_) known.push_back(name);
+  return known;
+}
+
+void report_unknown_reference(ElementReader& reader, std::string_view attribute,
+                              std::string_view kind, const std::string& id, const Names& known) {
+  std::string list = "none is defined";
+  if (known.size() > kNamesShown) {
+    list = fmt::format("{} others are defined", known.size());
+  } else if (!known.empty()) {
+    list = fmt::format("defined: {}", fmt::join(known, ", "));
+  }
+  // Both limits keep a hostile file from buying much time with little text.
+  const bool can_suggest = known.size() <= kNamesCompared && id.size() <= kLongestIdCompared;
+  reader.report(DiagnosticId::unknown_reference, reader.where(attribute), attribute,
+                reader.element().name, kind, shorten_utf8(id, kLongestIdCompared), list,
+                can_suggest ? suggestion(id, known) : std::string());
+}
+
+const Names& unit_names() {
+  static const Names kNames{"m", "cm", "mm", "in", "ft"};
+  return kNames;
+}
+
+double metres_per_unit(std::size_t unit_index) {
+  constexpr std::array kLengths{1.0, kMetresPerCentimetre, kMetresPerMillimetre, kMetresPerInch,
+                                kMetresPerFoot};
+  return kLengths.at(unit_index);
+}
+
+glm::dvec3 read_vector(ElementReader& reader, std::string_view name) {
+  return to_vector(reader.numbers(name, 3, kXyz));
+}
+
+glm::dvec3 read_direction(ElementReader& reader, std::string_view name) {
+  const std::size_t errors = reader.diagnostics().error_count();
+  const glm::dvec3 direction = read_vector(reader, name);
+  if (glm::length(direction) >= kShortestDirection) return glm::normalize(direction);
+  if (reader.diagnostics().error_count() == errors) {
+    reader.report(DiagnosticId::zero_vector, reader.where(name), name, reader.element().name);
+  }
+  return {0, 0, -1};
+}
+
+glm::dvec3 read_point_m(const ProjectContext& context, ElementReader& reader,
+                        std::string_view name) {
+  return read_vector(reader, name) * context.metres_per_unit;
+}
+
+glm::dvec3 read_point_m_or_zero(const ProjectContext& context, ElementReader& reader,
+                                std::string_view name) {
+  return reader.has(name) ? read_point_m(context, reader, name) : glm::dvec3(0.0);
+}
+
+glm::dvec3 read_size_m(const ProjectContext& context, ElementReader& reader,
+                       std::string_view name) {
+  return to_vector(reader.numbers(name, 3, kXyz, kPositive)) * context.metres_per_unit;
+}
+
+std::vector<glm::dvec3> read_corners_m(const ProjectContext& context, ElementReader& reader,
+                                       std::string_view name) {
+  const std::vector<double> numbers = reader.number_groups(
+      name, 3, 3, kCornerLimit, fmt::format("3 to {} corners of 3 numbers (x y z)", kCornerLimit));
+  std::vector<glm::dvec3> corners;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    corners.push_back(glm::dvec3(numbers[i], numbers[i + 1], numbers[i + 2]) *
+                      context.metres_per_unit);
+  }
+  return corners;
+}
+
+double read_angle_rad(ElementReader& reader, std::string_view name) {
+  return radians_from_degrees(reader.number_or(name, kCoordinate, 0.0));
+}
+
+std::uint32_t read_material(const ProjectContext& context, ElementReader& reader,
+                            std::string_view name) {
+  return static_cast<std::uint32_t>(context.materials.find(reader, name));
+}
+
+bool check_room_for(ProjectContext& context, ElementReader& reader, double instances,
+                    double triangles) {
+  const auto id = reader.element().find("id");
+  const std::string name = id != nullptr ? id->value : reader.element().name;
+  if (context.instances + instances > kInstanceLimit) {
+    reader.report(DiagnosticId::too_many_instances, reader.where(), name,
+                  fmt::format("{:.0f}", context.instances + instances),
+                  fmt::format("{:.0f}", kInstanceLimit));
+    return false;
+  }
+  if (context.triangles + triangles > kTriangleLimit) {
+    reader.report(DiagnosticId::too_many_triangles, reader.where(), name,
+                  fmt::format("{:.0f}", context.triangles + triangles),
+                  fmt::format("{:.0f}", kTriangleLimit));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace calc

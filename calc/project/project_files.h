@@ -1,0 +1,85 @@
+#pragma once
+// Files that a project names: found beside the project file or below it only, each read and
+// recorded once.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+#include "calc/meshes/gbxml.h"
+#include "calc/meshes/mesh_file.h"
+#include "calc/photometry/read/photometry_options.h"
+#include "calc/photometry/web.h"
+#include "calc/project/luminaire_list_csv.h"
+#include "calc/scene/project.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+namespace calc {
+
+// "a/./b/../c" -> "a/c"; empty for absolute names and for names that lead out of the folder they
+// start from.
+std::optional<std::string> normalize_relative_path(std::string_view path);
+
+// How a project uses a file's light.
+struct WebUse {
+  bool as_point = false;  // from the luminaire's centre, without the file's luminous opening
+  bool is_cubic = false;  // hermite_refined()
+};
+
+// Problems are reported where the project names the file. A file that cannot be used is reported
+// once; later uses of it give an empty result without a message.
+class ProjectFiles {
+ public:
+  // All must outlive this object; `project` gets inputs and webs.
+  ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics);
+
+  // The project file itself, Project::path.
+  std::optional<std::string> read_project();
+
+  // Index into Project::webs. options: which of a file's lights; mistakes in them are reported at
+  // options.where.
+  std::optional<std::size_t> web(const std::string& path, const WebUse& use,
+                                 const SourceLocation& named_at,
+                                 const PhotometryOptions& options = {});
+  // Null on errors; stays valid as long as this object. format: if given, other files are errors.
+  const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
+                           const SourceLocation& named_at);
+  // A gbXML file; null on errors, stays valid as long as this object.
+  const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
+  // A CSV file of luminaires; null on errors, stays valid as long as this object.
+  const LuminaireList* luminaire_list(const std::string& path, const SourceLocation& named_at);
+  // In file units, normals normalised. Empty on errors.
+  const std::optional<PointList>& point_list(const std::string& path,
+                                             const SourceLocation& named_at);
+
+ private:
+  std::optional<std::string> resolve(const std::string& path, const SourceLocation& named_at);
+  std::string full_path(const std::string& key) const;
+  std::optional<std::string> read(const std::string& key, const std::string& as_named,
+                                  const SourceLocation& named_at);
+
+  // One light of a file: the path and the choices.
+  using FileLight = std::tuple<std::string, int, std::string, std::string>;
+  const std::optional<PhotometricWeb>& photometry(const FileLight& light,
+                                                  const std::string& as_named,
+                                                  const SourceLocation& named_at,
+                                                  PhotometryOptions options);
+
+  const FileReader& reader_;
+  Project& project_;
+  Diagnostics& diagnostics_;
+  std::map<FileLight, std::optional<PhotometricWeb>> photometry_;
+  std::map<std::tuple<FileLight, bool, bool>, std::optional<std::size_t>> webs_;
+  std::map<std::string, std::optional<TriangleMesh>> meshes_;
+  std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
+  std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
+  std::map<std::string, std::optional<PointList>> point_lists_;
+  std::set<std::string> recorded_;
+};
+
+}  // namespace calc

@@ -1,0 +1,83 @@
+#include "calc/project/project_xml.h"
+
+#include "calc/base/xml_document.h"
+#include "calc/base/xml_reader.h"
+#include "calc/project/energy_xml.h"
+#include "calc/project/library_xml.h"
+#include "calc/project/objects_xml.h"
+#include "calc/project/project_context.h"
+#include "calc/project/project_files.h"
+#include "calc/project/project_warnings.h"
+#include "calc/project/spaces_xml.h"
+
+#include <utility>
+
+namespace calc {
+namespace {
+
+// version, name and units; and whatever does not belong into a project file.
+void read_root(ProjectContext& context, const XmlElement& root) {
+  ElementReader reader(root, context.diagnostics);
+  Names attributes{"version", "name", "units"};
+  // What editors need to find the schema.
+  for (const std::string_view name : {"xmlns:xsi", "xsi:noNamespaceSchemaLocation"}) {
+    if (reader.has(name)) attributes.push_back(name);
+  }
+  if (reader.has("xmlns:xsi")) {
+    reader.choice("xmlns:xsi", {"http://www.w3.org/2001/XMLSchema-instance"});
+  } else if (reader.has("xsi:noNamespaceSchemaLocation")) {
+    reader.require_together("xmlns:xsi", "xsi:noNamespaceSchemaLocation");
+  }
+  reader.allow_attributes(attributes);
+  Names children{"material", "luminaire-type", "scene", "room", "plane", "energy"};
+  children.insert(children.end(), object_names().begin(), object_names().end());
+  reader.allow_children(children);
+  reader.choice("version", {"1"});
+  context.project.name = reader.text_or("name", "");
+  context.metres_per_unit = metres_per_unit(reader.choice_or("units", unit_names(), 0));
+}
+
+void read_contents(ProjectContext& context, const XmlElement& root) {
+  read_root(context, root);
+  read_materials(context, root);
+  read_luminaire_types(context, root);
+  read_rooms(context, root);
+  read_open_space(context, root);
+  read_energy(context, root);  // names groups of all luminaires
+  read_light_scenes(context, root);
+}
+
+}  // namespace
+
+std::optional<ReadProject> read_project(const FileReader& files, const std::string& path,
+                                        Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  ReadProject read;
+  Project& project = read.project;
+  project.path = path;
+  ProjectFiles project_files(files, project, diagnostics);
+  ProjectContext context{project, project_files, diagnostics};
+  std::optional<std::string> bytes = project_files.read_project();
+  if (!bytes) return std::nullopt;
+  const std::optional<XmlElement> root = parse_xml(std::move(*bytes), path, diagnostics);
+  if (!root) return std::nullopt;
+  if (root->name != "luxgate") {
+    diagnostics.report(DiagnosticId::wrong_root_element, root->where, root->name, "luxgate");
+    return std::nullopt;
+  }
+  read_contents(context, *root);
+  read.is_good = diagnostics.error_count() == errors_before;
+  if (read.is_good) warn_about_project(project, context.planes_on_surfaces, diagnostics);
+  return read;
+}
+
+std::optional<Project> load_project(const FileReader& files, const std::string& path,
+                                    Diagnostics& diagnostics) {
+  const std::size_t first = diagnostics.all().size();
+  std::optional<ReadProject> read = read_project(files, path, diagnostics);
+  if (read && read->is_good) return std::move(read->project);
+  diagnostics.sort_by_line(path, first);
+  return std::nullopt;
+}
+
+}  // namespace calc

@@ -1,0 +1,178 @@
+#include "calc/project/workplace_xml.h"
+
+#include "calc/project/plane_area.h"
+#include "calc/scene/polygon.h"
+#include "calc/scene/zone_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace calc {
+namespace {
+
+class WorkplaceReader {
+ public:
+  WorkplaceReader(ProjectContext& context, const PlaneSurroundings& around, const Space& space)
+      : context_(context), around_(around), space_(space) {}
+
+  Workplace read(ElementReader& reader) {
+    reader.allow_children({"zone", "without"});
+    Workplace workplace;
+    workplace.where = reader.where();
+    workplace.id = reader.id();
+    workplace.name = reader.text_or("name", "");
+    workplace.element = reader.element();
+    workplace.task_m = read_area(reader);
+    workplace.height_m = read_height(reader);
+    add_room(workplace);
+    for (const XmlElement& child : reader.element().children) {
+      if (child.name == "zone" || child.name == "without") read_zone(child, workplace);
+    }
+    return workplace;
+  }
+
+ private:
+  // What planes are measured from. Nothing without a good room, which then has its own message.
+  void add_room(Workplace& workplace) const {
+    if (!around_.room_is_good || around_.room == nullptr) return;
+    const RoomPlan& room = *around_.room;
+    workplace.ceiling = horizontal_area(room, room.height_m, false);
+    for (std::size_t i = 0; i < room.corners_m.size(); ++i) {
+      workplace.walls.push_back(rectangle_area(room.wall(i)));
+    }
+  }
+
+  void read_zone(const XmlElement& element, Workplace& workplace) {
+    ElementReader reader(element, context_.diagnostics);
+    reader.allow_children({});
+    ZoneText zone;
+    zone.is_left_out = element.name == "without";
+    if (zone.is_left_out) {
+      reader.allow_attributes({"role", "because"});
+    } else {
+      reader.allow_attributes({"role", "height", "margin", "origin", "size", "footprint", "count",
+                               "spacing", "rounding", "because"});
+    }
+    zone.where = element.where;
+    zone.role = reader.id("role");
+    zone.role_where = reader.where("role");
+    zone.because = zone.is_left_out ? reader.text("because") : reader.text_or("because", "");
+    if (!zone.is_left_out) read_changes(reader, zone);
+    const auto twice = [&](const ZoneText& other) { return other.role == zone.role; };
+    const auto first = std::find_if(workplace.zones.begin(), workplace.zones.end(), twice);
+    if (first != workplace.zones.end() && !zone.role.empty()) {
+      reader.report(DiagnosticId::duplicate_id, zone.role_where, "zone", zone.role,
+                    first->where.line);
+    }
+    workplace.zones.push_back(std::move(zone));
+  }
+
+  void read_changes(ElementReader& reader, ZoneText& zone) {
+    zone.height_m = read_height(reader);
+    if (const auto margin = reader.optional_number("margin", kNonNegative)) {
+      zone.margin_m = *margin * context_.metres_per_unit;
+    }
+    zone.area_m = read_area(reader);
+    const GridText grid = read_grid(context_, reader);
+    if (grid.is_given) zone.grid = grid.rule;
+    const bool changes = zone.height_m || zone.margin_m || zone.grid || reader.has("size") ||
+                         reader.has("footprint");
+    if (changes || !reader.ok()) return;
+    reader.report(DiagnosticId::missing_form, reader.where(), "zone",
+                  "something that it changes: 'height', 'margin', 'origin' and 'size', "
+                  "'footprint', 'count', 'spacing' or 'rounding'");
+  }
+
+  std::optional<double> read_height(ElementReader& reader) {
+    const std::optional<double> height = reader.optional_number("height", kNonNegative);
+    if (!height || !around_.room_is_good || around_.room == nullptr) return std::nullopt;
+    const double room_height = around_.room->height_m / context_.metres_per_unit;
+    if (*height < room_height) return *height * context_.metres_per_unit;
+    reader.report(DiagnosticId::number_out_of_range, reader.where("height"), "height",
+                  reader.element().name, reader.text("height"),
+                  fmt::format("a number from 0 to below the room's height {:.10g}", room_height));
+    return std::nullopt;
+  }
+
+  // origin and size, or footprint, or nothing. Empty after errors, too.
+  std::vector<glm::dvec2> read_area(ElementReader& reader) {
+    if (!reader.exclude("size", "footprint") || !reader.require_together("origin", "size")) {
+      return {};
+    }
+    std::vector<glm::dvec2> corners;
+    const char* name = "footprint";
+    if (reader.has("size")) {
+      name = "size";
+      const std::vector<double> at = reader.numbers("origin", 2, "2 numbers (x y)");
+      const std::vector<double> size =
+          reader.numbers("size", 2, "2 numbers above 0 (along x and y)", kPositive);
+      const glm::dvec2 low(at[0], at[1]), side(size[0], size[1]);
+      corners = {low, {low.x + side.x, low.y}, low + side, {low.x, low.y + side.y}};
+    } else if (reader.has("footprint")) {
+      const std::vector<double> numbers =
+          reader.number_groups("footprint", 2, 3, kZoneCornerLimit,
+                               fmt::format("3 to {} corners of 2 numbers (x y)", kZoneCornerLimit));
+      for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        corners.emplace_back(numbers[i], numbers[i + 1]);
+      }
+    }
+    if (corners.empty() || !reader.ok() || !space_.shell) return {};
+    for (glm::dvec2& corner : corners) {
+      corner = corner * context_.metres_per_unit + glm::dvec2(around_.origin_m);
+    }
+    if (!is_simple_polygon(corners)) {
+      reader.report(DiagnosticId::not_simple_polygon, reader.where(name), name,
+                    reader.element().name, "");
+      return {};
+    }
+    if (signed_area(corners) < 0.0) std::reverse(corners.begin(), corners.end());
+    check_within_room(reader, name, corners);
+    return corners;
+  }
+
+  void check_within_room(ElementReader& reader, const char* name,
+                         const std::vector<glm::dvec2>& corners) {
+    double outside_m2 = 0.0;
+    for (const auto& piece : pieces_outside(corners, space_.shell->footprint_m)) {
+      outside_m2 += signed_area(piece);
+    }
+    constexpr double kRounding = 1.0e-6;  // of the area: corners written to be on a wall
+    const double whole_m2 = signed_area(corners);
+    if (outside_m2 <= kRounding * whole_m2) return;
+    reader.report(DiagnosticId::area_outside_room, reader.where(name), name, reader.element().name,
+                  outside_m2, whole_m2, space_.id);
+  }
+
+  static constexpr std::size_t kZoneCornerLimit = 100;
+
+  ProjectContext& context_;
+  const PlaneSurroundings& around_;
+  const Space& space_;
+};
+
+}  // namespace
+
+void read_workplaces(ProjectContext& context, const XmlElement& room,
+                     const PlaneSurroundings& surroundings, Space& space) {
+  std::map<std::string, int> line_of_id;
+  for (const XmlElement& child : room.children) {
+    if (child.name != "workplace") continue;
+    ElementReader reader(child, context.diagnostics);
+    Workplace workplace = WorkplaceReader(context, surroundings, space).read(reader);
+    if (surroundings.is_gbxml) reader.report(DiagnosticId::workplace_needs_room, child.where);
+    const auto [first, is_new] = line_of_id.try_emplace(workplace.id, child.where.line);
+    if (!is_new && !workplace.id.empty()) {
+      reader.report(DiagnosticId::duplicate_id, reader.where("id"), "workplace", workplace.id,
+                    first->second);
+    }
+    workplace.is_good = surroundings.room_is_good && reader.ok();
+    space.workplaces.push_back(std::move(workplace));
+  }
+}
+
+}  // namespace calc

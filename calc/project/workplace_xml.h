@@ -1,0 +1,21 @@
+#pragma once
+// <workplace>: zones of a room by a row of a rule pack. What can be known without the pack is read
+// and checked here; the names of all its attributes are checked by rules/, which adds its own.
+
+#include "calc/project/planes_xml.h"
+#include "calc/project/project_context.h"
+
+#include <array>
+#include <string_view>
+
+namespace calc {
+
+// The attributes that are read here.
+inline constexpr std::array<std::string_view, 6> kWorkplaceAttributes{
+    "id", "name", "origin", "size", "footprint", "height"};
+
+// All <workplace> of a room into space.workplaces; errors are reported.
+void read_workplaces(ProjectContext& context, const XmlElement& room,
+                     const PlaneSurroundings& surroundings, Space& space);
+
+}  // namespace calc

@@ -1,0 +1,327 @@
+#include "report/build/build.h"
+
+#include "calc/base/statistics.h"
+#include "calc/base/units.h"
+#include "report/build/build_evidence.h"
+#include "report/text/number_format.h"
+#include "rules/measure/candidates.h"
+#include "rules/measure/derived_metrics.h"
+#include "rules/measure/error_spending.h"
+#include "rules/measure/metrics.h"
+#include "rules/measure/replicate_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace report {
+namespace {
+
+// Sum over channels of maintenance factor x mean over replicates, at one point.
+// values: [replicate][channel][point], or empty.
+double maintained_mean(const calc::PlaneField& field, const std::vector<double>& values,
+                       std::size_t replicates, std::size_t point) {
+  if (values.empty()) return 0.0;
+  const std::size_t channels = field.channels.size();
+  double sum = 0.0;
+  for (std::size_t r = 0; r < replicates; ++r) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      sum +=
+          field.channels[c].maintenance_factor * values[(r * channels + c) * field.points + point];
+    }
+  }
+  return sum / static_cast<double>(replicates);
+}
+
+// Of a point: the mean over the receivers that its value is the mean of, or its first one.
+double maintained_point(const calc::PlaneField& field, const calc::SensorGrid& grid,
+                        const std::vector<double>& values, std::size_t replicates,
+                        std::size_t point) {
+  if (grid.derived != calc::DerivedQuantity::four_planes) {
+    return maintained_mean(field, values, replicates, point);
+  }
+  const std::size_t parts = calc::receivers_per_point(grid.derived);
+  double sum = 0.0;
+  for (std::size_t part = 1; part < parts; ++part) {
+    sum += maintained_mean(field, values, replicates, part * grid.position_m.size() + point);
+  }
+  return sum / static_cast<double>(parts - 1);
+}
+
+std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::PlaneField& field,
+                                   const std::vector<calc::Estimate>& estimates) {
+  std::vector<PointRow> rows(grid.position_m.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    PointRow& row = rows[i];
+    row.position_m = grid.position_m[i];
+    row.normal = grid.normal[i];
+    row.column = grid.column.empty() ? 0 : grid.column[i];
+    row.row = grid.row.empty() ? 0 : grid.row[i];
+    row.maintained_lx = estimates[i];
+    row.direct_lx = maintained_point(field, grid, field.direct_exact_lx, 1, i) +
+                    maintained_point(field, grid, field.direct_sampled_lx, field.replicates, i);
+    row.indirect_lx = maintained_point(field, grid, field.indirect_lx, field.replicates, i);
+  }
+  return rows;
+}
+
+// Outlines are kept relative to the area's origin; the document wants them from the grid's.
+std::vector<glm::dvec2> from_grid_origin(const std::vector<glm::dvec2>& polygon,
+                                         const calc::PlanarArea& area,
+                                         const calc::SensorGrid& grid) {
+  std::vector<glm::dvec2> moved;
+  moved.reserve(polygon.size());
+  for (const glm::dvec2& corner : polygon) {
+    const glm::dvec3 offset_m =
+        area.origin_m + corner.x * area.u + corner.y * area.v - grid.origin_m;
+    moved.emplace_back(glm::dot(offset_m, grid.u), glm::dot(offset_m, grid.v));
+  }
+  return moved;
+}
+
+std::string sha256_of(const calc::Project& project, const std::string& file) {
+  const auto found = std::find_if(project.inputs.begin(), project.inputs.end(),
+                                  [&file](const calc::InputFile& input) {
+                                    return input.path == file || input.path.ends_with("/" + file);
+                                  });
+  return found == project.inputs.end() ? "" : found->sha256;
+}
+
+LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_index) {
+  const calc::LuminaireType& type = project.luminaire_types[type_index];
+  const calc::PhotometricWeb& web = project.webs[type.web];
+  LuminaireRow row;
+  row.type_id = type.id;
+  row.photometry_file = type.photometry_file;
+  row.name = web.source().luminaire_name;
+  row.format = web.source().format;
+  for (const calc::Space& space : project.spaces) {
+    row.count += static_cast<int>(std::count_if(
+        space.luminaires.begin(), space.luminaires.end(),
+        [type_index](const calc::Luminaire& luminaire) { return luminaire.type == type_index; }));
+  }
+  row.flux_lm = web.flux_lm() * type.flux_scale;
+  row.power_w = type.power_w;
+  row.max_intensity_cd = web.max_intensity_cd() * type.flux_scale;
+  row.maintenance_factor = type.maintenance.product;
+  row.maintenance = type.maintenance;
+  row.sha256 = sha256_of(project, type.photometry_file);
+  row.c0_cd = polar_curve(web, 0.0, type.flux_scale);
+  row.c90_cd = polar_curve(web, 0.5 * calc::kPi, type.flux_scale);
+  return row;
+}
+
+PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> findings) {
+  PlanePart part;
+  part.id = plane.id;
+  part.name = plane.name;
+  part.where = plane.where;
+  part.kernel = plane.kernel;
+  part.derived = plane.derived;
+  part.made_by = plane.made_by;
+  part.changed = plane.changed;
+  part.findings = std::move(findings);
+  return part;
+}
+
+// Points of which a receiver is so; receivers of point i are at i, i + points, ...
+template <class Marks, class IsSo>
+std::size_t count_points(const Marks& marks, std::size_t points, const IsSo& is_so) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    bool found = false;
+    for (std::size_t k = i; k < marks.size() && !found; k += points) found = is_so(marks[k]);
+    if (found) ++count;
+  }
+  return count;
+}
+
+void count_doubt(const calc::PlaneField& field, PlanePart& part) {
+  const std::size_t points = part.grid.position_m.size();
+  part.unseen_points =
+      count_points(field.unseen, points, [](std::uint8_t mark) { return mark != 0; });
+  part.single_sample_points = count_points(
+      field.largest_share, points, [](float share) { return share > rules::kLargestTrustedShare; });
+}
+
+void add_illuminances(const calc::PlaneField& field, const rules::PointValues& maintained,
+                      double confidence, PlanePart& part) {
+  // A quantity that does not exist (the uniformity of a dark plane) is not a number; renderers show
+  // a dash.
+  const auto statistic = [&](rules::Metric metric) {
+    const auto found = rules::compute_metric(maintained, metric, 0.0, std::nullopt, confidence);
+    return found ? found->estimate : no_estimate();
+  };
+  part.points = build_points(part.grid, field, rules::point_estimates(maintained, confidence));
+  part.average_lx = statistic(rules::Metric::average);
+  part.minimum_lx = statistic(rules::Metric::minimum);
+  part.maximum_lx = statistic(rules::Metric::maximum);
+  part.uniformity_min_avg = statistic(rules::Metric::uniformity_min_avg);
+  part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
+}
+
+// Observers that have a rating: the others' points have none.
+std::vector<std::uint8_t> rated_points(const calc::PlaneField& field,
+                                       const std::vector<double>& weights) {
+  std::vector<std::uint8_t> is_rated(field.points, 1);
+  for (const calc::GlareRefusal& refusal : field.glare.refusals) {
+    if (weights[refusal.channel] > 0.0) is_rated[refusal.point] = 0;
+  }
+  return is_rated;
+}
+
+std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
+                           const std::vector<std::size_t>& all, const PlanePart& part) {
+  std::string words =
+      "UGR after CIE 117 of the new installation, with Guth's position index in closed form, which "
+      "the table of CIE 117 can differ from by up to 0.8; background: reflected light at the eye";
+  const auto rated = static_cast<std::size_t>(std::count_if(
+      part.points.begin(), part.points.end(),
+      [](const PointRow& point) { return std::isfinite(point.maintained_lx.value); }));
+  const std::string refusal = rules::glare_refusal(field.glare, weights, all);
+  if (rated < all.size()) {
+    words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
+             (refusal.empty() ? " observers see no glare source in the field"
+                              : " observers have no rating");
+  }
+  return refusal.empty() ? words : words + ": " + refusal;
+}
+
+// Glare is rated for the new installation, when it is worst; ratios as maintained.
+void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& part) {
+  const calc::DerivedQuantity derived = part.grid.derived;
+  const rules::LightState state = derived == calc::DerivedQuantity::ugr
+                                      ? rules::LightState::initial
+                                      : rules::LightState::maintained;
+  const auto weights = rules::channel_weights(field, state, {});
+  const rules::PointValues receivers = rules::combine_channels(field, state, {});
+  std::vector<std::size_t> all(part.grid.position_m.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto points = rules::make_derived_points(derived, field, receivers, weights, all);
+  const double t = rules::one_sided_t(points->replicates(), 0.5 * (1.0 - confidence));
+  const bool is_glare = derived == calc::DerivedQuantity::ugr;
+  const std::vector<std::uint8_t> is_rated =
+      is_glare ? rated_points(field, weights) : std::vector<std::uint8_t>(all.size(), 1);
+  std::vector<calc::Estimate> estimates;
+  std::vector<std::size_t> rated;
+  for (const std::size_t i : all) {
+    const rules::Limits limits = points->limits(i, t);
+    const bool has_value = is_rated[i] != 0 && std::isfinite(limits.value);
+    if (has_value) rated.push_back(i);
+    estimates.push_back(has_value ? calc::Estimate{limits.value, limits.low, limits.high}
+                                  : no_estimate());
+  }
+  part.points = build_points(part.grid, field, estimates);
+  part.average_lx = part.uniformity_min_avg = part.uniformity_min_max = no_estimate();
+  part.minimum_lx = part.maximum_lx = no_estimate();
+  if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
+  if (rated.empty()) return;
+  const auto chosen = rules::make_derived_points(derived, field, receivers, weights, rated);
+  const auto statistic = [&](rules::Metric metric) {
+    rules::Requirement wanted;
+    wanted.metric = metric;
+    return rules::compute_derived(*chosen, wanted, std::nullopt, std::nullopt, confidence)
+        ->estimate;
+  };
+  part.minimum_lx = statistic(rules::Metric::minimum);
+  part.maximum_lx = statistic(rules::Metric::maximum);
+}
+
+// How far the four planes are from the true integral, on average, with the interval of that.
+std::string four_planes_remark(const rules::PointValues& receivers, double confidence) {
+  const std::vector<double> four = rules::plane_means(rules::mean_of_four_planes(receivers));
+  const std::vector<double> cylinder = rules::plane_means(rules::true_cylinders(receivers));
+  std::vector<double> difference;
+  for (std::size_t r = 0; r < four.size(); ++r) difference.push_back(four[r] - cylinder[r]);
+  const double mean_lx = calc::replicate_mean(cylinder).mean;
+  if (!(mean_lx > 0.0)) return "mean of four vertical planes";
+  calc::Estimate share = calc::t_interval(difference, confidence);
+  for (double* value : {&share.value, &share.low, &share.high}) *value *= 100.0 / mean_lx;
+  return "mean of four planes: " + format_fixed(share.value, 1) + " % (" +
+         format_fixed(share.low, 1) + " to " + format_fixed(share.high, 1) +
+         " %) from the average of the true cylindrical illuminance";
+}
+
+}  // namespace
+
+PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
+                      const calc::PlaneField& field, std::vector<rules::Finding> findings,
+                      double confidence) {
+  const double level = rules::look_confidence(confidence, field.looks_planned);
+  PlanePart part = named_plane(plane, std::move(findings));
+  part.is_computed = true;
+  part.grid = grid;
+  part.stop = field.stop;
+  part.looks_planned = field.looks_planned;
+  count_doubt(field, part);
+  part.counters = field.counters;
+
+  rules::PointValues maintained = rules::combine_channels(field, rules::LightState::maintained, {});
+  part.groups = build_groups(field, grid.derived, level);
+  if (calc::is_plain_number(grid.derived)) {
+    add_ratings(field, level, part);
+  } else {
+    if (grid.derived == calc::DerivedQuantity::four_planes) {
+      part.remarks.push_back(four_planes_remark(maintained, level));
+      maintained = rules::mean_of_four_planes(maintained);
+    }
+    add_illuminances(field, maintained, level, part);
+  }
+  if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
+    part.outline_m = from_grid_origin(area->outline_m, *area, grid);
+    for (const auto& hole : area->holes_m) {
+      part.holes_m.push_back(from_grid_origin(hole, *area, grid));
+    }
+  }
+  return part;
+}
+
+PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reason,
+                                 std::vector<rules::Finding> findings) {
+  PlanePart part = named_plane(plane, std::move(findings));
+  part.reason = std::move(reason);
+  return part;
+}
+
+SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene,
+                      const calc::FluxBalance& balance, std::vector<PlanePart> planes) {
+  SpacePart part;
+  part.id = space.id;
+  part.name = space.name;
+  if (space.shell) {
+    part.footprint_m = space.shell->footprint_m;
+    part.floor_z_m = space.shell->floor_z_m;
+    part.height_m = space.shell->height_m;
+  }
+  part.triangles = scene.triangle.size();
+  part.degenerate_triangles = scene.degenerate_triangles;
+  part.balance = balance;
+  part.balance.absorbed_lm = settled(balance.absorbed_lm);
+  part.balance.escaped_lm = settled(balance.escaped_lm);
+  part.notes = space.notes;
+  part.planes = std::move(planes);
+  for (PlanePart& plane : part.planes) {
+    plane.space_id = space.id;
+    settle_estimates(plane);
+  }
+  return part;
+}
+
+ProjectPart build_project(const calc::Project& project) {
+  ProjectPart part;
+  part.path = project.path;
+  part.name = project.name;
+  part.inputs = project.inputs;
+  for (std::size_t i = 0; i < project.luminaire_types.size(); ++i) {
+    part.luminaires.push_back(build_luminaire(project, i));
+  }
+  return part;
+}
+
+}  // namespace report

@@ -1,0 +1,34 @@
+#pragma once
+// Results to the document: the only place that turns fields and findings into what reports show.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/field.h"
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "report/document/document.h"
+#include "rules/verdict/judge.h"
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+// A plane with its field, computed on `grid` (>= 1 point). confidence in (0, 1): of the run; the
+// level of all intervals is that of one look of the plane, see rules::look_confidence().
+PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
+                      const calc::PlaneField& field, std::vector<rules::Finding> findings,
+                      double confidence);
+
+// A plane without result; reason in words. findings: all not judged.
+PlanePart build_uncomputed_plane(const calc::CalcPlane& plane, std::string reason,
+                                 std::vector<rules::Finding> findings);
+
+// planes: in the order of space.planes; their space_id is set here.
+SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene,
+                      const calc::FluxBalance& balance, std::vector<PlanePart> planes);
+
+// The part of a project that could be read; spaces, times and diagnostics are added by the caller.
+ProjectPart build_project(const calc::Project& project);
+
+}  // namespace report

@@ -1,0 +1,89 @@
+#include "report/build/build_evidence.h"
+
+#include "calc/base/units.h"
+#include "rules/measure/derived_points.h"
+#include "rules/measure/error_spending.h"
+#include "rules/measure/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace report {
+namespace {
+
+using Levels = std::vector<std::pair<std::string, double>>;
+
+// One value per point of the plane. Not for ratings and ratios, which are no illuminances.
+rules::PointValues maintained(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                              const Levels& levels,
+                              rules::LightParts parts = rules::LightParts::all) {
+  rules::PointValues receivers =
+      rules::combine_channels(field, rules::LightState::maintained, levels, parts);
+  return derived == calc::DerivedQuantity::four_planes ? rules::mean_of_four_planes(receivers)
+                                                       : receivers;
+}
+
+calc::Estimate statistic(const rules::PointValues& values, rules::Metric metric, double level) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto found = rules::compute_metric(values, metric, 0.0, std::nullopt, level);
+  return found ? found->estimate : calc::Estimate{kNone, kNone, kNone};
+}
+
+std::vector<std::string> groups_of(const calc::PlaneField& field) {
+  std::vector<std::string> groups;
+  for (const calc::LightChannel& channel : field.channels) {
+    if (std::find(groups.begin(), groups.end(), channel.group) == groups.end())
+      groups.push_back(channel.group);
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<GroupShare> build_groups(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                                     double level) {
+  if (calc::is_plain_number(derived)) return {};
+  const std::vector<std::string> groups = groups_of(field);
+  std::vector<GroupShare> shares;
+  for (const std::string& group : groups) {
+    Levels alone;
+    for (const std::string& other : groups) alone.emplace_back(other, other == group ? 1.0 : 0.0);
+    const auto average = [&](rules::LightParts parts) {
+      return statistic(maintained(field, derived, alone, parts), rules::Metric::average, level);
+    };
+    shares.push_back(
+        {group, average(rules::LightParts::all), average(rules::LightParts::direct).value});
+  }
+  return shares;
+}
+
+PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derived,
+                     const std::vector<rules::Finding>& findings, double confidence) {
+  PlaneLook look;
+  look.paths = field.counters.paths;
+  look.rays =
+      field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
+  look.points =
+      field.counters.active_points.empty() ? field.points : field.counters.active_points.back();
+  const double level = rules::look_confidence(confidence, field.looks_planned);
+  look.average_lx = calc::is_plain_number(derived)
+                        ? no_estimate()
+                        : statistic(maintained(field, derived, {}), rules::Metric::average, level);
+  for (const rules::Finding& finding : findings)
+    look.findings.push_back({finding.verdict, finding.measured});
+  return look;
+}
+
+std::vector<double> polar_curve(const calc::PhotometricWeb& web, double c_rad, double flux_scale) {
+  std::vector<double> cd;
+  for (int step = -kPolarHalfSteps; step <= kPolarHalfSteps; ++step) {
+    const double gamma = calc::radians_from_degrees(std::abs(step) * kPolarStep_deg);
+    cd.push_back(flux_scale * web.intensity_cd(step < 0 ? c_rad + calc::kPi : c_rad, gamma));
+  }
+  return cd;
+}
+
+}  // namespace report

@@ -1,0 +1,20 @@
+#pragma once
+// What plans show of a room beside its planes: luminaires and furniture as seen from above.
+
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project.h"
+#include "report/document/document.h"
+
+namespace report {
+
+// Fills part.luminaires and part.bodies; scene is the prepared space. Of a body the outline of its
+// faces that look up is kept, or all its edges where there are none (a screen), and the convex hull
+// instead of more than kMostBodyLines lines. Surfaces of the room itself are left out, and bodies
+// beyond kMostBodies are only counted (part.bodies_left_out).
+void add_plan_marks(const calc::Project& project, const calc::Space& space,
+                    const calc::PreparedScene& scene, SpacePart& part);
+
+inline constexpr std::size_t kMostBodies = 500;
+inline constexpr std::size_t kMostBodyLines = 64;
+
+}  // namespace report

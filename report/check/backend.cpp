@@ -1,0 +1,147 @@
+#include "report/check/backend.h"
+
+#include "calc/rays/triangle_tree.h"
+#include "gpu/gl_path_tracer.h"
+#include "gpu/gl_short_rays.h"
+#include "gpu/shadow_map_gatherer.h"
+#include "report/shell/option_values.h"
+#include "report/text/number_format.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace cli {
+namespace {
+
+std::string why_no_hardware(const gpu::DeviceList& hardware) {
+  if (!hardware.problem.empty()) return hardware.problem;
+  std::string text;
+  for (const gpu::Device& device : hardware.devices) {
+    if (!text.empty()) text += "; ";
+    text += fmt::format("OpenGL device {} ", device.index);
+    text += device.is_software ? "is software, slower than the CPU backend"
+                               : "cannot be used: " + device.problem;
+  }
+  return text;
+}
+
+std::optional<int> hardware_device(const gpu::DeviceList& hardware) {
+  for (const gpu::Device& device : hardware.devices) {
+    if (device.is_usable() && !device.is_software) return device.index;
+  }
+  return std::nullopt;
+}
+
+std::string describe(const gpu::Device& device, const GpuStages& stages) {
+  const std::string gpu =
+      fmt::format("gpu ({}{})", device.name(), device.is_software ? ", software" : "");
+  const GpuStages rest{!stages.light_paths, !stages.connections, !stages.near_field};
+  if (stages == GpuStages()) return gpu;
+  return fmt::format("{}: {}; cpu ({}): {}", gpu, fmt::join(gpu_stage_names(stages), ", "),
+                     calc::tree_builder_version(), fmt::join(gpu_stage_names(rest), ", "));
+}
+
+// None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to
+// share, so that the answer is the same for any number of threads.
+constexpr double kCores = 16.0;
+constexpr double kCpuConnection_ns = 170.0;    // of one core, as in calc/forecast/cost_model.cpp
+constexpr double kOpen_s = 0.4;                // a context, programs; 0.15 to 0.5
+constexpr double kDeviceConnection_ns = 1.0;   // assumed
+constexpr double kBesideConnection_ns = 20.0;  // of one core: groups, packing [bench_gpu]
+constexpr double kVertex_ns = 15.0;            // some 90 bytes, by one thread
+constexpr double kTriangle_ns = 300.0;         // the tree
+
+}  // namespace
+
+BackendCost backend_cost(const GatherWork& work) {
+  BackendCost cost;
+  cost.cpu_s = 1e-9 * kCpuConnection_ns / kCores * work.connections;
+  cost.open_s = kOpen_s;
+  cost.send_s = 1e-9 * (kVertex_ns * work.vertices + kTriangle_ns * work.triangles);
+  cost.gather_s = 1e-9 * (kDeviceConnection_ns + kBesideConnection_ns / kCores) * work.connections;
+  return cost;
+}
+
+std::optional<gpu::Fault> find_gl_fault(std::string_view name) {
+  if (name.empty()) return gpu::Fault::none;
+  if (name == "no-egl") return gpu::Fault::no_egl;
+  if (name == "out-of-memory") return gpu::Fault::out_of_memory;
+  if (name == "context-lost") return gpu::Fault::context_lost;
+  return std::nullopt;
+}
+
+BackendChoice choose_automatically(const gpu::DeviceList& hardware,
+                                   const std::function<GatherWork()>& work) {
+  const std::optional<int> device = hardware_device(hardware);
+  if (!device) return {Backend::cpu, -1, why_no_hardware(hardware)};
+  const std::string name = hardware.devices[static_cast<std::size_t>(*device)].renderer;
+  const GatherWork amount = work();
+  const BackendCost cost = backend_cost(amount);
+  const bool is_worth_it = cost.gpu_s() < cost.cpu_s;
+  const std::string why = fmt::format(
+      "{} work for {}: {} connections in the first look take some {:.2g} s on {} processor cores, "
+      "{:.2g} s with it: {:.2g} s to open it, {:.2g} s to send scene and light vertices, {:.2g} s "
+      "to "
+      "gather",
+      is_worth_it ? "enough" : "too little", name,
+      report::format_count(static_cast<std::uint64_t>(std::llround(amount.connections))),
+      cost.cpu_s, kCores, cost.gpu_s(), cost.open_s, cost.send_s, cost.gather_s);
+  if (!is_worth_it) return {Backend::cpu, -1, why};
+  return {Backend::gpu, *device, why};
+}
+
+BackendChoice choose_backend(const Options& options, gpu::Fault fault,
+                             const std::function<GatherWork()>& work) {
+  if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
+    // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
+    const GpuStages wanted = options.gpu_stages.value_or(GpuStages{false, true, false});
+    return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL",
+            GpuStages{wanted.light_paths, true, false}, texels};
+  }
+  if (options.backend != Backend::automatic) {
+    return {options.backend, options.gl_device, "asked for with --backend",
+            options.gpu_stages.value_or(GpuStages())};
+  }
+  return choose_automatically(gpu::list_hardware(fault), work);
+}
+
+std::string backend_line(const BackendChoice& choice) {
+  if (choice.backend != Backend::gpu) return fmt::format("backend: cpu: {}\n", choice.why);
+  return fmt::format("backend: gpu: {}\ngpu stages: {}\n", choice.why,
+                     fmt::join(gpu_stage_names(choice.stages), ", "));
+}
+
+std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
+                                        const std::string& program_folder, std::string& problem,
+                                        std::string& warning) {
+  OpenBackend backend;
+  if (choice.backend != Backend::gpu) {
+    backend.gatherer = calc::make_cpu_gatherer();
+    backend.description = backend.gatherer->description();
+    return backend;
+  }
+  const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
+  if (!thread) return std::nullopt;
+  if (thread->device().is_software) warning = thread->device().renderer;
+  const GpuStages& stages = choice.stages;
+  if (choice.shadow_map_texels > 0) {
+    backend.gatherer = gpu::make_shadow_map_gatherer(thread, choice.shadow_map_texels);
+  } else {
+    backend.gatherer =
+        stages.connections ? gpu::make_gl_gatherer(thread) : calc::make_cpu_gatherer();
+  }
+  if (stages.light_paths) backend.path_tracer = gpu::make_gl_path_tracer(thread);
+  if (stages.near_field) backend.short_rays = gpu::make_gl_short_rays(thread);
+  if (choice.shadow_map_texels == 0) {
+    backend.description = describe(thread->device(), stages);
+  } else {
+    backend.description = backend.gatherer->description();
+    if (stages.light_paths) backend.description += "; light paths too";
+  }
+  return backend;
+}
+
+}  // namespace cli

@@ -1,0 +1,332 @@
+#include "report/check/check_project.h"
+
+#include "calc/radiosity/solve.h"
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/sensor_grid.h"
+#include "calc/scene/separate_luminaires.h"
+#include "report/build/build.h"
+#include "report/build/build_evidence.h"
+#include "report/build/build_luminaire_shares.h"
+#include "report/build/build_plan_marks.h"
+#include "report/check/plan.h"
+#include "report/shell/interrupt.h"
+#include "report/tools/vpl/vpl.h"
+#include "rules/binding/bind.h"
+#include "rules/binding/judged_project.h"
+#include "rules/measure/error_spending.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/judge_aggregates.h"
+#include "rules/verdict/stop_rule.h"
+#include "rules/verdict/waiver.h"
+
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <ctime>
+#include <optional>
+#include <utility>
+
+namespace cli {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::optional<rules::JudgedProject> load(const std::string& path, const calc::FileReader& files,
+                                         const std::vector<rules::RulePack>& packs,
+                                         calc::Diagnostics& diagnostics) {
+  std::optional<rules::JudgedProject> loaded =
+      rules::load_judged_project(files, path, packs, diagnostics);
+  if (!loaded) return std::nullopt;
+  const bool counts = std::any_of(
+      loaded->requirements.begin(), loaded->requirements.end(),
+      [](const auto& requirement) { return requirement.severity != rules::Severity::advice; });
+  if (!counts) {
+    diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
+  }
+  return loaded;
+}
+
+report::ProjectPart unreadable_project(const std::string& path,
+                                       const calc::Diagnostics& diagnostics) {
+  report::ProjectPart part;
+  part.path = path;
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+// A plane on its way; without a grid `reason` says why it cannot be computed.
+struct PlaneJob {
+  const calc::CalcPlane* plane;
+  std::vector<rules::Requirement> requirements;
+  std::optional<calc::SensorGrid> grid;
+  std::string reason;
+};
+
+std::vector<PlaneJob> make_grids(const calc::Space& space, const rules::JudgedProject& loaded,
+                                 calc::Diagnostics& diagnostics) {
+  std::vector<PlaneJob> jobs;
+  for (const calc::CalcPlane& plane : space.planes) {
+    PlaneJob& job = jobs.emplace_back();
+    job.plane = &plane;
+    job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
+    job.grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (!job.grid) job.reason = diagnostics.all().back().message;
+  }
+  return jobs;
+}
+
+// The planes that have points; tasks keep their order.
+struct Tasks {
+  std::vector<calc::PlaneTask> list;
+  std::vector<const PlaneJob*> job;
+  std::vector<std::vector<report::PlaneLook>> looks;  // taken so far
+};
+
+Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
+  Tasks tasks;
+  for (const PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    tasks.list.push_back({job.plane->id, &*job.grid});
+    tasks.job.push_back(&job);
+  }
+  tasks.looks.resize(tasks.list.size());
+  return tasks;
+}
+
+// "" where the light of single luminaires can be kept apart, else why not: it takes so many
+// numbers.
+std::string problem_with_separation(const calc::PreparedScene& scene, const Tasks& tasks,
+                                    const Options& options) {
+  constexpr double kMostNumbers = 1 << 24;  // 128 MiB for each of the field's parts
+  constexpr std::size_t kMostLuminaires = 4096;
+  double receivers = 0.0;
+  for (const calc::PlaneTask& task : tasks.list) {
+    receivers += static_cast<double>(task.grid->position_m.size() *
+                                     calc::receivers_per_point(task.grid->derived));
+  }
+  const std::size_t luminaires = scene.luminaires.size();
+  const double numbers = receivers * static_cast<double>(luminaires) * options.radiosity.replicates;
+  if (luminaires <= kMostLuminaires && numbers <= kMostNumbers) return "";
+  return fmt::format(
+      "light by luminaire is left out: {} luminaires at {:.0f} points are too many to keep apart",
+      luminaires, receivers);
+}
+
+// The project's settings with what is left of its time; a limit of 0 would mean none.
+calc::RadiositySettings remaining_settings(const Options& options, const Stopwatch& watch) {
+  calc::RadiositySettings settings = options.radiosity;
+  if (settings.time_limit_s > 0.0) {
+    constexpr double kShortest_s = 1e-3;
+    settings.time_limit_s = std::max(settings.time_limit_s - watch.seconds(), kShortest_s);
+  }
+  return settings;
+}
+
+calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
+                          Tasks& tasks, const CheckContext& context, const Stopwatch& watch,
+                          const calc::VertexCache* cache) {
+  const Options& options = context.options;
+  const rules::StopRule rule{options.goal, options.tolerance, options.confidence};
+  const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
+    const PlaneJob& job = *tasks.job[task];
+    tasks.looks[task].push_back(report::build_look(
+        field, job.grid->derived,
+        rules::judge_plane(job.requirements, *job.grid, field, project.scenes, options.confidence),
+        options.confidence));
+    rules::StopAnswer answer =
+        rules::stop_or_go_on(rule, job.requirements, *job.grid, field, project.scenes);
+    return calc::LookAnswer{answer.finished, std::move(answer.active)};
+  };
+  const auto progress = [&](const calc::SolveProgress& solve_progress) {
+    context.progress.update(solve_progress);
+    return !interrupted();
+  };
+  return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
+                                 options.confidence, context.stages, test, progress, cache);
+}
+
+// Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
+void warn_about_lost_light(const calc::Space& space, const calc::FluxBalance& balance,
+                           calc::Diagnostics& diagnostics) {
+  constexpr double kNegligibleShare = 1e-3;
+  if (!(balance.escaped_lm.value > kNegligibleShare * balance.emitted_lm)) return;
+  if (!space.surfaces_file.empty()) {
+    diagnostics.report(calc::DiagnosticId::gbxml_room_leaks, space.where,
+                       100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id,
+                       space.surfaces_file);
+  }
+  if (!space.shell) return;
+  diagnostics.report(calc::DiagnosticId::light_leaves_room, space.where,
+                     100.0 * balance.escaped_lm.value / balance.emitted_lm, space.id);
+}
+
+// What the calculation refused is an error of that plane.
+void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneField>& fields,
+                   calc::Diagnostics& diagnostics) {
+  std::size_t task = 0;
+  for (PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    job.reason = fields[task++].problem;
+    if (job.reason.empty()) continue;
+    diagnostics.report(calc::DiagnosticId::plane_not_computed, job.plane->where, job.plane->id,
+                       job.reason);
+  }
+}
+
+// "2026-05-31": of the report if it has a date, else of the clock, UTC.
+std::string today(const Options& options) {
+  constexpr std::size_t kDateLength = 10;
+  if (!options.timestamp.empty()) return options.timestamp.substr(0, kDateLength);
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
+report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
+                        const std::vector<calc::LightScene>& scenes, const Options& options) {
+  if (field == nullptr || !job.reason.empty()) {
+    return report::build_uncomputed_plane(*job.plane, job.reason,
+                                          rules::not_judged_plane(job.requirements, job.reason));
+  }
+  std::vector<rules::Finding> findings =
+      rules::judge_plane(job.requirements, *job.grid, *field, scenes, options.confidence);
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(options));
+  return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
+                             options.confidence);
+}
+
+void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
+  times.prepare_s += solution.times.build_s;
+  times.direct_s += solution.times.direct_s;
+  times.pool_s += solution.times.pool_s;
+  times.maps_s += solution.times.maps_s;
+  times.connect_s += solution.times.connect_s;
+  times.near_s += solution.times.near_s;
+}
+
+report::SpacePart check_space(const calc::Space& space, const rules::JudgedProject& loaded,
+                              const CheckContext& context, const Stopwatch& watch,
+                              calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
+  const Stopwatch prepare_watch;
+  std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
+  const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
+  Tasks tasks = make_tasks(jobs);
+  std::optional<calc::PreparedScene> apart;
+  std::string not_apart;
+  if (context.options.by_luminaire) {
+    not_apart = problem_with_separation(scene, tasks, context.options);
+    if (not_apart.empty()) calc::separate_luminaires(apart.emplace(scene));
+  }
+  const calc::PreparedScene& solved = apart ? *apart : scene;
+  times.prepare_s += prepare_watch.seconds();
+
+  const calc::VertexCache* cache =
+      context.cache != nullptr && context.cache->space_id == space.id ? context.cache : nullptr;
+  if (cache != nullptr && !fits(*cache, solved, context.options, diagnostics)) return {};
+  calc::SpaceSolution solution;
+  if (!tasks.list.empty()) solution = solve(loaded.project, solved, tasks, context, watch, cache);
+  if (context.cost_log != nullptr && !tasks.list.empty()) {
+    *context.cost_log += explain_cost(loaded.project.path, space.id, solved, tasks.list,
+                                      context.options.radiosity, solution);
+  }
+  add_times(solution, times);
+  take_problems(jobs, solution.fields, diagnostics);
+  warn_about_lost_light(space, solution.balance, diagnostics);
+
+  const Stopwatch judge_watch;
+  std::vector<report::PlanePart> planes;
+  std::size_t task = 0;
+  for (const PlaneJob& job : jobs) {
+    const calc::PlaneField* field = job.grid ? &solution.fields[task] : nullptr;
+    planes.push_back(judge(job, field, loaded.project.scenes, context.options));
+    if (!job.grid) continue;
+    if (planes.back().is_computed && !field->is_exact())
+      planes.back().looks = std::move(tasks.looks[task]);
+    if (planes.back().is_computed && apart) {
+      planes.back().by_luminaire = report::build_luminaire_shares(
+          *field, space.luminaires, loaded.project.luminaire_types, planes.back(),
+          rules::look_confidence(context.options.confidence, field->looks_planned));
+    }
+    ++task;
+  }
+  times.judge_s += judge_watch.seconds();
+  report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  if (!not_apart.empty()) part.notes.push_back(not_apart);
+  report::add_plan_marks(loaded.project, space, scene, part);
+  part.power = calc::installed_power(loaded.project, space);
+  if (context.pictures != nullptr) {
+    context.pictures->add_pictures(loaded.project.path, space, scene, part);
+  }
+  return part;
+}
+
+std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
+                                                      const calc::Project& project,
+                                                      const std::vector<rules::RulePack>& packs) {
+  std::vector<rules::JudgedPlane> planes;
+  for (std::size_t s = 0; s < part.spaces.size(); ++s) {
+    const calc::Space& space = project.spaces[s];
+    for (std::size_t k = 0; k < part.spaces[s].planes.size(); ++k) {
+      planes.push_back({&space, &space.planes[k], &part.spaces[s].planes[k].findings});
+    }
+  }
+  return rules::judge_aggregates(planes, packs);
+}
+
+}  // namespace
+
+report::ProjectPart check_project(const std::string& path, const CheckContext& context) {
+  const Stopwatch watch;
+  calc::Diagnostics diagnostics;
+  const std::optional<rules::JudgedProject> loaded =
+      load(path, context.files, context.packs, diagnostics);
+  if (!loaded) return unreadable_project(path, diagnostics);
+
+  report::ProjectPart part = report::build_project(loaded->project);
+  report::PhaseTimes times;
+  times.load_s = watch.seconds();
+  if (context.cache != nullptr &&
+      !has_space_of(*context.cache, loaded->project, context.options, diagnostics)) {
+    return unreadable_project(path, diagnostics);
+  }
+  for (const calc::Space& space : loaded->project.spaces) {
+    context.progress.start_space(space.id);
+    part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
+    if (interrupted()) break;
+  }
+  const bool is_refused =
+      std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [](const auto& diagnostic) {
+        return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
+      });
+  if (is_refused) return unreadable_project(path, diagnostics);
+  part.aggregates = judge_aggregates(part, loaded->project, context.packs);
+  part.is_judged = true;
+  part.diagnostics = diagnostics.all();
+  times.total_s = watch.seconds();
+  if (context.options.timing) part.times = times;
+  return part;
+}
+
+report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
+                                     const std::vector<rules::RulePack>& packs) {
+  calc::Diagnostics diagnostics;
+  const std::optional<rules::JudgedProject> loaded = load(path, files, packs, diagnostics);
+  if (!loaded) return unreadable_project(path, diagnostics);
+
+  report::ProjectPart part = report::build_project(loaded->project);
+  for (const calc::Space& space : loaded->project.spaces) make_grids(space, *loaded, diagnostics);
+  part.is_judged = !diagnostics.has_errors();
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+}  // namespace cli

@@ -1,0 +1,141 @@
+#include "report/document/document.h"
+
+#include <cmath>
+#include <limits>
+
+namespace report {
+namespace {
+
+void count(rules::Outcome outcome, VerdictCounts& counts) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      ++counts.not_judged;
+      return;
+    case rules::Outcome::fail:
+      ++counts.fail;
+      return;
+    case rules::Outcome::undecided:
+      ++counts.undecided;
+      return;
+    case rules::Outcome::pass:
+      ++counts.pass;
+      return;
+    case rules::Outcome::waived:
+      ++counts.waived;
+      return;
+    case rules::Outcome::nothing_asked:
+      return;
+  }
+}
+
+void add(const VerdictCounts& counts, VerdictCounts& sum) {
+  sum.pass += counts.pass;
+  sum.fail += counts.fail;
+  sum.undecided += counts.undecided;
+  sum.not_judged += counts.not_judged;
+  sum.waived += counts.waived;
+}
+
+rules::Outcome outcome_of(const PlanePart& plane) {
+  if (!plane.is_computed) return rules::Outcome::not_judged;
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  for (const rules::Finding& finding : plane.findings) {
+    outcome = graver(outcome, outcome_of(finding));
+  }
+  return outcome;
+}
+
+}  // namespace
+
+calc::Estimate no_estimate() {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return {kNone, kNone, kNone};
+}
+
+calc::Estimate settled(const calc::Estimate& estimate) {
+  if (!std::isfinite(estimate.value)) return no_estimate();
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  return {estimate.value, std::isfinite(estimate.low) ? estimate.low : -kOpen,
+          std::isfinite(estimate.high) ? estimate.high : kOpen};
+}
+
+void settle_estimates(PlanePart& plane) {
+  const auto settle = [](calc::Estimate& estimate) { estimate = settled(estimate); };
+  for (calc::Estimate* estimate : {&plane.average_lx, &plane.minimum_lx, &plane.maximum_lx,
+                                   &plane.uniformity_min_avg, &plane.uniformity_min_max}) {
+    settle(*estimate);
+  }
+  for (PointRow& point : plane.points) settle(point.maintained_lx);
+  for (GroupShare& share : plane.groups) settle(share.average_lx);
+  for (rules::Finding& finding : plane.findings) {
+    if (finding.verdict == rules::Verdict::not_judged) continue;
+    settle(finding.measured);
+    if (!std::isfinite(finding.margin)) finding.margin = no_estimate().value;
+  }
+  for (PlaneLook& look : plane.looks) {
+    settle(look.average_lx);
+    for (LookFinding& finding : look.findings) {
+      if (finding.verdict != rules::Verdict::not_judged) settle(finding.measured);
+    }
+  }
+}
+
+int VerdictCounts::of(rules::Verdict verdict) const {
+  switch (verdict) {
+    case rules::Verdict::pass:
+      return pass;
+    case rules::Verdict::fail:
+      return fail;
+    case rules::Verdict::undecided:
+      return undecided;
+    case rules::Verdict::not_judged:
+      break;
+  }
+  return not_judged;
+}
+
+VerdictCounts count_verdicts(const SpacePart& space) {
+  VerdictCounts counts;
+  for (const PlanePart& plane : space.planes) {
+    for (const rules::Finding& finding : plane.findings) count(outcome_of(finding), counts);
+  }
+  return counts;
+}
+
+VerdictCounts count_verdicts(const ProjectPart& project) {
+  VerdictCounts counts;
+  if (!project.is_judged) count(rules::Outcome::not_judged, counts);
+  for (const SpacePart& space : project.spaces) add(count_verdicts(space), counts);
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    count(outcome_of(finding), counts);
+  }
+  return counts;
+}
+
+VerdictCounts count_verdicts(const Document& document) {
+  VerdictCounts sum;
+  for (const ProjectPart& project : document.projects) add(count_verdicts(project), sum);
+  return sum;
+}
+
+rules::Outcome outcome_of(const ProjectPart& project) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  if (!project.is_judged) outcome = rules::Outcome::not_judged;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) outcome = graver(outcome, outcome_of(plane));
+  }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    outcome = graver(outcome, outcome_of(finding));
+  }
+  return outcome;
+}
+
+rules::Outcome outcome_of(const Document& document) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  for (const ProjectPart& project : document.projects) {
+    outcome = graver(outcome, outcome_of(project));
+  }
+  return outcome;
+}
+
+}  // namespace report

@@ -1,0 +1,236 @@
+#pragma once
+// Everything a report says, in no particular format. Renderers read this and nothing else, so that
+// every format tells the same story.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/field.h"
+#include "calc/photometry/web.h"
+#include "calc/scene/installed_power.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/catalogue/aggregate.h"
+#include "rules/catalogue/goal.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/outcome.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// Seconds by phase; absent from formats unless timing was asked for, since they change from run to
+// run.
+struct PhaseTimes {
+  double load_s = 0, prepare_s = 0, direct_s = 0, pool_s = 0, maps_s = 0, connect_s = 0, near_s = 0,
+         judge_s = 0;
+  double total_s = 0;
+};
+
+// On what machines the same command, with the same files, gives the same bits again: any x86-64
+// processor; those with the same graphics device and driver; none, since time cut it short.
+enum class SameBits { any_processor, same_device, nowhere };
+
+struct Provenance {
+  std::string program_version;  // "0.1.0"
+  std::string command_line;     // copyable: "luxgate check office.xml --seed 1"
+  std::string timestamp;        // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
+  std::uint64_t seed = 0;
+  double confidence = 0.95;  // over all looks of a plane
+  rules::Goal goal = rules::Goal::verdict;
+  double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
+  std::uint64_t max_paths = 0;  // per plane and replicate
+  int replicates = 0;
+  std::string backend;      // "cpu (Embree 3.13.5)"
+  int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
+  SameBits same_bits = SameBits::any_processor;
+  bool is_redacted = false;  // see redact()
+};
+
+struct LuminaireRow {
+  std::string type_id, photometry_file, name, format;
+  int count = 0;
+  double flux_lm = 0;  // one luminaire, after any override
+  double power_w = 0;  // 0 = not stated
+  double max_intensity_cd = 0;
+  double maintenance_factor = 1;
+  calc::MaintenanceFactor maintenance;
+  std::string sha256;  // of the photometry file
+  // Intensities in C0-C180 and C90-C270, every kPolarStep_deg of gamma from -180 (C180, C270) to
+  // 180; empty: not known.
+  std::vector<double> c0_cd = {}, c90_cd = {};
+};
+inline constexpr double kPolarStep_deg = 2.5;
+inline constexpr int kPolarHalfSteps = 72;
+
+struct PointRow {
+  glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
+  int column = 0, row = 0;
+  calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
+  double direct_lx = 0;          // maintained, mean over replicates
+  double indirect_lx = 0;
+};
+
+// What one dimming group gives to a plane, alone and at full output, reflections included.
+struct GroupShare {
+  std::string group;          // "" = luminaires without a group
+  calc::Estimate average_lx;  // maintained
+  double direct_lx = 0;       // of it, on average over the points
+};
+
+// What one luminaire gives to a plane, alone and at full output, reflections included; maintained.
+struct LuminaireShare {
+  std::string id;              // "" = the project gives none
+  std::string type_id, group;  // group "" = none
+  glm::dvec3 position_m{0.0};
+  calc::Estimate average_lx;
+  double direct_lx = 0;          // of it, on average over the points
+  calc::Estimate minimum_lx;     // at LuminaireShares::minimum_at_m
+  double minimum_direct_lx = 0;  // of it
+};
+inline constexpr std::size_t kMostLuminaireShares = 10;
+struct LuminaireShares {
+  std::vector<LuminaireShare> largest;  // by average; empty: not asked for
+  std::size_t others = 0;               // 0: there are no more; never 1
+  LuminaireShare rest;                  // all others together: light only
+  glm::dvec3 minimum_at_m{0.0};         // the point with the least light of all luminaires
+};
+
+// A plane as it was after one look at its growing results.
+struct LookFinding {
+  rules::Verdict verdict = rules::Verdict::not_judged;
+  calc::Estimate measured;  // meaningless when not judged
+};
+struct PlaneLook {
+  std::uint64_t paths = 0;  // so far, all replicates
+  std::uint64_t rays = 0;   // so far, towards luminaires, light vertices and near surfaces
+  std::size_t points = 0;   // that took part
+  calc::Estimate average_lx;
+  std::vector<LookFinding> findings;  // as PlanePart::findings
+};
+
+struct PlanePart {
+  std::string id, name, space_id;
+  calc::SourceLocation where;
+  calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
+  // Of ratings and ratios every "lx" below is without unit, but for direct and indirect light.
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;
+  std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
+  bool is_computed = false;          // false: `reason` says why; the rest is then empty
+  std::string reason;
+  std::string made_by, changed;  // see calc::CalcPlane
+  calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
+  std::vector<PointRow> points;
+  calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
+      uniformity_min_max;  // maintained
+  std::vector<rules::Finding> findings;
+  std::vector<GroupShare> groups;  // their averages add up to average_lx
+  LuminaireShares by_luminaire;    // their averages add up to average_lx
+  std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
+  calc::StopReason stop = calc::StopReason::exact;
+  int looks_planned = 1;                 // intervals hold over that many looks together
+  std::size_t unseen_points = 0;         // sampled light may reach them, but no sample has
+  std::size_t single_sample_points = 0;  // a single sample is too large a share of the value
+  calc::SolveCounters counters;
+  std::vector<glm::dvec2>
+      outline_m;  // of the plane, in its (u, v) from grid.origin_m; empty for point lists
+  std::vector<std::vector<glm::dvec2>> holes_m;
+};
+
+struct LuminaireMark {  // for plans
+  glm::dvec3 position_m;
+  std::string type_id;
+  std::string group = {};                  // dimming group; "" = none
+  std::vector<glm::dvec2> outline_m = {};  // of the opening from above, world; empty: a point
+  glm::dvec2 c0{0.0};                      // world direction of C0 from above; 0: it is vertical
+};
+
+struct BodyMark {  // furniture, for plans
+  std::string id;
+  double low_z_m = 0, high_z_m = 0;
+  std::vector<std::array<glm::dvec2, 2>> lines_m;  // from above, world
+};
+
+// A picture of a room in false colours, as files.
+struct RoomPicture {
+  std::string name;   // "corner", "plan": for file names
+  std::string title;  // "seen from above a corner"
+  int width = 0, height = 0;
+  std::string png;           // without legend, transparent around the room
+  std::string labelled_png;  // with legend; "" = not asked for
+  std::string exr;           // in lx; "" = not asked for
+};
+
+struct RoomPictures {
+  std::vector<RoomPicture> list;   // empty: not asked for, or there is a problem
+  std::string problem;             // why there are none; "" = no problem
+  double low_lx = 0, step_lx = 1;  // a ColourScale
+  int bands = 1;
+  double highest_lx = 0;   // seen; above the scale it is painted as the last band
+  double error_share = 0;  // relative standard error of sampling on surfaces, root mean square
+  std::string device;      // that drew them
+};
+
+struct SpacePart {
+  std::string id, name;
+  calc::InstalledPower power;
+  std::vector<glm::dvec2> footprint_m;  // empty for the open space
+  double floor_z_m = 0, height_m = 0;
+  std::size_t triangles = 0;
+  std::size_t degenerate_triangles = 0;  // left out
+  std::vector<LuminaireMark> luminaires;
+  std::vector<BodyMark> bodies;
+  std::size_t bodies_left_out = 0;  // too many to draw
+  calc::FluxBalance balance;
+  std::vector<PlanePart> planes;
+  std::vector<std::string> notes;  // zones of workplaces that were not made, and why
+  RoomPictures pictures;
+};
+
+struct ProjectPart {
+  std::string path, name;
+  bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
+  std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
+  std::vector<LuminaireRow> luminaires;
+  std::vector<SpacePart> spaces;
+  std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
+  std::vector<calc::InputFile> inputs;
+  PhaseTimes times;
+};
+
+struct VerdictCounts {
+  int pass = 0, fail = 0, undecided = 0, not_judged = 0;
+  int waived = 0;  // fail or undecided, but do not count
+
+  int of(rules::Verdict verdict) const;
+  int all() const { return pass + fail + undecided + not_judged + waived; }
+};
+
+struct Document {
+  Provenance provenance;
+  std::vector<ProjectPart> projects;
+};
+
+// Of what does not exist: not a number, which renderers show as a dash.
+calc::Estimate no_estimate();
+// As every document has them: of a value that is not finite no_estimate(), and ends that are not
+// finite (files cannot hold them, nor tell why) as open ones, -infinity and +infinity.
+calc::Estimate settled(const calc::Estimate& estimate);
+// All of a plane's.
+void settle_estimates(PlanePart& plane);
+
+// Over all findings; a project that could not be judged at all counts as one not_judged.
+VerdictCounts count_verdicts(const Document& document);
+VerdictCounts count_verdicts(const ProjectPart& project);
+VerdictCounts count_verdicts(const SpacePart& space);  // of its planes, without aggregates
+
+// The gravest of everything in it. not_judged: also a project that could not be judged at all, and
+// a plane without result, even one of which nothing is required.
+rules::Outcome outcome_of(const Document& document);
+rules::Outcome outcome_of(const ProjectPart& project);
+
+}  // namespace report

@@ -1,0 +1,169 @@
+#include "report/formats/ci_finding.h"
+
+#include "calc/base/file_hash.h"
+#include "report/text/aggregate_words.h"
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace report {
+namespace {
+
+std::string finding_message(const PlanePart& plane, const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const char* unit = rules::unit_of(requirement);
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  std::string text = quantity_words(requirement, plane.kernel);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  if (is_judged) text += " " + format_measured(finding.measured, unit, threshold);
+  text += ", required " + format_required(threshold, unit);
+  if (requirement.state != rules::LightState::maintained) {
+    text += fmt::format(" ({})", rules::state_name(requirement.state));
+  }
+  if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
+  if (is_judged) text += ", margin " + format_margin(finding.margin);
+  if (is_judged && finding.place_m) text += ", at " + format_position(*finding.place_m);
+  if (!requirement.clause.empty()) text += " [" + requirement.clause + "]";
+  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (const std::string note = note_words(finding); !note.empty()) text += " (" + note + ")";
+  if (finding.is_close) text += " (" + close_words(finding) + ")";
+  return printable(text);
+}
+
+std::string project_message(const Texts& t, const ProjectPart& project) {
+  const auto error =
+      std::find_if(project.diagnostics.begin(), project.diagnostics.end(),
+                   [](const calc::Diagnostic& d) { return d.severity() == calc::Severity::error; });
+  if (error == project.diagnostics.end()) return t[Text::project_unreadable_brief];
+  return printable(error->message);
+}
+
+CiFinding of_project(const Texts& t, const ProjectPart& project) {
+  CiFinding entry;
+  entry.project = &project;
+  entry.rule = entry.key = "project";
+  entry.where = {project.path, 0, 0};
+  entry.place = printable(project.path);
+  entry.message = t.say<Text::nothing_is_judged>(project_message(t, project));
+  return entry;
+}
+
+CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& space,
+                   const PlanePart& plane) {
+  CiFinding entry;
+  entry.project = &project;
+  entry.space = &space;
+  entry.plane = &plane;
+  entry.rule = "plane";
+  entry.key = printable(space.id + "/" + plane.id);
+  entry.where = plane.where;
+  entry.place =
+      printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
+  entry.message = t.say<Text::not_computed_brief>(printable(plane.reason));
+  return entry;
+}
+
+CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
+  entry.finding = &finding;
+  entry.verdict = finding.verdict;
+  entry.counts = rules::counts(outcome_of(finding));
+  entry.rule = rules::metric_name(finding.requirement.metric);
+  entry.key += "/" + printable(finding.requirement.id);
+  if (!finding.requirement.where.file.empty()) entry.where = finding.requirement.where;
+  entry.message = finding_message(*entry.plane, finding);
+  return entry;
+}
+
+std::string aggregate_message(const rules::AggregateFinding& finding) {
+  std::string text = fmt::format("{}: {}, required {}", aggregate_title({}, finding),
+                                 aggregate_measured({}, finding), aggregate_required({}, finding));
+  if (!finding.clause.empty()) text += " [" + finding.clause + "]";
+  if (!finding.reason.empty()) text += ": " + finding.reason;
+  if (const std::string note = aggregate_note({}, finding); !note.empty())
+    text += " (" + note + ")";
+  return printable(text);
+}
+
+// number: how many of that name the place has had so far, with this one.
+CiFinding of_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
+                       int number) {
+  CiFinding entry;
+  entry.project = &project;
+  for (const SpacePart& space : project.spaces) {
+    if (space.id == finding.space_id) entry.space = &space;
+  }
+  entry.aggregate = &finding;
+  entry.verdict = finding.verdict;
+  entry.counts = rules::counts(outcome_of(finding));
+  entry.rule = rules::kind_name(finding.kind);
+  entry.key = printable(
+      fmt::format("{}:{}/{}/{}", entry.rule, finding.space_id, finding.plane_id, finding.id));
+  if (number > 1) entry.key += fmt::format("-{}", number);
+  entry.where = finding.where;
+  entry.place = printable(aggregate_place(project, finding));
+  entry.message = aggregate_message(finding);
+  return entry;
+}
+
+void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
+  std::map<std::string, int> seen;
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    const CiFinding first = of_aggregate(project, finding, 1);
+    list.push_back(of_aggregate(project, finding, ++seen[first.key]));
+  }
+}
+
+}  // namespace
+
+bool is_waived(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) return entry.aggregate->is_waived;
+  return entry.finding != nullptr && entry.finding->is_waived;
+}
+
+std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
+  std::vector<std::string> notes;
+  for (const SpacePart& space : project.spaces) {
+    const std::string room = printable(title_of(space.name, space.id));
+    for (const std::string& note : space.notes) notes.push_back(room + ": " + printable(note));
+    for (const PlanePart& plane : space.planes) {
+      if (plane.changed.empty()) continue;
+      notes.push_back(t.say<Text::changed_note>(
+          room + " / " + printable(title_of(plane.name, plane.id)), printable(plane.changed)));
+    }
+  }
+  return notes;
+}
+
+std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
+  std::vector<CiFinding> list;
+  for (const ProjectPart& project : document.projects) {
+    if (!project.is_judged) list.push_back(of_project(t, project));
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        const CiFinding entry = of_plane(t, project, space, plane);
+        bool is_told = plane.is_computed;
+        for (const rules::Finding& finding : plane.findings) {
+          list.push_back(of_finding(entry, finding));
+          is_told = is_told || list.back().counts;
+        }
+        if (!is_told) list.push_back(entry);  // it decides the exit code all the same
+      }
+    }
+    add_aggregates(project, list);
+  }
+  for (CiFinding& entry : list) {
+    if (entry.where.file.empty()) entry.where.file = entry.project->path;
+    // Lengths keep one pair of names from looking like another.
+    entry.fingerprint = calc::sha256_hex(std::to_string(entry.project->path.size()) + ":" +
+                                         entry.project->path + entry.key);
+  }
+  return list;
+}
+
+}  // namespace report

@@ -1,0 +1,48 @@
+#pragma once
+// What CI systems are told: the document as a flat list of findings, each with words of its own, a
+// place in a file and a fingerprint that stays the same from revision to revision.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct CiFinding {
+  const ProjectPart* project = nullptr;
+  const SpacePart* space = nullptr;         // null: the whole project
+  const PlanePart* plane = nullptr;         // null: the whole project
+  const rules::Finding* finding = nullptr;  // null: nothing of the plane or project was judged
+  // Not null: it is this aggregate of the project; finding is null.
+  const rules::AggregateFinding* aggregate = nullptr;
+  rules::Verdict verdict = rules::Verdict::not_judged;
+  bool counts = true;  // false: waived, or advice: it does not decide the exit code
+
+  // "average", "Uo", ..., "aggregate", "class"; "plane" or "project" without a finding.
+  std::string rule;
+  // Unique among the findings of a project: "room/plane/requirement", of ids.
+  std::string key;
+  calc::SourceLocation where;  // of the <require>, the plane or the project
+  std::string place;           // "Office / Desk 1", or the project's path
+  // "average 462.0 ± 7.1 lx, required ≥ 500 lx, margin -7.6 %", or why there is no value.
+  std::string message;
+  // 64 hexadecimal digits of project path and key; not of values, lines or names.
+  std::string fingerprint;
+};
+
+// What must be known of a project beside its findings: zones of workplaces that were not made or
+// left out, and planes that somebody changed. "room: what"; printable(), in document order.
+std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t = {});
+
+// Waived, requirement or aggregate.
+bool is_waived(const CiFinding& entry);
+
+// In document order: every requirement, every plane that was not computed although nothing
+// that counts is required of it, and every project that could not be judged; then every aggregate
+// and class. Text is printable(). Valid as long as the document. t: of the messages of planes and
+// projects; those of findings are English.
+std::vector<CiFinding> ci_findings(const Document& document, const Texts& t = {});
+
+}  // namespace report

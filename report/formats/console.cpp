@@ -1,0 +1,282 @@
+#include "report/formats/console.h"
+
+#include "report/text/aggregate_words.h"
+#include "report/text/plain_text.h"
+#include "report/text/redact.h"
+#include "report/text/text_numbers.h"
+#include "report/text/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace report {
+namespace {
+
+enum Column : std::size_t {
+  kVerdict,
+  kPlace,
+  kQuantity,
+  kRequired,
+  kMeasured,
+  kMargin,
+  kWhere,
+  kColumns
+};
+
+constexpr std::size_t kGap = 2;
+constexpr std::size_t kNarrowestName = 12;
+
+// A table row, or (cells empty) a note below one.
+struct Line {
+  std::array<std::string, kColumns> cells;
+  std::string note;
+  const char* colour = "";
+};
+
+constexpr const char* kBold = "\033[1m";
+constexpr const char* kDim = "\033[2m";
+constexpr const char* kReset = "\033[0m";
+
+const char* outcome_colour(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return "\033[1;31m";
+    case rules::Outcome::undecided:
+      return "\033[1;33m";
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return "\033[32m";
+    case rules::Outcome::nothing_asked:
+      return kDim;
+  }
+  return "\033[1;35m";
+}
+
+const char* verdict_colour(rules::Verdict verdict) {
+  return outcome_colour(rules::outcome_of(verdict));
+}
+
+// A failure stands out in a log without colours, too: it alone is in capitals.
+std::string verdict_cell(const Texts& t, rules::Verdict verdict) {
+  const char* word =
+      verdict == rules::Verdict::fail ? t[Text::fail_in_capitals] : verdict_words(t, verdict);
+  return std::string(verdict_symbol(verdict)) + " " + word;
+}
+
+std::string place_cell(const SpacePart& space, const PlanePart& plane) {
+  return printable(title_of(space.name, space.id)) + " / " +
+         printable(title_of(plane.name, plane.id));
+}
+
+void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                 const rules::Finding& finding, std::vector<Line>& lines) {
+  const rules::Requirement& requirement = finding.requirement;
+  const char* unit = rules::unit_of(requirement);
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  Line line;
+  line.colour = verdict_colour(finding.verdict);
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
+  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kQuantity] =
+      quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement);
+  line.cells[kRequired] = format_required(t, threshold, unit);
+  if (finding.verdict != rules::Verdict::not_judged) {
+    line.cells[kMeasured] = format_measured(t, finding.measured, unit, threshold);
+    line.cells[kMargin] = format_margin(t, finding.margin);
+    if (finding.place_m) line.cells[kWhere] = format_position(t, *finding.place_m);
+  }
+  lines.push_back(std::move(line));
+  const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (const std::string words = note_words(t, finding); !words.empty()) note(printable(words));
+  if (finding.is_close) note(close_words(t, finding));
+}
+
+void add_doubt(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
+  const std::string doubt = doubt_words(t, plane);
+  if (!doubt.empty()) lines.emplace_back().note = doubt;
+}
+
+void add_remarks(const PlanePart& plane, std::vector<Line>& lines) {
+  for (const std::string& remark : plane.remarks) lines.emplace_back().note = printable(remark);
+}
+
+std::string statistics_text(const Texts& t, const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return t.say<Text::brief_extremes>(format_measured(t, plane.minimum_lx, ""),
+                                       format_measured(t, plane.maximum_lx, ""));
+  }
+  return t.say<Text::brief_statistics>(format_measured(t, plane.average_lx, "lx"),
+                                       format_measured(t, plane.minimum_lx, "lx"),
+                                       format_measured(t, plane.uniformity_min_avg, ""));
+}
+
+// Of planes that a workplace has made: what the project has changed about them.
+void add_change(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
+  if (plane.changed.empty()) return;
+  lines.emplace_back().note =
+      printable(t.say<Text::made_and_changed>(plane.made_by, plane.changed));
+}
+
+void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
+               std::vector<Line>& lines) {
+  for (const rules::Finding& finding : plane.findings) add_finding(t, space, plane, finding, lines);
+  if (!plane.findings.empty()) {
+    add_change(t, plane, lines);
+    add_remarks(plane, lines);
+    return add_doubt(t, plane, lines);
+  }
+  Line line;
+  line.cells[kPlace] = place_cell(space, plane);
+  line.cells[kVerdict] = plane.is_computed ? std::string("  ") + t[Text::no_limit]
+                                           : std::string("– ") + t[Text::not_computed];
+  lines.push_back(std::move(line));
+  const std::string quantity =
+      is_plain_illuminance(plane) ? "" : std::string(plane_words(t, plane)) + ": ";
+  lines.emplace_back().note =
+      plane.is_computed ? quantity + statistics_text(t, plane) : printable(plane.reason);
+  add_remarks(plane, lines);
+  add_doubt(t, plane, lines);
+}
+
+void add_aggregate(const Texts& t, const ProjectPart& project,
+                   const rules::AggregateFinding& finding, std::vector<Line>& lines) {
+  Line line;
+  line.colour = verdict_colour(finding.verdict);
+  line.cells[kVerdict] = verdict_cell(t, finding.verdict);
+  line.cells[kPlace] = printable(aggregate_place(project, finding));
+  line.cells[kQuantity] = printable(aggregate_title(t, finding));
+  line.cells[kRequired] = printable(aggregate_required(t, finding));
+  line.cells[kMeasured] = printable(aggregate_measured(t, finding));
+  lines.push_back(std::move(line));
+  const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
+  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
+}
+
+constexpr bool is_number_column(std::size_t column) {
+  return column == kRequired || column == kMeasured || column == kMargin;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool to_the_right) {
+  const std::size_t used = display_width(text);
+  const std::string blanks(used < width ? width - used : 0, ' ');
+  return to_the_right ? blanks + text : text + blanks;
+}
+
+using Widths = std::array<std::size_t, kColumns>;
+
+Line heading(const Texts& t) {
+  Line line;
+  line.cells = {t[Text::head_verdict],  t[Text::head_place],    t[Text::head_quantity],
+                t[Text::head_required], t[Text::head_measured], t[Text::head_margin],
+                t[Text::head_at]};
+  line.colour = kDim;
+  return line;
+}
+
+bool is_heading(const Line& line) { return line.colour == kDim; }
+
+// Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
+Widths natural_widths(const Texts& t, const std::vector<std::vector<Line>>& tables) {
+  const Line head = heading(t);
+  Widths widths{};
+  for (const std::vector<Line>& lines : tables) {
+    for (const Line& line : lines) {
+      if (is_heading(line)) continue;
+      for (std::size_t c = 0; c < kColumns; ++c) {
+        if (line.cells[c].empty()) continue;
+        widths[c] =
+            std::max({widths[c], display_width(line.cells[c]), display_width(head.cells[c])});
+      }
+    }
+  }
+  return widths;
+}
+
+// The name column gives way to a narrow terminal.
+Widths column_widths(const Texts& t, const std::vector<std::vector<Line>>& tables,
+                     int terminal_width) {
+  Widths widths = natural_widths(t, tables);
+  std::size_t total = 2;  // indentation
+  for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
+  const auto available = static_cast<std::size_t>(std::max(terminal_width, 0)) + kGap;
+  if (terminal_width <= 0 || total <= available) return widths;
+  const std::size_t excess = total - available;
+  const std::size_t narrowest = std::min(kNarrowestName, widths[kPlace]);
+  widths[kPlace] = std::max(narrowest, widths[kPlace] > excess ? widths[kPlace] - excess : 0);
+  return widths;
+}
+
+void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
+
+std::string render_line(const Line& line, const Widths& widths, bool colour) {
+  std::string text = "  ";
+  if (!line.note.empty()) {
+    text.append(widths[kVerdict] + kGap, ' ');
+    text += "└ " + line.note;
+    return text + "\n";
+  }
+  for (std::size_t c = 0; c < kColumns; ++c) {
+    if (widths[c] == 0) continue;
+    const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
+    const bool is_coloured = colour && *line.colour != '\0' && (c == kVerdict || is_heading(line));
+    if (is_coloured) text += line.colour;
+    text += padded(shown, widths[c], is_number_column(c));
+    if (is_coloured) text += kReset;
+    text.append(kGap, ' ');
+  }
+  trim_end(text);
+  return text + "\n";
+}
+
+std::vector<Line> project_lines(const Texts& t, const ProjectPart& project) {
+  std::vector<Line> lines;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
+    for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
+  }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    add_aggregate(t, project, finding, lines);
+  }
+  if (!lines.empty()) lines.insert(lines.begin(), heading(t));
+  return lines;
+}
+
+std::string project_title(const ProjectPart& project, bool colour) {
+  std::string title = printable(project.path);
+  if (!project.name.empty()) title += ": " + printable(project.name);
+  return colour ? kBold + title + kReset + "\n" : title + "\n";
+}
+
+}  // namespace
+
+std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
+  std::vector<std::vector<Line>> tables;
+  for (const ProjectPart& project : document.projects) tables.push_back(project_lines(t, project));
+  const Widths widths = column_widths(t, tables, options.width);
+  std::string text;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const ProjectPart& project = document.projects[i];
+    text += project_title(project, options.colour);
+    if (!project.is_judged) {
+      const std::string words = std::string("– ") + t[Text::not_judged_see_errors];
+      text += std::string("  ") +
+              (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
+              (options.colour ? kReset : "") + "\n";
+    }
+    for (const Line& line : tables[i]) text += render_line(line, widths, options.colour);
+    text += "\n";
+  }
+  std::string summary = summary_words(t, document);
+  if (options.colour) summary = outcome_colour(outcome_of(document)) + summary + kReset;
+  text += summary + "\n";
+  if (const std::string words = redaction_words(document, t); !words.empty()) text += words + "\n";
+  return text;
+}
+
+}  // namespace report

@@ -1,0 +1,22 @@
+#pragma once
+// The document as a table for terminals and logs: verdicts first, one line per requirement.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+struct TextOptions {
+  bool colour = false;  // ANSI colours, beside words and symbols, never instead of them
+  int width =
+      0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers never
+};
+
+// UTF-8, every line ends in '\n'. Holds the table of each project and one summary line; warnings
+// and errors are not here (the command line prints them to stderr).
+std::string render_text(const Document& document, const TextOptions& options = {},
+                        const Texts& t = {});
+
+}  // namespace report

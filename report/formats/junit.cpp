@@ -1,0 +1,122 @@
+#include "report/formats/junit.h"
+
+#include "report/formats/ci_finding.h"
+#include "report/text/plain_text.h"
+#include "report/text/redact.h"
+#include "report/text/words.h"
+
+#include <pugixml.hpp>
+
+#include <sstream>
+#include <vector>
+
+namespace report {
+namespace {
+
+enum class CaseResult { passed, skipped, error, failure };
+
+CaseResult result_of(const CiFinding& entry) {
+  if (entry.verdict == rules::Verdict::pass) return CaseResult::passed;
+  if (!entry.counts) return CaseResult::skipped;
+  return entry.verdict == rules::Verdict::not_judged ? CaseResult::error : CaseResult::failure;
+}
+
+struct Counts {
+  int tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(const CiFinding& entry) {
+    ++tests;
+    const CaseResult result = result_of(entry);
+    skipped += result == CaseResult::skipped ? 1 : 0;
+    errors += result == CaseResult::error ? 1 : 0;
+    failures += result == CaseResult::failure ? 1 : 0;
+  }
+  // Schemas of others know no "skipped" of all suites together.
+  void write_to(pugi::xml_node node, bool is_suite) const {
+    node.append_attribute("tests") = tests;
+    node.append_attribute("failures") = failures;
+    node.append_attribute("errors") = errors;
+    if (is_suite) node.append_attribute("skipped") = skipped;
+  }
+};
+
+void set(pugi::xml_node node, const char* name, const std::string& value) {
+  node.append_attribute(name) = value.c_str();
+}
+
+std::string case_name(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) return entry.key;
+  if (entry.plane == nullptr) return "project";
+  const std::string plane = printable(entry.plane->id);
+  return entry.finding == nullptr ? plane
+                                  : plane + " / " + printable(entry.finding->requirement.id);
+}
+
+std::string class_name(const CiFinding& entry) {
+  const std::string project = printable(entry.project->path);
+  return entry.space == nullptr ? project : project + "." + printable(entry.space->id);
+}
+
+void add_case(pugi::xml_node suite, const CiFinding& entry) {
+  pugi::xml_node test = suite.append_child("testcase");
+  set(test, "classname", class_name(entry));
+  set(test, "name", case_name(entry));
+  set(test, "file", printable(entry.where.file));
+  if (entry.where.line > 0) test.append_attribute("line") = entry.where.line;
+  const std::string words = entry.place + ": " + entry.message;
+  const CaseResult result = result_of(entry);
+  if (result == CaseResult::passed) {
+    test.append_child("system-out").text() = words.c_str();
+    return;
+  }
+  if (result == CaseResult::skipped) {
+    set(test.append_child("skipped"), "message", words);
+    return;
+  }
+  pugi::xml_node problem = test.append_child(result == CaseResult::error ? "error" : "failure");
+  set(problem, "type", verdict_key(entry.verdict));
+  set(problem, "message", words);
+  problem.text() = words.c_str();
+}
+
+}  // namespace
+
+std::string render_junit(const Document& document) {
+  const std::vector<CiFinding> findings = ci_findings(document);
+  pugi::xml_document xml;
+  pugi::xml_node declaration = xml.append_child(pugi::node_declaration);
+  set(declaration, "version", "1.0");
+  set(declaration, "encoding", "UTF-8");
+  pugi::xml_node root = xml.append_child("testsuites");
+  set(root, "name", "luxgate");
+  Counts all;
+  for (const CiFinding& entry : findings) all.add(entry);
+  all.write_to(root, false);
+  for (const ProjectPart& project : document.projects) {
+    pugi::xml_node suite = root.append_child("testsuite");
+    set(suite, "name", printable(project.path));
+    Counts counts;
+    for (const CiFinding& entry : findings) {
+      if (entry.project == &project) counts.add(entry);
+    }
+    counts.write_to(suite, true);
+    for (const CiFinding& entry : findings) {
+      if (entry.project == &project) add_case(suite, entry);
+    }
+    std::string notes;
+    // A suite of which nothing was asked has no failure either: it must not look like a pass.
+    if (const rules::Outcome outcome = outcome_of(project);
+        outcome == rules::Outcome::nothing_asked) {
+      notes += std::string(outcome_words(outcome)) + "\n";
+    }
+    for (const std::string& note : ci_notes(project)) notes += note + "\n";
+    const std::string words = redaction_words(document);
+    if (!words.empty() && &project == &document.projects.front()) notes += words + "\n";
+    if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
+  }
+  std::ostringstream out;
+  xml.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
+  return out.str();
+}
+
+}  // namespace report

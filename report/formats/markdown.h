@@ -1,0 +1,15 @@
+#pragma once
+// A summary for a pull request.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// The verdict, a table of what did not pass, and a folded table of what did. Hosts cut long
+// comments off, so each table has at most 100 rows and says what it leaves out.
+std::string render_markdown(const Document& document, const Texts& t = {});
+
+}  // namespace report

@@ -1,0 +1,22 @@
+#pragma once
+// SARIF 2.1.0, which code hosts show beside the lines of a project file.
+
+#include "report/document/document.h"
+
+#include <string>
+
+namespace report {
+
+enum class SarifContent {
+  problems,  // all but passes: GitHub shows every result as an alert, whatever its kind
+  all        // passes too, as kind "pass"
+};
+
+// One run. Results have kind "fail" (level error), "review" (undecided) or "open" (not judged,
+// or advice: level note); what is waived
+// is suppressed, with its reason; ruleId is the quantity, the location is the
+// requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
+// diagnostics are notifications of the invocation.  [OASIS SARIF 2.1.0]
+std::string render_sarif(const Document& document, SarifContent content);
+
+}  // namespace report

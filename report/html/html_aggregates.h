@@ -1,0 +1,20 @@
+#pragma once
+// Aggregates and classes of rule packs as HTML.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// All of one project, with their members; "" if there is none. index: of the project.
+std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index);
+
+// <li> of every aggregate with this verdict that counts, for the list of what needs attention.
+std::vector<std::string> html_aggregate_items(const Texts& t, const Document& document,
+                                              rules::Verdict verdict);
+
+}  // namespace report

@@ -1,0 +1,415 @@
+#include "report/html/html_findings.h"
+
+#include "report/html/html_aggregates.h"
+#include "report/html/pass_factor.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+struct Cells {
+  std::string requirement, notes, required, measured, gauge, margin, place;
+};
+
+constexpr double kGaugeReach = 0.1;  // the ends of the gauge, as a margin
+constexpr double kGaugeWidth = 92, kGaugeMiddle = 46, kGaugeInset = 5;
+
+double gauge_x(const rules::Requirement& requirement, double value) {
+  const double margin = rules::margin(value, requirement.comparison, requirement.limit);
+  return kGaugeMiddle + std::clamp(margin / kGaugeReach, -1.0, 1.0) * (kGaugeMiddle - kGaugeInset);
+}
+
+// A dot at the value, or an arrow head where it is off the gauge.
+std::string gauge_mark(const rules::Finding& finding) {
+  const double x = gauge_x(finding.requirement, finding.measured.value);
+  if (std::abs(finding.margin) <= kGaugeReach) {
+    return fmt::format("<circle cx=\"{}\" cy=\"7\" r=\"3\"/>", svg_number(x));
+  }
+  const bool is_right = finding.margin > 0;
+  return fmt::format("<path class=\"arrow\" d=\"M{} 7l{} -4v8z\"/>", is_right ? kGaugeWidth : 0,
+                     is_right ? -7 : 7);
+}
+
+// The interval against the limit: left of the mark is not met, right is met.
+std::string gauge(const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  if (finding.verdict == rules::Verdict::not_judged || !(requirement.limit > 0.0) ||
+      !std::isfinite(requirement.limit) || !std::isfinite(finding.measured.value) ||
+      std::isnan(finding.measured.low) || std::isnan(finding.measured.high)) {
+    return {};
+  }
+  const double low = gauge_x(requirement, finding.measured.low);
+  const double high = gauge_x(requirement, finding.measured.high);
+  return fmt::format(
+      "<svg class=\"gauge {0}\" width=\"{1}\" height=\"14\" viewBox=\"0 0 {1} 14\" "
+      "aria-hidden=\"true\">"
+      "<path class=\"axis\" d=\"M0 7h{1}\"/><path class=\"span\" d=\"M{2} 7H{3}\"/>"
+      "<path class=\"limit\" d=\"M{4} 1v12\"/>{5}</svg>",
+      verdict_key(finding.verdict), kGaugeWidth, svg_number(std::min(low, high)),
+      svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
+}
+
+// What must be read with the quantity: clause, state, scene, remarks; "" if there is nothing.
+std::string notes_html(const Texts& t, const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  std::string notes;
+  const auto note = [&notes](const std::string& text) {
+    notes += (notes.empty() ? "" : " · ") + text;
+  };
+  if (!requirement.clause.empty()) note(escape_html(requirement.clause));
+  if (requirement.state != rules::LightState::maintained)
+    note(light_state_words(t, requirement.state));
+  if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
+  std::string words;
+  for (const NotePart& part : note_parts(t, finding)) {
+    const std::string html = escape_html(part.text);
+    words += (words.empty() ? "" : "; ") + (part.is_english ? t.english_html(html) : html);
+  }
+  if (!words.empty()) note(words);
+  return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
+}
+
+Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  const char* unit = rules::unit_of(requirement);
+  Cells cells;
+  cells.notes = notes_html(t, finding);
+  cells.requirement = escape_html(quantity_words(t, requirement, plane.kernel)) + cells.notes;
+  cells.required = escape_html(format_required(t, threshold, unit));
+  if (finding.verdict == rules::Verdict::not_judged) return cells;
+  cells.measured = format_measured(t, finding.measured, unit, threshold);
+  cells.gauge = gauge(finding);
+  cells.margin = with_minus(format_margin(t, finding.margin));
+  if (finding.place_m) cells.place = with_minus(format_position(t, *finding.place_m));
+  return cells;
+}
+
+// Reason and closeness as sentences; finished HTML, "" if there is nothing to say.
+std::string remarks(const Texts& t, const rules::Finding& finding) {
+  std::string reason = finding.reason;
+  if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z')
+    reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
+  if (!reason.empty() && reason.back() != '.') reason += '.';
+  std::string text = t.english_html(escape_html(reason));
+  if (finding.is_close) {
+    std::string words = close_words(t, finding);
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    text += (text.empty() ? "" : " ") + escape_html(words) + ".";
+  }
+  if (const std::string words = pass_factor_words(t, finding); !words.empty())
+    text += (text.empty() ? "" : " ") + escape_html(words);
+  return text;
+}
+
+// data-sort: the page's script makes these heads buttons.
+std::string head_cells(const Texts& t, bool is_sortable) {
+  const char* sort = is_sortable ? " data-sort=\"\"" : "";
+  return fmt::format(
+      "<th scope=\"col\"{0}>{1}</th><th scope=\"col\"{0}>{2}</th>"
+      "<th scope=\"col\" class=\"num\"{0}>{3}</th>"
+      "<th scope=\"col\" class=\"num\"{0}>{4}</th>"
+      "<th scope=\"col\" class=\"gauge-head\"><span class=\"unseen\">{5}</span>"
+      "<span aria-hidden=\"true\">{6}</span></th>"
+      "<th scope=\"col\" class=\"num\"{0}>{7}</th>"
+      "<th scope=\"col\" class=\"num\">{8}</th>",
+      sort, t[Text::verdict], t[Text::requirement], t[Text::required], t[Text::measured],
+      t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
+}
+
+std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
+  const Cells cells = cells_of(t, plane, finding);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  return fmt::format(
+      "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
+      "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
+      "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
+      rules::gravity_rank(finding.verdict), badge(t, finding.verdict),
+      escape_html(quantity_words(t, finding.requirement)), cells.requirement,
+      format_shortest(finding.requirement.limit), cells.required,
+      is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
+      is_judged ? format_shortest(finding.margin) : "", cells.margin, cells.place);
+}
+
+std::string plane_link(PlaneIndex index, const PlanePart& plane, const std::string& folder) {
+  return fmt::format("<a href=\"{}\">{}</a>", plane_href(index, folder),
+                     escape_html(title_of(plane.name, plane.id)));
+}
+
+// The first cell of a row. Where a plane has several rows the further ones show its name only when
+// they stand alone.
+std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& plane,
+                     const std::string& folder, bool is_first) {
+  return fmt::format(
+      "<th scope=\"row\" data-v=\"{}\"><span class=\"{}\">{}</span><span class=\"note "
+      "lone\">{}</span></th>",
+      escape_html(title_of(plane.name, plane.id)), is_first ? "first" : "again",
+      is_first ? plane_link(index, plane, folder) : escape_html(title_of(plane.name, plane.id)),
+      escape_html(title_of(space.name, space.id)));
+}
+
+std::string average_words(const Texts& t, const PlanePart& plane) {
+  const std::string value = format_measured(t, plane.average_lx, "lx");
+  if (is_plain_illuminance(plane)) return t.say<Text::average_value>(value);
+  return t.say<Text::average_of_value>(of_plane_words(t, plane), value);
+}
+
+std::string statistics_words(const Texts& t, const PlanePart& plane) {
+  if (calc::is_plain_number(plane.derived)) {
+    return t.say<Text::extremes>(plane_words(t, plane), format_measured(t, plane.minimum_lx, ""),
+                                 format_measured(t, plane.maximum_lx, ""));
+  }
+  return t.say<Text::statistics_line>(average_words(t, plane),
+                                      format_measured(t, plane.minimum_lx, "lx"),
+                                      format_measured(t, plane.uniformity_min_avg, ""));
+}
+
+// A plane without requirements still has a line: nothing is left out silently.
+std::string plain_row(const Texts& t, const std::string& head, const PlanePart& plane) {
+  if (!plane.is_computed) {
+    return fmt::format(
+        "<tr class=\"finding not-judged\">{}<td data-v=\"0\">{}</td><td "
+        "colspan=\"6\">{}</td></tr>\n",
+        head, t[Text::not_computed], t.english_html(escape_html(plane.reason)));
+  }
+  return fmt::format(
+      "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">{}</td><td "
+      "class=\"quiet\" colspan=\"6\">{}.</td></tr>\n",
+      head, t[Text::no_limit], statistics_words(t, plane));
+}
+
+std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, const std::string& folder) {
+  std::string html;
+  for (const rules::Finding& finding : plane.findings) {
+    const bool is_first = &finding == &plane.findings.front();
+    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", verdict_key(finding.verdict),
+                        is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
+                        finding_cells(t, plane, finding));
+  }
+  return plane.findings.empty() ? plain_row(t, row_head(index, space, plane, folder, true), plane)
+                                : html;
+}
+
+// "2 fail, 1 pass" of a room.
+std::string room_words(const Texts& t, const SpacePart& space) {
+  const VerdictCounts counts = count_verdicts(space);
+  std::string words;
+  const auto add = [&](int count, const char* word) {
+    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
+  };
+  for (const rules::Verdict verdict : rules::kGravestFirst)
+    add(counts.of(verdict), verdict_words(t, verdict));
+  add(counts.waived, t[Text::waived]);
+  return words;
+}
+
+std::string room_rows(const Texts& t, const Document& document, std::size_t p, std::size_t s,
+                      const std::string& folder) {
+  const ProjectPart& project = document.projects[p];
+  const SpacePart& space = project.spaces[s];
+  const std::string building =
+      document.projects.size() == 1
+          ? ""
+          : escape_html(title_of(project.name, project.path)) + " <span class=\"sep\">›</span> ";
+  std::string html = fmt::format(
+      "<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{}{} <span "
+      "class=\"quiet\">{}</span></th></tr>\n",
+      building, escape_html(title_of(space.name, space.id)), room_words(t, space));
+  for (std::size_t k = 0; k < space.planes.size(); ++k)
+    html += plane_rows(t, {p, s, k}, space, space.planes[k], folder);
+  return html + "</tbody>\n";
+}
+
+std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& space,
+                           const PlanePart& plane, const rules::Finding& finding,
+                           const std::string& folder) {
+  const Cells cells = cells_of(t, plane, finding);
+  std::string told = escape_html(quantity_words(t, finding.requirement, plane.kernel)) + " " +
+                     cells.required + " " + cells.notes;
+  if (!cells.measured.empty()) {
+    told = t.say<Text::value_for_quantity>(
+        "<b>" + cells.measured + "</b>",
+        escape_html(quantity_words(t, finding.requirement, plane.kernel)), cells.required);
+    told += " " + t.say<Text::margin_of>(cells.margin) + " " + cells.notes;
+  }
+  const std::string remark = remarks(t, finding);
+  return fmt::format("<li>{}<div><p>{} <span class=\"quiet\">{}</span></p><p>{}</p>{}</div></li>\n",
+                     badge(t, finding.verdict), plane_link(index, plane, folder),
+                     t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
+                     remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
+}
+
+// Of one verdict, the furthest from its limit first.
+void add_attention(const Texts& t, const Document& document, rules::Verdict verdict,
+                   const std::string& folder, std::vector<std::string>& items) {
+  std::vector<std::pair<double, std::string>> found;
+  for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
+                               const PlanePart& plane) {
+    for (const rules::Finding& finding : plane.findings) {
+      if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
+        continue;
+      const bool is_judged = verdict != rules::Verdict::not_judged;
+      found.emplace_back(is_judged ? finding.margin : 0.0,
+                         attention_item(t, index, space, plane, finding, folder));
+    }
+  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [margin, item] : found) items.push_back(std::move(item));
+  for (std::string& item : html_aggregate_items(t, document, verdict))
+    items.push_back(std::move(item));
+  if (verdict != rules::Verdict::not_judged) return;
+  for (const ProjectPart& project : document.projects) {
+    if (project.is_judged) continue;
+    items.push_back(fmt::format("<li>{}<div><p><b>{}</b></p><p>{}</p></div></li>\n",
+                                badge(t, verdict), escape_html(project.path),
+                                t[Text::project_unreadable_messages]));
+  }
+}
+
+std::string tools(const Texts& t) {
+  std::string choices = fmt::format("<option value=\"\">{}</option>", t[Text::all]);
+  for (const rules::Verdict verdict : {rules::Verdict::fail, rules::Verdict::undecided,
+                                       rules::Verdict::not_judged, rules::Verdict::pass}) {
+    choices += fmt::format("<option value=\"{}\">{}</option>", verdict_key(verdict),
+                           verdict_words(t, verdict));
+  }
+  return fmt::format(
+      "<div class=\"tools\" id=\"summary-tools\" hidden=\"hidden\"><label>{} <input "
+      "type=\"search\" placeholder=\"{}\"/></label><label>{} <select>{}</select></label>"
+      "<output></output></div>\n",
+      t[Text::find], t[Text::find_hint], t[Text::verdict], choices);
+}
+
+Text banner_sentence(rules::Outcome outcome, const VerdictCounts& counts) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return Text::not_all_met;
+    case rules::Outcome::undecided:
+      return Text::not_all_decided;
+    case rules::Outcome::pass:
+      return counts.waived > 0 ? Text::all_met_or_waived : Text::all_met;
+    case rules::Outcome::waived:
+      return Text::all_waived;
+    case rules::Outcome::nothing_asked:
+      return Text::nothing_asked;
+  }
+  return counts.fail > 0 ? Text::not_all_judged_or_met : Text::not_all_judged;
+}
+
+// Its class gives the banner the tone of a verdict; what is waived is accepted. Where nothing was
+// asked there is no verdict: grey is set here, so that the style of all other pages stays as it is.
+std::string banner_attributes(rules::Outcome outcome) {
+  const auto like = [](rules::Verdict verdict) {
+    return fmt::format("class=\"banner {}\"", verdict_key(verdict));
+  };
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return like(rules::Verdict::fail);
+    case rules::Outcome::undecided:
+      return like(rules::Verdict::undecided);
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return like(rules::Verdict::pass);
+    case rules::Outcome::nothing_asked:
+      return "class=\"banner nothing-asked\" style=\"--tone: var(--none); --tone-soft: "
+             "var(--none-soft)\"";
+  }
+  return like(rules::Verdict::not_judged);
+}
+
+}  // namespace
+
+std::string html_verdict_banner(const Texts& t, const Document& document) {
+  const VerdictCounts counts = count_verdicts(document);
+  const rules::Outcome outcome = outcome_of(document);
+  std::string chips;
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    const int count = counts.of(verdict);
+    chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", verdict_key(verdict),
+                         count == 0 ? " none" : "", count, verdict_words(t, verdict));
+  }
+  return fmt::format(
+      "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
+      "class=\"outcome\">{}</p>"
+      "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
+      banner_attributes(outcome), outcome_symbol(outcome), t[banner_sentence(outcome, counts)],
+      summary_words(t, document), chips);
+}
+
+std::string html_attention(const Texts& t, const Document& document, const std::string& folder) {
+  constexpr std::size_t kOpen = 20;  // more are folded
+  std::vector<std::string> items;
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    if (verdict != rules::Verdict::pass) add_attention(t, document, verdict, folder, items);
+  }
+  if (items.empty()) return {};
+  std::string html = std::string("<section aria-labelledby=\"attention\"><h2 id=\"attention\">") +
+                     t[Text::needs_attention] + "</h2>\n<ul class=\"attention\">\n";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i == kOpen) {
+      html += fmt::format("</ul>\n<details><summary>{}</summary><ul class=\"attention\">\n",
+                          t.say<Text::more>(items.size() - kOpen));
+    }
+    html += items[i];
+  }
+  return html + (items.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
+}
+
+std::string html_summary(const Texts& t, const Document& document, const std::string& folder) {
+  std::string table = fmt::format(
+      "<table class=\"summary\"><caption>{}</caption>\n"
+      "<thead><tr><th scope=\"col\" data-sort=\"\">{}</th>{}</tr></thead>\n",
+      t.say<Text::summary_caption>(format_percent(t, document.provenance.confidence)),
+      t[Text::plane], head_cells(t, true));
+  for (std::size_t p = 0; p < document.projects.size(); ++p) {
+    const ProjectPart& project = document.projects[p];
+    if (!project.is_judged) {
+      table += fmt::format(
+          "<tbody><tr class=\"finding not-judged\"><th scope=\"row\" data-v=\"{0}\">{0}</th><td "
+          "data-v=\"0\">{1}</td><td colspan=\"6\">{2}</td></tr></tbody>\n",
+          escape_html(title_of(project.name, project.path)), badge(t, rules::Verdict::not_judged),
+          t[Text::could_not_be_read]);
+    }
+    for (std::size_t s = 0; s < project.spaces.size(); ++s)
+      table += room_rows(t, document, p, s, folder);
+  }
+  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">" +
+         std::string(t[Text::summary]) + "</h2>\n" + tools(t) +
+         scroll_box(t[Text::summary_of_planes], table + "</table>") + "</section>\n";
+}
+
+std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
+  if (plane.findings.empty()) return {};
+  std::string rows, notes;
+  for (const rules::Finding& finding : plane.findings) {
+    rows += fmt::format("<tr class=\"{}\">{}</tr>\n", verdict_key(finding.verdict),
+                        finding_cells(t, plane, finding));
+    const std::string remark = remarks(t, finding);
+    if (remark.empty()) continue;
+    rows += fmt::format("<tr class=\"remark\"><td></td><td colspan=\"6\">{}</td></tr>\n", remark);
+  }
+  const std::string label =
+      t.say<Text::requirements_of>(escape_html(title_of(plane.name, plane.id)));
+  return scroll_box(
+      label,
+      fmt::format(
+          "<table class=\"findings\"><caption class=\"unseen\">{}</caption><thead><tr>{}</tr>"
+          "</thead><tbody>\n{}</tbody></table>",
+          label, head_cells(t, false), rows));
+}
+
+}  // namespace report

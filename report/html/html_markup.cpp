@@ -1,0 +1,116 @@
+#include "report/html/html_markup.h"
+
+#include "report/html/html_pages.h"
+#include "report/text/plain_text.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace report {
+
+std::string escape_html(std::string_view text) {
+  std::string html;
+  for (const char c : printable(text)) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+std::string with_minus(std::string text) {
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at)) {
+    text.replace(at, 1, "−");
+  }
+  return text;
+}
+
+std::string svg_number(double value) {
+  std::string text = format_fixed(value, 2);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      bits = (bits << 8U) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      const bool is_padding = i + j > bytes.size();
+      text += is_padding ? '=' : kDigits[(bits >> (18U - 6U * static_cast<unsigned>(j))) & 63U];
+    }
+  }
+  return text;
+}
+
+std::string badge(const Texts& t, rules::Verdict verdict) {
+  return fmt::format(
+      "<span class=\"badge {}\"><span class=\"sign\" aria-hidden=\"true\">{}</span>{}</span>",
+      verdict_key(verdict), verdict_symbol(verdict), verdict_words(t, verdict));
+}
+
+std::string plane_anchor(PlaneIndex index) {
+  return fmt::format("p{}s{}k{}", index.project + 1, index.space + 1, index.plane + 1);
+}
+
+std::string page_name(PlaneIndex index) {
+  const std::size_t part = index.plane / kPlanesPerPage;
+  const std::string room = fmt::format("p{}s{}", index.project + 1, index.space + 1);
+  return part == 0 ? room + ".html" : fmt::format("{}-{}.html", room, part + 1);
+}
+
+std::string url_name(const std::string& file_name) {
+  std::string name;
+  for (const char c : file_name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_' || c == '~';
+    if (is_plain) {
+      name += c;
+    } else {
+      name += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return name;
+}
+
+std::string plane_href(PlaneIndex index, std::string_view folder) {
+  const std::string anchor = "#" + plane_anchor(index);
+  return folder.empty() ? anchor : fmt::format("{}/{}{}", folder, page_name(index), anchor);
+}
+
+std::string scroll_box(std::string_view label, std::string_view table) {
+  return fmt::format(
+      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{}</div>\n", label,
+      table);
+}
+
+std::string fact(std::string_view name, std::string_view value) {
+  return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", name, value);
+}
+
+}  // namespace report

@@ -1,0 +1,59 @@
+#pragma once
+// Pieces every part of the HTML report is made of. Text from files goes through escape_html,
+// always.
+
+#include "report/document/document.h"
+#include "report/text/text_numbers.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// Safe as element text and inside a quoted attribute; valid UTF-8, no control characters.
+std::string escape_html(std::string_view text);
+
+// Our own numbers with a typographic minus sign.
+std::string with_minus(std::string text);
+
+// Coordinates in an SVG: two decimals at most, no trailing zeros.
+std::string svg_number(double value);
+
+std::string base64(std::string_view bytes);
+
+// Symbol and word, coloured.
+std::string badge(const Texts& t, rules::Verdict verdict);
+
+// Link target of a plane: by position, since ids may hold anything.
+struct PlaneIndex {
+  std::size_t project = 0, space = 0, plane = 0;
+};
+std::string plane_anchor(PlaneIndex index);
+
+// Address of a plane: in this page, or in the page of html_pages.h that holds it. folder: of those
+// pages; "" = everything is in this page.
+std::string plane_href(PlaneIndex index, std::string_view folder);
+std::string page_name(PlaneIndex index);
+
+// Calls visit(index, project, space, plane) for every plane in document order.
+template <class Visit>
+void for_each_plane(const Document& document, Visit visit) {
+  for (std::size_t p = 0; p < document.projects.size(); ++p) {
+    const ProjectPart& project = document.projects[p];
+    for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+      const SpacePart& space = project.spaces[s];
+      for (std::size_t k = 0; k < space.planes.size(); ++k) {
+        visit(PlaneIndex{p, s, k}, project, space, space.planes[k]);
+      }
+    }
+  }
+}
+
+// A table that can be scrolled sideways on narrow screens; label: escaped words for screen readers.
+std::string scroll_box(std::string_view label, std::string_view table);
+
+// "<tr><th scope="row">...</th><td class="num">...</td></tr>" of finished HTML.
+std::string fact(std::string_view name, std::string_view value);
+
+}  // namespace report

@@ -1,0 +1,429 @@
+#include "report/html/html_plan.h"
+
+#include "report/html/html_isolux.h"
+#include "report/html/html_legend.h"
+#include "report/html/html_markup.h"
+#include "report/html/isolux.h"
+#include "report/html/plan_layout.h"
+#include "report/images/heatmap.h"
+#include "report/images/png.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+constexpr std::size_t kMostSvgCells = 2500;  // more go in as one embedded picture
+constexpr std::size_t kMostIsoluxPoints = 20000;
+constexpr double kBelowPlan = 26;     // px: room for the scale bar
+constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
+
+struct Drawing {
+  const Texts& t;
+  const PlanePart& plane;
+  PlanLayout layout;
+  ColourScale scale;
+  std::vector<PlanLimit> limits;
+  std::optional<Threshold> at_least, at_most;  // that single points must meet
+  std::string anchor;
+  std::vector<IsoluxLevel> isolux = {};
+
+  glm::dvec2 cell_px() const {
+    return glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m) * layout.pixels_per_metre;
+  }
+  // Upper left corner of a cell in the picture.
+  glm::dvec2 cell_corner_px(int column, int row) const {
+    return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
+  }
+  Thresholds thresholds() const { return {at_least, at_most}; }
+  bool misses_a_limit(double lx) const { return misses(at_least, lx) || misses(at_most, lx); }
+};
+
+// The limits widen the scale when that does not squeeze the colours; else they are marked off the
+// scale.
+ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimit>& limits) {
+  double low = plane.points[0].maintained_lx.value, high = low;
+  for (const PointRow& point : plane.points) {
+    low = std::min(low, point.maintained_lx.value);
+    high = std::max(high, point.maintained_lx.value);
+  }
+  const double reach = 0.6 * (high - low);
+  const double least = low - reach, most = high + reach;
+  for (const PlanLimit& limit : limits) {
+    if (limit.limit_lx < least || limit.limit_lx > most) continue;
+    low = std::min(low, limit.limit_lx);
+    high = std::max(high, limit.limit_lx);
+  }
+  return make_colour_scale(low, high);
+}
+
+std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
+  return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
+                     svg_number(size.x), svg_number(size.y), svg_number(size.x));
+}
+
+bool has_direction(const PlanLuminaire& sign) { return glm::length(sign.c0) > 0.1; }
+
+const PointRow& lowest_point(const PlanePart& plane) {
+  return *std::min_element(plane.points.begin(), plane.points.end(),
+                           [](const PointRow& a, const PointRow& b) {
+                             return a.maintained_lx.value < b.maintained_lx.value;
+                           });
+}
+
+// Points by colour band: one group each keeps the file small.
+std::map<int, std::vector<const PointRow*>> by_band(const Drawing& drawing) {
+  std::map<int, std::vector<const PointRow*>> bands;
+  for (const PointRow& point : drawing.plane.points) {
+    bands[band_of(drawing.scale, point.maintained_lx.value)].push_back(&point);
+  }
+  return bands;
+}
+
+std::string svg_cells(const Drawing& drawing) {
+  std::string svg;
+  const glm::dvec2 size = drawing.cell_px();
+  for (const auto& [band, points] : by_band(drawing)) {
+    const std::string colour = hex_colour(band_colour(drawing.scale, band));
+    svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
+    for (const PointRow* point : points) {
+      svg += fmt::format("<path d=\"{}\"><title>{}</title></path>\n",
+                         rectangle(drawing.cell_corner_px(point->column, point->row), size),
+                         drawing.t.say<Text::cell_title>(
+                             format_measured(drawing.t, point->maintained_lx,
+                                             plane_unit(drawing.plane), drawing.thresholds()),
+                             format_cell_lx(drawing.t, point->direct_lx),
+                             format_cell_lx(drawing.t, point->indirect_lx)));
+    }
+    svg += "</g>\n";
+  }
+  return svg;
+}
+
+std::string png_cells(const Drawing& drawing) {
+  const glm::dvec2 corner = drawing.cell_corner_px(0, drawing.plane.grid.rows - 1);
+  const glm::dvec2 cell = drawing.cell_px();
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      "style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n",
+      svg_number(corner.x), svg_number(corner.y), svg_number(cell.x * drawing.plane.grid.columns),
+      svg_number(cell.y * drawing.plane.grid.rows),
+      base64(encode_png(plane_raster(drawing.plane, drawing.scale,
+                                     pixels_per_cell(drawing.plane, kPicturePixels)))));
+}
+
+// One path for all hatched cells; neighbours in a row are joined.
+std::string svg_hatch(const Drawing& drawing) {
+  std::map<std::pair<int, int>, bool> cells;  // by row, then column
+  for (const PointRow& point : drawing.plane.points) {
+    if (drawing.misses_a_limit(point.maintained_lx.value)) cells[{point.row, point.column}] = true;
+  }
+  if (cells.empty()) return {};
+  std::string path;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto [row, column] = first->first;
+    int count = 0;
+    while (first != cells.end() && first->first == std::pair(row, column + count)) {
+      ++count;
+      ++first;
+    }
+    const glm::dvec2 size = drawing.cell_px();
+    path += rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
+  }
+  return fmt::format("<path fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor, path);
+}
+
+std::string cell_text(const Drawing& drawing, double lx) {
+  return format_cell_lx(drawing.t, lx, drawing.thresholds());
+}
+
+// Font size at which every number fits into its cell; 0: they do not fit.
+double number_size_px(const Drawing& drawing) {
+  constexpr double kDigitWidth = 0.6, kSmallest = 7.5, kLargest = 12.5;
+  std::size_t longest = 1;
+  for (const PointRow& point : drawing.plane.points) {
+    longest = std::max(longest, cell_text(drawing, point.maintained_lx.value).size());
+  }
+  const glm::dvec2 cell = drawing.cell_px();
+  const double fitting =
+      std::min(0.86 * cell.x / (kDigitWidth * static_cast<double>(longest)), 0.62 * cell.y);
+  return fitting < kSmallest ? 0.0 : std::min(fitting, kLargest);
+}
+
+std::string svg_numbers(const Drawing& drawing) {
+  const double size = number_size_px(drawing);
+  if (size == 0.0) return {};
+  std::string svg;
+  for (const auto& [band, points] : by_band(drawing)) {
+    const Rgb colour = band_colour(drawing.scale, band);
+    svg += fmt::format("<g class=\"numbers\" fill=\"{}\" stroke=\"{}\" font-size=\"{}\">\n",
+                       needs_dark_text(colour) ? "#000" : "#fff", hex_colour(colour),
+                       svg_number(size));
+    for (const PointRow* point : points) {
+      const glm::dvec2 middle =
+          drawing.cell_corner_px(point->column, point->row) + 0.5 * drawing.cell_px();
+      svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(middle.x),
+                         svg_number(middle.y + 0.36 * size),
+                         cell_text(drawing, point->maintained_lx.value));
+    }
+    svg += "</g>\n";
+  }
+  return svg;
+}
+
+// A circle with a cross for a point, else the opening; a short arrow towards C0.
+std::string svg_luminaires(const Drawing& drawing) {
+  std::string circles, path, arrows;
+  constexpr double kRadius = 5, kArrow = 15, kHead = 3.4;
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
+    const glm::dvec2 p = drawing.layout.pixel(sign.place_m);
+    const std::string outline = svg_path(drawing.layout, sign.outline_m);
+    if (outline.empty()) {
+      circles += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", svg_number(p.x),
+                             svg_number(p.y), kRadius);
+      path += fmt::format("M{} {}l7 7m0-7l-7 7", svg_number(p.x - 3.5), svg_number(p.y - 3.5));
+    }
+    path += outline;
+    if (!has_direction(sign)) continue;
+    const glm::dvec2 ahead = glm::normalize(glm::dvec2(sign.c0.x, -sign.c0.y));
+    const glm::dvec2 beside(-ahead.y, ahead.x);
+    const glm::dvec2 tip = p + kArrow * ahead, foot = tip - 1.6 * kHead * ahead;
+    const glm::dvec2 left = foot + 0.7 * kHead * beside, right = foot - 0.7 * kHead * beside;
+    arrows += fmt::format("M{} {}L{} {}M{} {}L{} {}L{} {}z", svg_number(p.x), svg_number(p.y),
+                          svg_number(foot.x), svg_number(foot.y), svg_number(tip.x),
+                          svg_number(tip.y), svg_number(left.x), svg_number(left.y),
+                          svg_number(right.x), svg_number(right.y));
+  }
+  if (circles.empty() && path.empty()) return {};
+  std::string picture = circles + "<path d=\"" + path + "\"/>";
+  if (!arrows.empty()) picture += "<path class=\"c0\" d=\"" + arrows + "\"/>";
+  return "<g class=\"luminaire halo\">" + picture + "</g><g class=\"luminaire\">" + picture +
+         "</g>\n";
+}
+
+std::string svg_furniture(const Drawing& drawing) {
+  std::string below, above;
+  for (const PlanLine& line : drawing.layout.furniture_m) {
+    const glm::dvec2 from = drawing.layout.pixel(line.from_m), to = drawing.layout.pixel(line.to_m);
+    (line.is_above ? above : below) += fmt::format(
+        "M{} {}L{} {}", svg_number(from.x), svg_number(from.y), svg_number(to.x), svg_number(to.y));
+  }
+  std::string svg;
+  if (!below.empty()) svg += "<path class=\"furniture\" d=\"" + below + "\"/>\n";
+  if (!above.empty()) svg += "<path class=\"furniture above\" d=\"" + above + "\"/>\n";
+  return svg;
+}
+
+std::vector<LabelBox> taken_places(const Drawing& drawing) {
+  constexpr double kDigitWidth = 0.6, kSign = 12;
+  std::vector<LabelBox> taken;
+  if (const double size = number_size_px(drawing); size > 0.0) {
+    for (const PointRow& point : drawing.plane.points) {
+      const glm::dvec2 middle =
+          drawing.cell_corner_px(point.column, point.row) + 0.5 * drawing.cell_px();
+      const auto digits = static_cast<double>(cell_text(drawing, point.maintained_lx.value).size());
+      taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
+    }
+  }
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
+    taken.push_back(box_around(drawing.layout.pixel(sign.place_m), glm::dvec2(kSign)));
+  return taken;
+}
+
+// A frame around the cell, never smaller than can be seen.
+std::string svg_minimum(const Drawing& drawing) {
+  constexpr double kSmallest = 11;
+  const PointRow& point = lowest_point(drawing.plane);
+  const glm::dvec2 cell = drawing.cell_px();
+  const glm::dvec2 size = glm::max(cell, glm::dvec2(kSmallest));
+  const glm::dvec2 corner = drawing.cell_corner_px(point.column, point.row) + 0.5 * (cell - size);
+  const std::string path = rectangle(corner, size);
+  return fmt::format("<path class=\"min-halo\" d=\"{0}\"/><path class=\"min-mark\" d=\"{0}\"/>\n",
+                     path);
+}
+
+std::string svg_scale_bar(const Texts& t, const PlanLayout& layout) {
+  const double length_m = scale_bar_m(layout.high_m.x - layout.low_m.x);
+  const double y = layout.height_px() + 16;
+  return fmt::format(
+      "<path class=\"scale\" d=\"M1 {0}v6h{1}v-6\"/><text x=\"{2}\" y=\"{3}\" class=\"small\">{4} "
+      "m</text>\n",
+      svg_number(y - 4), svg_number(length_m * layout.pixels_per_metre),
+      svg_number(length_m * layout.pixels_per_metre + 8), svg_number(y + 4),
+      format_shortest(t, length_m));
+}
+
+std::string hatch_pattern(const std::string& anchor) {
+  return "<defs><pattern id=\"hatch-" + anchor +
+         "\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+         "patternTransform=\"rotate(45)\">"
+         "<path d=\"M1 0v7\" stroke=\"#000\" stroke-opacity=\".75\" stroke-width=\"1.3\"/>"
+         "<path d=\"M2.4 0v7\" stroke=\"#fff\" stroke-opacity=\".8\" "
+         "stroke-width=\"1.3\"/></pattern></defs>\n";
+}
+
+const char* unit_words(const PlanePart& plane) { return *plane_unit(plane) == '\0' ? "" : " lx"; }
+
+std::string spoken(const Drawing& drawing) {
+  const PlanePart& plane = drawing.plane;
+  const PointRow& lowest = lowest_point(plane);
+  return drawing.t.say<Text::heat_map_of>(
+      escape_html(title_of(plane.name, plane.id)), plane.points.size(),
+      plane_words(drawing.t, plane), cell_text(drawing, plane.minimum_lx.value),
+      cell_text(drawing, plane.maximum_lx.value), unit_words(plane),
+      format_position(drawing.t, lowest.position_m));
+}
+
+std::string svg_plan(const Drawing& drawing) {
+  const PlanLayout& layout = drawing.layout;
+  const std::string width = svg_number(layout.width_px()),
+                    height = svg_number(layout.height_px() + kBelowPlan);
+  std::string svg = fmt::format(
+      "<svg class=\"plan\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+      "aria-label=\"{2}\">\n",
+      width, height, spoken(drawing));
+  svg += hatch_pattern(drawing.anchor);
+  svg += fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width,
+                     svg_number(layout.height_px()));
+  const std::string room = svg_path(layout, layout.room_m);
+  if (!room.empty()) svg += fmt::format("<path class=\"floor\" d=\"{}\"/>\n", room);
+  svg += drawing.plane.points.size() > kMostSvgCells ? png_cells(drawing) : svg_cells(drawing);
+  svg += svg_hatch(drawing);
+  std::string outline = svg_path(layout, drawing.plane.outline_m);
+  for (const auto& hole : drawing.plane.holes_m) outline += svg_path(layout, hole);
+  if (!outline.empty()) svg += fmt::format("<path class=\"outline\" d=\"{}\"/>\n", outline);
+  svg += svg_furniture(drawing);
+  if (!room.empty()) svg += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", room);
+  const IsoluxDrawing isolux =
+      svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
+  svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
+         isolux.labels + "</svg>\n";
+  return svg + svg_scale_bar(drawing.t, layout) + "</svg>\n";
+}
+
+// "+x", "−y" for an axis of the world, else its components.
+std::string direction_words(const Texts& t, const glm::dvec3& direction) {
+  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < 1.0 - 1e-9) continue;
+    return std::string(direction[axis] > 0 ? "+" : "−") + kNames[static_cast<std::size_t>(axis)];
+  }
+  return with_minus(format_position(t, direction));
+}
+
+std::string caption(const Drawing& drawing) {
+  const calc::SensorGrid& grid = drawing.plane.grid;
+  const bool is_planar = is_plain_illuminance(drawing.plane);
+  const Text view = is_horizontal(glm::cross(grid.u, grid.v)) ? Text::plan_view
+                    : is_planar                               ? Text::from_measured_side
+                                                              : Text::from_front;
+  const Texts& t = drawing.t;
+  return t.say<Text::plan_caption>(values_words(t, drawing.plane), t[view],
+                                   direction_words(t, grid.u), direction_words(t, grid.v));
+}
+
+std::vector<std::size_t> band_counts(const Drawing& drawing) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(drawing.scale.bands));
+  for (const PointRow& point : drawing.plane.points)
+    ++counts[static_cast<std::size_t>(band_of(drawing.scale, point.maintained_lx.value))];
+  return counts;
+}
+
+PlanSigns signs_of(const Drawing& drawing) {
+  PlanSigns signs;
+  signs.anchor = drawing.anchor;
+  signs.unit = plane_unit(drawing.plane);
+  const PlanLayout& layout = drawing.layout;
+  signs.has_openings = std::any_of(layout.luminaires_m.begin(), layout.luminaires_m.end(),
+                                   [](const auto& sign) { return !sign.outline_m.empty(); });
+  signs.luminaires = layout.luminaires_m.size();
+  signs.has_directions =
+      std::any_of(layout.luminaires_m.begin(), layout.luminaires_m.end(), has_direction);
+  signs.has_furniture = !layout.furniture_m.empty();
+  signs.has_above = std::any_of(layout.furniture_m.begin(), layout.furniture_m.end(),
+                                [](const PlanLine& line) { return line.is_above; });
+  for (const IsoluxLevel& level : drawing.isolux) {
+    if (level.lines.empty()) continue;
+    if (!level.is_required) signs.has_isolux = true;
+    if (level.is_required)
+      signs.required += (signs.required.empty() ? "" : ", ") +
+                        format_limit(drawing.t, level.lx, plane_unit(drawing.plane));
+  }
+  const PointRow& lowest = lowest_point(drawing.plane);
+  const Texts& t = drawing.t;
+  signs.minimum = t.say<Text::value_at_place>(
+      cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane),
+      with_minus(format_position(t, lowest.position_m)));
+  const char* unit = plane_unit(drawing.plane);
+  for (const PointRow& point : drawing.plane.points) {
+    const double lx = point.maintained_lx.value;
+    if (misses(drawing.at_least, lx)) {
+      const std::string limit = format_limit(t, drawing.at_least->limit, unit);
+      const bool is_strict = drawing.at_least->comparison == rules::Comparison::more_than;
+      signs.below = is_strict ? t.say<Text::not_above>(limit) : t.say<Text::below>(limit);
+    }
+    if (misses(drawing.at_most, lx)) {
+      const std::string limit = format_limit(t, drawing.at_most->limit, unit);
+      const bool is_strict = drawing.at_most->comparison == rules::Comparison::less_than;
+      signs.above = is_strict ? t.say<Text::not_below>(limit) : t.say<Text::above>(limit);
+    }
+  }
+  return signs;
+}
+
+// What is drawn of a plane. has_all: no line of equal value was left out.
+Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                     std::string_view anchor, bool& has_all) {
+  const std::vector<PlanLimit> limits = plan_limits(t, plane);
+  Drawing drawing{t,
+                  plane,
+                  lay_out_plan(space, plane, {640, 460}),
+                  scale_with_limits(plane, limits),
+                  limits,
+                  point_threshold(plane, PointSide::from_below),
+                  point_threshold(plane, PointSide::from_above),
+                  std::string(anchor)};
+  // Lines between numbers must leave them readable.
+  drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
+  has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);
+  return drawing;
+}
+
+std::string colour_bar(const Drawing& drawing) {
+  return html_colour_bar(drawing.t, drawing.scale, drawing.limits, band_counts(drawing),
+                         plane_unit(drawing.plane));
+}
+
+}  // namespace
+
+std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                      std::string_view anchor) {
+  bool has_all = true;
+  const Drawing drawing = make_drawing(t, space, plane, anchor, has_all);
+  std::string left_out;
+  if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
+  if (space.bodies_left_out > 0)
+    left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
+  return "<figure>\n" + svg_plan(drawing) + colour_bar(drawing) +
+         html_plan_key(t, signs_of(drawing)) + "<figcaption>" + caption(drawing) + left_out +
+         "</figcaption></figure>\n";
+}
+
+PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+  bool has_all = true;
+  const Drawing drawing = make_drawing(t, space, plane, "plan", has_all);
+  return {svg_plan(drawing), colour_bar(drawing), drawing.layout.width_px(),
+          drawing.layout.height_px() + kBelowPlan,
+          colour_bar_height_px(drawing.limits.size(), true)};
+}
+
+}  // namespace report

@@ -1,0 +1,19 @@
+#pragma once
+// The card of one plane: requirements, heat map, statistics, how it was measured, values.
+
+#include "report/document/document.h"
+#include "report/html/html_markup.h"
+
+#include <string>
+
+namespace report {
+
+// A card that can be folded. Folded from the start: with folds_passed, one all of whose
+// requirements are met or waived.
+std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
+                       const PlanePart& plane, bool folds_passed);
+
+// A report of a few planes has room for them all.
+bool folds_passed_planes(const Document& document);
+
+}  // namespace report

@@ -1,0 +1,21 @@
+#pragma once
+// What belongs to a whole project or to the run: luminaires, messages, the calculation itself,
+// where it all came from.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <cstddef>
+#include <string>
+
+namespace report {
+
+// index: of the project, from 0; for anchors.
+std::string html_messages(const Texts& t, const ProjectPart& project);
+std::string html_luminaires(const Texts& t, const ProjectPart& project, std::size_t index);
+std::string html_calculation(const Texts& t, const Provenance& provenance,
+                             const ProjectPart& project, std::size_t index);
+std::string html_inputs(const Texts& t, const ProjectPart& project);
+std::string html_provenance(const Texts& t, const Document& document);
+
+}  // namespace report

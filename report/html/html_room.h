@@ -1,0 +1,15 @@
+#pragma once
+// Pictures of a room in false colours.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// A <figure> with the pictures and their legend, a sentence where there could be none, or "" where
+// none were asked for.
+std::string html_room(const Texts& t, const SpacePart& space);
+
+}  // namespace report

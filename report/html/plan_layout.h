@@ -1,0 +1,76 @@
+#pragma once
+// Where things lie in the drawing of a plane: (u, v) of the plane to picture coordinates, and which
+// limits matter.
+
+#include "report/document/document.h"
+#include "report/images/heatmap.h"
+#include "report/text/number_format.h"
+#include "report/text/texts.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// A luminaire in the drawing, in metres.
+struct PlanLuminaire {
+  glm::dvec2 place_m{0.0};
+  std::vector<glm::dvec2> outline_m;  // empty: a point
+  glm::dvec2 c0{0.0};                 // direction of C0; 0: none in the drawing
+};
+
+// A line of furniture.
+struct PlanLine {
+  glm::dvec2 from_m{0.0}, to_m{0.0};
+  bool is_above = false;  // all of that piece is above the plane
+};
+
+// What the drawing shows, in metres from grid.origin_m along u and v.
+struct PlanLayout {
+  glm::dvec2 low_m{0.0}, high_m{0.0};  // of the picture
+  double pixels_per_metre = 1.0;
+  std::vector<glm::dvec2> room_m;  // the room's outline; empty unless the plane is horizontal
+  std::vector<PlanLuminaire> luminaires_m;  // in the picture; empty unless horizontal
+  std::vector<PlanLine> furniture_m;        // empty unless the plane is horizontal
+
+  double width_px() const { return (high_m.x - low_m.x) * pixels_per_metre; }
+  double height_px() const { return (high_m.y - low_m.y) * pixels_per_metre; }
+  // v points up in the plan, y down in the picture.
+  glm::dvec2 pixel(const glm::dvec2& uv_m) const {
+    return {(uv_m.x - low_m.x) * pixels_per_metre, (high_m.y - uv_m.y) * pixels_per_metre};
+  }
+};
+
+// The whole room if the plane fills a fair part of it, else the plane and its surroundings. Fits
+// wanted_px.
+PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
+                        const glm::dvec2& wanted_px);
+
+// Limits that can be read off the points of the drawing: maintained, every luminaire at full
+// output, in lx.
+struct PlanLimit {
+  std::string words;  // "average ≥ 500 lx"
+  double limit_lx = 0.0;
+};
+std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane);
+
+// The strictest limit that single points must meet: of minima at least or more than something, of
+// maxima at most or less than something. Only limits of what plan_limits() is about.
+enum class PointSide { from_below, from_above };
+std::optional<Threshold> point_threshold(const PlanePart& plane, PointSide side);
+
+// Whether the value misses the threshold, if there is one.
+bool misses(const std::optional<Threshold>& threshold, double value);
+
+// All limits of that statistic of the plane as the report shows it: what its digits must respect.
+Thresholds statistic_thresholds(const PlanePart& plane, rules::Metric metric);
+// Those of single points, both sides.
+Thresholds point_thresholds(const PlanePart& plane);
+
+// Length of a scale bar: 1, 2 or 5 times a power of ten, at most a third of width_m > 0.
+double scale_bar_m(double width_m);
+
+}  // namespace report

@@ -1,0 +1,63 @@
+#pragma once
+// False colours of a plane: colour map, a scale with round steps, and the picture itself.
+
+#include "report/document/document.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct Rgb {
+  std::uint8_t r = 0, g = 0, b = 0;
+};
+
+// The map cividis at t in [0, 1] (t is limited to it): dark blue to yellow, lightness rises evenly,
+// made for all common forms of colour-vision deficiency and for grey print. [Nunez, Anderton,
+// Renslow 2018, doi:10.1371/journal.pone.0199239; ten anchors, linear between them]
+Rgb cividis(double t);
+std::string hex_colour(Rgb colour);  // "#00204d"
+// Whether black text reads better than white on this colour (relative luminance, WCAG 2.2).
+bool needs_dark_text(Rgb colour);
+
+// Bands of equal width with round limits: band i covers [low_lx + i * step_lx, low_lx + (i + 1) *
+// step_lx).
+struct ColourScale {
+  double low_lx = 0.0;
+  double step_lx = 1.0;  // 1, 2 or 5 times a power of ten
+  int bands = 1;         // 1 to 12
+
+  double high_lx() const { return low_lx + step_lx * bands; }
+};
+
+// Covers [lowest_lx, highest_lx], both finite; a nearly even field still gets steps of at least 1 %
+// of its value, so that noise is not painted as structure.
+ColourScale make_colour_scale(double lowest_lx, double highest_lx);
+// Index of the band of a value; values outside go to the first or last band.
+int band_of(const ColourScale& scale, double value_lx);
+Rgb band_colour(const ColourScale& scale, int band);
+
+// The scale of a computed plane: its points, without limits of requirements.
+ColourScale scale_of(const PlanePart& plane);
+
+// 8-bit RGBA, top row first. Row order: the top row is the one with the largest v, as in a plan.
+struct Raster {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// False for point lists and for planes without points: they have no cells and so no heat map.
+bool has_cells(const PlanePart& plane);
+
+// An observer without any glare source has no rating, and a drawing no colour for that.
+bool has_all_values(const PlanePart& plane);
+
+// One square of pixels_per_cell >= 1 per cell; cells without a point are transparent. Needs
+// has_cells().
+Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels_per_cell);
+
+// Pixels per cell that give a picture of about `wanted` pixels on its longer side, at least 1.
+int pixels_per_cell(const PlanePart& plane, int wanted);
+
+}  // namespace report

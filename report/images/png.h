@@ -1,0 +1,19 @@
+#pragma once
+// PNG bytes (the only file that includes libpng is png.cpp).
+
+#include "report/images/heatmap.h"
+
+#include <string>
+
+namespace report {
+
+// An RGBA picture as a PNG file in memory; same raster, same bytes. Throws std::runtime_error when
+// libpng refuses (an empty raster, no memory).
+std::string encode_png(const Raster& raster);
+
+// The heat map of one plane, about 1024 pixels on its longer side, cells without a point
+// transparent: colours only, a raster for slides and page layouts; scale and limits are in the HTML
+// report. Needs has_cells().
+std::string render_heatmap_png(const PlanePart& plane);
+
+}  // namespace report

@@ -1,0 +1,178 @@
+#include "report/images/room_picture.h"
+
+#include "calc/base/elementary.h"
+#include "report/images/dot_font.h"
+#include "report/text/number_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace report {
+namespace {
+
+constexpr double kSeenShare = 0.97, kValueShare = 0.9;
+constexpr int kMargin = 24, kBarHeight = 18, kDot = 2, kLetter = (kGlyphWidth + 1) * kDot;
+constexpr Rgb kInk{27, 31, 36};
+
+std::size_t at(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(x);
+}
+
+// Calls tell(index) for the drawn pixels of a picture's pixel.
+template <class Tell>
+void for_each_sample(const DrawnRoom& drawn, int x, int y, const Tell& tell) {
+  for (int dy = 0; dy < kOversampling; ++dy) {
+    for (int dx = 0; dx < kOversampling; ++dx) {
+      tell(at(kOversampling * x + dx, kOversampling * y + dy, drawn.width));
+    }
+  }
+}
+
+void fill(Raster& raster, int left, int top, int width, int height, Rgb colour) {
+  for (int y = std::max(0, top); y < std::min(raster.height, top + height); ++y) {
+    for (int x = std::max(0, left); x < std::min(raster.width, left + width); ++x) {
+      const std::array<std::uint8_t, 4> pixel{colour.r, colour.g, colour.b, 255};
+      std::copy(pixel.begin(), pixel.end(),
+                raster.rgba.begin() + static_cast<std::ptrdiff_t>(4 * at(x, y, raster.width)));
+    }
+  }
+}
+
+void write_text(Raster& raster, int left, int top, const std::string& text) {
+  for (const char letter : text) {
+    for_each_dot(letter, [&](int column, int row) {
+      fill(raster, left + column * kDot, top + row * kDot, kDot, kDot, kInk);
+    });
+    left += kLetter;
+  }
+}
+
+// The value that this share of all is at most; 0 of none.
+double at_share(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+int text_width(const std::string& text) { return static_cast<int>(text.size()) * kLetter - kDot; }
+
+}  // namespace
+
+Palette band_palette(const ColourScale& scale) {
+  Palette palette{{}, static_cast<float>(scale.step_lx)};
+  for (int band = 0; band < scale.bands; ++band) palette.colour.push_back(band_colour(scale, band));
+  return palette;
+}
+
+Raster paint_room(const DrawnRoom& drawn, const Palette& palette) {
+  constexpr std::uint32_t kSamples = kOversampling * kOversampling;
+  const float per_step = 1.0F / palette.step;
+  const auto last = static_cast<float>(palette.colour.size() - 1);
+  Raster raster;
+  raster.width = drawn.width / kOversampling;
+  raster.height = drawn.height / kOversampling;
+  raster.rgba.resize(4 * static_cast<std::size_t>(raster.width) *
+                     static_cast<std::size_t>(raster.height));
+  std::uint8_t* to = raster.rgba.data();
+  for (int y = 0; y < raster.height; ++y) {
+    for (int x = 0; x < raster.width; ++x, to += 4) {
+      std::array<std::uint32_t, 4> sum{};  // premultiplied, 255 times
+      for_each_sample(drawn, x, y, [&](std::size_t i) {
+        const std::uint8_t* cover = &drawn.cover[4 * i];
+        const std::uint32_t through = 255U - cover[3];
+        for (std::size_t k = 0; k < 4; ++k) sum[k] += 255U * cover[k];
+        if (drawn.lx[i] < 0.0F || through == 0) return;
+        const Rgb below =
+            palette.colour[static_cast<std::size_t>(std::min(drawn.lx[i] * per_step, last))];
+        sum[0] += through * below.r;
+        sum[1] += through * below.g;
+        sum[2] += through * below.b;
+        sum[3] += through * 255U;
+      });
+      if (sum[3] == 0) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        to[k] = static_cast<std::uint8_t>(
+            std::min<std::uint32_t>(255U, (255U * sum[k] + sum[3] / 2) / sum[3]));
+      }
+      to[3] = static_cast<std::uint8_t>((sum[3] + 255U * kSamples / 2) / (255U * kSamples));
+    }
+  }
+  return raster;
+}
+
+std::vector<float> mean_values(const DrawnRoom& drawn) {
+  std::vector<float> result;
+  for (int y = 0; y < drawn.height / kOversampling; ++y) {
+    for (int x = 0; x < drawn.width / kOversampling; ++x) {
+      float sum = 0.0F;
+      int seen = 0;
+      for_each_sample(drawn, x, y, [&](std::size_t i) {
+        if (drawn.lx[i] < 0.0F) return;
+        sum += drawn.lx[i];
+        ++seen;
+      });
+      result.push_back(seen > 0 ? sum / static_cast<float>(seen) : -1.0F);
+    }
+  }
+  return result;
+}
+
+ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx) {
+  std::vector<double> seen;
+  for (const DrawnRoom& room : rooms) {
+    std::copy_if(room.lx.begin(), room.lx.end(), std::back_inserter(seen),
+                 [](float lx) { return lx >= 0.0F; });
+  }
+  ColourScale scale =
+      make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
+                                      at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
+  // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
+  const double power = calc::pow(10.0, std::floor(calc::log10(scale.step_lx) + 1e-9));
+  if (scale.bands <= 6 && scale.step_lx < 2.5 * power) {
+    scale.step_lx /= 2.0;
+    scale.bands *= 2;
+  }
+  return scale;
+}
+
+Raster with_legend(const Raster& picture, const ColourScale& scale) {
+  constexpr int kLegendHeight = kBarHeight + kGlyphHeight * kDot + 3 * kMargin / 2;
+  Raster result;
+  result.width = picture.width + 2 * kMargin;
+  result.height = picture.height + 2 * kMargin + kLegendHeight;
+  result.rgba.assign(
+      4 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 255);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const std::uint8_t* from = &picture.rgba[4 * at(x, y, picture.width)];
+      std::uint8_t* to = &result.rgba[4 * at(x + kMargin, y + kMargin, result.width)];
+      for (std::size_t k = 0; k < 3; ++k) {
+        to[k] = static_cast<std::uint8_t>((from[k] * from[3] + 255 * (255 - from[3]) + 127) / 255);
+      }
+    }
+  }
+  const int width = std::min(picture.width - 60, 900), left = kMargin + 10;
+  const int top = picture.height + 2 * kMargin;
+  const auto x_of = [&](int band) { return left + band * width / scale.bands; };
+  fill(result, left - 1, top - 1, width + 2, kBarHeight + 2, kInk);
+  for (int band = 0; band < scale.bands; ++band) {
+    fill(result, x_of(band), top, x_of(band + 1) - x_of(band), kBarHeight,
+         band_colour(scale, band));
+  }
+  for (int band = 0; band <= scale.bands; ++band) {
+    const std::string number = format_shortest(scale.low_lx + band * scale.step_lx);
+    write_text(result, x_of(band) - text_width(number) / 2, top + kBarHeight + 6, number);
+  }
+  write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, "lx");
+  return result;
+}
+
+}  // namespace report

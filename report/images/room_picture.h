@@ -1,0 +1,40 @@
+#pragma once
+// False colours of what a rasteriser drew of a room.
+
+#include "report/images/heatmap.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace report {
+
+// Rows from the top, kOversampling times as wide and high as the picture that is made of it.
+struct DrawnRoom {
+  int width = 0, height = 0;        // multiples of kOversampling
+  std::vector<float> lx;            // of the surface seen, < 0 = none
+  std::vector<std::uint8_t> cover;  // RGBA over it, premultiplied
+};
+inline constexpr int kOversampling = 2;
+
+// Colours of equal steps of a value from 0; what is beyond takes the last.
+struct Palette {
+  std::vector<Rgb> colour;  // at least one
+  float step = 1.0F;
+};
+Palette band_palette(const ColourScale& scale);  // low_lx = 0
+
+// Paints values and puts the cover over them; transparent where there is neither.
+Raster paint_room(const DrawnRoom& drawn, const Palette& palette);
+
+// The mean of what is seen in each pixel, < 0 where there is nothing.
+std::vector<float> mean_values(const DrawnRoom& drawn);
+
+// From 0 to what all but the brightest few of the pixels, and of the values of calculation points,
+// have: a place close to a luminaire must not squeeze the colours of the room.
+ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx);
+
+// On white, with a colour bar below.
+Raster with_legend(const Raster& picture, const ColourScale& scale);
+
+}  // namespace report

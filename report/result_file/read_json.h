@@ -1,0 +1,18 @@
+#pragma once
+// render_json() backwards: a result file becomes a document again.
+
+#include "report/document/document.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// Rendering the document gives what the original would have given. Keys that are unknown are passed
+// over, since later versions may add some; whatever is missing, of another type or out of range is
+// a problem. Empty: `problem` says what is wrong and where, as a JSON pointer ("/projects/0/path: a
+// text is needed").
+std::optional<Document> read_json(std::string_view bytes, std::string& problem);
+
+}  // namespace report

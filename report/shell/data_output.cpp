@@ -1,0 +1,45 @@
+#include "report/shell/data_output.h"
+
+#include "report/shell/option_values.h"
+#include "report/shell/write.h"
+
+#include <fmt/format.h>
+
+namespace cli {
+
+ValueParser data_output(std::vector<DataOutput>& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    DataOutput output;
+    const std::string problem =
+        choice<DataFormat>(output.kind, {{"text", DataFormat::text},
+                                         {"csv", DataFormat::csv},
+                                         {"json", DataFormat::json},
+                                         {"html", DataFormat::html}})(text.substr(0, equals));
+    if (!problem.empty()) return problem;
+    if (equals != std::string::npos) output.file = text.substr(equals + 1);
+    if (equals != std::string::npos && output.file.empty())
+      return "a file name is missing after '='";
+    target.push_back(output);
+    return "";
+  };
+}
+
+std::string write_data_outputs(const std::vector<DataOutput>& outputs,
+                               const std::function<std::string(DataFormat)>& render,
+                               calc::Diagnostics& diagnostics) {
+  DataFormat to_stdout = DataFormat::text;
+  for (const DataOutput& output : outputs) {
+    if (output.file.empty()) {
+      to_stdout = output.kind;
+      continue;
+    }
+    const std::string problem = report::write_file_atomically(output.file, render(output.kind));
+    if (problem.empty()) continue;
+    diagnostics.report(calc::DiagnosticId::output_not_possible, {},
+                       fmt::format("cannot write '{}': {}", output.file, problem));
+  }
+  return render(to_stdout);
+}
+
+}  // namespace cli

@@ -1,0 +1,55 @@
+#include "report/shell/environment.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace cli {
+namespace {
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+std::string program_folder() {
+  const std::string own = variable("LUXGATE_PROGRAM_CACHE");
+  if (!own.empty()) return own == "off" ? "" : own;
+  // Relative paths are not allowed there. [XDG Base Directory Specification]
+  const std::string cache = variable("XDG_CACHE_HOME");
+  if (cache.starts_with('/')) return cache + "/luxgate/programs";
+  const std::string home = variable("HOME");
+  return home.starts_with('/') ? home + "/.cache/luxgate/programs" : "";
+}
+
+int columns_of(int descriptor) {
+  winsize size{};
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+}  // namespace
+
+Environment read_environment() {
+  Environment environment;
+  environment.source_date_epoch = variable("SOURCE_DATE_EPOCH");
+  environment.no_color = variable("NO_COLOR");
+  environment.clicolor_force = variable("CLICOLOR_FORCE");
+  environment.term = variable("TERM");
+  environment.gl_fault = variable("LUXGATE_GL_FAULT");
+  environment.shared_data = variable("LUXGATE_SHARED_DATA");
+  environment.program_folder = program_folder();
+  environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
+  environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
+  if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);
+  return environment;
+}
+
+bool use_color(ColorChoice choice, const Environment& environment) {
+  if (choice != ColorChoice::automatic) return choice == ColorChoice::always;
+  if (!environment.no_color.empty()) return false;
+  if (!environment.clicolor_force.empty() && environment.clicolor_force != "0") return true;
+  return environment.stdout_is_terminal && environment.term != "dumb";
+}
+
+}  // namespace cli

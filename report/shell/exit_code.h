@@ -1,0 +1,19 @@
+#pragma once
+// What the program's exit status means. Scripts rely on these numbers.
+
+#include "rules/verdict/outcome.h"
+
+namespace cli {
+
+enum ExitCode : int {
+  kAllMet = 0,        // every requirement is met or waived, or nothing was asked
+  kNotMet = 1,        // at least one requirement is not met
+  kNotJudged = 2,     // usage, input, file or internal error, or a plane that could not be judged
+  kUndecided = 3,     // nothing failed, but the interval of at least one result holds its limit
+  kInterrupted = 130  // SIGINT or SIGTERM, as shells report it
+};
+
+// What came out of several projects or files is the gravest of them, see rules::graver().
+ExitCode exit_code_of(rules::Outcome outcome);
+
+}  // namespace cli

@@ -1,0 +1,231 @@
+#include "report/text/number_format.h"
+
+#include "calc/base/elementary.h"
+#include "report/text/words.h"
+#include "rules/catalogue/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace report {
+namespace {
+
+constexpr const char* kNoNumber = "–";
+constexpr int kMostDecimals = 9;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+// Place of the first significant digit: 0 for 1..9.99, 2 for 512, -1 for 0.5. value > 0.
+int magnitude(double value) { return static_cast<int>(std::floor(calc::log10(value))); }
+
+double rounded(double value, int decimals) {
+  double result = value;
+  const std::string text = format_fixed(value, decimals);
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+// On the same side of every threshold.
+bool are_alike(double shown, double value, const Thresholds& thresholds) {
+  return std::all_of(thresholds.list.begin(), thresholds.list.end(), [&](const Threshold& t) {
+    return rules::meets(shown, t.comparison, t.limit) == rules::meets(value, t.comparison, t.limit);
+  });
+}
+
+double spread_of(const calc::Estimate& estimate) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kUnknown;
+  return std::max(estimate.high - estimate.value, estimate.value - estimate.low);
+}
+
+// Decimals that show `digits` significant digits of value.
+int decimals_for(double value, int digits) {
+  if (value == 0.0) return 1;
+  return std::clamp(digits - 1 - magnitude(std::abs(value)), 0, kMostDecimals);
+}
+
+int plain_decimals(double value, double spread, std::string_view unit) {
+  const bool is_ratio = unit.empty();
+  const int most = is_ratio ? 3 : std::max(1, decimals_for(value, 4));
+  if (!(spread > 0.0)) return is_ratio ? 3 : most;
+  int decimals = decimals_for(spread, 2);
+  if (rounded(spread, decimals) >= 10.0 * calc::pow(10.0, 1 - decimals) && decimals > 0) --decimals;
+  return std::min(decimals, most);
+}
+
+bool tells_the_truth(const calc::Estimate& estimate, double spread, int decimals,
+                     const Thresholds& thresholds) {
+  const double value = rounded(estimate.value, decimals);
+  if (!are_alike(value, estimate.value, thresholds)) return false;
+  if (!(spread > 0.0)) return true;
+  const double width = rounded(spread, decimals);
+  return are_alike(value - width, estimate.value - spread, thresholds) &&
+         are_alike(value + width, estimate.value + spread, thresholds);
+}
+
+std::string with_unit(std::string text, std::string_view unit) {
+  if (!unit.empty() && text != kNoNumber) text.append(" ").append(unit);
+  return text;
+}
+
+}  // namespace
+
+std::string format_fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return kNoNumber;
+  std::array<char, 400> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::fixed, decimals)
+                       .ptr;
+  std::string text(buffer.data(), end);
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos)
+    text.erase(0, 1);
+  return text;
+}
+
+std::string format_shortest(double value) {
+  if (!std::isfinite(value)) return {};
+  std::array<char, 32> buffer{};
+  const double plain = value == 0.0 ? 0.0 : value;  // no "-0"
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), plain).ptr;
+  return {buffer.data(), end};
+}
+
+EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
+                             const Thresholds& thresholds) {
+  if (!std::isfinite(estimate.value)) return {kNoNumber, ""};
+  const double spread = spread_of(estimate);
+  if (!std::isfinite(spread)) {  // an unknown interval must not look like an exact value
+    return {
+        format_estimate({estimate.value, estimate.value, estimate.value}, unit, thresholds).value,
+        kNoNumber};
+  }
+  int decimals = plain_decimals(estimate.value, spread, unit);
+  if (!thresholds.list.empty()) {
+    int tried = decimals;
+    while (tried <= kMostDecimals && !tells_the_truth(estimate, spread, tried, thresholds)) ++tried;
+    if (tried <= kMostDecimals) {
+      decimals = tried;
+    } else if (!are_alike(rounded(estimate.value, decimals), estimate.value, thresholds)) {
+      return {format_shortest(estimate.value), spread > 0.0 ? format_shortest(spread) : ""};
+    }
+  }
+  EstimateText text{format_fixed(estimate.value, decimals), ""};
+  if (!(spread > 0.0)) return text;
+  // A half width too small for these digits is rounded up to the last one rather than shown as
+  // zero.
+  text.spread = rounded(spread, decimals) > 0.0
+                    ? format_fixed(spread, decimals)
+                    : format_fixed(calc::pow(10.0, -decimals), decimals);
+  return text;
+}
+
+std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds) {
+  const EstimateText text = format_estimate(estimate, unit, thresholds);
+  return with_unit(text.spread.empty() ? text.value : text.value + " ± " + text.spread, unit);
+}
+
+std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kNoNumber;
+  if (estimate.low == estimate.high) return "exact";
+  int decimals = plain_decimals(estimate.value, spread_of(estimate), unit);
+  for (int tried = decimals; tried <= kMostDecimals; ++tried) {
+    if (!are_alike(rounded(estimate.low, tried), estimate.low, thresholds) ||
+        !are_alike(rounded(estimate.high, tried), estimate.high, thresholds)) {
+      continue;
+    }
+    decimals = tried;
+    break;
+  }
+  return with_unit(
+      format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
+}
+
+std::string format_cell_lx(double value_lx, const Thresholds& thresholds) {
+  if (!std::isfinite(value_lx)) return kNoNumber;
+  int decimals = std::min(decimals_for(value_lx, 3), 3);
+  for (int tried = decimals; tried <= kMostDecimals; ++tried) {
+    if (!are_alike(rounded(value_lx, tried), value_lx, thresholds)) continue;
+    decimals = tried;
+    break;
+  }
+  return format_fixed(value_lx, decimals);
+}
+
+std::string format_limit(double limit, std::string_view unit) {
+  if (!std::isfinite(limit)) return kNoNumber;
+  // A limit in foot-candles has no end in lx.
+  constexpr std::size_t kMostCharacters = 10;
+  std::string text = format_shortest(limit);
+  if (text.size() > kMostCharacters) text = fmt::format("{:.9g}", limit);
+  const bool is_plain = text.find('e') == std::string::npos;
+  constexpr double kLeastRating = 10.0;  // ratios are smaller, and their zeros usual
+  if (unit.empty() && is_plain && std::abs(limit) < kLeastRating) {
+    const std::size_t point = text.find('.');
+    const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
+    if (decimals < 2) text = format_fixed(limit, 2);
+  }
+  return with_unit(text, unit);
+}
+
+std::string format_required(const Threshold& threshold, std::string_view unit) {
+  if (std::isnan(threshold.limit)) return "unknown limit";
+  return comparison_sign(threshold.comparison) + (" " + format_limit(threshold.limit, unit));
+}
+
+std::string format_margin(double margin) {
+  if (!std::isfinite(margin)) return kNoNumber;
+  const double percent = std::abs(margin) * 100.0;
+  int decimals = 1;
+  while (percent > 0.0 && rounded(percent, decimals) == 0.0 && decimals < kMostDecimals) ++decimals;
+  const char* sign = margin < 0.0 ? "-" : "+";
+  return sign + format_fixed(percent, decimals) + " %";
+}
+
+std::string format_percent(double share) {
+  std::string text = format_fixed(share * 100.0, 3);
+  if (text == kNoNumber) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text + " %";
+}
+
+std::string format_share(double share) {
+  const std::string text = format_fixed(share * 100.0, 0);
+  return text == kNoNumber ? text : text + " %";
+}
+
+std::string format_metres(double metres) {
+  std::string text = format_fixed(metres, 3);
+  if (text.ends_with('0') && text.find('.') != std::string::npos) text.pop_back();
+  return text;
+}
+
+std::string format_position(const glm::dvec3& m) {
+  return "(" + format_fixed(m.x, 2) + ", " + format_fixed(m.y, 2) + ", " + format_fixed(m.z, 2) +
+         ")";
+}
+
+std::string format_lumens(double lumens) {
+  return format_fixed(lumens, std::abs(lumens) >= 100.0 ? 0 : 1);
+}
+
+std::string format_watts(double watts) { return format_fixed(watts, 1); }
+
+std::string format_seconds(double seconds) {
+  return format_fixed(seconds, seconds >= 100.0 ? 0 : (seconds >= 10.0 ? 1 : 2));
+}
+
+std::string format_count(std::uint64_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u202F";
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace report

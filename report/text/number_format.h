@@ -1,0 +1,88 @@
+#pragma once
+// The only place where a quantity becomes text. Never reads the locale: always '.' and ASCII
+// digits. Whatever is not a finite number is shown as "–"; "nan" or "inf" never appear.
+
+#include "calc/base/field.h"
+#include "rules/catalogue/requirement.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+// Rounded to `decimals` in [0, 17] places; never "-0.0".
+std::string format_fixed(double value, int decimals);
+
+// The shortest text that reads back as the same number ("500", "0.1"); "" unless finite. For data
+// files.
+std::string format_shortest(double value);
+
+// What a value is held against: the shown digits stay on the same side of it as the value itself.
+struct Threshold {
+  double limit = 0.0;
+  rules::Comparison comparison = rules::Comparison::at_least;
+};
+
+// Several of them; from one, an optional one or two implicitly.
+struct Thresholds {
+  std::vector<Threshold> list;
+
+  Thresholds() = default;
+  Thresholds(const Threshold& one) : list{one} {}
+  Thresholds(const std::optional<Threshold>& one) { add(one); }
+  Thresholds(const std::optional<Threshold>& one, const std::optional<Threshold>& other) {
+    add(one);
+    add(other);
+  }
+  void add(const std::optional<Threshold>& one) {
+    if (one) list.push_back(*one);
+  }
+};
+
+// "512.3" and "4.1"; `spread` is empty for exact values. The half width has two significant digits
+// and the value ends at the same place (at most four significant digits, at most three decimals for
+// a ratio). With thresholds, digits are added until value and interval ends are on their true side
+// of all of them. spread is the larger of high - value and value - low.
+struct EstimateText {
+  std::string value, spread;
+};
+// unit: "lx", or "" for a ratio.
+EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
+                             const Thresholds& thresholds = {});
+
+// "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact.
+std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds = {});
+
+// "508.2 – 516.4 lx"; "exact" when nothing was sampled. Both ends are on their true side.
+std::string format_interval(const calc::Estimate& estimate, std::string_view unit,
+                            const Thresholds& thresholds = {});
+
+// One illuminance without interval, short enough for a cell of a plan: "1240", "512", "51.2",
+// "5.12".
+std::string format_cell_lx(double value_lx, const Thresholds& thresholds = {});
+
+// "≥ 500 lx", "≤ 0.60", "≤ 19": as many digits as the limit has, but nine where that are more than
+// ten characters; at least two decimals for a number without unit below 10, which is a ratio.
+std::string format_required(const Threshold& threshold, std::string_view unit);
+std::string format_limit(double limit, std::string_view unit);
+
+// A relative margin as "+2.5 %" or "-0.02 %": digits enough to show that it is not zero.
+std::string format_margin(double margin);
+
+std::string format_percent(double share);  // a setting: 0.95 -> "95 %", 0.999 -> "99.9 %"
+std::string format_share(double share);    // 0.784 -> "78 %"
+std::string format_metres(
+    double metres);  // centimetres, or millimetres where there are any: "0.80", "0.125"
+std::string format_position(const glm::dvec3& m);  // "(4.20, 1.10, 0.80)"
+std::string format_lumens(double lumens);          // whole lumens above 100
+std::string format_watts(double watts);            // one decimal
+std::string format_seconds(double seconds);        // "0.42", "12.3", "340"
+std::string format_count(std::uint64_t count);  // groups of three with narrow blanks: "4 194 304"
+
+}  // namespace report

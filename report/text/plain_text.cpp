@@ -1,0 +1,115 @@
+#include "report/text/plain_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace report {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t length = 0;  // bytes; 0: not valid UTF-8
+};
+
+std::size_t sequence_length(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  if (lead >= 0xF0 && lead < 0xF5) return 4;
+  return 0;
+}
+
+CodePoint decode(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t length = sequence_length(lead);
+  if (length == 0 || length > text.size()) return {};
+  char32_t value = length == 1 ? lead : lead & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if ((byte & 0xC0U) != 0x80U) return {};
+    value = (value << 6U) | (byte & 0x3FU);
+  }
+  const bool is_overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
+  const bool is_surrogate = value >= 0xD800 && value < 0xE000;
+  if (is_overlong || is_surrogate || value > 0x10FFFF) return {};
+  return {value, length};
+}
+
+// Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
+// the two code points XML does not allow.
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
+}
+
+struct Range {
+  char32_t first, last;
+};
+
+template <std::size_t N>
+bool is_in(char32_t c, const std::array<Range, N>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [c](Range range) { return c >= range.first && c <= range.last; });
+}
+
+std::size_t width_of(char32_t c) {
+  static constexpr std::array<Range, 6> kCombining{{{0x300, 0x36F},
+                                                    {0x200B, 0x200D},
+                                                    {0x1AB0, 0x1AFF},
+                                                    {0x20D0, 0x20FF},
+                                                    {0xFE00, 0xFE0F},
+                                                    {0xFE20, 0xFE2F}}};
+  static constexpr std::array<Range, 7> kWide{{{0x1100, 0x115F},
+                                               {0x2E80, 0xA4CF},
+                                               {0xAC00, 0xD7A3},
+                                               {0xF900, 0xFAFF},
+                                               {0xFF00, 0xFF60},
+                                               {0x1F300, 0x1FAFF},
+                                               {0x20000, 0x3FFFD}}};
+  if (is_in(c, kCombining)) return 0;
+  return is_in(c, kWide) ? 2 : 1;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  while (!text.empty()) {
+    const CodePoint point = decode(text);
+    if (point.length == 0) {
+      result += kReplacement;
+    } else if (is_control(point.value)) {
+      result += ' ';
+    } else {
+      result += text.substr(0, point.length);
+    }
+    text.remove_prefix(std::max<std::size_t>(point.length, 1));
+  }
+  return result;
+}
+
+std::size_t display_width(std::string_view utf8) {
+  std::size_t width = 0;
+  while (!utf8.empty()) {
+    const CodePoint point = decode(utf8);
+    width += point.length == 0 ? 1 : width_of(point.value);
+    utf8.remove_prefix(std::max<std::size_t>(point.length, 1));
+  }
+  return width;
+}
+
+std::string shorten_start(std::string_view utf8, std::size_t columns) {
+  std::size_t width = display_width(utf8);
+  if (width <= columns) return std::string(utf8);
+  while (!utf8.empty() && width + 1 > columns) {  // + 1: the ellipsis
+    const CodePoint point = decode(utf8);
+    width -= point.length == 0 ? 1 : width_of(point.value);
+    utf8.remove_prefix(std::max<std::size_t>(point.length, 1));
+  }
+  return "…" + std::string(utf8);
+}
+
+}  // namespace report

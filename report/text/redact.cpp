@@ -1,0 +1,227 @@
+#include "report/text/redact.h"
+
+#include "report/text/shell_words.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kQuotes = "'\"";
+
+bool is_one_of(char c, std::string_view set) { return set.find(c) != std::string_view::npos; }
+
+// "c.xml" of "/a/b/c.xml", "b" of "/a/b/".
+std::string last_name(std::string_view path) {
+  const std::size_t end = path.find_last_not_of('/');
+  if (end == std::string_view::npos) return "/";
+  path = path.substr(0, end + 1);
+  const std::size_t slash = path.rfind('/');
+  return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
+}
+
+// "acme/x.ies", not "W/m2" or "cd/klm".
+bool is_path_like(std::string_view word) {
+  const std::size_t slash = word.find('/');
+  if (slash == 0 || slash == std::string_view::npos || word.starts_with("../")) return false;
+  if (word.find("/m2") != std::string_view::npos) return false;
+  return slash > 3 || word.find('.', slash) != std::string_view::npos || word.rfind('/') != slash;
+}
+
+// Of a path without quotes at the start of the text. Names of folders may have blanks: it goes on
+// while one of the next two words looks like the rest of a path.
+std::size_t bare_length(std::string_view text) {
+  constexpr std::string_view kEnds = " \t\n'\"<>(),;:";
+  const auto end_of_word = [&](std::size_t begin) {
+    return std::min(text.find_first_of(kEnds, begin), text.size());
+  };
+  std::size_t length = end_of_word(0);
+  for (std::size_t end = length, skipped = 0; end < text.size() && text[end] == ' ' && skipped < 2;
+       ++skipped) {
+    const std::size_t begin = end + 1;
+    end = end_of_word(begin);
+    if (!is_path_like(text.substr(begin, end - begin))) continue;
+    length = end;
+    skipped = 0;
+  }
+  return length;
+}
+
+// A path may stand behind this character.
+bool can_precede(char c) {
+  const bool is_of_name = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || is_one_of(c, "/._-");
+  return !is_of_name;
+}
+
+// How long the path at text[at] is; 0: there is none. Units such as "/m2" are none, and neither are
+// addresses ("https://...").
+std::size_t path_length(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  if (!rest.starts_with('/') && !rest.starts_with("../")) return 0;
+  const char before = at == 0 ? ' ' : text[at - 1];
+  if (before == ':' && rest.starts_with("//") && !text.substr(0, at).ends_with("file:")) return 0;
+  const bool is_quoted = is_one_of(before, kQuotes);
+  std::size_t length = is_quoted ? rest.find(before) : std::string_view::npos;
+  if (length == std::string_view::npos) length = bare_length(rest);
+  const std::string_view path = rest.substr(0, length);
+  if (path.find_first_not_of("./") == std::string_view::npos) return 0;
+  const bool is_deep = path.find('/', 1) != std::string_view::npos;
+  return is_deep || (is_quoted && rest.size() > length) ? length : 0;
+}
+
+// Files as one project's part of the report names them.
+class FileNames {
+ public:
+  // prefix: "" or "project2/".
+  FileNames(const std::string& project_path, std::string prefix)
+      : folder_(project_path.substr(0, project_path.rfind('/') + 1)), prefix_(std::move(prefix)) {}
+
+  std::string of(const std::string& file) const {
+    if (file.empty() || (!prefix_.empty() && file.starts_with(prefix_))) return file;
+    const fs::path normal = fs::path(file).lexically_normal();
+    const fs::path folder = fs::path(folder_).lexically_normal();
+    const fs::path inside = folder.empty() ? normal : normal.lexically_relative(folder);
+    const bool is_inside = !inside.empty() && !inside.is_absolute() && *inside.begin() != "..";
+    return is_inside ? prefix_ + inside.string() : last_name(file);
+  }
+
+  // Of files that the project names itself, relative to its folder.
+  std::string of_input(const std::string& file) const {
+    const bool is_own = fs::path(file).is_relative() && file.find("..") == std::string::npos;
+    const bool is_new = prefix_.empty() || !file.starts_with(prefix_);
+    return is_own && is_new ? prefix_ + file : of(file);
+  }
+
+  // Paths may stand anywhere in a text.
+  std::string within(const std::string& text) const {
+    std::string redacted;
+    for (std::size_t i = 0; i < text.size();) {
+      const bool can_begin = i == 0 || can_precede(text[i - 1]);
+      const std::size_t in_folder = can_begin ? folder_length(text, i) : 0;
+      const std::size_t whole = can_begin && in_folder == 0 ? path_length(text, i) : 0;
+      if (in_folder > 0) {
+        redacted += prefix_;
+        i += in_folder;
+      }
+      if (whole > 0) redacted += last_name(std::string_view(text).substr(i, whole));
+      i += whole;
+      if (whole == 0 && i < text.size()) redacted += text[i++];
+    }
+    return redacted;
+  }
+
+ private:
+  // Of the project's folder at text[at]; a relative one is only known in quotes or at the start.
+  std::size_t folder_length(const std::string& text, std::size_t at) const {
+    if (folder_.size() < 2 || text.compare(at, folder_.size(), folder_) != 0) return 0;
+    const bool is_surely_one =
+        folder_.front() == '/' || at == 0 || is_one_of(text[at - 1], kQuotes);
+    return is_surely_one ? folder_.size() : 0;
+  }
+
+  std::string folder_;  // with its last '/', or ""
+  std::string prefix_;
+};
+
+// One for each project, in order.
+std::vector<FileNames> file_names(const Document& document) {
+  std::map<std::string, int> uses;
+  for (const ProjectPart& project : document.projects) ++uses[last_name(project.path)];
+  std::vector<FileNames> names;
+  for (const ProjectPart& project : document.projects) {
+    const bool is_shared = uses[last_name(project.path)] > 1;
+    names.emplace_back(project.path,
+                       is_shared ? "project" + std::to_string(names.size() + 1) + "/" : "");
+  }
+  return names;
+}
+
+// Before the projects' own paths are changed.
+std::string redacted_command(const Document& document, const std::vector<FileNames>& names) {
+  std::string command;
+  for (const std::string& word : shell_words(document.provenance.command_line)) {
+    std::string redacted = word.find('/') == std::string::npos ? word : last_name(word);
+    for (std::size_t p = 0; p < names.size(); ++p) {
+      if (word == document.projects[p].path) redacted = names[p].of(word);
+    }
+    command += (command.empty() ? "" : " ") + shell_quoted(redacted);
+  }
+  return command;
+}
+
+// "gpu: a; cpu (b): c" of "gpu (NAME (version), software): a; cpu (b): c".
+std::string redacted_backend(const std::string& backend) {
+  constexpr std::string_view kStart = "gpu (";
+  if (!backend.starts_with(kStart)) return backend;
+  int depth = 1;
+  std::size_t end = kStart.size();
+  for (; end < backend.size() && depth > 0; ++end)
+    depth += backend[end] == '(' ? 1 : backend[end] == ')' ? -1 : 0;
+  return "gpu" + backend.substr(end);
+}
+
+void redact_plane(const FileNames& names, PlanePart& plane) {
+  plane.where.file = names.of(plane.where.file);
+  for (std::string* text : {&plane.reason, &plane.made_by, &plane.changed})
+    *text = names.within(*text);
+  for (std::string& remark : plane.remarks) remark = names.within(remark);
+  for (rules::Finding& finding : plane.findings) {
+    rules::Requirement& requirement = finding.requirement;
+    requirement.where.file = names.of(requirement.where.file);
+    for (std::string* text :
+         {&finding.reason, &requirement.note, &requirement.policy.tolerance_reason}) {
+      *text = names.within(*text);
+    }
+  }
+}
+
+void redact_aggregate(const FileNames& names, rules::AggregateFinding& finding) {
+  finding.where.file = names.of(finding.where.file);
+  for (std::string* text : {&finding.reason, &finding.note}) *text = names.within(*text);
+  for (rules::AggregateMember& member : finding.members)
+    member.reason = names.within(member.reason);
+}
+
+void redact_project(const FileNames& names, ProjectPart& project) {
+  for (calc::Diagnostic& diagnostic : project.diagnostics) {
+    diagnostic.where.file = names.of(diagnostic.where.file);
+    diagnostic.message = names.within(diagnostic.message);
+  }
+  for (LuminaireRow& row : project.luminaires)
+    row.photometry_file = names.of_input(row.photometry_file);
+  for (calc::InputFile& input : project.inputs)
+    input.path = input.path == project.path ? names.of(input.path) : names.of_input(input.path);
+  for (SpacePart& space : project.spaces) {
+    for (std::string& note : space.notes) note = names.within(note);
+    space.pictures.problem = names.within(space.pictures.problem);
+    if (!space.pictures.device.empty()) space.pictures.device = "OpenGL";
+    for (PlanePart& plane : space.planes) redact_plane(names, plane);
+  }
+  for (rules::AggregateFinding& finding : project.aggregates) redact_aggregate(names, finding);
+  project.path = names.of(project.path);
+}
+
+}  // namespace
+
+void redact(Document& document) {
+  const std::vector<FileNames> names = file_names(document);
+  Provenance& provenance = document.provenance;
+  provenance.command_line = redacted_command(document, names);
+  provenance.backend = redacted_backend(provenance.backend);
+  for (std::size_t p = 0; p < names.size(); ++p) redact_project(names[p], document.projects[p]);
+  provenance.is_redacted = true;
+}
+
+std::string redaction_words(const Document& document, const Texts& t) {
+  return document.provenance.is_redacted ? t[Text::paths_left_out] : "";
+}
+
+}  // namespace report

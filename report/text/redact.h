@@ -1,0 +1,25 @@
+#pragma once
+// Reports that can be given away: what tells of the machine and of who ran the program goes, what
+// tells of the design and of the calculation stays.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// In the whole document:
+// - files are named relative to the folder of their project, those outside it by their last name
+//   alone; projects whose files have one name get "project<k>/" before it, k from 1;
+// - the command line has the same names;
+// - other paths in messages, absolute or with leading "..", become their last name;
+// - graphics devices lose their name, the backend "gpu (NAME): ..." becomes "gpu: ...".
+// Names that the project itself gives (rooms, planes, luminaires, who waived) are the design and
+// stay, as do versions, seeds and hashes. A second time changes nothing.
+void redact(Document& document);
+
+// What the report has to say of it, a sentence; "" where nothing was left out.
+std::string redaction_words(const Document& document, const Texts& t = {});
+
+}  // namespace report

@@ -1,0 +1,400 @@
+#include "report/text/words.h"
+
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
+#include "report/text/plain_text.h"
+#include "report/text/text_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace report {
+namespace {
+
+constexpr double kStraight = 1e-6;  // of a direction cosine
+
+// "share of points from 300 to 500 lx"
+std::string range_words(const Texts& t, const rules::ValueRange& range,
+                        calc::DerivedQuantity derived) {
+  std::string words = t[Text::share_of_points];
+  if (range.from > 0.0) words += " " + t.say<Text::range_from>(format_shortest(t, range.from));
+  if (std::isfinite(range.to)) words += " " + t.say<Text::range_to>(format_shortest(t, range.to));
+  return words + (calc::is_plain_number(derived) ? "" : " lx");
+}
+
+// A quantity by itself, after "average", and as the values of a plane.
+struct QuantityTexts {
+  Text alone, of, of_plane;
+};
+
+QuantityTexts quantity_texts(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
+  switch (derived) {
+    case calc::DerivedQuantity::none:
+      break;
+    case calc::DerivedQuantity::ugr:
+      return {Text::ugr, Text::of_ugr, Text::initial_ugr};
+    case calc::DerivedQuantity::modelling:
+      return {Text::modelling, Text::of_modelling, Text::maintained_modelling};
+    case calc::DerivedQuantity::four_planes:
+      return {Text::four_planes, Text::of_four_planes, Text::maintained_four_planes};
+  }
+  switch (kernel) {
+    case calc::ReceiverKernel::planar:
+      break;
+    case calc::ReceiverKernel::cylindrical:
+      return {Text::cylindrical, Text::of_cylindrical, Text::maintained_cylindrical};
+    case calc::ReceiverKernel::semicylindrical:
+      return {Text::semicylindrical, Text::of_semicylindrical, Text::maintained_semicylindrical};
+    case calc::ReceiverKernel::hemispherical:
+      return {Text::hemispherical, Text::of_hemispherical, Text::maintained_hemispherical};
+    case calc::ReceiverKernel::scalar:
+      return {Text::scalar, Text::of_scalar, Text::maintained_scalar};
+  }
+  return {Text::illuminance, Text::of_illuminance, Text::maintained_illuminance};
+}
+
+}  // namespace
+
+const char* outcome_symbol(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return "✗";
+    case rules::Outcome::undecided:
+      return "?";
+    case rules::Outcome::pass:
+    case rules::Outcome::waived:
+      return "✓";
+    case rules::Outcome::nothing_asked:
+      return "○";
+  }
+  return "–";
+}
+
+const char* verdict_symbol(rules::Verdict verdict) {
+  return outcome_symbol(rules::outcome_of(verdict));
+}
+
+const char* verdict_key(rules::Verdict verdict) {
+  return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
+}
+
+const char* outcome_words(const Texts& t, rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::not_judged:
+      break;
+    case rules::Outcome::fail:
+      return t[Text::verdict_fail];
+    case rules::Outcome::undecided:
+      return t[Text::verdict_undecided];
+    case rules::Outcome::pass:
+      return t[Text::verdict_pass];
+    case rules::Outcome::waived:
+      return t[Text::waived];
+    case rules::Outcome::nothing_asked:
+      return t[Text::outcome_nothing_asked];
+  }
+  return t[Text::verdict_not_judged];
+}
+
+const char* verdict_words(const Texts& t, rules::Verdict verdict) {
+  return outcome_words(t, rules::outcome_of(verdict));
+}
+
+const char* light_state_words(const Texts& t, rules::LightState state) {
+  switch (state) {
+    case rules::LightState::maintained:
+      return t[Text::state_maintained];
+    case rules::LightState::initial:
+      return t[Text::state_initial];
+    case rules::LightState::end_of_duration:
+      break;
+  }
+  return t[Text::state_end_of_duration];
+}
+
+const char* plane_words(const Texts& t, calc::ReceiverKernel kernel,
+                        calc::DerivedQuantity derived) {
+  return t[quantity_texts(kernel, derived).alone];
+}
+
+const char* of_plane_words(const Texts& t, const PlanePart& plane) {
+  return t[quantity_texts(plane.kernel, plane.derived).of];
+}
+
+const char* state_plane_words(const Texts& t, const PlanePart& plane) {
+  return t[quantity_texts(plane.kernel, plane.derived).of_plane];
+}
+
+std::string values_words(const Texts& t, const PlanePart& plane) {
+  std::string words = state_plane_words(t, plane);
+  if (*plane_unit(plane) != '\0') words += std::string(" ") + t[Text::in_lx];
+  return words;
+}
+
+const char* state_words(const Texts& t, const PlanePart& plane) {
+  return t[plane.derived == calc::DerivedQuantity::ugr ? Text::initial : Text::maintained];
+}
+
+const char* value_key(const PlanePart& plane) {
+  if (plane.derived == calc::DerivedQuantity::ugr) return "ugr";
+  return plane.derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";
+}
+
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement) {
+  switch (requirement.metric) {
+    case rules::Metric::average:
+      return t[Text::average];
+    case rules::Metric::minimum:
+      return t[Text::minimum];
+    case rules::Metric::maximum:
+      return t[Text::maximum];
+    case rules::Metric::uniformity_min_avg:
+      return t[Text::uniformity_min_avg];
+    case rules::Metric::uniformity_min_max:
+      return t[Text::uniformity_min_max];
+    case rules::Metric::percentile:
+      return t.say<Text::percentile>(format_shortest(t, requirement.percent));
+    case rules::Metric::share:
+      return range_words(t, requirement.range, requirement.derived);
+    case rules::Metric::power_density:
+      return t[Text::power_density];
+    case rules::Metric::power_per_100_lx:
+      return t[Text::power_per_100_lx];
+    case rules::Metric::leni:
+      return t[Text::leni];
+    case rules::Metric::gradient:
+      return t[Text::gradient];
+    case rules::Metric::value_at_point:
+      break;
+  }
+  return requirement.point_m ? t.say<Text::value_at>(format_position(t, *requirement.point_m))
+                             : t[Text::value_at_point];
+}
+
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement,
+                           calc::ReceiverKernel kernel) {
+  const std::string words = quantity_words(t, requirement);
+  if (rules::is_of_space(requirement.metric)) return words;
+  if (kernel == calc::ReceiverKernel::planar &&
+      requirement.derived == calc::DerivedQuantity::none) {
+    return words;
+  }
+  return words + " " + t[quantity_texts(kernel, requirement.derived).of];
+}
+
+const char* comparison_key(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "at_least";
+    case rules::Comparison::at_most:
+      return "at_most";
+    case rules::Comparison::more_than:
+      return "more_than";
+    case rules::Comparison::less_than:
+      return "less_than";
+  }
+  return "";
+}
+
+const char* comparison_sign(rules::Comparison comparison) {
+  switch (comparison) {
+    case rules::Comparison::at_least:
+      return "≥";
+    case rules::Comparison::at_most:
+      return "≤";
+    case rules::Comparison::more_than:
+      return ">";
+    case rules::Comparison::less_than:
+      return "<";
+  }
+  return "";
+}
+
+const char* severity_key(rules::Severity severity) {
+  if (severity == rules::Severity::in_aggregate) return "in-aggregate";
+  return severity == rules::Severity::shall ? "shall" : "advice";
+}
+
+std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
+  std::string text;
+  if (requirement.state != rules::LightState::maintained) {
+    text += std::string(", ") + light_state_words(t, requirement.state);
+  }
+  if (!requirement.scene.empty()) text += ", " + t.say<Text::scene>(printable(requirement.scene));
+  return text;
+}
+
+std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
+  std::vector<NotePart> parts;
+  const rules::Requirement& requirement = finding.requirement;
+  if (!requirement.note.empty()) parts.push_back({requirement.note, true});
+  const auto add = [&parts](std::string text) { parts.push_back({std::move(text), false}); };
+  if (requirement.severity == rules::Severity::advice) add(t[Text::note_advice]);
+  if (requirement.severity == rules::Severity::in_aggregate) add(t[Text::note_in_aggregate]);
+  if (requirement.direct_only) add(t[Text::note_direct_only]);
+  if (!requirement.mask.id.empty()) {
+    add(finding.points_used == 0
+            ? t.say<Text::note_mask>(requirement.mask.id)
+            : t.say<Text::note_mask_points>(requirement.mask.id, finding.points_used));
+  }
+  if (!requirement.policy.is_default())
+    parts.push_back({rules::policy_text(requirement.policy), true});
+  if (finding.by_tolerance) add(t[Text::note_tolerance]);
+  return parts;
+}
+
+std::string note_words(const Texts& t, const rules::Finding& finding) {
+  std::string words;
+  for (const NotePart& part : note_parts(t, finding))
+    words += (words.empty() ? "" : "; ") + part.text;
+  return words;
+}
+
+std::string_view title_of(std::string_view name, std::string_view id) {
+  return name.empty() ? id : name;
+}
+
+const char* stop_key(calc::StopReason stop) {
+  switch (stop) {
+    case calc::StopReason::exact:
+      return "exact";
+    case calc::StopReason::decided:
+      return "decided";
+    case calc::StopReason::accurate:
+      return "accurate";
+    case calc::StopReason::path_limit:
+      return "path-limit";
+    case calc::StopReason::time_limit:
+      return "time-limit";
+    case calc::StopReason::memory_limit:
+      return "memory-limit";
+    case calc::StopReason::endless_path:
+      return "endless-path";
+    case calc::StopReason::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+const char* stop_words(const Texts& t, calc::StopReason stop) {
+  switch (stop) {
+    case calc::StopReason::exact:
+      return t[Text::stop_exact];
+    case calc::StopReason::decided:
+      return t[Text::stop_decided];
+    case calc::StopReason::accurate:
+      return t[Text::stop_accurate];
+    case calc::StopReason::path_limit:
+      return t[Text::stop_path_limit];
+    case calc::StopReason::time_limit:
+      return t[Text::stop_time_limit];
+    case calc::StopReason::memory_limit:
+      return t[Text::stop_memory_limit];
+    case calc::StopReason::endless_path:
+      return t[Text::stop_endless_path];
+    case calc::StopReason::interrupted:
+      break;
+  }
+  return t[Text::stop_interrupted];
+}
+
+const char* drop_key(calc::DropReason reason) {
+  switch (reason) {
+    case calc::DropReason::outside_area:
+      return "outside-area";
+    case calc::DropReason::within_margin:
+      return "within-margin";
+    case calc::DropReason::outside_room:
+      return "outside-room";
+    case calc::DropReason::inside_solid:
+      break;
+  }
+  return "inside-solid";
+}
+
+const char* drop_words(const Texts& t, calc::DropReason reason) {
+  switch (reason) {
+    case calc::DropReason::outside_area:
+      return t[Text::drop_outside_area];
+    case calc::DropReason::within_margin:
+      return t[Text::drop_within_margin];
+    case calc::DropReason::outside_room:
+      return t[Text::drop_outside_room];
+    case calc::DropReason::inside_solid:
+      break;
+  }
+  return t[Text::drop_inside_solid];
+}
+
+std::string summary_words(const Texts& t, const Document& document) {
+  VerdictCounts counts = count_verdicts(document);
+  const auto not_judged_projects = static_cast<int>(
+      std::count_if(document.projects.begin(), document.projects.end(),
+                    [](const ProjectPart& project) { return !project.is_judged; }));
+  counts.not_judged -= not_judged_projects;
+  const int total = counts.all();
+  std::string text =
+      total == 1 ? t.say<Text::one_requirement>(total) : t.say<Text::requirements>(total);
+  const char* separator = ": ";
+  const auto add = [&](int count, Text word) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}", separator, count, t[word]);
+    separator = ", ";
+  };
+  add(counts.pass, Text::verdict_pass);
+  add(counts.fail, Text::verdict_fail);
+  add(counts.undecided, Text::verdict_undecided);
+  add(counts.not_judged, Text::verdict_not_judged);
+  add(counts.waived, Text::waived);
+  if (const rules::Outcome outcome = outcome_of(document);
+      outcome == rules::Outcome::nothing_asked) {
+    text += std::string(separator) + outcome_words(t, outcome);
+  }
+  if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
+  if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);
+  return text;
+}
+
+std::string close_words(const Texts& t, const rules::Finding& finding) {
+  if (!finding.is_close) return {};
+  return t[finding.requirement.policy.compares_rounded ? Text::close_unrounded
+                                                       : Text::close_rounded];
+}
+
+std::string looks_words(const Texts& t, const PlanePart& plane) {
+  const std::size_t taken = plane.counters.active_points.size();
+  return taken == 0 ? "" : t.say<Text::looks_of_planned>(taken, plane.looks_planned);
+}
+
+std::string doubt_words(const Texts& t, const PlanePart& plane) {
+  std::string text;
+  const auto add = [&text](const std::string& words) {
+    text += (text.empty() ? "" : "; ") + words;
+  };
+  const std::size_t points = plane.points.size();
+  if (plane.unseen_points > 0) add(t.say<Text::doubt_unseen>(plane.unseen_points, points));
+  if (plane.single_sample_points > 0)
+    add(t.say<Text::doubt_single>(plane.single_sample_points, points));
+  return text;
+}
+
+bool is_horizontal(const glm::dvec3& normal) { return std::abs(normal.z) > 1.0 - kStraight; }
+
+std::string orientation_words(const Texts& t, const glm::dvec3& normal) {
+  if (is_horizontal(normal)) return t[normal.z > 0 ? Text::facing_up : Text::facing_down];
+  if (std::abs(normal.z) < kStraight) return t.say<Text::facing_sideways>(heading_words(t, normal));
+  const double tilt_deg = calc::degrees_from_radians(calc::acos(std::clamp(normal.z, -1.0, 1.0)));
+  return t.say<Text::inclined>(format_fixed(t, tilt_deg, 1));
+}
+
+std::string heading_words(const Texts& t, const glm::dvec3& direction) {
+  return t.number(
+      fmt::format("({}, {})", format_fixed(direction.x, 2), format_fixed(direction.y, 2)));
+}
+
+}  // namespace report

@@ -1,0 +1,128 @@
+#pragma once
+// Words and symbols that every format shares, so that all of them tell the same story. Functions
+// that take Texts speak its language; without them it is English, as data formats need it.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+// "✓", "✗", "?", "–", and "○" where nothing was asked: nothing is told by colour alone.
+const char* outcome_symbol(rules::Outcome outcome);
+const char* verdict_symbol(rules::Verdict verdict);
+
+// Name without blanks for class names and data: "pass", "fail", "undecided", "not-judged".
+const char* verdict_key(rules::Verdict verdict);
+
+// "pass", "fail", ..., "waived", "nothing was asked" for people.
+const char* outcome_words(const Texts& t, rules::Outcome outcome);
+inline const char* outcome_words(rules::Outcome outcome) { return outcome_words({}, outcome); }
+const char* verdict_words(const Texts& t, rules::Verdict verdict);
+
+// "maintained", "initial", "end-of-duration".
+const char* light_state_words(const Texts& t, rules::LightState state);
+
+// What a plane's points measure: "illuminance" (planar), "cylindrical illuminance Ez", "glare
+// rating UGR", ...
+const char* plane_words(const Texts& t, calc::ReceiverKernel kernel, calc::DerivedQuantity derived);
+inline const char* plane_words(const Texts& t, const PlanePart& plane) {
+  return plane_words(t, plane.kernel, plane.derived);
+}
+inline const char* plane_words(const PlanePart& plane) { return plane_words({}, plane); }
+inline const char* plane_words(calc::ReceiverKernel kernel, calc::DerivedQuantity derived) {
+  return plane_words({}, kernel, derived);
+}
+inline const char* kernel_words(calc::ReceiverKernel kernel) {
+  return plane_words({}, kernel, calc::DerivedQuantity::none);
+}
+// After "average": "of glare rating UGR".
+const char* of_plane_words(const Texts& t, const PlanePart& plane);
+// Plain illuminance, which needs no words.
+inline bool is_plain_illuminance(const PlanePart& plane) {
+  return plane.kernel == calc::ReceiverKernel::planar &&
+         plane.derived == calc::DerivedQuantity::none;
+}
+// Of the plane's values: "lx", or "" of ratings and ratios.
+inline const char* plane_unit(const PlanePart& plane) {
+  return calc::is_plain_number(plane.derived) ? "" : "lx";
+}
+// Of which light the plane's values are: "Maintained", or "Initial" of glare ratings, which are of
+// the new installation.
+const char* state_words(const Texts& t, const PlanePart& plane);
+// Both together: "Maintained illuminance".
+const char* state_plane_words(const Texts& t, const PlanePart& plane);
+// With the unit: "Maintained illuminance in lx".
+std::string values_words(const Texts& t, const PlanePart& plane);
+// What a point's value is called in data: "illuminance_lx", "ugr", "modelling".
+const char* value_key(const PlanePart& plane);
+
+// What a requirement looks at: "average", "minimum", "Uo (min/avg)", "5 % percentile", "value at
+// (1.00, 2.00, 0.80)".
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement);
+inline std::string quantity_words(const rules::Requirement& requirement) {
+  return quantity_words({}, requirement);
+}
+// The same where the plane is not named otherwise: "average of cylindrical illuminance Ez", but
+// still "average" if it is planar.
+std::string quantity_words(const Texts& t, const rules::Requirement& requirement,
+                           calc::ReceiverKernel kernel);
+inline std::string quantity_words(const rules::Requirement& requirement,
+                                  calc::ReceiverKernel kernel) {
+  return quantity_words({}, requirement, kernel);
+}
+
+// "at_least", "at_most", "more_than" or "less_than".
+const char* comparison_key(rules::Comparison comparison);
+// "≥", "≤", ">" or "<".
+const char* comparison_sign(rules::Comparison comparison);
+// "shall" or "advice".
+const char* severity_key(rules::Severity severity);
+// What must be read with a finding: trust in the requirement, its mask, its decision policy; empty
+// if there is nothing to say.
+struct NotePart {
+  std::string text;
+  bool is_english = false;  // in every language: a rule pack's words
+};
+// ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
+// nothing.
+std::string scene_words(const Texts& t, const rules::Requirement& requirement);
+std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
+// The same as one text.
+std::string note_words(const Texts& t, const rules::Finding& finding);
+inline std::string note_words(const rules::Finding& finding) { return note_words({}, finding); }
+// Of a finding that is close; "" for others.
+std::string close_words(const Texts& t, const rules::Finding& finding);
+inline std::string close_words(const rules::Finding& finding) { return close_words({}, finding); }
+
+// Name as given, else the id.
+std::string_view title_of(std::string_view name, std::string_view id);
+
+// Stable kebab-case key for data, and a sentence part for people.
+const char* stop_key(calc::StopReason stop);
+const char* stop_words(const Texts& t, calc::StopReason stop);
+const char* drop_key(calc::DropReason reason);
+const char* drop_words(const Texts& t, calc::DropReason reason);
+
+// "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged", "0 requirements: nothing was
+// asked".
+std::string summary_words(const Texts& t, const Document& document);
+inline std::string summary_words(const Document& document) { return summary_words({}, document); }
+
+// "3 of 9 planned"; "" where nothing was sampled.
+std::string looks_words(const Texts& t, const PlanePart& plane);
+
+// What is not to be trusted: "2 of 40 points rest on single samples: ..."; "" if nothing.
+std::string doubt_words(const Texts& t, const PlanePart& plane);
+inline std::string doubt_words(const PlanePart& plane) { return doubt_words({}, plane); }
+
+// "horizontal, facing up", "vertical", "inclined by 30°" ... from the unit normal of a plane.
+std::string orientation_words(const Texts& t, const glm::dvec3& normal);
+// "(0.50, -0.87)": x and y alone.
+std::string heading_words(const Texts& t, const glm::dvec3& direction);
+bool is_horizontal(const glm::dvec3& normal);
+
+}  // namespace report

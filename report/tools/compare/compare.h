@@ -1,0 +1,12 @@
+#pragma once
+// `luxgate compare`: a result against another one, another program's or measured values.
+
+#include "calc/base/file_reader.h"
+#include "report/shell/command_outcome.h"
+#include "report/tools/compare/compare_options.h"
+
+namespace cli {
+
+CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader& disk);
+
+}  // namespace cli

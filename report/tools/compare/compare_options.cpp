@@ -1,0 +1,61 @@
+#include "report/tools/compare/compare_options.h"
+
+#include "report/shell/option_values.h"
+
+#include <algorithm>
+
+namespace cli {
+ListedCommand compare_command(CompareOptions& options) {
+  ListedCommand command;
+  command.places = {
+      {"a", "A.json", "A result of 'check --format json'", &options.a},
+      {"b", "B.json|B.csv", "Another one, or a table of another program's or measured values",
+       &options.b}};
+  command.flags = {{"--partial", "Compare what both have; what one lacks is noted, not an error",
+                    &options.is_partial}};
+  command.values = {
+      {"--tolerance", "SHARE",
+       "Difference allowed besides the intervals, as 0.05 or 5% of B; default none",
+       share_between(options.tolerance, 0.0, 1.0)},
+      {"--distance", "METRES", "Points this near to each other are the same; default 0.01",
+       positive_number(options.distance_m)},
+      {"--plane", "ID[=ID]", "Only this plane; =ID where B calls it so; may be repeated",
+       [&options](const std::string& text) -> std::string {
+         const std::size_t equals = text.find('=');
+         if (text.empty() || equals == 0 || equals + 1 == text.size()) {
+           return "a plane's id is needed, or two with '=' between";
+         }
+         options.planes.push_back(text);
+         return "";
+       },
+       true},
+      {"--worst", "N", "Points to name, furthest apart first; default 5",
+       whole_number(options.worst, 0, 1000)},
+      {"--format", "KIND[=FILE]",
+       "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
+       "default text; may be repeated",
+       data_output(options.outputs), true}};
+  command.footer =
+      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
+      "with\n"
+      "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
+      "'low_lx,high_lx'; perhaps 'quantity', as planar. 'points.csv' of 'check' is one.\n"
+      "Values are maintained illuminances at full output. Ratings and ratios are named and left\n"
+      "out.\n"
+      "Points are judged, all together, and each plane's average, which shows a common bias that "
+      "no\n"
+      "point does; an average whose interval is not known (--partial, some points) is not judged.\n"
+      "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
+      "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";
+  return command;
+}
+
+std::string compare_contradiction(const CompareOptions& options) {
+  if (std::count_if(options.outputs.begin(), options.outputs.end(),
+                    [](const DataOutput& output) { return output.file.empty(); }) > 1) {
+    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  return "";
+}
+
+}  // namespace cli

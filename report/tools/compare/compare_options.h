@@ -1,0 +1,27 @@
+#pragma once
+// The options of `luxgate compare`.
+
+#include "report/tools/converge/converge_options.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct ListedCommand;
+
+struct CompareOptions {
+  std::string a, b;
+  std::vector<std::string> planes;  // "A" or "A=B"; empty = all
+  double tolerance = 0.0;           // share of B, besides the intervals
+  double distance_m = 0.01;         // within which points are the same
+  int worst = 5;
+  bool is_partial = false;  // what only one side has is a note, not an error
+  std::vector<DataOutput> outputs;
+};
+
+ListedCommand compare_command(CompareOptions& options);
+// "" = nothing is wrong.
+std::string compare_contradiction(const CompareOptions& options);
+
+}  // namespace cli

@@ -1,0 +1,129 @@
+#include "report/text/csv_field.h"
+#include "report/text/json_layout.h"
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "report/tools/compare/comparison.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace report {
+namespace {
+
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:+.2f} %", 100.0 * share + 0.0) : "–";
+}
+
+std::string point_line(const ComparedPoint& p) {
+  return fmt::format(
+      "    {}: {:.5g} lx and {:.5g} lx, difference {:+.3g} lx ({}), combined interval ±{:.2g} lx\n",
+      format_position(p.position_m), p.a.lx, p.b.lx, p.difference_lx(),
+      p.b.lx != 0.0 ? percent(p.difference_lx() / p.b.lx) : "–", p.interval_lx());
+}
+
+std::string average_words(const ComparedPlane& plane) {
+  const std::optional<double> interval = plane.average_interval_lx();
+  if (!interval)
+    return "not judged: its interval is not known, and points do not show a common bias";
+  return fmt::format("combined interval ±{:.2g} lx, {}", *interval,
+                     plane.is_average_beyond ? "BEYOND what is allowed" : "within what is allowed");
+}
+
+}  // namespace
+
+std::string render_comparison_text(const Comparison& comparison, std::size_t worst) {
+  std::string text =
+      fmt::format("A  {}\nB  {}\n", printable(comparison.name_a), printable(comparison.name_b));
+  for (const ComparedPlane& plane : comparison.planes) {
+    text += fmt::format(
+        "\nPlane {}, {} points\n"
+        "  average  A {:.5g} lx, B {:.5g} lx: A - B = {} of B's average\n"
+        "           {}\n"
+        "  Uo       A {:.3f}, B {:.3f}\n"
+        "  RMS      {} of B's average\n"
+        "  within the combined {} interval: {} of {} points; beyond what is allowed: {}\n",
+        printable(plane.id), plane.points.size(), plane.average_a_lx, plane.average_b_lx,
+        percent(plane.bias), average_words(plane), plane.uo_a, plane.uo_b,
+        percent(plane.rms).substr(1), format_percent(comparison.confidence), plane.held,
+        plane.points.size(), plane.beyond);
+    if (worst > 0) text += "  furthest apart:\n";
+    for (const std::size_t i : worst_points(plane, worst)) text += point_line(plane.points[i]);
+  }
+  text += "\n";
+  for (const std::string& note : comparison.notes) text += "Note: " + printable(note) + "\n";
+  text += fmt::format(
+      "{}: {} of {} points and {} of {} averages differ by more than their intervals (times "
+      "{:.2f}, "
+      "so\nthat all of them together do so by chance in 1 of 20 comparisons){}\n",
+      comparison.is_alike() ? "Alike" : "DIFFERENT", comparison.beyond(), comparison.points(),
+      comparison.averages_beyond(), comparison.averages_judged(), comparison.widening,
+      comparison.tolerance > 0.0 ? fmt::format(" and {} of B", format_percent(comparison.tolerance))
+                                 : "");
+  return text;
+}
+
+std::string render_comparison_csv(const Comparison& comparison) {
+  std::string csv =
+      "plane,column,row,x_m,y_m,z_m,a_lx,a_half_width_lx,b_lx,b_half_width_lx,difference_lx,"
+      "difference_share,combined_half_width_lx\n";
+  for (const ComparedPlane& plane : comparison.planes) {
+    for (const ComparedPoint& p : plane.points) {
+      csv += csv_field(plane.id) + fmt::format(",{},{}", p.column, p.row);
+      for (const double value :
+           {p.position_m.x, p.position_m.y, p.position_m.z, p.a.lx, p.a.half_width_lx, p.b.lx,
+            p.b.half_width_lx, p.difference_lx(),
+            p.b.lx != 0.0 ? p.difference_lx() / p.b.lx : std::nan(""), p.interval_lx()}) {
+        csv += "," + format_shortest(value);
+      }
+      csv += "\n";
+    }
+  }
+  return csv;
+}
+
+std::string render_comparison_json(const Comparison& comparison) {
+  using Json = nlohmann::ordered_json;
+  Json planes = Json::array();
+  for (const ComparedPlane& plane : comparison.planes) {
+    Json rows = Json::array();
+    for (const ComparedPoint& p : plane.points) {
+      rows.push_back({p.column, p.row, p.position_m.x, p.position_m.y, p.position_m.z, p.a.lx,
+                      p.a.half_width_lx, p.b.lx, p.b.half_width_lx});
+    }
+    planes.push_back(
+        {{"id", plane.id},
+         {"average_a_lx", plane.average_a_lx},
+         {"average_b_lx", plane.average_b_lx},
+         {"uo_a", plane.uo_a},
+         {"uo_b", plane.uo_b},
+         {"average_interval_lx",
+          plane.average_interval_lx() ? Json(*plane.average_interval_lx()) : Json(nullptr)},
+         {"is_average_beyond", plane.is_average_beyond},
+         {"bias", plane.bias},
+         {"rms", plane.rms},
+         {"held", plane.held},
+         {"beyond", plane.beyond},
+         {"points",
+          {{"columns",
+            {"column", "row", "x_m", "y_m", "z_m", "a_lx", "a_half_width_lx", "b_lx",
+             "b_half_width_lx"}},
+           {"rows", rows}}}});
+  }
+  return json_layout({{"format", "luxgate-comparison"},
+                      {"format_version", 1},
+                      {"a", comparison.name_a},
+                      {"b", comparison.name_b},
+                      {"confidence", comparison.confidence},
+                      {"tolerance", comparison.tolerance},
+                      {"widening", comparison.widening},
+                      {"points", comparison.points()},
+                      {"beyond", comparison.beyond()},
+                      {"averages_judged", comparison.averages_judged()},
+                      {"averages_beyond", comparison.averages_beyond()},
+                      {"notes", comparison.notes},
+                      {"planes", planes}});
+}
+
+}  // namespace report

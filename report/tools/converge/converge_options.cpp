@@ -1,0 +1,130 @@
+#include "report/tools/converge/converge_options.h"
+
+#include "report/shell/option_values.h"
+#include "report/tools/converge/converge_estimators.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+ValueParser method_list(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    std::vector<std::string> list = split(text);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (std::string problem = estimator_problem(list[i]); !problem.empty()) return problem;
+      if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i), list[i]) !=
+          list.begin() + static_cast<std::ptrdiff_t>(i)) {
+        return fmt::format("'{}' is named twice", list[i]);
+      }
+    }
+    target = std::move(list);
+    return "";
+  };
+}
+
+ValueParser plane_list(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "the id of a plane is needed";
+    target.push_back(text);
+    return "";
+  };
+}
+
+}  // namespace
+
+std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
+  constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
+  return {
+      {"--methods", "LIST",
+       "Any of core (what 'check' does), gpu (what 'check --backend gpu' does), path-tracing,\n"
+       "instant-radiosity, clamped-instant-radiosity and shadow-map:N (instant radiosity that\n"
+       "sees by shadow maps with N texels along a cube's edge, 16 to 2048, a power of two; may\n"
+       "be there with several N), with commas; gpu and shadow-map need OpenGL; default\n"
+       "core,instant-radiosity",
+       method_list(options.methods)},
+      {"--reference", "own|FILE.csv",
+       "What errors are measured against: a long run of the core with other random numbers, whose\n"
+       "own error is subtracted, or a table with a line for every point: plane,column,row,lx or\n"
+       "x,y,z,lx (m, lx, initial) and perhaps error_lx, its standard error; default own",
+       some_text(options.reference)},
+      {"--reference-paths", "N",
+       "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
+       power_of_two(options.reference_paths, 16, kMostPaths)},
+      {"--part", "NAME", "total, or indirect: errors of the reflected light alone; default total",
+       choice<bool>(options.is_indirect, {{"total", false}, {"indirect", true}})},
+      {"--min-paths", "N", "First step of the ladder, per replicate, a power of two; default 64",
+       power_of_two(options.min_paths, 16, kMostPaths)},
+      {"--max-paths", "N", "Last step; every step takes twice as many; default 8192",
+       power_of_two(options.max_paths, 16, kMostPaths)},
+      {"--replicates", "N", "Replicates of a run, which is their mean, 4 to 64; default 16",
+       whole_number(options.replicates, 4, 64)},
+      {"--seeds", "N", "Runs at every step, with different random numbers; default 5",
+       whole_number(options.seeds, 1, 1000)},
+      {"--seed", "N", "Seed of the first of them; default 1",
+       whole_number(options.seed, 0, UINT64_MAX - 1000)},
+      {"--clamp", "B", "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
+       positive_number(options.clamp_per_m2)},
+      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
+      {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
+       plane_list(options.planes), true},
+      rule_files_option(options.rule_files),
+      {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
+      {"--gl-device", "N",
+       "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"
+       "hardware before software",
+       whole_number(options.gl_device, 0, 1000)},
+      {"--format", "KIND[=FILE]",
+       "text, csv, json or html, to FILE or (one kind only) to standard output, where text goes\n"
+       "unless another kind does; may be repeated",
+       data_output(options.outputs), true}};
+}
+
+std::string converge_contradiction(const ConvergeOptions& options) {
+  if (options.max_paths < options.min_paths) {
+    return fmt::format("--max-paths {} is less than --min-paths {}", options.max_paths,
+                       options.min_paths);
+  }
+  if (options.gl_device >= 0 &&
+      std::none_of(options.methods.begin(), options.methods.end(), needs_opengl)) {
+    return "--gl-device is for the methods gpu and shadow-map:N";
+  }
+  if (options.reference != "own" && options.reference_paths > 0) {
+    return "--reference-paths is for --reference own";
+  }
+  const auto to_stdout =
+      std::count_if(options.outputs.begin(), options.outputs.end(),
+                    [](const DataOutput& output) { return output.file.empty(); });
+  if (to_stdout > 1) {
+    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
+  }
+  return "";
+}
+
+std::string converge_footer() {
+  return "Error against the number of light vertices and the size of shadow maps, with the core "
+         "in\n"
+         "the same plots, and the time of each phase, in examples/08-error-against-time:\n"
+         "  luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 \\\n"
+         "    --methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 \\\n"
+         "    --min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html\n"
+         "Times depend on the machine and on what else it does; errors do not.\n"
+         "Exit codes: 0 measured, 2 an error, 130 interrupted.";
+}
+
+}  // namespace cli

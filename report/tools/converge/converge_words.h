@@ -1,0 +1,34 @@
+#pragma once
+// Numbers of convergence documents as words, shared by their formats for people.
+
+#include "report/tools/converge/converge_document.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+// In the order of their columns.
+struct ConvergePhase {
+  std::string_view key, title;
+  double ConvergePhases::*seconds;
+  int colour;  // class "p<colour>" in HTML
+};
+const std::vector<ConvergePhase>& all_phases();
+// Without shadow maps where no method drew any.
+std::vector<ConvergePhase> shown_phases(const ConvergeDocument& document);
+// The device of OpenGL with what it means for times, for people; "" = none was used.
+std::string opengl_words(const ConvergeDocument& document);
+
+std::string error_words(double share);            // two significant digits: "12 %", "0.034 %"
+std::string error_words(const ConvergeError& e);  // "< 0.12 %" below the reference's error
+std::string time_words(double seconds);           // "4.2 ms", "0.31 s", "12 s"
+std::string phase_words(double seconds);          // "–" for a phase that a method does not have
+std::string time_words(const ConvergeTarget& target);  // "~12 s" extrapolated, "–" not known
+std::string slope_words(const std::optional<double>& slope);   // "-0.62"
+std::string coverage_words(const ConvergeCoverage& coverage);  // "94.8 %", "–" if nothing varied
+std::string count_words(double count);                         // "12 400"
+
+}  // namespace report

@@ -1,0 +1,38 @@
+#include "report/tools/devices/version.h"
+
+#include "calc/base/numbers_version.h"
+#include "calc/rays/instruction_set.h"
+#include "calc/rays/triangle_tree.h"
+#include "gpu/egl_context.h"
+#include "report/text/json_layout.h"
+#include "report/tools/devices/devices.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace cli {
+
+// LUXGATE_VERSION, LUXGATE_COMPILER and LUXGATE_BUILD_TYPE come from CMake.
+std::string program_version() { return LUXGATE_VERSION; }
+
+std::string version_text(bool as_json) {
+  const std::string builder = calc::tree_builder_version();
+  if (as_json) {
+    return report::json_layout(
+        nlohmann::ordered_json{{"luxgate", LUXGATE_VERSION},
+                               {"compiler", LUXGATE_COMPILER},
+                               {"build_type", LUXGATE_BUILD_TYPE},
+                               {"numbers_version", calc::kNumbersVersion},
+                               {"trees", builder},
+                               {"instruction_set", calc::instruction_set()},
+                               {"instruction_sets", calc::instruction_sets()},
+                               {"opengl_devices", devices_json(gpu::list_devices())}});
+  }
+  return fmt::format(
+      "luxgate {}\nnumbers    version {}\ncompiler   {}\nbuild type {}\ntrees      {}\nvectors    "
+      "{}\n",
+      LUXGATE_VERSION, calc::kNumbersVersion, LUXGATE_COMPILER, LUXGATE_BUILD_TYPE, builder,
+      calc::instruction_set());
+}
+
+}  // namespace cli

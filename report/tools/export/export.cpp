@@ -1,0 +1,155 @@
+#include "report/tools/export/export.h"
+
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/sensor_grid.h"
+#include "report/check/load_judged_project.h"
+#include "report/shell/chosen_space.h"
+#include "report/shell/outputs.h"
+#include "report/shell/recording_reader.h"
+#include "report/shell/write.h"
+#include "report/text/plain_text.h"
+#include "report/tools/export/radiance_lights.h"
+#include "report/tools/export/radiance_scene.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+using calc::DiagnosticId;
+
+struct ExportedFile {
+  std::string name, text;
+};
+
+// Grids of all planes of planar illuminance; what is left out is said.
+std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std::string>& ids,
+                                       std::vector<std::string>& changed,
+                                       calc::Diagnostics& diagnostics) {
+  std::vector<calc::SensorGrid> grids;
+  for (const calc::CalcPlane& plane : space.planes) {
+    if (plane.kernel != calc::ReceiverKernel::planar ||
+        plane.derived != calc::DerivedQuantity::none) {
+      changed.push_back(fmt::format(
+          "plane '{}' is of quantity '{}', which rtrace -I does not give: it is missing", plane.id,
+          calc::quantity_name(plane.kernel, plane.derived)));
+      continue;
+    }
+    std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (!grid) continue;
+    ids.push_back(plane.id);
+    grids.push_back(std::move(*grid));
+  }
+  return grids;
+}
+
+std::vector<ExportedFile> radiance_files(const calc::Project& project, const calc::Space& space,
+                                         std::vector<std::string>& notes,
+                                         calc::Diagnostics& diagnostics) {
+  std::vector<std::string> ids, changed;
+  const std::vector<calc::SensorGrid> grids = grids_of(space, ids, changed, diagnostics);
+  std::vector<radiance::Plane> planes;
+  for (std::size_t p = 0; p < grids.size(); ++p) planes.push_back({ids[p], &grids[p]});
+  const calc::PreparedScene scene = calc::prepare_scene(project, space);
+  if (diagnostics.has_errors()) return {};
+  if (planes.empty() || scene.luminaires.empty()) {
+    diagnostics.report(DiagnosticId::output_not_possible, space.where,
+                       fmt::format("space '{}' has no {} to export", space.id,
+                                   planes.empty() ? "plane of planar illuminance" : "luminaire"));
+    return {};
+  }
+  radiance::LightFiles lights = radiance::write_lights(scene);
+  changed.insert(changed.end(), lights.changed.begin(), lights.changed.end());
+  notes = changed;
+  std::size_t all = 0;
+  for (const calc::Space& each : project.spaces) all += each.planes.size();
+  const bool is_partial = planes.size() < all;
+  std::vector<ExportedFile> files = {
+      {"materials.rad", radiance::write_materials(scene)},
+      {"surfaces.rad", radiance::write_surfaces(scene)},
+      {"luminaires.rad", std::move(lights.scene)},
+      {"luxgate.cal", radiance::kFunctions},
+      {"points.txt", radiance::write_points(planes)},
+      {"points.csv", radiance::write_point_table(planes)},
+      {"run.sh", radiance::write_script(is_partial)},
+      {"README.md", radiance::write_readme(project, space, scene, planes, is_partial, changed)}};
+  for (radiance::LightFiles::Data& data : lights.data) {
+    files.push_back({std::move(data.name), std::move(data.text)});
+  }
+  return files;
+}
+
+// "" = every file can be written.
+std::string obstacle(const ExportOptions& options, const std::vector<ExportedFile>& files,
+                     const RecordingReader& inputs) {
+  for (const ExportedFile& file : files) {
+    const std::string path = (fs::path(options.folder) / file.name).string();
+    for (const std::string& input : inputs.paths()) {
+      if (path_identity(input) == path_identity(path)) {
+        return fmt::format("'{}' was read as an input and is not overwritten", path);
+      }
+    }
+    std::error_code ignored;
+    if (!options.overwrites && fs::exists(path, ignored)) {
+      return fmt::format("'{}' is there already; --force replaces files of an earlier export",
+                         path);
+    }
+    const std::string problem = writability(path);
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+// "" after an error.
+std::string export_project(const ExportOptions& options, const RecordingReader& files,
+                           calc::Diagnostics& diagnostics) {
+  const std::optional<calc::Project> project =
+      load_judged_project(options.project, files, options.rule_files, diagnostics);
+  if (!project) return "";
+  const calc::Space* space = find_chosen_space(*project, options.space, diagnostics);
+  if (space == nullptr) return "";
+  std::vector<std::string> notes;
+  const std::vector<ExportedFile> exported = radiance_files(*project, *space, notes, diagnostics);
+  if (exported.empty()) return "";
+  std::string problem = obstacle(options, exported, files);
+  for (const ExportedFile& file : exported) {
+    if (!problem.empty()) break;
+    const std::string path = (fs::path(options.folder) / file.name).string();
+    const std::string failure = report::write_file_atomically(path, file.text);
+    if (!failure.empty()) problem = fmt::format("cannot write '{}': {}", path, failure);
+    if (file.name == "run.sh" && failure.empty()) {
+      std::error_code ignored;  // without it the script runs by 'sh run.sh'
+      fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                      fs::perm_options::add, ignored);
+    }
+  }
+  if (!problem.empty()) {
+    diagnostics.report(DiagnosticId::output_not_possible, {}, problem);
+    return "";
+  }
+  std::string text = fmt::format("Wrote {} files into {}. Next: {}\n", exported.size(),
+                                 options.folder, (fs::path(options.folder) / "run.sh").string());
+  for (const std::string& note : notes) {
+    text += fmt::format("Not as in luxgate: {}\n", report::printable(note));
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandOutcome run_export(const ExportOptions& options, const calc::FileReader& disk) {
+  const RecordingReader files(disk);
+  calc::Diagnostics diagnostics;
+  CommandOutcome outcome;
+  outcome.text = export_project(options, files, diagnostics);
+  if (outcome.text.empty()) outcome.code = kNotJudged;
+  outcome.diagnostics = diagnostics.all();
+  return outcome;
+}
+
+}  // namespace cli

@@ -1,0 +1,35 @@
+#include "report/tools/export/export_options.h"
+
+#include "report/shell/option_values.h"
+
+namespace cli {
+
+ListedCommand export_command(ExportOptions& options) {
+  ListedCommand command;
+  command.places = {{"target", "radiance", "The program to write for", &options.target},
+                    {"project", "PROJECT.xml", "Project file", &options.project}};
+  command.flags = {{"--force", "Replace files of an earlier export", &options.overwrites}};
+  command.values = {
+      {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
+      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
+      rule_files_option(options.rule_files)};
+  command.footer =
+      "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
+      "their\n"
+      "photometry, the points of all planes of planar illuminance (those of workplaces too), a "
+      "script and a README.md.\n"
+      "Example: luxgate export radiance office.xml -o office-radiance\n"
+      "         office-radiance/run.sh && luxgate compare result.json "
+      "office-radiance/radiance.csv\n"
+      "Exit codes: 0 written, 2 an error.";
+  return command;
+}
+
+std::string export_contradiction(const ExportOptions& options) {
+  if (options.target != "radiance") {
+    return one_of_message(options.target, {"radiance"});
+  }
+  return options.folder.empty() ? "-o FOLDER is needed" : "";
+}
+
+}  // namespace cli

@@ -1,0 +1,176 @@
+#include "report/tools/geometry/geometry.h"
+
+#include "calc/base/text.h"
+#include "calc/base/utf8.h"
+#include "calc/meshes/gbxml.h"
+#include "calc/meshes/mesh_builder.h"
+#include "calc/meshes/mesh_file.h"
+#include "calc/project/project_context.h"
+#include "calc/project/project_files.h"
+#include "calc/project/project_xml.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace cli {
+namespace {
+
+// Below it a model is furniture rather than a room, and open edges mean nothing.
+constexpr double kRoomShare = 0.3;
+
+SurfaceReport report_of(const calc::SurfaceModel& model, bool is_room,
+                        const calc::SourceLocation& where, calc::Diagnostics& diagnostics) {
+  SurfaceReport surface;
+  surface.is_room = is_room;
+  surface.findings = calc::check_surface(model);
+  surface.escape = measure_escape(model, surface.findings.bounds_m, is_room);
+  calc::warn_about_surface(surface.findings, where, diagnostics);
+  return surface;
+}
+
+void warn_about_leaks(const SurfaceReport& surface, const std::string& name,
+                      const calc::SourceLocation& where, calc::Diagnostics& diagnostics) {
+  const calc::Estimate& share = surface.escape.share;
+  const bool should_be_closed = surface.is_room || surface.escape.inside_share >= kRoomShare;
+  if (!should_be_closed || surface.escape.points == 0 || share.value == 0.0) return;
+  diagnostics.report(calc::DiagnosticId::surface_leaks, where, 100.0 * share.value, name,
+                     100.0 * share.low, 100.0 * share.high);
+}
+
+bool is_xml(std::string_view bytes) {
+  if (bytes.starts_with(calc::kUtf8ByteOrderMark)) bytes.remove_prefix(3);
+  return calc::trim(bytes.substr(0, 1000)).starts_with('<');
+}
+
+// "" for those that are fixed by the file's format; empty, with an error, if they are not known.
+struct Axes {
+  std::string units, up;
+};
+std::optional<Axes> axes_for(calc::MeshFormat format, const Options& options,
+                             const std::string& path, calc::Diagnostics& diagnostics) {
+  if (calc::has_fixed_units(format)) return Axes{"m", "y"};
+  const std::string_view name = calc::mesh_format_name(format);
+  const calc::SourceLocation where{path, 0, 0};
+  if (options.mesh_units.empty()) {
+    diagnostics.report(calc::DiagnosticId::geometry_needs, where, name, "their unit",
+                       "--units m, cm, mm, in or ft");
+  }
+  if (options.mesh_up.empty()) {
+    diagnostics.report(calc::DiagnosticId::geometry_needs, where, name, "what is up",
+                       "--up z or y");
+  }
+  if (options.mesh_units.empty() || options.mesh_up.empty()) return std::nullopt;
+  return Axes{options.mesh_units, options.mesh_up};
+}
+
+double metres_per_unit(const std::string& unit) {
+  const calc::Names& names = calc::unit_names();
+  return calc::metres_per_unit(
+      static_cast<std::size_t>(std::find(names.begin(), names.end(), unit) - names.begin()));
+}
+
+void examine_mesh(const std::string& bytes, const calc::FileReader& files, const Options& options,
+                  calc::Diagnostics& diagnostics, GeometryReport& report) {
+  const std::string folder = report.path.substr(0, report.path.rfind('/') + 1);
+  const calc::SideFiles side_files = [&](const std::string& name) -> std::optional<std::string> {
+    calc::FileContent content = files.read(folder + name);
+    if (content.ok()) return std::move(content.bytes);
+    diagnostics.report(calc::DiagnosticId::file_not_readable,
+                       calc::SourceLocation{report.path, 0, 0}, folder + name, content.error);
+    return std::nullopt;
+  };
+  const auto mesh = calc::parse_mesh_file(bytes, report.path, side_files, diagnostics);
+  if (!mesh) return;
+  const std::optional<Axes> axes = axes_for(mesh->format, options, report.path, diagnostics);
+  if (!axes) return;
+  report.kind = calc::mesh_format_name(mesh->format);
+  report.units = axes->units;
+  report.up = axes->up;
+  const calc::SourceLocation where{report.path, 0, 0};
+  const calc::SurfaceModel model =
+      calc::surface_of(*mesh, metres_per_unit(axes->units), axes->up == "y");
+  report.surfaces.push_back(report_of(model, false, where, diagnostics));
+  warn_about_leaks(report.surfaces.back(), report.path, where, diagnostics);
+}
+
+void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnostics,
+                     GeometryReport& report) {
+  const std::optional<calc::Project> project = calc::load_project(files, report.path, diagnostics);
+  if (!project) return;
+  report.kind = "project";
+  for (const calc::Space& space : project->spaces) {
+    const bool is_room = space.shell || !space.surfaces_file.empty();
+    SurfaceReport surface =
+        report_of(calc::surface_of(*project, space), is_room, space.where, diagnostics);
+    surface.id = space.id;
+    surface.name = space.name;
+    if (surface.is_room) warn_about_leaks(surface, space.id, space.where, diagnostics);
+    report.surfaces.push_back(std::move(surface));
+  }
+}
+
+calc::SurfaceModel surface_of(const calc::GbxmlRoom& room) {
+  calc::SurfaceModel model;
+  calc::NameList types;
+  for (const calc::GbxmlPart& part : room.part) {
+    const auto first = static_cast<std::uint32_t>(model.vertex_m.size());
+    const auto object = static_cast<std::uint32_t>(model.object_name.size());
+    model.object_name.push_back(part.id);
+    model.vertex_m.insert(model.vertex_m.end(), part.vertex_m.begin(), part.vertex_m.end());
+    for (const glm::uvec3& triangle : part.triangle) model.triangle.push_back(triangle + first);
+    model.object_of.resize(model.triangle.size(), object);
+    model.material_of.resize(model.triangle.size(), types.index_of(part.type));
+  }
+  model.material_name = types.names();
+  return model;
+}
+
+// Surface types stand for materials.
+void examine_gbxml(std::string bytes, calc::Diagnostics& diagnostics, GeometryReport& report) {
+  const std::optional<calc::GbxmlBuilding> building =
+      calc::parse_gbxml(std::move(bytes), report.path, diagnostics);
+  if (!building) return;
+  report.kind = "gbxml";
+  const calc::SourceLocation where{report.path, 0, 0};
+  for (const calc::GbxmlSpace& space : building->space) {
+    calc::Diagnostics of_room;  // a space without surfaces is no error of the file
+    const std::optional<calc::GbxmlRoom> room =
+        calc::gbxml_room(*building, space.id, where, of_room);
+    SurfaceReport surface;
+    if (room) {
+      for (const calc::Diagnostic& d : of_room.all()) report.diagnostics.push_back(d);
+      surface = report_of(surface_of(*room), true, where, diagnostics);
+    }
+    surface.id = space.id;
+    surface.name = space.name;
+    surface.is_room = true;
+    warn_about_leaks(surface, space.id, where, diagnostics);
+    report.surfaces.push_back(std::move(surface));
+  }
+}
+
+}  // namespace
+
+GeometryReport examine_geometry(const std::string& path, const calc::FileReader& files,
+                                const Options& options) {
+  GeometryReport report;
+  report.path = path;
+  calc::Diagnostics diagnostics;
+  calc::FileContent content = files.read(path);
+  if (!content.ok()) {
+    diagnostics.report(calc::DiagnosticId::file_not_readable, calc::SourceLocation{path, 0, 0},
+                       path, content.error);
+  } else if (calc::is_gbxml(content.bytes)) {
+    examine_gbxml(std::move(content.bytes), diagnostics, report);
+  } else if (is_xml(content.bytes)) {
+    examine_project(files, diagnostics, report);
+  } else {
+    examine_mesh(content.bytes, files, options, diagnostics, report);
+  }
+  const std::vector<calc::Diagnostic>& found = diagnostics.all();
+  report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
+  return report;
+}
+
+}  // namespace cli

@@ -1,0 +1,42 @@
+#pragma once
+// 'luxgate geometry': what is in a geometry file, and what is wrong with it.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+#include "calc/meshes/mesh_check.h"
+#include "report/cli/options.h"
+#include "report/tools/geometry/escape.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// A mesh file, or one room or the open space of a project or gbXML file.
+struct SurfaceReport {
+  std::string id;        // of the space; "" = the whole file
+  std::string name;      // of the space
+  bool is_room = false;  // must be closed
+  calc::SurfaceFindings findings;
+  Escape escape;
+};
+
+struct GeometryReport {
+  std::string path;
+  std::string kind;       // "obj", "gltf", "stl", "ply", "project", "gbxml"; "" = not readable
+  std::string units, up;  // that a mesh was read with; "" for other files
+  std::vector<SurfaceReport> surfaces;
+  std::vector<calc::Diagnostic> diagnostics;
+
+  bool is_readable() const { return !kind.empty(); }
+};
+
+// Everything that is found, warnings included, ends up in the report.
+GeometryReport examine_geometry(const std::string& path, const calc::FileReader& files,
+                                const Options& options);
+
+std::string render_geometry_text(const std::vector<GeometryReport>& reports);
+// "format": "luxgate-geometry-1"; lengths in metres.
+std::string render_geometry_json(const std::vector<GeometryReport>& reports);
+
+}  // namespace cli

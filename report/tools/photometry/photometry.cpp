@@ -1,0 +1,175 @@
+#include "report/tools/photometry/photometry.h"
+
+#include "calc/photometry/write/write_eulumdat.h"
+#include "calc/photometry/write/write_lm63.h"
+#include "report/images/polar_diagram.h"
+#include "report/shell/exit_code.h"
+#include "report/shell/outputs.h"
+#include "report/shell/recording_reader.h"
+#include "report/shell/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <filesystem>
+#include <set>
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+class Run {
+ public:
+  Run(const Options& options, const calc::FileReader& disk, bool colour)
+      : options_(options), wanted_(options.photometry), disk_(disk), colour_(colour) {
+    choice_.lamp_set = wanted_.lamp_set;
+    choice_.variant = wanted_.variant;
+    choice_.emitter = wanted_.emitter;
+  }
+
+  PhotometryRun run() {
+    for (const std::string& path : wanted_.files) files_.push_back(read_safely(path));
+    if (wanted_.compare && files_[0].web && files_[1].web) compare();
+    if (!wanted_.convert_file.empty() && files_[0].web) convert(files_[0]);
+    if (!wanted_.polar_file.empty() && files_[0].web) draw(files_[0], wanted_.polar_file);
+    if (!wanted_.polar_folder.empty()) draw_all();
+    print();
+    return std::move(result_);
+  }
+
+ private:
+  // Whatever goes wrong with one file must not stop the others.
+  PhotometryFile read_safely(const std::string& path) {
+    try {
+      return read_photometry_file(path, disk_, choice_);
+    } catch (const std::exception& error) {
+      calc::Diagnostics diagnostics;
+      diagnostics.report(calc::DiagnosticId::internal_error, {path, 0, 0}, error.what());
+      PhotometryFile file;
+      file.path = path;
+      file.diagnostics = diagnostics.all();
+      return file;
+    }
+  }
+
+  void compare() {
+    comparison_ = calc::compare_webs(*files_[0].web, *files_[1].web);
+    const double rms = comparison_->fits.front().rms;
+    if (rms <= kNearlySameLight) return;
+    others_.report(calc::DiagnosticId::photometry_pair_differs, {}, files_[0].path, files_[1].path,
+                   100.0 * rms);
+  }
+
+  void convert(const PhotometryFile& file) {
+    const std::string& path = wanted_.convert_file;
+    const std::optional<std::string> bytes = lower_extension(path) == ".ies"
+                                                 ? calc::write_lm63(*file.web, path, others_)
+                                                 : calc::write_eulumdat(*file.web, path, others_);
+    if (bytes) write(path, *bytes);
+  }
+
+  void draw(const PhotometryFile& file, const std::string& path) {
+    const std::string& name = file.web->source().luminaire_name;
+    try {
+      const report::PolarDrawing drawing = report::draw_polar_diagram(
+          *file.web, name.empty() ? fs::path(file.path).filename().string() : name);
+      write(path, lower_extension(path) == ".png" ? report::render_polar_png(drawing)
+                                                  : report::render_polar_svg(drawing));
+    } catch (const std::exception& error) {
+      others_.report(calc::DiagnosticId::output_not_possible, {},
+                     fmt::format("cannot draw '{}': {}", path, error.what()));
+    }
+  }
+
+  // a.ies -> a.ies.svg: a.ies and a.ldt often stand side by side.
+  void draw_all() {
+    std::set<std::string> taken;
+    for (const PhotometryFile& file : files_) {
+      if (!file.web) continue;
+      const std::string wanted = fs::path(file.path).filename().string();
+      std::string stem = wanted;
+      for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
+      draw(file, (fs::path(wanted_.polar_folder) / (stem + ".svg")).string());
+    }
+  }
+
+  void write(const std::string& path, const std::string& bytes) {
+    const std::string identity = path_identity(path);
+    const bool is_input =
+        std::any_of(disk_.paths().begin(), disk_.paths().end(),
+                    [&](const std::string& file) { return path_identity(file) == identity; });
+    std::string problem;
+    if (is_input) {
+      problem = fmt::format("'{}' was read as an input and is not overwritten", path);
+    } else if (std::string reason = report::write_file_atomically(path, bytes); !reason.empty()) {
+      problem = fmt::format("cannot write '{}': {}", path, reason);
+    }
+    if (!problem.empty()) others_.report(calc::DiagnosticId::output_not_possible, {}, problem);
+  }
+
+  void print_diagnostic(const calc::Diagnostic& entry, bool warnings_too) {
+    const bool is_error = entry.severity() == calc::Severity::error;
+    (is_error ? has_errors_ : has_warnings_) = true;
+    if (is_error || (warnings_too && !options_.quiet)) {
+      result_.err += calc::format_diagnostic(entry) + "\n";
+    }
+  }
+
+  void print() {
+    const bool is_text = wanted_.format == PhotometryFormat::text;
+    // In full text and in JSON the warnings stand with their file.
+    const bool apart = wanted_.format == PhotometryFormat::csv || (is_text && wanted_.compare);
+    for (const PhotometryFile& file : files_) {
+      for (const calc::Diagnostic& entry : file.diagnostics) print_diagnostic(entry, apart);
+    }
+    for (const calc::Diagnostic& entry : others_.all()) print_diagnostic(entry, true);
+
+    const calc::WebComparison* comparison = comparison_ ? &*comparison_ : nullptr;
+    if (wanted_.format == PhotometryFormat::json) {
+      result_.out = render_photometry_json(files_, comparison);
+    } else if (wanted_.format == PhotometryFormat::csv) {
+      result_.out = render_photometry_csv(files_);
+    } else if (wanted_.compare && !options_.quiet) {
+      if (comparison != nullptr) {
+        result_.out = render_comparison_text(files_[0], files_[1], *comparison, colour_);
+      }
+    } else if (!options_.quiet) {
+      for (const PhotometryFile& file : files_) {
+        if (!result_.out.empty()) result_.out += "\n";
+        result_.out += render_photometry_text(file, colour_);
+      }
+    }
+    rules::Outcome outcome = rules::Outcome::nothing_asked;
+    if (wanted_.strict && has_warnings_) outcome = graver(outcome, rules::Outcome::fail);
+    if (has_errors_) outcome = graver(outcome, rules::Outcome::not_judged);
+    result_.exit_code = exit_code_of(outcome);
+  }
+
+  const Options& options_;
+  const PhotometryOptions& wanted_;
+  const RecordingReader disk_;
+  const bool colour_;
+  calc::PhotometryOptions choice_;
+  std::vector<PhotometryFile> files_;
+  std::optional<calc::WebComparison> comparison_;
+  calc::Diagnostics others_;  // of writing and comparing
+  bool has_errors_ = false, has_warnings_ = false;
+  PhotometryRun result_;
+};
+
+}  // namespace
+
+PhotometryRun run_photometry(const Options& options, const calc::FileReader& files, bool colour) {
+  return Run(options, files, colour).run();
+}
+
+}  // namespace cli

@@ -1,0 +1,86 @@
+#pragma once
+// `luxgate photometry`: what photometry files say, checked, converted, drawn and compared. What the
+// measures mean and what the JSON and CSV keys are: photometry.md.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+#include "calc/photometry/read/photometry_options.h"
+#include "calc/photometry/web.h"
+#include "calc/photometry/web_compare.h"
+#include "calc/photometry/web_hermite.h"
+#include "calc/photometry/web_measures.h"
+#include "report/cli/options.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// The plane pairs that are reported, by the C of their positive side.
+enum PlanePair : std::size_t { kC0C180, kC90C270, kPlanePairs };
+const char* plane_pair_name(PlanePair pair);  // "C0-C180"
+
+// What is shown of a web.
+struct PhotometryFacts {
+  calc::Peak peak;
+  std::array<calc::BeamWidth, kPlanePairs> beam;   // 50 % of the highest value of the plane pair
+  std::array<calc::BeamWidth, kPlanePairs> field;  // 10 %
+  calc::SymmetryFit symmetry;
+  double downward_share = 0.0;
+  // Of cubic and bilinear; empty for tables of more than kMostCompared values.
+  std::optional<calc::InterpolationDifference> interpolation;
+};
+inline constexpr std::size_t kMostCompared = 500'000;
+PhotometryFacts photometry_facts(const calc::PhotometricWeb& web);
+
+struct PhotometryFile {
+  std::string path;
+  std::optional<calc::PhotometricWeb> web;  // empty: not readable, `diagnostics` holds errors
+  PhotometryFacts facts;                    // of the web
+  std::vector<calc::Diagnostic> diagnostics;
+
+  std::size_t count(calc::Severity severity) const;
+};
+// Reads, measures, and warns of an LM-63 opening that lies across H 0. choice: which light of a
+// file with several; its read_companion is set here: files of the same folder.
+PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
+                                    calc::PhotometryOptions choice = {});
+
+// The angles of a table about the line of C90, as LM-63 type B counts them.
+struct LateralAngles {
+  double v_first_deg, v_last_deg, h_first_deg, h_last_deg;
+};
+LateralAngles lateral_angles(const calc::PhotometricWeb& web);
+
+// How the larger side of an opening lies, where one is at least 1.5 times the other.
+enum class LongerSide { none, c0_c180, c90_c270 };
+LongerSide longer_side(const calc::LuminousOpening& opening);
+const char* longer_side_name(LongerSide side);  // "none", "C0-C180", "C90-C270"
+const char* opening_shape_name(calc::OpeningShape shape);
+const char* symmetry_name(calc::PlaneSymmetry symmetry);
+const char* opening_relation_name(calc::OpeningRelation relation);
+
+std::string render_photometry_text(const PhotometryFile& file, bool colour);
+// comparison: of the first two files, or nullptr.
+std::string render_photometry_json(const std::vector<PhotometryFile>& files,
+                                   const calc::WebComparison* comparison);
+std::string render_photometry_csv(const std::vector<PhotometryFile>& files);
+// Both files are readable.
+std::string render_comparison_text(const PhotometryFile& a, const PhotometryFile& b,
+                                   const calc::WebComparison& comparison, bool colour);
+
+// Up to this RMS two lights count as the same, up to the second as nearly the same.
+inline constexpr double kSameLight = 0.005, kNearlySameLight = 0.03;
+
+// A whole run: reads everything, writes the files that are asked for, prints nothing. Exit code 2
+// after any error, 1 after warnings with --strict.
+struct PhotometryRun {
+  std::string out, err;
+  int exit_code = 0;
+};
+PhotometryRun run_photometry(const Options& options, const calc::FileReader& files, bool colour);
+
+}  // namespace cli

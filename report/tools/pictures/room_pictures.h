@@ -1,0 +1,55 @@
+#pragma once
+// Pictures of rooms for reports: light on their surfaces, drawn by OpenGL.
+
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project.h"
+#include "gpu/device_thread.h"
+#include "gpu/room_drawing.h"
+#include "report/cli/options.h"
+#include "report/document/document.h"
+#include "report/images/room_picture.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace cli {
+
+// Whether a run makes pictures: there is a file to put them into.
+bool wants_pictures(const Options& options);
+
+// Draws rooms one after the other. The device is opened for the first; a room without pictures says
+// why (RoomPictures::problem), and is a room like any other otherwise.
+class PictureMaker {
+ public:
+  // go_on: false stops the light on surfaces. program_folder: see Environment.
+  PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on,
+               std::string program_folder = "");
+
+  void add_pictures(const std::string& project_path, const calc::Space& space,
+                    const calc::PreparedScene& scene, report::SpacePart& part);
+
+ private:
+  std::string open_device();  // "" or why there is none
+  std::string draw(const std::string& project_path, const calc::Space& space,
+                   const calc::PreparedScene& scene, report::SpacePart& part);
+
+  const Options& options_;
+  gpu::Fault fault_;
+  std::function<bool()> go_on_;
+  std::string program_folder_;
+  std::shared_ptr<gpu::DeviceThread> device_;
+  std::string problem_;
+  int rooms_ = 0;
+};
+
+// A room with its light vertices as dots over grey surfaces, their area in proportion to their flux
+// and their colour from dark (little) to bright. Throws calc::BackendFailure.
+report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& tracer,
+                             std::span<const calc::LightVertex> vertices, bool opens_room);
+
+// Whether pictures look into it: rooms, but not the open space.
+bool opens(const calc::Space& space);
+
+}  // namespace cli

@@ -1,0 +1,374 @@
+#include "report/tools/rules/explain.h"
+
+#include "calc/base/diagnostics.h"
+#include "rules/pack/limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+using rules::RuleCheck;
+using rules::RulePack;
+using rules::RuleRow;
+
+std::string with_unit(double value, const char* unit) {
+  const std::string number = fmt::format("{:.6g}", value);
+  return *unit == '\0' ? number : number + " " + unit;
+}
+
+std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
+  const rules::Unit unit = pack.find_parameter(value.parameter)->unit;
+  const char* name = unit.dimension == rules::Dimension::plain ? "" : unit.name.data();
+  if (!value.required) return fmt::format("{} {}", value.parameter, no_value_name(value.why));
+  std::string text =
+      fmt::format("{} {}", value.parameter, with_unit(*value.required / unit.factor, name));
+  if (value.modified) {
+    text += fmt::format(" (modified {})", with_unit(*value.modified / unit.factor, name));
+  }
+  if (value.trust != rules::Trust::confirmed) {
+    text += fmt::format(" [{}]", trust_remark(value.trust));
+  }
+  return text;
+}
+
+std::string row_text(const RulePack& pack, const RuleRow& row) {
+  std::string text = fmt::format("{}  {} ({})\n    ", row.ref, row.name, trust_name(row.trust));
+  for (const rules::RuleValue& value : row.values) {
+    text += (&value == &row.values.front() ? "" : ", ") + value_text(pack, value);
+  }
+  text += "\n";
+  if (row.task_heights_m) {
+    text += fmt::format("    task {:g} to {:g} m above the floor\n", row.task_heights_m->lowest_m,
+                        row.task_heights_m->highest_m);
+  }
+  if (!row.note.empty()) text += "    " + row.note + "\n";
+  return text;
+}
+
+std::string light_text(const RuleCheck& check) {
+  constexpr std::array kSources{"", ", electric light", ", emergency luminaires alone",
+                                ", daylight"};
+  std::string text = state_name(check.state);
+  text += kSources[static_cast<std::size_t>(check.sources)];
+  if (check.direct_only) text += ", direct light only";
+  if (check.any_one_unit_out) text += ", any one unit out";
+  return text;
+}
+
+// Where it is measured, of quantities that are more than an illuminance.
+std::string measured_on(const rules::Quantity& quantity) {
+  if (quantity.dimension == rules::Dimension::power_density) {
+    return "on any plane of the room: installed power of its luminaires by its floor area";
+  }
+  if (quantity.dimension == rules::Dimension::energy_density) {
+    return "on any plane of the room: energy of its luminaires in a year by its floor area, of the "
+           "hours and factors that <energy> of the room or the project states";
+  }
+  if (!quantity.kernel || quantity.derived == calc::DerivedQuantity::none) return {};
+  return fmt::format("on a plane with quantity=\"{}\"{}",
+                     calc::quantity_name(*quantity.kernel, quantity.derived),
+                     calc::has_look(*quantity.kernel, quantity.derived)
+                         ? " and the direction that is looked in, direction=\"x y z\""
+                         : "");
+}
+
+std::string check_text(const RulePack& pack, const RuleCheck& check) {
+  std::string text =
+      fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, metric_name(check.metric),
+                  check.quantity->name, check.role, comparison_name(check.comparison),
+                  check.limit_text, light_text(check));
+  if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
+  if (check.severity == rules::Severity::advice) text += ", advice";
+  if (check.severity == rules::Severity::in_aggregate) text += ", counts only in its aggregates";
+  if (check.trust != rules::Trust::confirmed)
+    text += fmt::format(" [{}]", trust_remark(check.trust));
+  if (const std::string where = measured_on(*check.quantity); !where.empty()) {
+    text += "\n    " + where;
+  }
+  if (!check.clause.empty()) text += fmt::format("\n    {}: {}", pack.title, check.clause);
+  if (!check.note.empty()) text += "\n    " + check.note;
+  return text + "\n";
+}
+
+// What a <workplace> makes of it.
+std::string zone_text(const rules::RulePlane& plane) {
+  std::string text = "; workplaces: ";
+  switch (plane.area) {
+    case rules::ZoneArea::none:
+      return {};
+    case rules::ZoneArea::task:
+      text += "the task area";
+      break;
+    case rules::ZoneArea::band:
+      text += fmt::format("a band of {:g} m around the {}", plane.width_m, plane.around);
+      break;
+    case rules::ZoneArea::task_and_band:
+      text += fmt::format("the task area with {:g} m around it", plane.width_m);
+      break;
+    case rules::ZoneArea::walls:
+      text += "every wall";
+      break;
+    case rules::ZoneArea::ceiling:
+      text += "the ceiling";
+      break;
+  }
+  if (plane.height_m) text += fmt::format(" at {:g} m", *plane.height_m);
+  if (plane.margin_m > 0.0) text += fmt::format(", less {:g} m along walls", plane.margin_m);
+  return text;
+}
+
+std::string plane_text(const rules::RulePlane& plane) {
+  std::string text = fmt::format("plane for role {}: {}", plane.role, plane.orientation);
+  if (plane.has_heights) {
+    text += plane.lowest_m == plane.highest_m
+                ? fmt::format(", {:g} m above the floor", plane.lowest_m)
+                : fmt::format(", {:g} to {:g} m above the floor", plane.lowest_m, plane.highest_m);
+  }
+  if (plane.are_heights_usual) text += " usually";
+  if (!plane.grid.empty()) text += ", grid " + plane.grid;
+  if (!plane.mask.empty()) text += ", mask " + plane.mask;
+  text += zone_text(plane);
+  if (!plane.note.empty()) text += " (" + plane.note + ")";
+  return text + "\n";
+}
+
+std::string mask_text(const rules::Mask& mask) {
+  std::string text = fmt::format("mask {}:", mask.id);
+  for (const rules::MaskOperation& operation : mask.operations) {
+    if (operation.step == rules::MaskStep::centre_line) {
+      text += " the points along the middle line";
+      if (operation.up_to_width_m > 0.0) {
+        text += fmt::format(", of planes up to {:g} m wide", operation.up_to_width_m);
+      }
+      continue;
+    }
+    if (operation.step == rules::MaskStep::walls) {
+      text += fmt::format(" without what is nearer than {:g} m to a wall of the room",
+                          operation.metres);
+      continue;
+    }
+    text += operation.step == rules::MaskStep::inset ? " without a strip along the outline of"
+                                                     : " without a strip along the long sides of";
+    if (operation.up_to_width_m > 0.0) {
+      text += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
+                          operation.up_to_width_m);
+    }
+    text += fmt::format(" {:g} m", operation.metres);
+  }
+  return text + "\n";
+}
+
+std::string grids_text(const RulePack& pack) {
+  std::string text;
+  for (const rules::RuleGrid& grid : pack.grids) {
+    text += fmt::format("grid {}: {}\n", grid.id, grid_text(grid));
+    if (!grid.note.empty()) text += "    " + grid.note + "\n";
+  }
+  return text;
+}
+
+std::string head_text(const RulePack& pack) {
+  std::string text = fmt::format("{}  {}:{}, {} ({})", pack.full_id(), pack.title, pack.edition,
+                                 pack.kind, pack.status);
+  if (!pack.jurisdiction.empty()) text += ", " + pack.jurisdiction;
+  text += fmt::format("; version {} of the pack, {}\n", pack.version, pack.file);
+  text += fmt::format("licence: {}{}{}\n", pack.licence, pack.licence_note.empty() ? "" : "; ",
+                      pack.licence_note);
+  return text + "decision: " + policy_text(pack.policy) + "\n";
+}
+
+std::string sources_text(const RulePack& pack, const std::vector<std::string>& ids) {
+  std::string text;
+  for (const rules::RuleSource& source : pack.sources) {
+    if (!ids.empty() && std::find(ids.begin(), ids.end(), source.id) == ids.end()) continue;
+    text += fmt::format("source {}: {}{}\n", source.id, source.note,
+                        source.address.empty() ? "" : ", " + source.address);
+  }
+  return text;
+}
+
+// The limit of a check for a row, at the levels that differ.
+std::string limits_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row) {
+  const auto limit_at = [&](rules::RowLevel level) {
+    const rules::Limit limit = evaluate_limit(check, {pack, row, level});
+    if (limit.status != rules::LimitStatus::known) return limit.reason;
+    std::string text = with_unit(limit.value.value, base_unit(check.dimension()));
+    if (limit.trust != rules::Trust::confirmed) {
+      text += fmt::format(" [{}]", trust_remark(limit.trust));
+    }
+    return text;
+  };
+  const std::string required = limit_at(rules::RowLevel::required);
+  const std::string modified = limit_at(rules::RowLevel::modified);
+  return "    here: " + required +
+         (modified == required ? "\n" : "; level modified: " + modified + "\n");
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string aggregate_text(const rules::RuleAggregate& aggregate) {
+  std::string text = fmt::format("aggregate {}: ", aggregate.id);
+  const std::string members = fmt::format("the {}", over_name(aggregate.over));
+  switch (aggregate.rule) {
+    case rules::AggregateRule::all:
+      text += "all of " + members;
+      break;
+    case rules::AggregateRule::any:
+      text += "any of " + members;
+      break;
+    case rules::AggregateRule::at_least:
+      text += fmt::format("at least {} of {}", aggregate.count, members);
+      break;
+    case rules::AggregateRule::share:
+      text += fmt::format("at least {:g} % of {}{}", 100.0 * aggregate.share, members,
+                          aggregate.by_area ? " by area" : "");
+      break;
+  }
+  text += aggregate.over == rules::AggregateOver::checks ? " " : " judged by ";
+  text += joined(aggregate.checks);
+  if (aggregate.severity != rules::Severity::shall) text += ", advice";
+  if (aggregate.trust != rules::Trust::confirmed) {
+    text += fmt::format(" [{}]", trust_remark(aggregate.trust));
+  }
+  if (!aggregate.clause.empty()) text += "\n    " + aggregate.clause;
+  if (!aggregate.note.empty()) text += "\n    " + aggregate.note;
+  return text + "\n";
+}
+
+std::string class_text(const rules::RuleClass& item) {
+  return fmt::format(
+      "class {}: {}, best first, each by {}; reports say which is reached beside the row asked "
+      "for\n",
+      item.id, joined(item.rows), joined(item.checks));
+}
+
+bool is_among(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Aggregates and classes in which one of the checks takes part; row: of classes, "" = any.
+std::string shared_text(const RulePack& pack, const std::vector<std::string>& checks,
+                        const std::string& row) {
+  const auto shares = [&](const std::vector<std::string>& of) {
+    return std::any_of(checks.begin(), checks.end(),
+                       [&](const std::string& check) { return is_among(of, check); });
+  };
+  std::string text;
+  for (const rules::RuleAggregate& aggregate : pack.aggregates) {
+    if (shares(aggregate.checks)) text += aggregate_text(aggregate);
+  }
+  for (const rules::RuleClass& item : pack.classes) {
+    if (shares(item.checks) && (row.empty() || is_among(item.rows, row))) text += class_text(item);
+  }
+  return text;
+}
+
+// Checks that the row requires something of.
+std::vector<std::string> checks_of_row(const RulePack& pack, const RuleRow& row) {
+  std::vector<std::string> ids;
+  for (const RuleCheck& check : pack.checks) {
+    const rules::Limit limit = evaluate_limit(check, {pack, &row, rules::RowLevel::required});
+    if (limit.status != rules::LimitStatus::not_applicable) ids.push_back(check.id);
+  }
+  return ids;
+}
+
+std::string explain_row(const RulePack& pack, const RuleRow& row) {
+  std::string text = head_text(pack) + "\n" + row_text(pack, row);
+  for (const std::string& role : pack.roles()) {
+    text += fmt::format("\nrole {}\n", role);
+    for (const rules::RulePlane& plane : pack.planes) {
+      if (plane.role == role) text += plane_text(plane);
+    }
+    for (const RuleCheck& check : pack.checks) {
+      if (check.role == role) text += check_text(pack, check) + limits_text(pack, check, &row);
+    }
+  }
+  text += "\n" + shared_text(pack, checks_of_row(pack, row), row.ref);
+  return text + grids_text(pack) + sources_text(pack, row.sources);
+}
+
+std::string explain_checks(const RulePack& pack, const std::vector<const RuleCheck*>& checks) {
+  std::string text = head_text(pack) + "\n";
+  for (const rules::RulePlane& plane : pack.planes) {
+    if (plane.role == checks.front()->role) text += plane_text(plane);
+  }
+  for (const RuleCheck* check : checks) {
+    text += check_text(pack, *check) + limits_text(pack, *check, nullptr);
+    if (!check->mask.id.empty()) text += "    " + mask_text(check->mask);
+  }
+  std::vector<std::string> ids;
+  for (const RuleCheck* check : checks) ids.push_back(check->id);
+  return text + "\n" + shared_text(pack, ids, "") + sources_text(pack, {});
+}
+
+constexpr calc::DiagnosticId kMessages[] = {
+#define LUXGATE_DIAGNOSTIC(id, severity, text) calc::DiagnosticId::id,
+#include "calc/base/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+};
+
+}  // namespace
+
+std::string list_rule_packs(const std::vector<RulePack>& packs) {
+  std::string text;
+  for (const RulePack& pack : packs) {
+    text += fmt::format("{:24} {:28} {:11} {:3} rows {:3} checks  {}\n", pack.full_id(), pack.title,
+                        pack.status, pack.rows.size(), pack.checks.size(), pack.file);
+  }
+  return text;
+}
+
+std::string show_rule_pack(const RulePack& pack) {
+  std::string text = head_text(pack) + sources_text(pack, {}) + "\n";
+  for (const rules::RuleName& name : pack.parameters) {
+    text += fmt::format("{} ({}): {}\n", name.id, name.unit.name, name.meaning);
+  }
+  for (const rules::RuleName& name : pack.facts) {
+    text += fmt::format("fact {} ({}): {}\n", name.id, name.unit.name, name.meaning);
+  }
+  for (const rules::RulePlane& plane : pack.planes) text += plane_text(plane);
+  text += grids_text(pack);
+  for (const rules::Mask& mask : pack.masks) text += mask_text(mask);
+  text += "\n";
+  for (const RuleRow& row : pack.rows) text += row_text(pack, row);
+  text += pack.rows.empty() ? "" : "\n";
+  for (const RuleCheck& check : pack.checks) text += check_text(pack, check);
+  for (const rules::RuleAggregate& aggregate : pack.aggregates) text += aggregate_text(aggregate);
+  for (const rules::RuleClass& item : pack.classes) text += class_text(item);
+  return text;
+}
+
+std::optional<std::string> explain_rule(const RulePack& pack, const std::string& name) {
+  if (const RuleRow* row = pack.find_row(name)) return explain_row(pack, *row);
+  std::vector<const RuleCheck*> checks;
+  for (const RuleCheck& check : pack.checks) {
+    if (check.role == name || check.id == name) checks.push_back(&check);
+  }
+  if (checks.empty()) return std::nullopt;
+  return explain_checks(pack, checks);
+}
+
+std::optional<std::string> explain_message(const std::string& name) {
+  for (const calc::DiagnosticId id : kMessages) {
+    if (calc::diagnostic_name(id) != name) continue;
+    const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
+    return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
+                       is_error ? "error" : "warning", calc::diagnostic_template(id),
+                       is_error
+                           ? "The file is not judged, and the exit code is 2."
+                           : "Everything is judged all the same; the exit code does not change.");
+  }
+  return std::nullopt;
+}
+
+}  // namespace cli

@@ -1,0 +1,26 @@
+#pragma once
+// What a rule or a message means, in words.
+
+#include "rules/pack/rule_pack.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// One line per pack.
+std::string list_rule_packs(const std::vector<rules::RulePack>& packs);
+
+// Everything of a pack: head, sources, rows with their values, checks with their formulas.
+std::string show_rule_pack(const rules::RulePack& pack);
+
+// A row, role or check of a pack: what is required, on which plane, of which points and light, and
+// where the numbers come from; the first line names the edition. Empty if there is none of that
+// name.
+std::optional<std::string> explain_rule(const rules::RulePack& pack, const std::string& name);
+
+// The id of a message. Empty if there is none.
+std::optional<std::string> explain_message(const std::string& name);
+
+}  // namespace cli

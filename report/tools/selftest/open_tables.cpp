@@ -1,0 +1,100 @@
+#include "report/tools/selftest/open_tables.h"
+
+#include "calc/base/text.h"
+#include "report/shell/csv_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace cli::selftest {
+namespace {
+
+std::vector<Row> read_table(const std::string& path, const calc::FileReader& files) {
+  const calc::FileContent content = files.read(path);
+  if (!content.ok()) throw BadTable(fmt::format("cannot read '{}': {}", path, content.error));
+  std::vector<std::string> names;
+  std::vector<Row> rows;
+  std::string_view text = content.bytes;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::vector<std::string> cells = csv_cells(calc::trim(text.substr(0, end)));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (cells.size() == 1 && cells[0].empty()) continue;
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    if (cells.size() != names.size()) {
+      throw BadTable(fmt::format("'{}': line {} has {} values for {} names", path, rows.size() + 2,
+                                 cells.size(), names.size()));
+    }
+    Row& row = rows.emplace_back();
+    for (std::size_t c = 0; c < cells.size(); ++c) row[names[c]] = cells[c];
+  }
+  return rows;
+}
+
+}  // namespace
+
+Tables read_tables(const std::string& folder, const calc::FileReader& files) {
+  return {read_table(folder + "/cases.csv", files),
+          read_table(folder + "/points.csv", files),
+          read_table(folder + "/scalars.csv", files),
+          read_table(folder + "/surfaces.csv", files),
+          read_table(folder + "/luminaires.csv", files),
+          folder,
+          files};
+}
+
+std::vector<Row> rows_of(const std::vector<Row>& rows, const std::string& id) {
+  std::vector<Row> chosen;
+  for (const Row& row : rows) {
+    if (row.at("case_id") == id) chosen.push_back(row);
+  }
+  return chosen;
+}
+
+double number(const Row& row, const std::string& name) {
+  const auto found = row.find(name);
+  const std::optional<double> value =
+      found == row.end() ? std::nullopt : calc::parse_number(found->second);
+  if (!value) throw BadTable(fmt::format("column '{}' of a table has no number", name));
+  return *value;
+}
+
+glm::dvec3 vector(std::string_view text) {
+  const std::vector<std::string_view> words = calc::split_words(text);
+  if (words.size() != 3) throw BadTable("three numbers are needed: " + std::string(text));
+  glm::dvec3 v;
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<double> value = calc::parse_number(words[static_cast<std::size_t>(k)]);
+    if (!value) throw BadTable("no number: " + std::string(text));
+    v[k] = *value;
+  }
+  return v;
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == at) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  for (std::string& part : parts) part = std::string(calc::trim(part));
+  return parts;
+}
+
+std::string part_named(const std::string& text, const std::string& name) {
+  for (const std::string& part : split(text, ';')) {
+    if (part.substr(0, part.find(' ')) == name) return part.substr(part.find(' ') + 1);
+  }
+  throw BadTable("no '" + name + "' in: " + text);
+}
+
+}  // namespace cli::selftest

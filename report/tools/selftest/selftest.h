@@ -1,0 +1,12 @@
+#pragma once
+// `luxgate selftest`: cases whose light is known exactly.
+
+#include "report/shell/command_outcome.h"
+#include "report/shell/environment.h"
+#include "report/tools/selftest/selftest_options.h"
+
+namespace cli {
+
+CommandOutcome run_selftest(const SelftestOptions& options, const Environment& environment);
+
+}  // namespace cli

@@ -1,0 +1,76 @@
+#include "report/tools/selftest/selftest_options.h"
+
+#include "report/shell/option_values.h"
+#include "report/tools/selftest/case.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace cli {
+namespace {
+
+ValueParser case_or_kind(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    std::vector<std::string> names;
+    for (const selftest::Kind& kind : selftest::kinds()) names.push_back(kind.name);
+    for (const selftest::SelftestCase& item : selftest::all_cases()) names.push_back(item.name);
+    for (const std::string& name : names) {
+      if (name != text) continue;
+      target.push_back(text);
+      return "";
+    }
+    return one_of_message(text, {names.begin(), names.end()});
+  };
+}
+
+}  // namespace
+
+ListedCommand selftest_command(SelftestOptions& options) {
+  ListedCommand command;
+  command.flags = {{"--list", "Name the cases and run none", &options.lists},
+                   {"--all", "A line for every number, not for every case", &options.shows_all},
+                   {"--json", "As JSON, with every number", &options.as_json},
+                   {"--timing", "Times and rays too; without them equal runs print equal bytes",
+                    &options.has_timing}};
+  command.values = {
+      {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
+       true},
+      {"--report", "FOLDER",
+       "Write validation.html and validation.md there: every case with its numbers, and the open\n"
+       "cases of $LUXGATE_SHARED_DATA/validation where that is set. Made if needed",
+       some_text(options.report_folder)},
+      {"--sweep", "FOLDER",
+       "Instead: error over ranges of reflectance, distance, offset, intensity and aspect, as\n"
+       "sweeps.csv, sweeps.html and sweeps.md. Takes minutes",
+       some_text(options.sweep_folder)},
+      {"--seed", "N", "Seed of the random numbers; default 1",
+       whole_number(options.seed, 0, UINT64_MAX)},
+      {"--jobs", "N", "Threads; default one per core. Never changes a result",
+       whole_number(options.jobs, 1, 1024)}};
+  command.footer =
+      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or "
+      "by\n"
+      "a matrix solution, none of which uses the calculation. 'in': the exact value lies in our\n"
+      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.\n"
+      "Example: luxgate selftest --only cie171-5.8 --all\n"
+      "Exit codes: 0 all cases are right, 1 a case is wrong or too vague, 2 an error.";
+  return command;
+}
+
+std::string selftest_contradiction(const SelftestOptions& options) {
+  if (!options.sweep_folder.empty() && (!options.only.empty() || !options.report_folder.empty() ||
+                                        options.as_json || options.lists || options.shows_all)) {
+    return "--sweep goes with --seed, --jobs and --timing only";
+  }
+  if (options.lists && (options.shows_all || options.has_timing || options.as_json ||
+                        !options.report_folder.empty())) {
+    return "--list goes with --only only";
+  }
+  if (!options.report_folder.empty() && !options.only.empty()) {
+    return "--report is about all cases: leave out --only";
+  }
+  return "";
+}
+
+}  // namespace cli

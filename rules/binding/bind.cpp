@@ -1,0 +1,145 @@
+#include "rules/binding/bind.h"
+
+#include "calc/scene/installed_power.h"
+#include "calc/scene/lighting_energy.h"
+#include "rules/binding/requirement_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace rules {
+namespace {
+
+// Requirement ids of one plane: given ones must differ; the others get the quantity's name,
+// numbered from the second on ("average", "average-2").
+class PlaneIds {
+ public:
+  PlaneIds(const calc::CalcPlane& plane, calc::Diagnostics& diagnostics) {
+    for (const calc::RequirementText& text : plane.requirements) {
+      if (!text.role.empty()) continue;  // a workplace, whose id is another one
+      const calc::XmlAttribute* id = text.element.find("id");
+      if (id == nullptr || id->value.empty()) continue;  // an empty id is reported where it is read
+      const auto [first, is_new] = line_of_given_.emplace(id->value, id->where.line);
+      if (is_new) continue;
+      diagnostics.report(calc::DiagnosticId::duplicate_id, id->where, "requirement id", id->value,
+                         first->second);
+    }
+  }
+
+  std::string next_for(Metric metric) {
+    std::string id = metric_name(metric);
+    for (int repeat = 2; line_of_given_.contains(id) || !made_.insert(id).second; ++repeat) {
+      id = fmt::format("{}-{}", metric_name(metric), repeat);
+    }
+    return id;
+  }
+
+ private:
+  std::map<std::string, int> line_of_given_;
+  std::set<std::string> made_;
+};
+
+// The margin that a project gives to a zone of a workplace, of which this plane is made.
+std::optional<double> own_margin_m(const calc::Space& space, const calc::CalcPlane& plane) {
+  if (plane.made_by.empty()) return std::nullopt;
+  for (const calc::Workplace& workplace : space.workplaces) {
+    if (!plane.id.starts_with(workplace.id + ".")) continue;
+    const std::string name = plane.id.substr(workplace.id.size() + 1);
+    const calc::ZoneText* found = nullptr;
+    for (const calc::ZoneText& zone : workplace.zones) {
+      if (zone.role == name) return zone.margin_m;
+      if (name.starts_with(zone.role + ".")) found = &zone;
+    }
+    if (found != nullptr) return found->margin_m;
+  }
+  return std::nullopt;
+}
+
+// What the project has let into the zone must count, too.
+void narrow_strips(Mask& mask, double margin_m) {
+  for (MaskOperation& operation : mask.operations) {
+    const bool is_strip = operation.step == MaskStep::walls || operation.step == MaskStep::inset;
+    if (is_strip) operation.metres = std::min(operation.metres, margin_m);
+  }
+}
+
+struct PowerOfSpace {
+  calc::InstalledPower power;
+  calc::LightingEnergy energy;
+};
+
+void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
+  const bool is_energy = requirement.metric == Metric::leni;
+  if (requirement.problem.empty()) {
+    requirement.problem = is_energy ? of_space.energy.problem : of_space.power.problem();
+  }
+  requirement.power_density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
+  if (!is_energy) return;
+  requirement.leni_kwh_m2 = of_space.energy.leni_kwh_m2;
+  if (of_space.energy.words.empty()) return;
+  requirement.note += (requirement.note.empty() ? "" : "; ") + of_space.energy.words;
+}
+
+void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
+                const PowerOfSpace& of_space, calc::Diagnostics& diagnostics,
+                std::vector<Requirement>& bound) {
+  PlaneIds ids(plane, diagnostics);
+  const std::optional<double> margin_m = own_margin_m(*context.space, plane);
+  for (const calc::RequirementText& text : plane.requirements) {
+    for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
+      requirement.plane_id = plane.id;
+      if (margin_m) narrow_strips(requirement.mask, *margin_m);
+      if (is_about_power(requirement.metric)) set_power(of_space, requirement);
+      if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
+      bound.push_back(std::move(requirement));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Requirement> bind_requirements(const calc::Project& project,
+                                           const std::vector<RulePack>& packs,
+                                           calc::Diagnostics& diagnostics) {
+  std::vector<Requirement> bound;
+  for (const calc::Space& space : project.spaces) {
+    const calc::InstalledPower power = calc::installed_power(project, space);
+    const PowerOfSpace of_space{power, calc::lighting_energy(project, space, power)};
+    for (const calc::CalcPlane& plane : space.planes) {
+      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
+                 of_space, diagnostics, bound);
+    }
+  }
+  return bound;
+}
+
+void check_requirements(const calc::Project& project, const std::vector<RulePack>& packs,
+                        calc::Diagnostics& diagnostics) {
+  for (const calc::Space& space : project.spaces) {
+    for (const calc::CalcPlane& plane : space.planes) {
+      const RequirementContext context{
+          plane.kernel,  project.scenes,         packs, nullptr, nullptr,
+          plane.derived, plane.is_quantity_known};
+      const PlaneIds ids(plane, diagnostics);
+      for (const calc::RequirementText& text : plane.requirements) {
+        read_requirement(text, context, diagnostics);
+      }
+    }
+  }
+}
+
+std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
+                                               std::string_view plane_id) {
+  std::vector<Requirement> own;
+  for (const Requirement& requirement : requirements) {
+    if (requirement.plane_id == plane_id) own.push_back(requirement);
+  }
+  return own;
+}
+
+}  // namespace rules

@@ -1,0 +1,28 @@
+#pragma once
+// A project as it is judged: read, with the planes of its workplaces, and what is required of them.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+#include "calc/scene/project.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/pack/rule_pack.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+struct JudgedProject {
+  calc::Project project;
+  std::vector<Requirement> requirements;  // see bind_requirements()
+};
+
+// Empty if and only if there is an error. All errors of the file are reported, those of shapes and
+// those of requirements, in the order of its lines.
+std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
+                                                 const std::string& path,
+                                                 const std::vector<RulePack>& packs,
+                                                 calc::Diagnostics& diagnostics);
+
+}  // namespace rules

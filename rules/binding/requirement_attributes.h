@@ -1,0 +1,50 @@
+#pragma once
+// The grammar of <require> in one table: its attributes, where each belongs, what each may hold
+// whatever the others say, and a sentence about it. The reader takes names, words and ranges from
+// here; the types in calc/project/luxgate-project-1.xsd are this table again, and a test compares.
+// What attributes mean together is not here but in requirement_reader.cpp.
+
+#include "calc/base/xml_reader.h"
+
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+enum class AttributeForm {
+  own,     // of a limit of its own
+  row,     // of a row of a rule pack
+  either,  // of both
+  waiver,  // beside both
+};
+
+enum class AttributeKind { id, text, empty_text, words, number, point, date };
+
+struct RequirementAttribute {
+  std::string_view name;
+  AttributeForm form;
+  AttributeKind kind;
+  std::string_view schema_type;  // its name in the XML schema
+  std::string_view meaning;
+  calc::Names words{};                           // of AttributeKind::words
+  calc::NumberRange range = calc::kNonNegative;  // of AttributeKind::number
+  bool is_of_workplace = false;                  // <workplace> has it, too
+};
+
+// In the order in which messages and the schema name them.
+const std::vector<RequirementAttribute>& requirement_attributes();
+// By a name that there is, or else std::logic_error.
+const RequirementAttribute& requirement_attribute(std::string_view name);
+
+calc::Names requirement_attribute_names();
+// Those that <workplace> has, too.
+calc::Names workplace_rule_names();
+
+// What `at` holds.
+inline constexpr std::string_view kPointWords = "3 numbers (x y z) in metres, in world coordinates";
+
+// Reports what no other attribute can make right: a word that is none, a number out of every range.
+// For what is left unread because something that it hangs on was wrong. Nothing if it is not there.
+void check_value(calc::ElementReader& reader, std::string_view name);
+
+}  // namespace rules

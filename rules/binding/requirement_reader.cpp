@@ -1,0 +1,287 @@
+#include "rules/binding/requirement_reader.h"
+
+#include "calc/base/text.h"
+#include "calc/base/xml_reader.h"
+#include "rules/binding/requirement_attributes.h"
+#include "rules/binding/rule_reference.h"
+#include "rules/catalogue/limit_text.h"
+#include "rules/measure/derived_metrics.h"
+#include "rules/verdict/waiver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+using calc::Names;
+
+constexpr const char* kElement = "require";
+
+// A limit is written here, or a row of a rule pack has it.
+bool has_any(const ElementReader& reader, AttributeForm form) {
+  const auto& all = requirement_attributes();
+  return std::any_of(all.begin(), all.end(), [&](const RequirementAttribute& attribute) {
+    return attribute.form == form && reader.has(attribute.name);
+  });
+}
+
+// Index of the word; 0 after an error.
+std::size_t read_word(ElementReader& reader, std::string_view name, std::size_t usual) {
+  return reader.choice_or(name, requirement_attribute(name).words, usual);
+}
+
+void report_unfit(ElementReader& reader, std::string_view attribute, std::string_view beside) {
+  reader.report(DiagnosticId::attribute_without_meaning, reader.where(attribute), kElement,
+                attribute, beside);
+}
+
+void report_unknown(ElementReader& reader, std::string_view attribute, std::string_view kind,
+                    std::string_view found, const Names& choices, std::string_view shown) {
+  const std::string allowed =
+      shown.empty() ? fmt::format("no {} is defined", kind) : fmt::format("allowed: {}", shown);
+  reader.report(DiagnosticId::unknown_reference, reader.where(attribute), attribute, kElement, kind,
+                found, allowed, calc::suggestion(found, choices));
+}
+
+// `attribute` belongs to one quantity only.
+bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owner, Metric metric) {
+  if (owner == metric) return true;
+  if (reader.has(attribute)) {
+    report_unfit(reader, attribute, fmt::format("quantity=\"{}\"", metric_name(metric)));
+  }
+  return false;
+}
+
+LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity derived) {
+  if (is_ratio(metric) || is_about_power(metric) || calc::is_plain_number(derived)) {
+    if (reader.has("unit")) {
+      report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", metric_name(metric)));
+    }
+    return is_ratio(metric) ? LimitUnit::lux : LimitUnit::plain;
+  }
+  return read_word(reader, "unit", 0) == 0 ? LimitUnit::lux : LimitUnit::footcandle;
+}
+
+std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
+  if (!reader.has("scene")) return {};
+  std::string scene = reader.text("scene");
+  Names defined;
+  for (const calc::LightScene& candidate : scenes) defined.emplace_back(candidate.id);
+  const bool is_defined = std::find(defined.begin(), defined.end(), scene) != defined.end();
+  if (!scene.empty() && !is_defined) {
+    report_unknown(reader, "scene", "scene", scene, defined, calc::join_choices(defined));
+  }
+  return scene;
+}
+
+// Of a share: from, to or both.
+void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
+                ValueRange& range) {
+  constexpr calc::NumberRange kLux{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
+  constexpr calc::NumberRange kPlain{0.0, 1.0e9, false, "a number from 0 to 1e9"};
+  const calc::NumberRange& kEnd = calc::is_plain_number(derived) ? kPlain : kLux;
+  const bool has_from = is_given_for(reader, "from", Metric::share, metric) && reader.has("from");
+  const bool has_to = is_given_for(reader, "to", Metric::share, metric) && reader.has("to");
+  if (metric != Metric::share) return;
+  if (!has_from && !has_to) {
+    reader.report(DiagnosticId::missing_form, reader.where(), kElement, "'from' or 'to', or both");
+  }
+  if (has_from) range.from = reader.number("from", kEnd);
+  if (has_to) range.to = reader.number("to", kEnd);
+  if (range.to < range.from) {
+    reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", kElement, "'from'");
+  }
+}
+
+// Whether such points have this quantity.
+bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
+  if (!context.is_quantity_known || is_metric_of(metric, context.derived)) return true;
+  Names allowed;
+  for (const std::string_view name : requirement_attribute("quantity").words) {
+    if (is_metric_of(*metric_from_name(name), context.derived)) allowed.push_back(name);
+  }
+  reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
+                metric_name(metric), calc::quantity_name(context.kernel, context.derived),
+                calc::join_choices(allowed));
+  return false;
+}
+
+void read_quantity(ElementReader& reader, const RequirementContext& context,
+                   Requirement& requirement) {
+  const std::optional<Metric> metric = read_metric(reader, requirement_attribute("quantity").words);
+  if (!metric || !check_metric(reader, *metric, context)) {
+    // What they mean hangs on the quantity; that they are no numbers does not.
+    for (const char* name : {"at-least", "at-most", "unit", "percent", "from", "to", "at"}) {
+      check_value(reader, name);
+    }
+    return;
+  }
+  requirement.metric = *metric;
+  const LimitUnit unit = read_unit(reader, *metric, context.derived);
+  if (const std::optional<Comparison> comparison = read_comparison(reader)) {
+    requirement.comparison = *comparison;
+    requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
+  }
+  if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
+    requirement.percent = reader.number("percent", requirement_attribute("percent").range);
+  }
+  read_range(reader, *metric, context.derived, requirement.range);
+  if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
+    const std::vector<double> at = reader.numbers("at", 3, kPointWords);
+    requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
+  }
+}
+
+// Whether reflected light is left out. A glare rating is nothing without it.
+bool read_light(ElementReader& reader, const Requirement& requirement) {
+  const bool is_known = is_of_space(requirement.metric);
+  const bool is_free = !is_known && requirement.derived != calc::DerivedQuantity::ugr;
+  if (!is_free && reader.has("light")) {
+    report_unfit(reader, "light",
+                 is_known ? fmt::format("quantity=\"{}\"", metric_name(requirement.metric))
+                          : std::string("ugr points"));
+    return false;
+  }
+  return read_word(reader, "light", 0) == 1;
+}
+
+std::vector<Requirement> read_own(ElementReader& reader, const RequirementContext& context) {
+  Requirement requirement;
+  requirement.where = reader.where();
+  requirement.derived = context.derived;
+  if (reader.has("id")) requirement.id = reader.id();
+  read_quantity(reader, context, requirement);
+  // Glare is worst when everything is new.
+  const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;
+  requirement.state =
+      read_word(reader, "state", usual) == 0 ? LightState::maintained : LightState::initial;
+  // Installed power is that of full output.
+  for (const char* name : {"state", "scene"}) {
+    if (is_of_space(requirement.metric) && reader.has(name)) {
+      report_unfit(reader, name, fmt::format("quantity=\"{}\"", metric_name(requirement.metric)));
+    }
+  }
+  requirement.scene = read_scene(reader, context.scenes);
+  requirement.direct_only = read_light(reader, requirement);
+  requirement.clause = calc::trim(reader.text_or("clause", ""));
+  return {requirement};
+}
+
+bool dims_nothing(const std::string& scene, const std::vector<calc::LightScene>& scenes) {
+  return std::any_of(scenes.begin(), scenes.end(), [&](const calc::LightScene& candidate) {
+    const auto& levels = candidate.level_of_group;
+    return candidate.id == scene &&
+           std::all_of(levels.begin(), levels.end(),
+                       [](const auto& level) { return level.second >= 1.0; });
+  });
+}
+
+// Luminaires that a scene does not name are at full output, which in an emergency must be said, not
+// forgotten. "" = all are named.
+std::string unnamed_luminaires(const std::string& scene, const RequirementContext& context) {
+  if (scene.empty() || context.space == nullptr) return {};
+  const auto is_named = [&](const std::string& group) {
+    return std::any_of(context.scenes.begin(), context.scenes.end(), [&](const auto& candidate) {
+      return candidate.id == scene &&
+             std::any_of(candidate.level_of_group.begin(), candidate.level_of_group.end(),
+                         [&](const auto& level) { return level.first == group; });
+    });
+  };
+  std::size_t unnamed = 0;
+  std::string first;
+  for (const calc::Luminaire& luminaire : context.space->luminaires) {
+    if (!luminaire.group.empty() && is_named(luminaire.group)) continue;
+    if (++unnamed == 1) first = luminaire.id;
+  }
+  if (unnamed == 0) return {};
+  return fmt::format(
+      "scene '{}' does not say what {} luminaires do in an emergency, the first is '{}': give each "
+      "a group, and each group a <dim> in the scene",
+      scene, unnamed, first);
+}
+
+// Why no single luminaire can be put out: what dims together goes out together. "" = each can.
+std::string outage_problem(const std::string& scene, const RequirementContext& context) {
+  if (scene.empty()) return "which luminaires may be out is said by a scene, and none is named";
+  if (context.space == nullptr) return {};
+  const auto chosen = std::find_if(context.scenes.begin(), context.scenes.end(),
+                                   [&](const auto& candidate) { return candidate.id == scene; });
+  if (chosen == context.scenes.end()) return {};
+  std::map<std::string, std::string> first_of_group;
+  for (const calc::Luminaire& luminaire : context.space->luminaires) {
+    const auto& levels = chosen->level_of_group;
+    const bool is_dark = std::any_of(levels.begin(), levels.end(), [&](const auto& level) {
+      return level.first == luminaire.group && level.second == 0.0;
+    });
+    if (is_dark) continue;
+    const auto [first, is_new] = first_of_group.emplace(luminaire.group, luminaire.id);
+    if (is_new && !luminaire.group.empty()) continue;
+    return fmt::format(
+        "luminaire '{}' has no dimming group of its own in scene '{}': give each one, so that it "
+        "can "
+        "be out alone",
+        luminaire.id, scene);
+  }
+  return {};
+}
+
+// The scene is the project's choice; everything else is the pack's. role: of a plane that a
+// workplace has made; "": the element may have one.
+std::vector<Requirement> read_rule(ElementReader& reader, const std::string& role,
+                                   const RequirementContext& context) {
+  const std::string scene = read_scene(reader, context.scenes);
+  std::vector<Requirement> requirements = read_rule_reference(
+      reader, role, context,
+      {scene, unnamed_luminaires(scene, context), outage_problem(scene, context)});
+  if (!dims_nothing(scene, context.scenes)) return requirements;
+  // Right for a project of emergency luminaires alone, and a false pass for any other.
+  for (Requirement& requirement : requirements) {
+    requirement.note += fmt::format("{}scene {} dims nothing: every luminaire is at full output",
+                                    requirement.note.empty() ? "" : "; ", scene);
+  }
+  return requirements;
+}
+
+// <require>
+std::vector<Requirement> read_written(ElementReader& reader, const RequirementContext& context) {
+  reader.allow_attributes(requirement_attribute_names());
+  reader.allow_children({});
+  std::vector<Requirement> requirements;
+  if (has_any(reader, AttributeForm::row)) {
+    for (const RequirementAttribute& attribute : requirement_attributes()) {
+      const bool is_unfit = attribute.form == AttributeForm::own && reader.has(attribute.name);
+      if (is_unfit) report_unfit(reader, attribute.name, "pack");
+    }
+    requirements = read_rule(reader, "", context);
+  } else {
+    requirements = read_own(reader, context);
+  }
+  const std::optional<Waiver> waiver = read_waiver(reader);
+  for (Requirement& requirement : requirements) requirement.waiver = waiver;
+  return requirements;
+}
+
+}  // namespace
+
+std::vector<Requirement> read_requirement(const calc::RequirementText& text,
+                                          const RequirementContext& context,
+                                          calc::Diagnostics& diagnostics) {
+  ElementReader reader(text.element, diagnostics);
+  std::vector<Requirement> requirements =
+      text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, context);
+  for (Requirement& requirement : requirements) requirement.derived = context.derived;
+  if (!reader.ok()) requirements.clear();
+  return requirements;
+}
+
+}  // namespace rules

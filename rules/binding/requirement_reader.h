@@ -1,0 +1,33 @@
+#pragma once
+// One requirement element of a project: attributes to Requirements. Which there are, and what each
+// may hold, is in requirement_attributes.h.
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/project.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/pack/rule_pack.h"
+
+#include <optional>
+#include <vector>
+
+namespace rules {
+
+// What the attributes may refer to.
+struct RequirementContext {
+  calc::ReceiverKernel kernel;  // of the plane
+  const std::vector<calc::LightScene>& scenes;
+  const std::vector<RulePack>& packs;
+  const calc::CalcPlane* plane = nullptr;  // where it is, which way it faces; null: not known
+  const calc::Space* space = nullptr;      // around it; null: not known
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // of the plane
+  bool is_quantity_known = true;  // false: after an error in the plane, so that its kernel and
+                                  // `derived` forbid nothing
+};
+
+// One requirement, or those of a rule pack's row; empty after an error. All errors of the element
+// are reported. plane_id is not set, and id only if the text gives one.
+std::vector<Requirement> read_requirement(const calc::RequirementText& text,
+                                          const RequirementContext& context,
+                                          calc::Diagnostics& diagnostics);
+
+}  // namespace rules

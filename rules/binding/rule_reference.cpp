@@ -1,0 +1,390 @@
+#include "rules/binding/rule_reference.h"
+
+#include "calc/base/text.h"
+#include "rules/binding/requirement_attributes.h"
+#include "rules/measure/derived_metrics.h"
+#include "rules/pack/limit.h"
+#include "rules/pack/named_pack.h"
+#include "rules/pack/pack_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+
+}  // namespace
+
+const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
+  const std::string name = reader.text("pack");
+  if (name.empty()) return nullptr;
+  const NamedPack found = named_pack(name, packs);
+  if (found.is_ambiguous()) {
+    reader.report(DiagnosticId::ambiguous_rule_pack, reader.where("pack"), name, found.candidates);
+  } else if (found.pack == nullptr) {
+    std::vector<const RulePack*> all;
+    calc::Names names;
+    for (const RulePack& pack : packs) {
+      all.push_back(&pack);
+      names.emplace_back(pack.id);
+    }
+    reader.report(DiagnosticId::unknown_reference, reader.where("pack"), "pack",
+                  reader.element().name, "rule pack", name, "allowed: " + pack_list(all),
+                  calc::suggestion(name, names));
+  }
+  return found.pack;
+}
+
+const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
+  if (!reader.has("row")) return nullptr;
+  const std::string ref = reader.text("row");
+  const RuleRow* row = pack.find_row(ref);
+  if (row != nullptr || ref.empty()) return row;
+  calc::Names refs;
+  for (const RuleRow& candidate : pack.rows) refs.emplace_back(candidate.ref);
+  report_unknown_name(reader.diagnostics(), reader.where("row"), "row", reader.element().name,
+                      "row", ref, refs);
+  return nullptr;
+}
+
+namespace {
+
+// The pack's own role unless another is named; "" after an error.
+std::string find_role(ElementReader& reader, const RulePack& pack) {
+  if (!reader.has("role")) return pack.role;
+  std::string role = reader.text("role");
+  const std::vector<std::string> roles = pack.roles();
+  if (role.empty() || std::find(roles.begin(), roles.end(), role) != roles.end()) return role;
+  report_unknown_name(reader.diagnostics(), reader.where("role"), "role", reader.element().name,
+                      "role", role, calc::Names(roles.begin(), roles.end()));
+  return {};
+}
+
+bool needs_row(const Expression& expression, const RulePack& pack) {
+  if (expression.kind == ExpressionKind::row_value) return true;
+  if (expression.kind == ExpressionKind::limit_of) {
+    return needs_row(pack.find_check(expression.name)->limit, pack);
+  }
+  return std::any_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return needs_row(operand, pack); });
+}
+
+// About the space that the plane is in; any plane there will do.
+std::optional<Metric> metric_of_space(const RuleCheck& check) {
+  if (check.quantity->dimension == Dimension::power_density) return Metric::power_density;
+  if (check.quantity->dimension == Dimension::energy_density) return Metric::leni;
+  return std::nullopt;
+}
+
+bool is_power(const RuleCheck& check) { return metric_of_space(check).has_value(); }
+
+// Light that luxgate does not calculate; "" = it does.
+std::string uncalculated_light(const RuleCheck& check) {
+  if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
+  if (!is_metric_of(check.metric, check.quantity->derived)) {
+    return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
+                       metric_name(check.metric), check.quantity->name);
+  }
+  if (check.metric == Metric::value_at_point && !is_power(check)) {
+    return fmt::format("check '{}' is about a single value, not about a plane", check.id);
+  }
+  return {};
+}
+
+std::string note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
+  std::string note = trust_remark(trust);
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (pack.status != "published") {
+    add(fmt::format("{} is marked {} in its rule pack", pack.full_id(), pack.status));
+  }
+  if (!check.note.empty()) add(check.note);
+  return note;
+}
+
+struct Reference {
+  const RulePack& pack;
+  const RuleRow* row;
+  LimitScope scope;
+  calc::ReceiverKernel kernel;
+  calc::DerivedQuantity derived;
+  bool is_quantity_known;
+  ChosenScene scene;
+  const calc::CalcPlane* plane;
+  std::optional<double> floor_z_m;
+};
+
+// Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
+constexpr double kHorizontal = 0.966;
+constexpr double kUpright = 0.259;
+
+bool faces(const std::string& orientation, const glm::dvec3& normal) {
+  if (orientation == "horizontal-up") return normal.z >= kHorizontal;
+  if (orientation == "horizontal-down") return normal.z <= -kHorizontal;
+  if (orientation == "vertical") return std::abs(normal.z) <= kUpright;
+  return true;  // surface, free
+}
+
+// What keeps a plane from being one of the role's; "" = nothing. Only planar points, and those that
+// modelling is related to, face a way of their own.
+std::string wrong_orientation(const RuleCheck& check, const Reference& reference) {
+  const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
+                              reference.derived == calc::DerivedQuantity::none;
+  const bool faces_somewhere =
+      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) && !is_power(check);
+  if (reference.plane == nullptr || !faces_somewhere) return {};
+  std::vector<glm::dvec3> normals;
+  if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
+    normals = {area->normal()};
+  } else {
+    normals = std::get<calc::PointList>(reference.plane->area).normal;
+  }
+  for (const RulePlane& plane : reference.pack.planes) {
+    if (plane.role != check.role) continue;
+    const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
+      return faces(plane.orientation, normal);
+    });
+    if (fits) continue;
+    return fmt::format("role '{}' of {} is about a plane that is {}, and this one is not",
+                       check.role, reference.pack.full_id(), plane.orientation);
+  }
+  return {};
+}
+
+// Lowest and highest point of a plane above the floor.
+std::pair<double, double> heights_of(const calc::CalcPlane& plane, double floor_z_m) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  const auto add = [&](const glm::dvec3& point) {
+    lowest = std::min(lowest, point.z - floor_z_m);
+    highest = std::max(highest, point.z - floor_z_m);
+  };
+  if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
+    for (const glm::dvec2& corner : area->outline_m) {
+      add(area->origin_m + corner.x * area->u + corner.y * area->v);
+    }
+  } else {
+    for (const glm::dvec3& point : std::get<calc::PointList>(plane.area).position_m) add(point);
+  }
+  return {lowest, highest};
+}
+
+// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it
+// may be.
+std::string wrong_height(const RuleCheck& check, const Reference& reference, bool is_usual) {
+  // What is laid a little above a floor, so as not to lie in it.
+  constexpr double kTolerance_m = 0.05;
+  if (reference.plane == nullptr || !reference.floor_z_m) return {};
+  const RulePlane* role = reference.pack.find_plane(check.role);
+  if (role == nullptr || !role->has_heights || role->are_heights_usual != is_usual) return {};
+  double from_m = role->lowest_m, to_m = role->highest_m;
+  const bool follows_task =
+      role->area == ZoneArea::task || (role->area == ZoneArea::band && !role->height_m);
+  if (follows_task && reference.row != nullptr && reference.row->task_heights_m) {
+    from_m = reference.row->task_heights_m->lowest_m;
+    to_m = reference.row->task_heights_m->highest_m;
+  }
+  const auto [lowest_m, highest_m] = heights_of(*reference.plane, *reference.floor_z_m);
+  // An upright plane has a height of its own: it must reach the height that is asked for.
+  const bool is_upright = role->orientation == "vertical";
+  const bool fits = is_upright
+                        ? highest_m >= from_m - kTolerance_m && lowest_m <= to_m + kTolerance_m
+                        : lowest_m >= from_m - kTolerance_m && highest_m <= to_m + kTolerance_m;
+  if (fits) return {};
+  const auto range = [](double from, double to) {
+    return std::abs(to - from) < 5e-4 ? fmt::format("{:.3g} m", from)
+                                      : fmt::format("{:.3g} to {:.3g} m", from, to);
+  };
+  return fmt::format("planes of role '{}' of {} are {}{} above the floor, and this one is {}",
+                     check.role, reference.pack.full_id(), is_usual ? "usually " : "",
+                     range(from_m, to_m), range(lowest_m, highest_m));
+}
+
+Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
+                           const calc::SourceLocation& where) {
+  Requirement requirement;
+  requirement.metric = metric_of_space(check).value_or(check.metric);
+  requirement.percent = check.percent;
+  requirement.range = check.range;
+  requirement.comparison = check.comparison;
+  requirement.limit = limit.status == LimitStatus::known ? limit.value.value
+                                                         : std::numeric_limits<double>::quiet_NaN();
+  requirement.state = check.state;
+  requirement.scene = reference.scene.id;
+  requirement.clause =
+      clause_text(reference.pack, check, reference.row, limit.is_modified, limit.trust);
+  requirement.note = note_of(reference.pack, check, limit.trust);
+  requirement.severity = check.severity;
+  requirement.mask = check.mask;
+  requirement.direct_only = check.direct_only;
+  requirement.policy = reference.pack.policy;
+  requirement.origin = {reference.pack.full_id(), check.id,
+                        reference.row == nullptr ? "" : reference.row->ref,
+                        reference.scope.level == RowLevel::modified, reference.scope.facts};
+  requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
+  if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
+  if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);
+  if (requirement.problem.empty()) requirement.problem = wrong_height(check, reference, false);
+  if (const std::string remark = wrong_height(check, reference, true); !remark.empty()) {
+    requirement.note += (requirement.note.empty() ? "" : "; ") + remark;
+  }
+  requirement.any_one_unit_out = check.any_one_unit_out;
+  if (check.any_one_unit_out) {
+    requirement.note += std::string(requirement.note.empty() ? "" : "; ") + "any one luminaire out";
+    if (requirement.problem.empty()) requirement.problem = reference.scene.outage_problem;
+  }
+  if (requirement.problem.empty() && check.sources == LightSources::emergency) {
+    requirement.problem = reference.scene.problem;
+  }
+  requirement.where = where;
+  return requirement;
+}
+
+// False after an error.
+bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
+  // The mean of four planes is an approximation of the cylindrical illuminance, not it.
+  const bool is_of_points = !is_power(check) && reference.is_quantity_known;
+  if (is_of_points && (check.quantity->kernel != reference.kernel ||
+                       check.quantity->derived != reference.derived)) {
+    reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,
+                  reference.pack.full_id(), check.quantity->name,
+                  calc::quantity_name(reference.kernel, reference.derived));
+    return false;
+  }
+  if (check.sources == LightSources::emergency && reference.scene.id.empty()) {
+    reader.report(DiagnosticId::rule_needs_scene, reader.where(), check.role,
+                  reference.pack.full_id());
+    return false;
+  }
+  if (reference.row == nullptr && needs_row(check.limit, reference.pack)) {
+    reader.report(DiagnosticId::missing_partner, reader.where("pack"), reader.element().name,
+                  "pack", "row");
+    return false;
+  }
+  return true;
+}
+
+std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::string& role,
+                                              const Reference& reference) {
+  std::vector<Requirement> requirements;
+  for (const RuleCheck& check : reference.pack.checks) {
+    if (check.role != role) continue;
+    if (!fits_plane(reader, check, reference)) return {};
+    const Limit limit = evaluate_limit(check, reference.scope);
+    if (limit.status == LimitStatus::not_applicable) continue;
+    requirements.push_back(requirement_of(check, limit, reference, reader.where()));
+  }
+  if (requirements.empty()) {
+    reader.report(DiagnosticId::rule_requires_nothing, reader.where(), reference.pack.full_id(),
+                  reference.row == nullptr ? "" : fmt::format(" row '{}'", reference.row->ref),
+                  role);
+  }
+  return requirements;
+}
+
+}  // namespace
+
+RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
+  const calc::Names& words = requirement_attribute("level").words;
+  if (reader.choice_or("level", words, 0) == 0) return RowLevel::required;
+  if (row != nullptr && !row->has_modified_level()) {
+    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());
+  }
+  return RowLevel::modified;
+}
+
+bool needs_row(const RuleCheck& check, const RulePack& pack) {
+  return needs_row(check.limit, pack);
+}
+
+std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
+                        bool is_modified, Trust trust) {
+  std::string text = fmt::format("{}:{}", pack.title, pack.edition);
+  if (!check.clause.empty()) {
+    text += " " + check.clause;
+  } else if (row != nullptr) {
+    text += " " + row->ref;
+  }
+  if (is_modified) text += " (modified)";
+  if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
+  return text;
+}
+
+std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& pack) {
+  std::map<std::string, double> facts;
+  if (!reader.has("facts")) return facts;
+  const std::string text = reader.text("facts");
+  calc::Names names;
+  for (const RuleName& fact : pack.facts) names.push_back(fact.id);
+  std::string_view rest = text;
+  while (!calc::trim(rest).empty()) {
+    const std::string_view part = calc::trim(rest.substr(0, rest.find(';')));
+    rest = rest.find(';') == std::string_view::npos ? "" : rest.substr(rest.find(';') + 1);
+    const std::size_t equals = part.find('=');
+    const std::string id(calc::trim(part.substr(0, equals)));
+    const RuleName* fact = pack.find_fact(id);
+    if (fact == nullptr) {
+      report_unknown_name(reader.diagnostics(), reader.where("facts"), "facts",
+                          reader.element().name, "fact", id, names);
+      continue;
+    }
+    const ParsedExpression value = parse_expression(
+        equals == std::string_view::npos ? "" : calc::trim(part.substr(equals + 1)));
+    const bool fits = value.expression && value.expression->kind == ExpressionKind::number &&
+                      value.expression->dimension == fact->unit.dimension;
+    if (!fits || !facts.emplace(id, value.expression->number).second) {
+      reader.report(DiagnosticId::rule_fact, reader.where("facts"), part, id,
+                    dimension_name(fact->unit.dimension), id, fact->unit.name);
+    }
+  }
+  return facts;
+}
+
+void check_row_values(ElementReader& reader) {
+  for (const char* name : {"row", "level", "role", "facts"}) check_value(reader, name);
+}
+
+namespace {
+
+std::optional<double> floor_of(const calc::Space* space) {
+  if (space == nullptr || !space->shell) return std::nullopt;
+  return space->shell->floor_z_m;
+}
+
+}  // namespace
+
+std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::string& given_role,
+                                             const RequirementContext& context,
+                                             const ChosenScene& scene) {
+  for (const char* name : {"row", "level", "role", "facts"}) {
+    if (!reader.has(name) || reader.has("pack")) continue;
+    reader.report(DiagnosticId::missing_partner, reader.where(name), reader.element().name, name,
+                  "pack");
+    check_row_values(reader);
+    return {};
+  }
+  const RulePack* pack = find_pack(reader, context.packs);
+  if (pack == nullptr) {
+    check_row_values(reader);
+    return {};
+  }
+  const RuleRow* row = find_row(reader, *pack);
+  const std::string role = given_role.empty() ? find_role(reader, *pack) : given_role;
+  if (reader.has("level")) reader.require_together("level", "row");
+  const RowLevel level = read_level(reader, *pack, row);
+  std::map<std::string, double> facts = read_facts(reader, *pack);
+  if (!reader.ok() || role.empty()) return {};
+  return requirements_of_role(
+      reader, role,
+      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel, context.derived,
+       context.is_quantity_known, scene, context.plane, floor_of(context.space)});
+}
+
+}  // namespace rules

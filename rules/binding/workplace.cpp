@@ -1,0 +1,375 @@
+#include "rules/binding/workplace.h"
+
+#include "calc/base/text.h"
+#include "calc/base/xml_reader.h"
+#include "calc/project/workplace_xml.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/binding/requirement_attributes.h"
+#include "rules/binding/rule_reference.h"
+#include "rules/pack/limit.h"
+#include "rules/pack/pack_parts.h"
+#include "rules/zones/straight_walls.h"
+#include "rules/zones/zone_plane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+using calc::Workplace;
+using calc::ZoneText;
+
+// Line of every plane of the project.
+using PlaneIds = std::map<std::string, int, std::less<>>;
+
+// More than any building needs, and what fits into memory.
+constexpr std::size_t kMostPlanes = 4000;
+constexpr double kMostPoints = 4.0e6;
+
+double cells_of(const calc::PlanarArea& area) {
+  glm::dvec2 lower = area.outline_m.at(0), upper = lower;
+  for (const glm::dvec2& corner : area.outline_m) {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const glm::dvec2 side_m = glm::max(upper - lower - 2.0 * area.margin_m, glm::dvec2(1.0e-6));
+  if (const auto* count = std::get_if<calc::GridByCount>(&area.grid)) {
+    return static_cast<double>(count->columns) * static_cast<double>(count->rows);
+  }
+  if (const auto* spacing = std::get_if<calc::GridBySpacing>(&area.grid)) {
+    return std::ceil(side_m.x / spacing->along_u_m) * std::ceil(side_m.y / spacing->along_v_m);
+  }
+  const calc::GridCounts counts =
+      calc::grid_counts(std::get<calc::GridByRule>(area.grid), side_m.x, side_m.y);
+  return static_cast<double>(counts.columns) * static_cast<double>(counts.rows);
+}
+
+// Of all workplaces of a project so far.
+struct Total {
+  std::size_t planes = 0;
+  double points = 0.0;
+};
+
+class WorkplaceMaker {
+ public:
+  WorkplaceMaker(const RulePack& pack, const RuleRow& row, LimitScope scope,
+                 const Workplace& workplace, calc::Space& space, calc::Diagnostics& diagnostics)
+      : pack_(pack),
+        row_(row),
+        scope_(std::move(scope)),
+        workplace_(workplace),
+        part_of_(join_straight_walls(pack, workplace_)),
+        space_(space),
+        diagnostics_(diagnostics) {}
+
+  // That the zones are of the pack and may be changed so.
+  void check_zones() {
+    std::vector<std::string> allowed;
+    for (const std::string& role : pack_.roles()) {
+      const RulePlane* plane = pack_.find_plane(role);
+      if (plane == nullptr || !has_area(*plane)) continue;
+      if (!find_quantity(role)->kernel) continue;
+      allowed.push_back(role);
+      for (std::size_t i = 1; i <= parts_of(role, *plane); ++i) {
+        allowed.push_back(fmt::format("{}.{}", role, i));
+      }
+    }
+    for (const ZoneText& zone : workplace_.zones) {
+      if (zone.role.empty()) continue;  // reported where it was read
+      if (std::find(allowed.begin(), allowed.end(), zone.role) == allowed.end()) {
+        report_unknown_name(diagnostics_, zone.role_where, "role",
+                            zone.is_left_out ? "without" : "zone", "zone", zone.role,
+                            calc::Names(allowed.begin(), allowed.end()));
+      } else {
+        check_fit(zone);
+      }
+    }
+  }
+
+  // After check_zones() without an error. Nothing is added after an error.
+  void run(PlaneIds& ids, Total& total) {
+    const std::size_t errors = diagnostics_.error_count();
+    for (const std::string& role : pack_.roles()) add_role(role);
+    if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
+      diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
+                          fmt::format(", for row '{}' or any other", row_.ref));
+    }
+    check_size(total);
+    for (const calc::CalcPlane& plane : planes_) {
+      const auto [first, is_new] = ids.try_emplace(plane.id, plane.where.line);
+      if (is_new) continue;
+      diagnostics_.report(DiagnosticId::duplicate_id, workplace_.where, "plane", plane.id,
+                          first->second);
+    }
+    if (diagnostics_.error_count() > errors) return;
+    for (calc::CalcPlane& plane : planes_) space_.planes.push_back(std::move(plane));
+    if (const std::string note = note_words(); !note.empty()) space_.notes.push_back(note);
+  }
+
+ private:
+  static bool has_area(const RulePlane& plane) { return plane.area != ZoneArea::none; }
+
+  void check_size(Total& total) {
+    total.planes += planes_.size();
+    for (const calc::CalcPlane& plane : planes_) {
+      total.points += cells_of(std::get<calc::PlanarArea>(plane.area));
+    }
+    if (total.planes <= kMostPlanes && total.points <= kMostPoints) return;
+    diagnostics_.report(
+        DiagnosticId::number_out_of_range, workplace_.where, "count", "workplace",
+        fmt::format("a total of {} planes with {:.3g} points, with those of the workplaces before",
+                    total.planes, total.points),
+        fmt::format("at most {} planes and {:.3g} points of all workplaces", kMostPlanes,
+                    kMostPoints));
+  }
+
+  // Surfaces of the room are where they are.
+  void check_fit(const ZoneText& zone) {
+    const RulePlane* plane = pack_.find_plane(zone.role);
+    if (plane == nullptr) plane = pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
+    const bool is_surface =
+        plane != nullptr && (plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling);
+    const auto refuse = [&](const char* what, std::string_view beside) {
+      diagnostics_.report(DiagnosticId::attribute_without_meaning, zone.where, "zone", what,
+                          fmt::format("role=\"{}\"{}", zone.role, beside));
+    };
+    if (is_surface && zone.height_m) refuse("height", "");
+    if (is_surface && !zone.area_m.empty()) refuse("footprint' or 'size", "");
+    if (plane == nullptr || plane->area != ZoneArea::task) return;
+    if (zone.height_m && workplace_.height_m) refuse("height", " and 'height' of <workplace>");
+    if (!zone.area_m.empty()) refuse("footprint' or 'size", ": give the area to <workplace>");
+  }
+
+  const Quantity* find_quantity(const std::string& role) const {
+    const auto is_of_role = [&](const RuleCheck& check) { return check.role == role; };
+    return std::find_if(pack_.checks.begin(), pack_.checks.end(), is_of_role)->quantity;
+  }
+
+  const ZoneText* find_zone(std::string_view role) const {
+    const auto found = std::find_if(workplace_.zones.begin(), workplace_.zones.end(),
+                                    [&](const ZoneText& zone) { return zone.role == role; });
+    return found == workplace_.zones.end() ? nullptr : &*found;
+  }
+
+  void leave_out(std::vector<std::string>& list, const std::string& role,
+                 const std::string& because) {
+    list.push_back(fmt::format("{} ({})", role, because));
+  }
+
+  // Why there is no plane of a role, whatever the room; "" = there is.
+  std::string reason_against(const std::string& role, const RulePlane* plane) const {
+    const RuleCheck* first = nullptr;
+    bool is_wanted = false, has_row_check = false;
+    for (const RuleCheck& check : pack_.checks) {
+      if (check.role != role) continue;
+      if (first == nullptr) first = &check;
+      // Of a ceiling without a value in the row a uniformity is not required either.
+      const bool hangs_on_row = needs_row(check, pack_);
+      const bool is_required = evaluate_limit(check, scope_).status != LimitStatus::not_applicable;
+      if (hangs_on_row && !has_row_check) is_wanted = false;
+      if (hangs_on_row || !has_row_check) is_wanted = is_wanted || is_required;
+      has_row_check = has_row_check || hangs_on_row;
+    }
+    if (!first->quantity->kernel) {
+      return fmt::format("{} is not measured on planes", first->quantity->name);
+    }
+    if (plane == nullptr || !has_area(*plane)) return "the pack says no place for it";
+    if (!is_wanted) return fmt::format("row {} specifies nothing", row_.ref);
+    return {};
+  }
+
+  calc::ReceiverKernel kernel_of(const std::string& role) const {
+    return *find_quantity(role)->kernel;
+  }
+
+  // Its points look somewhere: along the room's longest wall and across it, to and
+  // fro.
+  bool looks_around(const std::string& role) const {
+    return calc::has_look(kernel_of(role), find_quantity(role)->derived);
+  }
+
+  glm::dvec3 direction(std::size_t index) const {
+    constexpr double kTie = 1.0e-9;
+    const calc::PlanarArea* longest = &workplace_.walls.at(0);
+    for (const calc::PlanarArea& wall : workplace_.walls) {
+      if (wall.outline_m[1].x > longest->outline_m[1].x * (1.0 + kTie)) longest = &wall;
+    }
+    const glm::dvec3 along = longest->u;
+    const glm::dvec3 across(-along.y, along.x, 0.0);
+    const glm::dvec3 look = index % 2 == 0 ? along : across;
+    return index < 2 ? look : -look;
+  }
+
+  // Planes "role.1" ... of it, for each wall or direction; 0: one plane, "role".
+  std::size_t parts_of(const std::string& role, const RulePlane& plane) const {
+    if (plane.area == ZoneArea::walls) return workplace_.walls.size();
+    return looks_around(role) ? 4 : 0;
+  }
+
+  void add_role(const std::string& role) {
+    const RulePlane* plane = pack_.find_plane(role);
+    if (const std::string reason = reason_against(role, plane); !reason.empty()) {
+      return leave_out(not_made_, role, reason);
+    }
+    const std::size_t parts = parts_of(role, *plane);
+    const std::size_t before = planes_.size(), not_made = not_made_.size();
+    std::vector<std::size_t> too_narrow;  // walls
+    if (parts == 0) add_plane(role, *plane, find_zone(role), std::nullopt);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const std::string name = fmt::format("{}.{}", role, i + 1);
+      if (plane->area == ZoneArea::walls && part_of_[i]) continue;
+      const ZoneText* one = find_zone(name);
+      const std::size_t count = not_made_.size();
+      add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
+      if (not_made_.size() > count) too_narrow.push_back(i);
+    }
+    const std::string run = plane->area == ZoneArea::walls && planes_.size() > before
+                                ? run_of_pieces(workplace_.walls, part_of_, too_narrow)
+                                : "";
+    if (!run.empty()) {
+      diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role, run,
+                          role, role);
+      return;
+    }
+    // A requirement of the row must not go away because a wall is drawn in pieces.
+    const bool is_surface = plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling;
+    if (!is_surface || not_made_.size() == not_made) return;
+    if (planes_.size() > before) return warn_of_unchecked(not_made);
+    diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role,
+                        not_made_[not_made], role, role);
+  }
+
+  // Of some surfaces nothing is left within the standard's margin, so that there is nothing to
+  // judge, and the others are judged for themselves; but that must be seen, and said by somebody.
+  void warn_of_unchecked(std::size_t first) {
+    constexpr std::size_t kMostNamed = 4;
+    const std::size_t count = not_made_.size() - first;
+    const auto begin = not_made_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(count, kMostNamed));
+    std::string names = fmt::format("{}", fmt::join(begin, end, ", "));
+    if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
+    diagnostics_.report(DiagnosticId::zone_not_checked, workplace_.where, workplace_.id, names);
+  }
+
+  void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
+                 std::optional<std::size_t> part) {
+    if (zone != nullptr && zone->is_left_out) return leave_out(left_out_, name, zone->because);
+    const auto wall = rule.area == ZoneArea::walls ? part : std::nullopt;
+    ZonePlane made = make_zone_plane({pack_, row_, workplace_, space_}, rule, zone, wall);
+    if (!made.not_made.empty()) return leave_out(not_made_, name, made.not_made);
+    if (!made.problem.empty()) {
+      const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;
+      diagnostics_.report(
+          made.is_simple ? DiagnosticId::zone_vanishes : DiagnosticId::zone_not_simple, where,
+          workplace_.id, name, made.problem, name, name);
+      return;
+    }
+    calc::CalcPlane& plane = planes_.emplace_back();
+    plane.id = fmt::format("{}.{}", workplace_.id, name);
+    const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
+    plane.name =
+        fmt::format("{}: {}", title, part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
+    plane.where = workplace_.where;
+    plane.area = std::move(made.area);
+    plane.kernel = kernel_of(rule.role);
+    plane.derived = find_quantity(rule.role)->derived;
+    if (looks_around(rule.role)) {
+      plane.direction = direction(*part);
+      made.words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
+                                plane.direction.y + 0.0);
+    }
+    plane.made_by =
+        fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, made.words);
+    plane.changed = std::move(made.changed);
+    plane.requirements.push_back({workplace_.element, rule.role});
+  }
+
+  std::string rule_words() const {
+    return fmt::format("{}:{} {}", pack_.title, pack_.edition, row_.ref);
+  }
+
+  std::string note_words() const {
+    if (left_out_.empty() && not_made_.empty()) return {};
+    const auto joined = [](const std::vector<std::string>& list) {
+      return fmt::format("{}", fmt::join(list, ", "));
+    };
+    std::string text = fmt::format("workplace {}, {}: ", workplace_.id, rule_words());
+    if (!left_out_.empty()) text += "left out: " + joined(left_out_);
+    if (!left_out_.empty() && !not_made_.empty()) text += "; ";
+    if (!not_made_.empty()) text += "not made: " + joined(not_made_);
+    return text;
+  }
+
+  const RulePack& pack_;
+  const RuleRow& row_;
+  LimitScope scope_;
+  Workplace workplace_;  // with joined walls
+  std::vector<std::optional<std::size_t>> part_of_;
+  calc::Space& space_;
+  calc::Diagnostics& diagnostics_;
+  std::vector<calc::CalcPlane> planes_;
+  std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
+};
+
+// Once here, not once for every plane.
+void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& scenes) {
+  if (!reader.has("scene")) return;
+  const std::string scene = reader.text("scene");
+  calc::Names names;
+  for (const calc::LightScene& candidate : scenes) names.emplace_back(candidate.id);
+  if (scene.empty() || std::find(names.begin(), names.end(), scene) != names.end()) return;
+  report_unknown_name(reader.diagnostics(), reader.where("scene"), "scene", "workplace", "scene",
+                      scene, names);
+}
+
+void make_planes(const Workplace& workplace, calc::Space& space,
+                 const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
+                 PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
+  ElementReader reader(workplace.element, diagnostics);
+  calc::Names names(calc::kWorkplaceAttributes.begin(), calc::kWorkplaceAttributes.end());
+  for (const std::string_view name : workplace_rule_names()) names.push_back(name);
+  reader.allow_attributes(names);
+  check_scene(reader, scenes);
+  if (!reader.has("row")) reader.text("row");  // reports its absence
+  const RulePack* pack = find_pack(reader, packs);
+  if (pack == nullptr) return check_row_values(reader);
+  const RuleRow* row = find_row(reader, *pack);
+  const RowLevel level = read_level(reader, *pack, row);
+  std::map<std::string, double> facts = read_facts(reader, *pack);
+  if (row == nullptr || workplace.walls.empty()) return;
+  WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
+                       diagnostics);
+  maker.check_zones();
+  if (workplace.is_good && reader.ok()) maker.run(ids, total);
+}
+
+}  // namespace
+
+void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& packs,
+                           calc::Diagnostics& diagnostics) {
+  PlaneIds ids;
+  Total total;
+  for (const calc::Space& space : project.spaces) {
+    for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
+  }
+  for (calc::Space& space : project.spaces) {
+    for (const Workplace& workplace : space.workplaces) {
+      make_planes(workplace, space, project.scenes, packs, ids, total, diagnostics);
+    }
+  }
+}
+
+}  // namespace rules

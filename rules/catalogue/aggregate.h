@@ -1,0 +1,59 @@
+#pragma once
+// Several requirements as one: aggregates and classes of rule packs, once they are judged. Plain
+// data; judge_aggregates.h makes it.
+
+#include "calc/base/diagnostics.h"
+#include "rules/catalogue/compare.h"
+#include "rules/catalogue/requirement.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+enum class AggregateRule { all, any, at_least, share };
+const char* rule_name(AggregateRule rule);  // "all", "any", "at-least", "share"
+
+// What the members of an aggregate are.
+enum class AggregateOver {
+  checks,  // of one plane, or of one room if the checks are about several parts of it
+  planes,  // of the project
+  rooms,   // of the project
+};
+const char* over_name(AggregateOver over);  // "checks", "planes", "rooms"
+
+enum class AggregateKind { aggregate, row_class };
+const char* kind_name(AggregateKind kind);  // "aggregate", "class"
+
+struct AggregateMember {
+  std::string name;                       // id of the check, the plane or the room
+  Verdict verdict = Verdict::not_judged;  // of everything in it together
+  bool is_waived = false;                 // something in it is, see waiver.h
+  std::optional<double> area_m2 = {};     // its weight in shares of area
+  std::string reason = {};                // why it does not pass
+};
+
+struct AggregateFinding {
+  AggregateKind kind = AggregateKind::aggregate;
+  std::string id;                  // in its pack
+  std::string space_id, plane_id;  // what it is about; both "" = the project, no plane = the room
+  std::string clause;              // "LEED v4.1 ..."
+  std::string note;                // what every report must say with it; or ""
+  AggregateRule rule = AggregateRule::all;
+  AggregateOver over = AggregateOver::checks;
+  int count = 0;                        // of at_least
+  double share = 0.0;                   // of share, (0, 1]
+  bool by_area = false;                 // of share: members weigh as much as their area
+  Severity severity = Severity::shall;  // advice does not count
+  Verdict verdict = Verdict::not_judged;
+  bool is_waived = false;  // does not pass, but would if all that is waived were met
+  std::string reason;      // of what does not pass
+  std::vector<AggregateMember> members;
+  // Of classes: the row that the project asks for, the best one that is reached for certain and the
+  // best that may be; "" = none.
+  std::string asked, reached, possible;
+  calc::SourceLocation where;
+};
+
+}  // namespace rules

@@ -1,0 +1,105 @@
+#include "rules/catalogue/compare.h"
+
+#include "calc/base/elementary.h"
+
+#include <cmath>
+
+namespace rules {
+namespace {
+
+constexpr double kBinaryNoise =
+    1e-9;  // relative; far above rounding in sums of 1e5 points, far below any meaning
+
+double loosened(double limit, Comparison comparison, double tolerance) {
+  return limit * (is_lower_limit(comparison) ? 1.0 - tolerance : 1.0 + tolerance);
+}
+
+// Rounding keeps the order of numbers, so that the ends of an interval may be rounded one by one.
+Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double tolerance) {
+  const auto is_met = [&](double value, double limit) {
+    const double compared =
+        policy.compares_rounded ? round_to(value, comparand.digits, policy.rounding) : value;
+    return meets(compared, comparand.comparison, loosened(limit, comparand.comparison, tolerance));
+  };
+  int met = 0;
+  const calc::Estimate& measured = comparand.measured;
+  for (const double value : {measured.low - policy.guard * std::abs(measured.low),
+                             measured.high + policy.guard * std::abs(measured.high)}) {
+    for (const double limit : {comparand.limit.low, comparand.limit.high}) {
+      if (is_met(value, limit)) ++met;
+    }
+  }
+  return met == 4 ? Verdict::pass : (met == 0 ? Verdict::fail : Verdict::undecided);
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::not_judged:
+      break;
+  }
+  return "not judged";
+}
+
+bool meets(double value, Comparison comparison, double limit) {
+  const double noise = kBinaryNoise * std::abs(limit);
+  switch (comparison) {
+    case Comparison::at_least:
+      return value >= limit - noise;
+    case Comparison::at_most:
+      return value <= limit + noise;
+    case Comparison::more_than:
+      return value > limit + noise;
+    case Comparison::less_than:
+      return value < limit - noise;
+  }
+  return false;
+}
+
+Decision decide(const Comparand& comparand, const DecisionPolicy& policy) {
+  Decision decision;
+  decision.verdict = compare(comparand, policy, policy.tolerance);
+  decision.by_tolerance = policy.tolerance > 0.0 && decision.verdict == Verdict::pass &&
+                          compare(comparand, policy, 0.0) != Verdict::pass;
+  const double value = comparand.measured.value;
+  const double limit = loosened(comparand.limit.value, comparand.comparison, policy.tolerance);
+  const double printed = round_to(value, comparand.digits, policy.rounding);
+  decision.is_close =
+      meets(printed, comparand.comparison, limit) != meets(value, comparand.comparison, limit);
+  return decision;
+}
+
+double margin(double value, Comparison comparison, double limit) {
+  if (limit == 0.0) return 0.0;
+  const double above = (value - limit) / limit;
+  return is_lower_limit(comparison) ? above : -above;
+}
+
+double round_to(double value, int digits, Rounding rounding) {
+  const double scale = calc::pow(10.0, digits);
+  const double scaled = value * scale;
+  const double exact = scaled * (1.0 + kBinaryNoise);
+  switch (rounding) {
+    case Rounding::down:
+      return std::floor(exact) / scale;
+    case Rounding::half_even:
+      // A tie, give or take binary noise, goes to the even neighbour.
+      if (std::abs(scaled - std::floor(scaled) - 0.5) <= kBinaryNoise * std::abs(scaled)) {
+        const double below = std::floor(scaled);
+        return (std::fmod(below, 2.0) == 0.0 ? below : below + 1.0) / scale;
+      }
+      return std::floor(scaled + 0.5) / scale;
+    case Rounding::half_up:
+      break;
+  }
+  return std::floor(exact + 0.5) / scale;
+}
+
+}  // namespace rules

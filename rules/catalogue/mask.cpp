@@ -1,0 +1,150 @@
+#include "rules/catalogue/mask.h"
+
+#include "calc/scene/polygon.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rules {
+namespace {
+
+constexpr double kTolerance_m = 1e-9;  // a point on the edge of a strip counts
+
+// Place of a point on a rectangle whose long sides run along `along`.
+struct Place {
+  double along_m, across_m;
+};
+
+struct Rectangle {
+  double length_m, width_m;  // of the whole plane, length >= width
+  double spacing_across_m;
+  bool is_u_long;
+
+  Place place(const calc::SensorGrid& grid, std::size_t point) const {
+    const glm::dvec3 offset_m = grid.position_m[point] - grid.origin_m;
+    const double u_m = glm::dot(offset_m, grid.u) + grid.margin_m;
+    const double v_m = glm::dot(offset_m, grid.v) + grid.margin_m;
+    return is_u_long ? Place{u_m, v_m} : Place{v_m, u_m};
+  }
+};
+
+Rectangle rectangle_of(const calc::SensorGrid& grid) {
+  const double u_m = grid.columns * grid.spacing_u_m + 2.0 * grid.margin_m;
+  const double v_m = grid.rows * grid.spacing_v_m + 2.0 * grid.margin_m;
+  if (u_m >= v_m) return {u_m, v_m, grid.spacing_v_m, true};
+  return {v_m, u_m, grid.spacing_u_m, false};
+}
+
+bool is_rectangle(const calc::SensorGrid& grid) {
+  return grid.columns > 0 &&
+         std::none_of(grid.dropped.begin(), grid.dropped.end(), [](const auto& dropped) {
+           return dropped.reason == calc::DropReason::outside_area ||
+                  dropped.reason == calc::DropReason::within_margin;
+         });
+}
+
+double strip_m(const MaskOperation& operation, double width_m) {
+  const bool is_narrow = width_m <= operation.up_to_width_m + kTolerance_m;
+  return is_narrow ? operation.share * width_m : operation.metres;
+}
+
+bool is_within(double place_m, double strip_m, double side_m) {
+  return place_m >= strip_m - kTolerance_m && place_m <= side_m - strip_m + kTolerance_m;
+}
+
+bool counts_on_rectangle(const MaskOperation& operation, const Rectangle& rectangle,
+                         const Place& place) {
+  const double strip = strip_m(operation, rectangle.width_m);
+  switch (operation.step) {
+    case MaskStep::inset:
+      return is_within(place.along_m, strip, rectangle.length_m) &&
+             is_within(place.across_m, strip, rectangle.width_m);
+    case MaskStep::across:
+      return is_within(place.across_m, strip, rectangle.width_m);
+    case MaskStep::walls:
+    case MaskStep::centre_line:
+      break;
+  }
+  return std::abs(place.across_m - 0.5 * rectangle.width_m) <=
+         0.5 * rectangle.spacing_across_m + kTolerance_m;
+}
+
+bool needs_rectangle(const MaskOperation& operation) {
+  if (operation.step == MaskStep::walls) return false;
+  return operation.step != MaskStep::inset || operation.up_to_width_m > 0.0;
+}
+
+// rectangle: of the plane, or null if it is none.
+bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::size_t point,
+            const Rectangle* rectangle) {
+  if (operation.step == MaskStep::walls) {
+    const glm::dvec2 at(grid.position_m[point]);
+    return grid.room_m.empty() ||
+           calc::distance_to_boundary(grid.room_m, at) >= operation.metres - kTolerance_m;
+  }
+  if (rectangle == nullptr) {
+    const glm::dvec3 offset_m = grid.position_m[point] - grid.origin_m;
+    const glm::dvec2 at(glm::dot(offset_m, grid.u), glm::dot(offset_m, grid.v));
+    return calc::distance_to_boundary(grid.outline_m, at) >= operation.metres - kTolerance_m;
+  }
+  return counts_on_rectangle(operation, *rectangle, rectangle->place(grid, point));
+}
+
+// Of a wide hall a line says nothing: it must be judged strip by strip.
+bool is_too_wide(const MaskOperation& operation, const Rectangle& rectangle) {
+  return operation.step == MaskStep::centre_line && operation.up_to_width_m > 0.0 &&
+         rectangle.width_m > operation.up_to_width_m + kTolerance_m;
+}
+
+std::string problem_of(const Mask& mask, const MaskOperation& operation,
+                       const calc::SensorGrid& grid) {
+  if (operation.step == MaskStep::walls) {
+    if (!grid.has_unknown_walls) return {};
+    return fmt::format(
+        "mask '{}' needs to know the walls: the building file has no outline of this "
+        "room",
+        mask.id);
+  }
+  const bool has_outline = grid.columns > 0 && !grid.outline_m.empty();
+  if (!is_rectangle(grid) && (needs_rectangle(operation) || !has_outline)) {
+    return fmt::format("mask '{}' needs a plane that is a rectangle", mask.id);
+  }
+  const Rectangle rectangle = rectangle_of(grid);
+  if (!is_too_wide(operation, rectangle)) return {};
+  return fmt::format(
+      "mask '{}' needs a plane at most {:.6g} m wide, this one is {:.6g} m: divide it into strips",
+      mask.id, operation.up_to_width_m, rectangle.width_m);
+}
+
+}  // namespace
+
+MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
+  MaskedPoints result;
+  if (mask.operations.empty()) {
+    result.points.resize(grid.position_m.size());
+    std::iota(result.points.begin(), result.points.end(), std::size_t{0});
+    return result;
+  }
+  for (const MaskOperation& operation : mask.operations) {
+    result.problem = problem_of(mask, operation, grid);
+    if (!result.problem.empty()) return result;
+  }
+  const Rectangle rectangle = rectangle_of(grid);
+  const Rectangle* known = is_rectangle(grid) ? &rectangle : nullptr;
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    const bool is_in = std::all_of(
+        mask.operations.begin(), mask.operations.end(),
+        [&](const MaskOperation& operation) { return counts(operation, grid, i, known); });
+    if (is_in) result.points.push_back(i);
+  }
+  if (result.points.empty()) {
+    result.problem =
+        fmt::format("mask '{}' leaves none of {} points", mask.id, grid.position_m.size());
+  }
+  return result;
+}
+
+}  // namespace rules

@@ -1,0 +1,42 @@
+#include "rules/catalogue/policy.h"
+
+#include <fmt/format.h>
+
+namespace rules {
+
+bool DecisionPolicy::is_default() const {
+  return !compares_rounded && tolerance == 0.0 && guard == 0.0;
+}
+
+const char* rounding_name(Rounding rounding) {
+  switch (rounding) {
+    case Rounding::half_up:
+      return "half-up";
+    case Rounding::half_even:
+      return "half-even";
+    case Rounding::down:
+      return "down";
+  }
+  return "";
+}
+
+std::string policy_text(const DecisionPolicy& policy) {
+  std::string text =
+      policy.compares_rounded
+          ? fmt::format("values rounded ({}; {} digits of lx, {} of ratios, {} of others)",
+                        rounding_name(policy.rounding), policy.illuminance_digits,
+                        policy.ratio_digits, policy.other_digits)
+          : "unrounded values";
+  if (policy.tolerance == 0.0) {
+    text += ", no tolerance";
+  } else {
+    text += fmt::format(", tolerance {:g} % of the limit ({})", 100.0 * policy.tolerance,
+                        policy.tolerance_reason);
+  }
+  if (policy.guard > 0.0) {
+    text += fmt::format(", intervals widened by {:g} %", 100.0 * policy.guard);
+  }
+  return text;
+}
+
+}  // namespace rules

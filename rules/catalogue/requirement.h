@@ -1,0 +1,117 @@
+#pragma once
+// What a plane must meet: plain data.
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/receiver_kernel.h"
+#include "rules/catalogue/mask.h"
+#include "rules/catalogue/policy.h"
+
+#include <glm/glm.hpp>
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+enum class Metric {
+  average,             // mean illuminance, lx
+  minimum,             // lx
+  maximum,             // lx
+  uniformity_min_avg,  // Uo = minimum / average
+  uniformity_min_max,  // Ud = minimum / maximum
+  percentile,          // illuminance that the given share of points does not exceed, lx
+  value_at_point,      // lx
+  share,               // of the points whose value lies in a range
+  power_density,       // installed power of the plane's space / its floor area, W/m2
+  power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
+  leni,                // lighting energy of the plane's space in a year / its floor area, kWh/m2
+  gradient,            // largest ratio between neighbouring points of the grid, >= 1
+};
+
+// Both ends belong to it.
+struct ValueRange {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+};
+
+enum class Comparison { at_least, at_most, more_than, less_than };
+
+// maintained: times the maintenance factor; initial: new installation; end_of_duration: as
+// maintained, with the scene's levels at the end of what a battery lasts.
+enum class LightState { maintained, initial, end_of_duration };
+
+// shall: counts for the exit code; advice is reported only; in_aggregate: counts only through the
+// aggregates of its rule pack.
+enum class Severity { shall, advice, in_aggregate };
+
+// Somebody has decided to live without a requirement, up to the last day ("2027-06-30").
+struct Waiver {
+  std::string reason, owner, until;
+};
+
+// Which check of which rule pack a requirement is; without pack it is the project's own.
+struct RuleOrigin {
+  std::string pack;  // "en13201-2:2015"
+  std::string check, row;
+  bool is_modified = false;             // asked for at level "modified"
+  std::map<std::string, double> facts;  // by id, in base units
+};
+
+struct Requirement {
+  std::string plane_id;
+  std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
+  Metric metric = Metric::average;
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
+  double percent = 0.0;                                         // of Metric::percentile, [0, 100]
+  std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
+  ValueRange range;                   // of Metric::share, lx or plain as the points' values are
+  double power_density_w_m2 = 0.0;    // of the two about power: what it is
+  double leni_kwh_m2 = 0.0;           // of Metric::leni: what it is
+  Comparison comparison = Comparison::at_least;
+  double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
+  LightState state = LightState::maintained;
+  std::string scene;   // "" = every luminaire at full output
+  std::string clause;  // "EN 12464-1:2021 34.2"; "" = the project's own requirement
+  std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
+  Severity severity = Severity::shall;
+  Mask mask;                      // which points of the plane count
+  bool direct_only = false;       // reflected light is left out
+  bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
+  std::string problem;            // why it cannot be judged, whatever the light; "" = it can
+  DecisionPolicy policy;
+  std::optional<Waiver> waiver;
+  RuleOrigin origin;
+  calc::SourceLocation where;
+};
+
+// Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
+// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI", "gradient".
+// metric_names(): without those about power, which are no statistics of points.
+const char* metric_name(Metric metric);
+std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
+std::vector<std::string_view> metric_names();
+
+// at_least, more_than
+constexpr bool is_lower_limit(Comparison comparison) {
+  return comparison == Comparison::at_least || comparison == Comparison::more_than;
+}
+// As written in projects and packs: "at-least", "at-most", "more-than", "less-than".
+const char* comparison_name(Comparison comparison);
+// "maintained", "initial", "end-of-duration"
+const char* state_name(LightState state);
+
+bool is_ratio(Metric metric);
+bool is_about_power(Metric metric);  // or energy
+// Of the plane's space, whatever its light: known beforehand.
+bool is_of_space(Metric metric);
+// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
+const char* metric_unit(Metric metric);
+// Of what is required: "" also for ratings and ratios of single points.
+const char* unit_of(const Requirement& requirement);
+bool is_in_lux(const Requirement& requirement);
+
+}  // namespace rules

@@ -1,0 +1,157 @@
+#include "rules/measure/metrics.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace rules {
+namespace {
+
+double weight_of(const calc::LightChannel& channel, LightState state,
+                 const std::vector<std::pair<std::string, double>>& level_of_group) {
+  const auto named = std::find_if(level_of_group.begin(), level_of_group.end(),
+                                  [&](const auto& level) { return level.first == channel.group; });
+  const double level = named == level_of_group.end() ? 1.0 : named->second;
+  return state == LightState::initial ? level : level * channel.maintenance_factor;
+}
+
+// to[i] += weight * from[i]; a part that was not computed is empty and adds nothing.
+void add_weighted(const std::vector<double>& from_lx, std::size_t row, double weight,
+                  std::span<double> to_lx) {
+  if (from_lx.empty()) return;
+  const double* values = from_lx.data() + row * to_lx.size();
+  for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
+}
+
+// [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
+// own marks speak of all channels together; a scene with fewer of them may miss more points.
+std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
+                                      const std::vector<double>& weights) {
+  std::vector<std::uint8_t> unseen(field.points, 0);
+  if (field.unseen.empty()) return unseen;
+  for (std::size_t i = 0; i < field.points; ++i) {
+    double weighted_lx = 0.0, all_lx = 0.0;
+    for (const std::vector<double>* part : {&field.direct_sampled_lx, &field.indirect_lx}) {
+      for (std::size_t k = i; k < part->size(); k += field.points) {
+        all_lx += (*part)[k];
+        weighted_lx += weights[k / field.points % weights.size()] * (*part)[k];
+      }
+    }
+    unseen[i] = weighted_lx == 0.0 && (field.unseen[i] != 0 || all_lx > 0.0) ? 1 : 0;
+  }
+  return unseen;
+}
+
+// [point]: the field's shares are of all channels at full output; where a scene leaves less of the
+// point's light, one sample may be more of it. An upper bound: the sample may be of any channel.
+std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector<double>& weights) {
+  std::vector<float> shares = field.largest_share;
+  const double largest_weight = *std::max_element(weights.begin(), weights.end());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    double full_lx = 0.0, scene_lx = 0.0;
+    const auto add = [&](const std::vector<double>& part, double replicates) {
+      for (std::size_t k = i; k < part.size(); k += field.points) {
+        full_lx += part[k] / replicates;
+        scene_lx += weights[k / field.points % weights.size()] * part[k] / replicates;
+      }
+    };
+    add(field.direct_exact_lx, 1.0);
+    add(field.direct_sampled_lx, static_cast<double>(field.replicates));
+    add(field.indirect_lx, static_cast<double>(field.replicates));
+    // A dark point is unseen or exactly dark; neither is a matter of shares.
+    if (!(scene_lx > 0.0)) continue;
+    shares[i] *= static_cast<float>(largest_weight * full_lx / scene_lx);
+  }
+  return shares;
+}
+
+// Mean over the replicates of what all channels give at one point, at full output.
+double mean_lx(const std::vector<double>& part, std::size_t point, std::size_t points,
+               std::size_t replicates) {
+  double sum_lx = 0.0;
+  for (std::size_t k = point; k < part.size(); k += points) sum_lx += part[k];
+  return sum_lx / static_cast<double>(replicates);
+}
+
+// The field as it would be without reflections. A point that no sample of direct light reached is
+// unseen, whatever reflected light did. Shares grow as their light gets less.
+calc::PlaneField direct_part(calc::PlaneField field) {
+  const std::vector<double> indirect_lx = std::move(field.indirect_lx);
+  field.indirect_lx.clear();
+  if (field.direct_sampled_lx.empty()) {
+    field.replicates = 1;
+    field.unseen.clear();
+    field.largest_share.clear();
+    return field;
+  }
+  field.unseen.assign(field.points, 1);
+  for (std::size_t i = 0; i < field.largest_share.size(); ++i) {
+    const double direct_lx = mean_lx(field.direct_exact_lx, i, field.points, 1) +
+                             mean_lx(field.direct_sampled_lx, i, field.points, field.replicates);
+    const double reflected_lx = mean_lx(indirect_lx, i, field.points, field.replicates);
+    if (direct_lx > 0.0) {
+      field.largest_share[i] *= static_cast<float>((direct_lx + reflected_lx) / direct_lx);
+    }
+  }
+  return field;
+}
+
+}  // namespace
+
+std::vector<double> channel_weights(
+    const calc::PlaneField& field, LightState state,
+    const std::vector<std::pair<std::string, double>>& level_of_group) {
+  std::vector<double> weights;
+  for (const calc::LightChannel& channel : field.channels) {
+    weights.push_back(weight_of(channel, state, level_of_group));
+  }
+  return weights;
+}
+
+PointValues combine_channels(const calc::PlaneField& field, LightState state,
+                             const std::vector<std::pair<std::string, double>>& level_of_group,
+                             LightParts parts) {
+  if (parts == LightParts::direct && !field.indirect_lx.empty()) {
+    return combine_channels(direct_part(field), state, level_of_group);
+  }
+  PointValues values;
+  values.points = field.points;
+  const std::vector<double> weights = channel_weights(field, state, level_of_group);
+  // A scene that dims everything to 0 is exactly dark, whatever was sampled.
+  const bool has_light =
+      std::any_of(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; });
+  values.replicates = field.is_exact() || !has_light ? 1 : field.replicates;
+  if (has_light) {
+    values.unseen = find_unseen(field, weights);
+    values.largest_share = scale_shares(field, weights);
+  }
+  values.value_lx.assign(values.replicates * values.points, 0.0);
+  for (std::size_t r = 0; r < values.replicates; ++r) {
+    const std::span<double> row(values.value_lx.data() + r * values.points, values.points);
+    for (std::size_t c = 0; c < weights.size(); ++c) {
+      add_weighted(field.direct_exact_lx, c, weights[c], row);
+      add_weighted(field.direct_sampled_lx, r * weights.size() + c, weights[c], row);
+      add_weighted(field.indirect_lx, r * weights.size() + c, weights[c], row);
+    }
+  }
+  return values;
+}
+
+PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points) {
+  if (points.size() == values.points) return values;
+  PointValues selected;
+  selected.points = points.size();
+  selected.replicates = values.replicates;
+  for (std::size_t r = 0; r < values.replicates; ++r) {
+    for (const std::size_t point : points) selected.value_lx.push_back(values.at(r, point));
+  }
+  for (const std::size_t point : points) {
+    if (!values.unseen.empty()) selected.unseen.push_back(values.unseen[point]);
+    if (!values.largest_share.empty()) {
+      selected.largest_share.push_back(values.largest_share[point]);
+    }
+  }
+  return selected;
+}
+
+}  // namespace rules

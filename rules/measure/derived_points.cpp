@@ -1,0 +1,177 @@
+#include "rules/measure/derived_points.h"
+
+#include "calc/base/elementary.h"
+#include "calc/base/statistics.h"
+#include "calc/base/units.h"
+#include "rules/measure/candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rules {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool has_mark(const std::vector<std::uint8_t>& marks, std::size_t i) {
+  return !marks.empty() && marks[i] != 0;
+}
+
+bool is_untrusted(const PointValues& values, std::size_t i) {
+  return !values.largest_share.empty() && values.largest_share[i] > kLargestTrustedShare;
+}
+
+std::vector<double> column_of(const PointValues& values, std::size_t i) {
+  std::vector<double> column;
+  for (std::size_t r = 0; r < values.replicates; ++r) column.push_back(values.at(r, i));
+  return column;
+}
+
+// Of the means of both.
+double covariance_of(const std::vector<double>& a, double mean_a, const std::vector<double>& b,
+                     double mean_b) {
+  if (a.size() < 2) return 0.0;
+  double products = 0.0;
+  for (std::size_t r = 0; r < a.size(); ++r) products += (a[r] - mean_a) * (b[r] - mean_b);
+  return products / (static_cast<double>(a.size() - 1) * static_cast<double>(a.size()));
+}
+
+double ugr_of(double sum, double background_lx) {
+  if (!(sum > 0.0)) return -kInfinity;
+  if (!(background_lx > 0.0)) return kInfinity;
+  return 8.0 * calc::log10(0.25 * calc::kPi * sum / background_lx);
+}
+
+std::string refusal_text(const calc::GlareRefusal& refusal) {
+  const std::string luminaire = fmt::format(
+      "the luminaire at ({:.3f}, {:.3f}, {:.3f}) m, as observer {} sees it,",
+      refusal.luminaire_m[0], refusal.luminaire_m[1], refusal.luminaire_m[2], refusal.point + 1);
+  switch (refusal.problem) {
+    case calc::GlareProblem::below_sight:
+      return luminaire + " lies below the line of sight, where UGR has no position index";
+    case calc::GlareProblem::too_large:
+      return fmt::format("{} fills {:.3g} sr, and UGR is for sources of at most 0.1 sr", luminaire,
+                         refusal.number);
+    case calc::GlareProblem::no_area:
+      break;
+  }
+  return luminaire + " has no luminous area, so that its luminance is unbounded";
+}
+
+// Receivers part * points + i of a plane with several per point.
+PointValues receivers_of_part(const PointValues& all, std::size_t part, std::size_t parts) {
+  const std::size_t points = all.points / parts;
+  std::vector<std::size_t> chosen(points);
+  for (std::size_t i = 0; i < points; ++i) chosen[i] = part * points + i;
+  return select_points(all, chosen);
+}
+
+}  // namespace
+
+ModellingPoints::ModellingPoints(const PointValues& receivers,
+                                 const std::vector<std::size_t>& points) {
+  replicates_ = receivers.replicates;
+  const std::size_t all = receivers.points / 2;
+  for (const std::size_t i : points) {
+    const std::vector<double> cylinder = column_of(receivers, i);
+    const std::vector<double> plane = column_of(receivers, all + i);
+    const calc::ReplicateMean a = calc::replicate_mean(cylinder), b = calc::replicate_mean(plane);
+    cylinder_.push_back({a.mean, a.standard_error * a.standard_error});
+    plane_.push_back({b.mean, b.standard_error * b.standard_error});
+    covariance_.push_back(covariance_of(cylinder, a.mean, plane, b.mean));
+    const bool is_unseen = has_mark(receivers.unseen, i) || has_mark(receivers.unseen, all + i);
+    unseen_.push_back(is_unseen ? 1 : 0);
+    single_sample_.push_back(is_untrusted(receivers, i) || is_untrusted(receivers, all + i) ? 1
+                                                                                            : 0);
+    if (!is_unseen && !(a.mean > 0.0) && !(b.mean > 0.0)) ++dark_points_;
+  }
+}
+
+Limits ModellingPoints::limits(std::size_t point, double t) const {
+  const Mean& a = cylinder_[point];
+  const Mean& b = plane_[point];
+  Limits limits = fieller_limits({a.value, b.value, a.variance, covariance_[point], b.variance}, t);
+  if (!(b.value > 0.0)) limits.value = a.value > 0.0 ? kInfinity : 0.0;
+  limits.low = std::clamp(limits.low, 0.0, limits.value);
+  limits.high = std::max(limits.high, limits.value);
+  return limits;
+}
+
+GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& glare,
+                         const std::vector<double>& channel_weights,
+                         const std::vector<std::size_t>& points) {
+  replicates_ = indirect.replicates;
+  for (const std::size_t i : points) {
+    const calc::ReplicateMean mean = calc::replicate_mean(column_of(indirect, i));
+    Eye eye{0.0, 0.0, 0.0, mean.mean, mean.standard_error};
+    for (std::size_t c = 0; c < channel_weights.size(); ++c) {
+      const double square = channel_weights[c] * channel_weights[c];
+      const std::size_t k = c * indirect.points + i;
+      eye.sum += square * glare.value[k];
+      eye.low_sum += square * glare.low[k];
+      eye.high_sum += square * glare.high[k];
+    }
+    eye_.push_back(eye);
+    unseen_.push_back(has_mark(indirect.unseen, i) ? 1 : 0);
+    single_sample_.push_back(is_untrusted(indirect, i) ? 1 : 0);
+  }
+}
+
+Limits GlarePoints::limits(std::size_t point, double t) const {
+  const Eye& eye = eye_[point];
+  const double half_width_lx = t * eye.error_lx;
+  return {ugr_of(eye.low_sum, eye.mean_lx + half_width_lx), ugr_of(eye.sum, eye.mean_lx),
+          ugr_of(eye.high_sum, eye.mean_lx - half_width_lx)};
+}
+
+bool GlarePoints::has_inexact_sources() const {
+  return std::any_of(eye_.begin(), eye_.end(),
+                     [](const Eye& eye) { return eye.low_sum < eye.high_sum; });
+}
+
+std::string glare_refusal(const calc::GlareField& glare, const std::vector<double>& channel_weights,
+                          const std::vector<std::size_t>& points) {
+  for (const calc::GlareRefusal& refusal : glare.refusals) {
+    const bool is_lit = channel_weights[refusal.channel] > 0.0;
+    const bool is_looked_at =
+        std::find(points.begin(), points.end(), refusal.point) != points.end();
+    if (is_lit && is_looked_at) return refusal_text(refusal);
+  }
+  return {};
+}
+
+PointValues mean_of_four_planes(const PointValues& receivers) {
+  constexpr std::size_t kParts = calc::receivers_per_point(calc::DerivedQuantity::four_planes);
+  constexpr std::size_t kPlanes = kParts - 1;
+  PointValues mean;
+  mean.points = receivers.points / kParts;
+  mean.replicates = receivers.replicates;
+  mean.value_lx.assign(mean.replicates * mean.points, 0.0);
+  if (!receivers.unseen.empty()) mean.unseen.assign(mean.points, 0);
+  if (!receivers.largest_share.empty()) mean.largest_share.assign(mean.points, 0.0F);
+  for (std::size_t part = 1; part < kParts; ++part) {
+    for (std::size_t i = 0; i < mean.points; ++i) {
+      const std::size_t receiver = part * mean.points + i;
+      for (std::size_t r = 0; r < mean.replicates; ++r) {
+        mean.value_lx[r * mean.points + i] +=
+            receivers.at(r, receiver) / static_cast<double>(kPlanes);
+      }
+      // A sample's share of the mean is at most its share of the plane that it belongs to.
+      if (!mean.unseen.empty()) mean.unseen[i] |= receivers.unseen[receiver];
+      if (!mean.largest_share.empty()) {
+        mean.largest_share[i] = std::max(mean.largest_share[i], receivers.largest_share[receiver]);
+      }
+    }
+  }
+  return mean;
+}
+
+PointValues true_cylinders(const PointValues& receivers) {
+  return receivers_of_part(receivers, 0,
+                           calc::receivers_per_point(calc::DerivedQuantity::four_planes));
+}
+
+}  // namespace rules

@@ -1,0 +1,93 @@
+#pragma once
+// Points whose quantity is more than one illuminance: glare ratings and modelling. Each has limits
+// at any level; statistics of them are in derived_metrics.h.
+
+#include "calc/base/field.h"
+#include "calc/scene/receiver_kernel.h"
+#include "rules/measure/metrics.h"
+#include "rules/measure/replicate_sample.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rules {
+
+class DerivedPoints {
+ public:
+  virtual ~DerivedPoints() = default;
+  virtual std::size_t points() const = 0;
+  // Of one point: value, and the ends that the true value lies beyond with the probability that t
+  // stands for, each. The ends may be infinite; a value that does not exist is -infinity.
+  virtual Limits limits(std::size_t point, double t) const = 0;
+  std::size_t replicates() const { return replicates_; }
+  bool is_unseen(std::size_t point) const { return unseen_[point] != 0; }
+  bool rests_on_one_sample(std::size_t point) const { return single_sample_[point] != 0; }
+  bool is_doubtful(std::size_t point) const {
+    return is_unseen(point) || rests_on_one_sample(point);
+  }
+
+ protected:
+  std::size_t replicates_ = 1;
+  std::vector<std::uint8_t> unseen_, single_sample_;
+};
+
+// E_z / E of the plane across the axis. Limits by Fieller's theorem from the replicates of both at
+// the same point, so that what they have in common does not count twice.
+class ModellingPoints : public DerivedPoints {
+ public:
+  // receivers: of a plane of DerivedQuantity::modelling. points: to be taken, of the grid.
+  ModellingPoints(const PointValues& receivers, const std::vector<std::size_t>& points);
+  std::size_t points() const override { return cylinder_.size(); }
+  Limits limits(std::size_t point, double t) const override;
+  // Neither is lit, so that there is no ratio.
+  std::size_t dark_points() const { return dark_points_; }
+
+ private:
+  struct Mean {
+    double value, variance;
+  };
+  std::vector<Mean> cylinder_, plane_;
+  std::vector<double> covariance_;
+  std::size_t dark_points_ = 0;
+};
+
+// UGR = 8 log10(0.25 pi G / E), G = sum of L^2 w / p^2, E: illuminance of the eye by reflected
+// light. It falls with E and rises with G, so that the ends of their intervals give those of UGR:
+// the level of E's t-interval is kept, whatever the logarithm does. -infinity where G is 0: no
+// glare source.
+class GlarePoints : public DerivedPoints {
+ public:
+  GlarePoints(const PointValues& indirect, const calc::GlareField& glare,
+              const std::vector<double>& channel_weights, const std::vector<std::size_t>& points);
+  std::size_t points() const override { return eye_.size(); }
+  Limits limits(std::size_t point, double t) const override;
+  bool sees_source(std::size_t point) const { return eye_[point].sum > 0.0; }
+  // No reflected light at all, by proof.
+  bool has_black_background(std::size_t point) const {
+    return replicates_ == 1 && !(eye_[point].mean_lx > 0.0);
+  }
+  // Sources too small for the formula, or openings partly hidden, at any point.
+  bool has_inexact_sources() const;
+
+ private:
+  struct Eye {
+    double sum, low_sum, high_sum;  // of L^2 w / p^2
+    double mean_lx, error_lx;
+  };
+  std::vector<Eye> eye_;
+};
+
+// Why the formula cannot be used for one of these points; "" = it can. channel_weights as above.
+std::string glare_refusal(const calc::GlareField& glare, const std::vector<double>& channel_weights,
+                          const std::vector<std::size_t>& points);
+
+// Of a plane of DerivedQuantity::four_planes: the mean of the four planes as the illuminance of its
+// points.
+PointValues mean_of_four_planes(const PointValues& receivers);
+// The same points' true cylindrical illuminance.
+PointValues true_cylinders(const PointValues& receivers);
+
+}  // namespace rules

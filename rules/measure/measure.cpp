@@ -1,0 +1,352 @@
+#include "rules/measure/measure.h"
+
+#include "rules/catalogue/mask.h"
+#include "rules/measure/candidates.h"
+#include "rules/measure/derived_metrics.h"
+#include "rules/measure/neighbour_pairs.h"
+#include "rules/measure/outage.h"
+#include "rules/measure/share.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rules {
+namespace {
+
+constexpr double kListPointToleranceMetres =
+    1e-3;  // point lists have no cells: the point itself must be named
+
+std::string point_text(const glm::dvec3& p) {
+  return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z);
+}
+
+std::size_t nearest_point(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
+  const auto distance = [&](const glm::dvec3& p) { return glm::length(p - wanted_m); };
+  const auto nearest = std::min_element(
+      grid.position_m.begin(), grid.position_m.end(),
+      [&](const glm::dvec3& a, const glm::dvec3& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - grid.position_m.begin());
+}
+
+// Within half a cell along the plane's axes and, across the plane, half of the cell's shorter side.
+bool is_near(const calc::SensorGrid& grid, const glm::dvec3& offset_m) {
+  if (grid.columns == 0) return glm::length(offset_m) <= kListPointToleranceMetres;
+  constexpr double kBinaryNoise_m = 1e-9;  // a place midway between two points is near both
+  const double half_u = 0.5 * grid.spacing_u_m + kBinaryNoise_m;
+  const double half_v = 0.5 * grid.spacing_v_m + kBinaryNoise_m;
+  return std::abs(glm::dot(offset_m, grid.u)) <= half_u &&
+         std::abs(glm::dot(offset_m, grid.v)) <= half_v &&
+         std::abs(glm::dot(offset_m, glm::cross(grid.u, grid.v))) <= std::min(half_u, half_v);
+}
+
+std::string near_text(const calc::SensorGrid& grid) {
+  if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
+  return fmt::format("half a cell ({:.3f} x {:.3f} m)", 0.5 * grid.spacing_u_m,
+                     0.5 * grid.spacing_v_m);
+}
+
+const std::vector<std::pair<std::string, double>>* levels_of(
+    const std::string& scene, const std::vector<calc::LightScene>& scenes) {
+  static const std::vector<std::pair<std::string, double>> kFullOutput;
+  if (scene.empty()) return &kFullOutput;
+  const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const calc::LightScene& s) { return s.id == scene; });
+  return found == scenes.end() ? nullptr : &found->level_of_group;
+}
+
+std::string undefined_text(Metric metric) {
+  return fmt::format("{} is 0 lx: uniformity is undefined",
+                     metric == Metric::uniformity_min_max ? "maximum" : "average");
+}
+
+// Marks of selected points as marks of all.
+std::vector<std::uint8_t> spread_marks(const std::vector<std::uint8_t>& marks,
+                                       const std::vector<std::size_t>& points, std::size_t all) {
+  std::vector<std::uint8_t> spread(all, 0);
+  for (std::size_t i = 0; i < marks.size(); ++i) spread[points[i]] = marks[i];
+  return spread;
+}
+
+// Where a point of the grid stands among the chosen ones.
+std::optional<std::size_t> place_among(const std::vector<std::size_t>& chosen,
+                                       std::optional<std::size_t> point) {
+  if (!point) return std::nullopt;
+  const auto found = std::find(chosen.begin(), chosen.end(), *point);
+  if (found == chosen.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - chosen.begin());
+}
+
+Measurement nothing_to_measure(const std::string& reason) {
+  Measurement result;
+  result.reason = reason;
+  return result;
+}
+
+// Of one receiver per point: of all the point's receivers.
+std::vector<std::uint8_t> repeated(const std::vector<std::uint8_t>& marks, std::size_t times) {
+  std::vector<std::uint8_t> all;
+  for (std::size_t k = 0; k < times; ++k) all.insert(all.end(), marks.begin(), marks.end());
+  return all;
+}
+
+struct DerivedRequest {
+  const Requirement& requirement;
+  std::optional<std::size_t> point;  // among the masked ones
+  double confidence;
+  Goal goal;
+  calc::DerivedQuantity derived;
+};
+
+Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& request) {
+  Measurement result;
+  result.points_used = points.points();
+  Requirement requirement = request.requirement;
+  // Ratings below 0 exist; a range without a lower end holds them.
+  if (!(requirement.range.from > 0.0)) {
+    requirement.range.from = -std::numeric_limits<double>::infinity();
+  }
+  const auto limit =
+      request.goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
+  const auto found = compute_derived(points, requirement, request.point, limit, request.confidence);
+  if (!found) return nothing_to_measure("no observer sees a glare source");
+  result.active = found->active;
+  result.unseen_points = found->unseen_points;
+  result.single_sample_points = found->single_sample_points;
+  const calc::Estimate& estimate = found->estimate;
+  if (std::isfinite(estimate.low) && std::isfinite(estimate.high)) {
+    result.metric = MetricEstimate{estimate, found->point};
+    return result;
+  }
+  // More samples may help, except for a low end that has no source to stand on.
+  if (!std::isfinite(estimate.high)) {
+    result.reason =
+        request.derived == calc::DerivedQuantity::ugr
+            ? "the reflected light at an observer may be nothing: too little of it was sampled"
+            : "the illuminance across the axis may be 0 lx at a point, which then has no ratio";
+    if (points.replicates() > 1) {
+      result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    }
+  } else {
+    result.reason =
+        "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, or hardly "
+        "visible";
+    result.unseen_points = 0;
+  }
+  return result;
+}
+
+Measurement measure_modelling(const PointValues& receivers, const MaskedPoints& masked,
+                              const DerivedRequest& request) {
+  const ModellingPoints points(receivers, masked.points);
+  if (points.dark_points() > 0) {
+    return nothing_to_measure(fmt::format("{} of {} points are dark: they have no modelling ratio",
+                                          points.dark_points(), points.points()));
+  }
+  return measure_derived(points, request);
+}
+
+Measurement measure_glare(const calc::PlaneField& field, const std::vector<double>& weights,
+                          const PointValues& indirect, const MaskedPoints& masked,
+                          const DerivedRequest& request) {
+  const std::string refusal = glare_refusal(field.glare, weights, masked.points);
+  if (!refusal.empty()) return nothing_to_measure(refusal);
+  const GlarePoints points(indirect, field.glare, weights, masked.points);
+  for (std::size_t i = 0; i < points.points(); ++i) {
+    if (!points.sees_source(i) || !points.has_black_background(i)) continue;
+    return nothing_to_measure(
+        fmt::format("no reflected light reaches observer {}: without background luminance there "
+                    "is no UGR",
+                    masked.points[i] + 1));
+  }
+  bool has_source = false;
+  for (std::size_t i = 0; i < points.points(); ++i)
+    has_source = has_source || points.sees_source(i);
+  if (!has_source) return nothing_to_measure("no observer sees a glare source");
+  Measurement result = measure_derived(points, request);
+  if (points.has_inexact_sources()) {
+    result.remark =
+        "sources smaller than 0.0003 sr and hidden parts of openings count only in the upper end, "
+        "and large sources of which not all is seen in the field are known less well";
+  }
+  return result;
+}
+
+// Largest ratio between neighbours among the masked points.
+Measurement measure_gradient(const PointValues& values, const MaskedPoints& masked,
+                             const calc::SensorGrid& grid, const DerivedRequest& request) {
+  const NeighbourPairs pairs(values, grid, masked.points);
+  if (pairs.points() == 0) return nothing_to_measure("no two points of the plane are neighbours");
+  const bool is_lit = std::any_of(values.value_lx.begin(), values.value_lx.end(),
+                                  [](double lx) { return lx > 0.0; });
+  if (!is_lit) {
+    Measurement dark = nothing_to_measure("all points are 0 lx: their ratios are undefined");
+    dark.unseen_points = static_cast<std::size_t>(
+        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
+    return dark;
+  }
+  Requirement largest = request.requirement;
+  largest.metric = Metric::maximum;
+  const auto limit =
+      request.goal == Goal::verdict ? std::optional<double>(largest.limit) : std::nullopt;
+  const auto found = compute_derived(pairs, largest, std::nullopt, limit, request.confidence);
+  Measurement result;
+  result.points_used = values.points;
+  std::vector<std::uint8_t> active(values.points, 0);
+  for (std::size_t i = 0; i < pairs.points(); ++i) {
+    if (found->active[i] == 0) continue;
+    for (const std::size_t place : pairs.pair(i)) active[place] = 1;
+  }
+  result.active = spread_marks(active, masked.points, grid.position_m.size());
+  result.unseen_points = found->unseen_points;
+  result.single_sample_points = found->single_sample_points;
+  if (std::isfinite(found->estimate.high)) {
+    const std::size_t of = pairs.pair(found->point.value())[0];
+    result.metric = MetricEstimate{found->estimate, masked.points[of]};
+    return result;
+  }
+  result.reason = "a point beside a lit one may be dark, so that their ratio has no limit";
+  if (pairs.replicates() > 1) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+  return result;
+}
+
+// Of the space, whatever its light.
+Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
+  const double known =
+      requirement.metric == Metric::leni ? requirement.leni_kwh_m2 : requirement.power_density_w_m2;
+  Measurement result;
+  result.metric = MetricEstimate{{known, known, known}, std::nullopt};
+  result.points_used = grid.position_m.size();
+  result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
+  return result;
+}
+
+// Falls with the average illuminance: the ends of its interval give those of the quotient.
+Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorGrid& grid,
+                             const calc::PlaneField& field,
+                             const std::vector<calc::LightScene>& scenes, double confidence,
+                             Goal goal) {
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  Measurement result = measure(average, grid, field, scenes, confidence, goal);
+  if (!result.metric) return result;
+  const calc::Estimate lx = result.metric->estimate;
+  result.metric.reset();
+  if (!(lx.low > 0.0)) {
+    result.reason = "the average may be 0 lx: there is no power per 100 lx";
+    if (lx.high > 0.0) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+    return result;
+  }
+  const auto at = [&](double average_lx) {
+    return 100.0 * requirement.power_density_w_m2 / average_lx;
+  };
+  result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
+  return result;
+}
+
+}  // namespace
+
+Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
+                    const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
+                    double confidence, Goal goal) {
+  if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
+  if (is_of_space(requirement.metric)) return known_density(requirement, grid);
+  if (requirement.metric == Metric::power_per_100_lx) {
+    return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
+  }
+  if (requirement.any_one_unit_out) {
+    if (requirement.metric == Metric::gradient) {
+      return nothing_to_measure("ratios between neighbours are not judged with one luminaire out");
+    }
+    return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
+  }
+  // What a rule requires of an area it requires of all of it.
+  if (!requirement.origin.pack.empty() && grid.missed_m2 > 0.0) {
+    return nothing_to_measure(
+        fmt::format("{:.2g} m2 of the area have no calculation point in the grid that the project "
+                    "gives",
+                    grid.missed_m2));
+  }
+  const auto* levels = levels_of(requirement.scene, scenes);
+  if (levels == nullptr) {
+    return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
+  }
+  std::optional<std::size_t> point;
+  if (requirement.metric == Metric::value_at_point) {
+    const glm::dvec3 wanted_m = requirement.point_m.value();
+    point = nearest_point(grid, wanted_m);
+    const glm::dvec3& nearest_m = grid.position_m[*point];
+    if (!is_near(grid, nearest_m - wanted_m)) {
+      return nothing_to_measure(
+          fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
+                      point_text(wanted_m), point_text(nearest_m)));
+    }
+  }
+  const MaskedPoints masked = apply_mask(requirement.mask, grid);
+  if (!masked.problem.empty()) return nothing_to_measure(masked.problem);
+  PointValues receivers =
+      combine_channels(field, requirement.state, *levels,
+                       requirement.direct_only ? LightParts::direct : LightParts::all);
+  const std::size_t parts = calc::receivers_per_point(grid.derived);
+  if (!is_metric_of(requirement.metric, grid.derived)) {
+    return nothing_to_measure("the points of the plane have no such statistic");
+  }
+  if (calc::is_plain_number(grid.derived)) {
+    const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal,
+                                 grid.derived};
+    Measurement result =
+        grid.derived == calc::DerivedQuantity::ugr
+            ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,
+                            masked, request)
+            : measure_modelling(receivers, masked, request);
+    if (result.metric && result.metric->point) {
+      result.metric->point = masked.points[*result.metric->point];
+    }
+    if (result.active.empty()) return result;
+    result.active =
+        repeated(spread_marks(result.active, masked.points, grid.position_m.size()), parts);
+    return result;
+  }
+  if (grid.derived == calc::DerivedQuantity::four_planes)
+    receivers = mean_of_four_planes(receivers);
+  const PointValues values = select_points(receivers, masked.points);
+  Measurement result;
+  result.points_used = values.points;
+  const Metric metric = requirement.metric;
+  if (metric == Metric::share) {
+    const ShareEstimate share = compute_share(values, requirement.range, confidence);
+    result.metric = MetricEstimate{share.estimate, std::nullopt};
+    result.active =
+        repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
+    return result;
+  }
+  if (metric == Metric::gradient) {
+    result = measure_gradient(values, masked, grid,
+                              {requirement, std::nullopt, confidence, goal, grid.derived});
+    result.active = repeated(result.active, parts);
+    return result;
+  }
+  result.metric = compute_metric(values, metric, requirement.percent, point, confidence);
+  if (!result.metric) {
+    result.reason = undefined_text(metric);
+    result.unseen_points = static_cast<std::size_t>(
+        std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
+    return result;
+  }
+  const auto limit =
+      goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
+  Candidates candidates = find_candidates(values, metric, requirement.percent, point,
+                                          result.metric->estimate, limit, confidence);
+  const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
+  result.unseen_points = doubtful.unseen;
+  result.single_sample_points = doubtful.single_sample;
+  result.active =
+      repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
+  if (result.metric->point) result.metric->point = masked.points[*result.metric->point];
+  return result;
+}
+
+}  // namespace rules

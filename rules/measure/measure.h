@@ -1,0 +1,40 @@
+#pragma once
+// From a requirement and a plane's results to the quantity that it limits, with its interval.
+
+#include "calc/base/field.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/catalogue/goal.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/measure/metrics.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+// metric is empty if the quantity does not exist; `reason` then says why, in words.
+struct Measurement {
+  std::optional<MetricEstimate> metric;
+  std::string reason;
+  std::size_t points_used = 0;  // that the requirement's mask leaves
+  // Points whose value is not known to be what was measured, only as far as they matter for this
+  // quantity. While there are any, neither pass nor fail is proved.
+  std::size_t unseen_points = 0;         // no sampled light has reached them, although some may
+  std::size_t single_sample_points = 0;  // a single sample is too large a share of their value
+  // What must be read with the interval where it leaves the verdict open; or "".
+  std::string remark;
+  // [point of the field]: 1 where more samples would serve the goal; empty: everywhere.
+  std::vector<std::uint8_t> active;
+};
+
+// goal: verdict, if only the requirement's limit counts; accuracy, if its quantity is wanted for
+// its own sake. confidence: level of the interval itself.
+Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
+                    const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
+                    double confidence, Goal goal = Goal::verdict);
+
+}  // namespace rules

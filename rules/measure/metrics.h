@@ -1,0 +1,78 @@
+#pragma once
+// Statistics of a plane with confidence intervals, from independent replicates.
+
+#include "calc/base/field.h"
+#include "rules/catalogue/requirement.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rules {
+
+// Illuminance of one plane in one light scene and state: value_lx[replicate * points + point].
+// exact: one replicate that holds the true values.
+struct PointValues {
+  std::size_t points = 0;
+  std::size_t replicates = 0;
+  std::vector<double> value_lx;
+  // [point]: 1 if sampled light may reach the point but no sample did: its 0 lx is no measurement.
+  // May be empty.
+  std::vector<std::uint8_t> unseen = {};
+  // [point]: the largest single sample's share of the value, >= 0; see calc::PlaneField. May be
+  // empty.
+  std::vector<float> largest_share = {};
+
+  bool is_exact() const { return replicates == 1; }
+  double at(std::size_t replicate, std::size_t point) const {
+    return value_lx[replicate * points + point];
+  }
+};
+
+// Of the field's channels in a scene and state. level_of_group: dimming levels; groups not named
+// are at 1.
+std::vector<double> channel_weights(
+    const calc::PlaneField& field, LightState state,
+    const std::vector<std::pair<std::string, double>>& level_of_group);
+
+// direct: without reflected light.
+enum class LightParts { all, direct };
+
+// Sum over the field's channels with those weights.
+PointValues combine_channels(const calc::PlaneField& field, LightState state,
+                             const std::vector<std::pair<std::string, double>>& level_of_group,
+                             LightParts parts = LightParts::all);
+
+// The values of these points only, in their order.
+PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points);
+
+// confidence = 1 - alpha in (0, 1), e.g. 0.95: two-sided level of every interval below. The
+// intervals assume that replicates are independent and normally distributed; points may be
+// correlated in any way. Limits outside the range of the quantity (below 0 lx, above a ratio of 1)
+// are moved onto its end, which no true value lies beyond.
+
+// Student-t interval of each point.  [method 02, section 5]
+std::vector<calc::Estimate> point_estimates(const PointValues& values, double confidence);
+
+// A statistic with its interval, and the point that attains it: of the minimum, the maximum, the
+// value at a point, and the minimum of a uniformity.
+struct MetricEstimate {
+  calc::Estimate estimate;
+  std::optional<std::size_t> point;
+};
+
+// 1-based rank of the percentile among the point values in ascending order; see below.
+std::size_t percentile_rank(double percent, std::size_t points);
+
+// percent: of Metric::percentile, [0, 100]; the percentile is the smallest point value that at
+// least `percent` % of the points do not exceed, so that 0 is the minimum and 100 the maximum.
+// point: of Metric::value_at_point. values.points >= 1. Empty for a uniformity whose denominator,
+// average or maximum, is 0.
+std::optional<MetricEstimate> compute_metric(const PointValues& values, Metric metric,
+                                             double percent, std::optional<std::size_t> point,
+                                             double confidence);
+
+}  // namespace rules

@@ -1,0 +1,85 @@
+#include "rules/measure/outage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace rules {
+namespace {
+
+// Groups of the field's light that the scene lights.
+std::vector<std::string> lit_groups(const calc::PlaneField& field, const calc::LightScene& scene) {
+  std::set<std::string> groups;
+  for (const calc::LightChannel& channel : field.channels) {
+    const auto level = std::find_if(scene.level_of_group.begin(), scene.level_of_group.end(),
+                                    [&](const auto& item) { return item.first == channel.group; });
+    if (level == scene.level_of_group.end() || level->second > 0.0) groups.insert(channel.group);
+  }
+  return {groups.begin(), groups.end()};
+}
+
+calc::LightScene without(calc::LightScene scene, const std::string& group) {
+  std::erase_if(scene.level_of_group, [&](const auto& item) { return item.first == group; });
+  scene.level_of_group.emplace_back(group, 0.0);
+  return scene;
+}
+
+// The lower of two results counts, or for an upper limit the higher; end by end, since each end
+// holds for its own result.
+void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse) {
+  const calc::Estimate a = worst.metric->estimate, b = next.metric->estimate;
+  const auto worse = [&](double x, double y) {
+    return is_lower_worse ? std::min(x, y) : std::max(x, y);
+  };
+  if (worse(a.value, b.value) != a.value) worst.metric->point = next.metric->point;
+  worst.metric->estimate = {worse(a.value, b.value), worse(a.low, b.low), worse(a.high, b.high)};
+  worst.unseen_points = std::max(worst.unseen_points, next.unseen_points);
+  worst.single_sample_points = std::max(worst.single_sample_points, next.single_sample_points);
+  if (worst.remark.empty()) worst.remark = next.remark;
+  if (worst.active.empty() || next.active.empty()) {
+    worst.active.clear();  // everywhere
+  } else {
+    for (std::size_t i = 0; i < worst.active.size(); ++i) worst.active[i] |= next.active[i];
+  }
+}
+
+}  // namespace
+
+Measurement measure_any_one_out(const Requirement& requirement, const calc::SensorGrid& grid,
+                                const calc::PlaneField& field,
+                                const std::vector<calc::LightScene>& scenes, double confidence,
+                                Goal goal) {
+  Measurement none;
+  const auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const auto& s) { return s.id == requirement.scene; });
+  if (scene == scenes.end()) {
+    none.reason = fmt::format("there is no scene '{}'", requirement.scene);
+    return none;
+  }
+  const std::vector<std::string> groups = lit_groups(field, *scene);
+  if (groups.empty()) {
+    none.reason = fmt::format("scene '{}' lights no luminaire that could be out", scene->id);
+    return none;
+  }
+  Requirement one = requirement;
+  one.any_one_unit_out = false;
+  const double level = 1.0 - (1.0 - confidence) / static_cast<double>(groups.size());
+  std::optional<Measurement> worst;
+  for (const std::string& group : groups) {
+    Measurement next = measure(one, grid, field, {without(*scene, group)}, level, goal);
+    if (!next.metric) {
+      next.reason = fmt::format("with '{}' out: {}", group, next.reason);
+      return next;
+    }
+    if (worst) {
+      take_worse(*worst, next, is_lower_limit(requirement.comparison));
+    } else {
+      worst = std::move(next);
+    }
+  }
+  return *worst;
+}
+
+}  // namespace rules

@@ -1,0 +1,60 @@
+#pragma once
+// Means over a run of replicates and how well they are known: what every interval of a plane is
+// made of.
+
+#include "rules/measure/metrics.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace rules {
+
+// Of the replicates first, ..., first + replicates - 1. Variances and covariances are those of the
+// means (s^2 / R), in lx^2, and 0 for one replicate, which counts as exact.
+struct ReplicateSample {
+  std::size_t replicates = 0;
+  std::vector<double> mean_lx;     // per point
+  std::vector<double> variance;    // per point
+  std::vector<double> covariance;  // per point, of its mean with the plane's mean
+  double plane_mean_lx = 0.0;      // mean over the points
+  double plane_variance = 0.0;
+};
+
+// first + count <= values.replicates, count >= 1, values.points >= 1.
+ReplicateSample summarize(const PointValues& values, std::size_t first, std::size_t count);
+
+// Mean over the points of each replicate.
+std::vector<double> plane_means(const PointValues& values);
+
+// t such that mean + t * standard error falls below the true value with probability `level` only,
+// for means over this many replicates; 0 for one replicate, which counts as exact.
+double one_sided_t(std::size_t replicates, double level);
+
+// Lower, plug-in and upper value of one quantity at one point.
+struct Limits {
+  double low, value, high;
+};
+
+using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t point, double t);
+
+// mean -+ t * standard error
+Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
+
+// Two means a, b, with the variances and the covariance of the means.
+struct MeanPair {
+  double a, b, variance_a, covariance, variance_b;
+};
+
+// The ratio a / b by Fieller's theorem, restricted to ratios >= 0:
+//   low:  the largest u for which a - u b has a lower limit >= 0 (as tested for every smaller u,
+//   too);
+//         negative if there is none
+//   high: the largest u that the upper limit does not refute; infinite if b itself may be 0
+// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller, JRSS B 16 (1954)
+// 175] b > 0, except that `high` is also right (infinite) for b = 0.
+Limits fieller_limits(const MeanPair& means, double t);
+
+// The same of the point's mean to the plane's mean.
+Limits ratio_limits(const ReplicateSample& sample, std::size_t point, double t);
+
+}  // namespace rules

@@ -1,0 +1,143 @@
+// One <check> of a rule pack.
+
+#include "calc/base/text.h"
+#include "rules/catalogue/limit_text.h"
+#include "rules/pack/pack_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::ElementReader;
+
+constexpr std::array kComparisons{Comparison::at_least, Comparison::at_most, Comparison::more_than,
+                                  Comparison::less_than};
+constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
+
+// Exactly one of at-least, at-most, more-than and less-than: a formula.
+void read_limit(ElementReader& reader, RuleCheck& check) {
+  std::optional<Comparison> found;
+  for (const Comparison comparison : kComparisons) {
+    if (!reader.has(comparison_name(comparison))) continue;
+    if (found && !reader.exclude(comparison_name(*found), comparison_name(comparison))) return;
+    found = comparison;
+  }
+  if (!found) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "check",
+                  "'at-least', 'at-most', 'more-than' or 'less-than'");
+    return;
+  }
+  check.comparison = *found;
+  const char* name = comparison_name(*found);
+  check.limit_text = reader.text(name);
+  check.limit_where = reader.where(name);
+  if (check.limit_text.empty()) return;
+  ParsedExpression parsed = parse_expression(check.limit_text);
+  if (!parsed.expression) {
+    reader.report(DiagnosticId::rule_formula, check.limit_where, name, "check", check.limit_text,
+                  parsed.position + 1, parsed.error);
+    return;
+  }
+  check.limit = std::move(*parsed.expression);
+}
+
+// An end of the range: a number with the unit of the quantity.
+double read_end(ElementReader& reader, const char* name, const RuleCheck& check) {
+  const std::string text = reader.text(name);
+  const ParsedExpression parsed = parse_expression(text);
+  const bool is_number = parsed.expression && parsed.expression->kind == ExpressionKind::number &&
+                         parsed.expression->dimension == check.quantity->dimension;
+  if (is_number) return parsed.expression->number;
+  reader.report(DiagnosticId::rule_units, reader.where(name), name, "check", text,
+                fmt::format("expected {}", dimension_name(check.quantity->dimension)));
+  return 0.0;
+}
+
+void read_range(ElementReader& reader, RuleCheck& check) {
+  if (!reader.has("from") && !reader.has("to")) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "check", "'from' or 'to', or both");
+  }
+  if (reader.has("from")) check.range.from = read_end(reader, "from", check);
+  if (reader.has("to")) check.range.to = read_end(reader, "to", check);
+  if (check.range.to < check.range.from && reader.ok()) {
+    reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", "check", "'from'");
+  }
+}
+
+Severity severity_at(std::size_t choice) {
+  if (choice == 0) return Severity::shall;
+  return choice == 4 ? Severity::in_aggregate : Severity::advice;
+}
+
+// By "mask"; all points without it.
+Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
+  if (!reader.has("mask")) return {};
+  const std::string id = reader.id("mask");
+  calc::Names names;
+  for (const Mask& mask : pack.masks) {
+    if (mask.id == id) return mask;
+    names.push_back(mask.id);
+  }
+  if (!id.empty()) {
+    report_unknown_name(reader.diagnostics(), reader.where("mask"), "mask", "check", "mask", id,
+                        names);
+  }
+  return {};
+}
+
+}  // namespace
+
+RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
+                     calc::Diagnostics& diagnostics) {
+  ElementReader reader(element, diagnostics);
+  reader.allow_attributes({"id",        "role",      "clause",    "severity", "quantity",
+                           "statistic", "percent",   "from",      "to",       "mask",
+                           "state",     "sources",   "light",     "outage",   "at-least",
+                           "at-most",   "more-than", "less-than", "trust",    "note"});
+  reader.allow_children({});
+  RuleCheck check;
+  check.where = element.where;
+  check.id = reader.id();
+  check.role = reader.id("role");
+  check.clause = reader.text_or("clause", "");
+  check.severity = severity_at(
+      reader.choice_or("severity", {"shall", "should", "may", "info", "in-aggregate"}, 0));
+  check.quantity =
+      quantity_from_name(quantity_names()[reader.choice("quantity", quantity_names())]);
+  check.metric = *metric_from_name(metric_names()[reader.choice("statistic", metric_names())]);
+  if (check.metric == Metric::percentile) {
+    check.percent = reader.number("percent", kPercent);
+  } else if (reader.has("percent")) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("percent"), "check",
+                  "percent", fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+  }
+  if (check.metric == Metric::share) {
+    read_range(reader, check);
+  } else {
+    for (const char* end : {"from", "to"}) {
+      if (!reader.has(end)) continue;
+      reader.report(DiagnosticId::attribute_without_meaning, reader.where(end), "check", end,
+                    fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+    }
+  }
+  check.mask = read_mask_name(reader, pack);
+  check.state = static_cast<LightState>(
+      reader.choice_or("state", {"maintained", "initial", "end-of-duration"}, 0));
+  check.sources = static_cast<LightSources>(
+      reader.choice_or("sources", {"all", "electric", "emergency", "daylight"}, 0));
+  check.direct_only = reader.choice_or("light", {"all", "direct"}, 0) == 1;
+  check.any_one_unit_out = reader.choice_or("outage", {"none", "any-one-unit"}, 0) == 1;
+  check.trust = read_trust(reader);
+  check.has_trust = reader.has("trust");
+  check.note = reader.text_or("note", "");
+  read_limit(reader, check);
+  return check;
+}
+
+}  // namespace rules

@@ -1,0 +1,288 @@
+#include "rules/pack/import_rows.h"
+
+#include "calc/base/text.h"
+#include "calc/base/xml_document.h"
+#include "rules/pack/csv_table.h"
+#include "rules/pack/rule_pack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using calc::DiagnosticId;
+using calc::XmlElement;
+
+// A parameter of the pack and where its numbers are.
+struct Column {
+  const char* parameter;
+  const char* required;
+  const char* modified;   // "" = one level only
+  const char* confirmed;  // as the column confirmed_fields names it
+  const char* confirmed_modified;
+};
+constexpr std::array kColumns{
+    Column{"Em", "Em_required_lx", "Em_modified_lx", "Em_required", "Em_modified"},
+    Column{"Uo", "Uo_min", "", "Uo", ""},
+    Column{"Ra", "Ra_min", "", "Ra", ""},
+    Column{"RUGL", "RUGL_max", "", "RUGL", ""},
+    Column{"Ez", "Ez_m_lx", "", "Ez", ""},
+    Column{"Ewall", "Em_wall_lx", "", "Em_wall", ""},
+    Column{"Eceiling", "Em_ceiling_lx", "", "Em_ceiling", ""},
+};
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+// XML text, and for each of its lines the line of the table that it was made of; 0 = none.
+struct WrittenPack {
+  std::string text;
+  std::vector<int> table_line;
+
+  void add(const std::string& line, int of_table) {
+    text += line + "\n";
+    table_line.push_back(of_table);
+  }
+};
+
+void write_element(const XmlElement& element, int depth, int table_line, WrittenPack& out) {
+  const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+  std::string line = indent + "<" + element.name;
+  for (const calc::XmlAttribute& attribute : element.attributes) {
+    line += fmt::format(" {}=\"{}\"", attribute.name, escaped(attribute.value));
+  }
+  if (element.children.empty()) return out.add(line + "/>", table_line);
+  out.add(line + ">", table_line);
+  for (const XmlElement& child : element.children) {
+    write_element(child, depth + 1, table_line, out);
+  }
+  out.add(indent + "</" + element.name + ">", table_line);
+}
+
+XmlElement element_of(std::string name,
+                      const std::vector<std::pair<std::string, std::string>>& attributes) {
+  XmlElement element;
+  element.name = std::move(name);
+  for (const auto& [key, value] : attributes) {
+    if (!value.empty()) element.attributes.push_back({key, value, {}});
+  }
+  return element;
+}
+
+void set_attribute(XmlElement& element, const std::string& name, const std::string& value) {
+  for (calc::XmlAttribute& attribute : element.attributes) {
+    if (attribute.name != name) continue;
+    attribute.value = value;
+    return;
+  }
+  element.attributes.push_back({name, value, {}});
+}
+
+class Importer {
+ public:
+  Importer(const std::string& file, calc::Diagnostics& diagnostics)
+      : file_(file), diagnostics_(diagnostics) {}
+
+  // False after an error.
+  bool read_header(const CsvRecord& header) {
+    for (std::size_t i = 0; i < header.fields.size(); ++i) {
+      column_.emplace(calc::trim(header.fields[i]), i);
+    }
+    for (const char* name : {"final_ref", "activity", "trust", "confirmed_fields"}) need(name);
+    for (const Column& column : kColumns) {
+      need(column.required);
+      if (*column.modified != '\0') need(column.modified);
+    }
+    width_ = header.fields.size();
+    return !diagnostics_.has_errors();
+  }
+
+  // Empty for a row that is left out, and after an error.
+  std::optional<XmlElement> read_row(const CsvRecord& record) {
+    if (record.fields.size() != width_) {
+      report(record,
+             fmt::format("{} fields, but the first line has {}", record.fields.size(), width_));
+      return std::nullopt;
+    }
+    const std::string ref = field(record, "final_ref");
+    if (ref.empty() || field(record, "final_ref_confidence") == "dropped_in_final") {
+      diagnostics_.report(
+          DiagnosticId::rule_import_skipped, {file_, record.line, 0},
+          ref.empty() ? field(record, "activity") : ref,
+          ref.empty() ? "it has no final_ref" : "it is not in the published edition");
+      return std::nullopt;
+    }
+    std::string name = field(record, "group");
+    name += (name.empty() ? "" : ": ") + field(record, "activity");
+    std::string note = field(record, "notes");
+    if (const std::string sources = field(record, "sources"); !sources.empty()) {
+      note += (note.empty() ? "sources: " : "; sources: ") + sources;
+    }
+    const std::string trust = row_trust(record);
+    XmlElement row = element_of(
+        "row",
+        {{"ref", ref}, {"name", name}, {"trust", trust}, {"sources", "table"}, {"note", note}});
+    for (const Column& column : kColumns) row.children.push_back(value(record, column, trust));
+    return row;
+  }
+
+ private:
+  void need(const std::string& name) {
+    if (column_.contains(name)) return;
+    diagnostics_.report(DiagnosticId::rule_import, {file_, 1, 0},
+                        fmt::format("there is no column '{}'", name));
+  }
+
+  void report(const CsvRecord& record, const std::string& problem) {
+    diagnostics_.report(DiagnosticId::rule_import, {file_, record.line, 0}, problem);
+  }
+
+  std::string field(const CsvRecord& record, const std::string& name) const {
+    const auto found = column_.find(name);
+    return found == column_.end() ? "" : std::string(calc::trim(record.fields[found->second]));
+  }
+
+  std::string row_trust(const CsvRecord& record) const {
+    const std::string mark = field(record, "trust");
+    if (mark == "A") return trust_name(Trust::confirmed);
+    if (mark == "A-part" || mark.starts_with('B')) return trust_name(Trust::single_source);
+    return trust_name(Trust::unverified);
+  }
+
+  bool is_confirmed(const CsvRecord& record, std::string_view name) const {
+    const std::string all = ";" + field(record, "confirmed_fields") + ";";
+    return name.empty() || all.find(fmt::format(";{};", name)) != std::string::npos;
+  }
+
+  std::string number(const CsvRecord& record, const char* name) {
+    if (*name == '\0') return {};
+    std::string text = field(record, name);
+    if (!text.empty() && !calc::parse_number(text)) {
+      report(record, fmt::format("{}: '{}' is not a number", name, text));
+    }
+    return text;
+  }
+
+  XmlElement value(const CsvRecord& record, const Column& column, const std::string& trust) {
+    const std::string required = number(record, column.required);
+    if (required.empty()) {
+      return element_of("value", {{"of", column.parameter}, {"none", "not-specified"}});
+    }
+    const std::string modified = number(record, column.modified);
+    const bool is_better = field(record, "trust") == "A-part" &&
+                           is_confirmed(record, column.confirmed) &&
+                           (modified.empty() || is_confirmed(record, column.confirmed_modified));
+    const std::string own = is_better ? trust_name(Trust::confirmed) : trust;
+    return element_of("value", {{"of", column.parameter},
+                                {"required", required},
+                                {"modified", modified},
+                                {"trust", own == trust ? "" : own}});
+  }
+
+  const std::string& file_;
+  calc::Diagnostics& diagnostics_;
+  std::map<std::string, std::size_t, std::less<>> column_;
+  std::size_t width_ = 0;
+};
+
+struct ImportedRow {
+  XmlElement element;
+  int table_line = 0;
+};
+
+// Everything of `like` but its sources and rows, with new ones before the first check.
+WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
+                      const std::vector<ImportedRow>& rows) {
+  set_attribute(like, "id", pack_id);
+  set_attribute(like, "version", "1");
+  set_attribute(like, "licence", "user-supplied");
+  set_attribute(like, "licence-note", "imported from " + csv_file + "; not for redistribution");
+  WrittenPack pack;
+  pack.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0);
+  const std::vector<XmlElement> children = std::exchange(like.children, {});
+  write_element(like, 0, 0, pack);  // <rule-pack .../>, to be opened
+  pack.text.replace(pack.text.size() - 3, 2, ">");
+  write_element(element_of("source", {{"id", "table"}, {"note", "table of the user: " + csv_file}}),
+                1, 0, pack);
+  bool has_rows = false;
+  for (const XmlElement& child : children) {
+    if (child.name == "source" || child.name == "row") continue;
+    if (child.name == "check" && !has_rows) {
+      for (const ImportedRow& row : rows) write_element(row.element, 1, row.table_line, pack);
+      has_rows = true;
+    }
+    write_element(child, 1, 0, pack);
+  }
+  pack.add("</rule-pack>", 0);
+  return pack;
+}
+
+// What is wrong with the pack is wrong with the table: there it can be mended.
+void report_for_table(const calc::Diagnostics& of_pack, const std::vector<int>& table_line,
+                      const std::string& csv_file, calc::Diagnostics& diagnostics) {
+  for (const calc::Diagnostic& diagnostic : of_pack.all()) {
+    if (diagnostic.severity() != calc::Severity::error) continue;
+    const auto line = static_cast<std::size_t>(diagnostic.where.line);
+    const bool is_known = line >= 1 && line <= table_line.size();
+    diagnostics.report(DiagnosticId::rule_import,
+                       {csv_file, is_known ? table_line[line - 1] : 0, 0}, diagnostic.message);
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> import_rows(std::string_view csv, const std::string& csv_file,
+                                       std::string_view like_xml, const std::string& pack_id,
+                                       calc::Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const std::optional<std::vector<CsvRecord>> records = read_csv(csv);
+  if (!records || records->size() < 2) {
+    diagnostics.report(DiagnosticId::rule_import, {csv_file, 0, 0},
+                       records ? "a line with names of columns and at least one row are needed"
+                               : "a quote is not closed");
+    return std::nullopt;
+  }
+  Importer importer(csv_file, diagnostics);
+  if (!importer.read_header(records->front())) return std::nullopt;
+  std::vector<ImportedRow> rows;
+  for (std::size_t i = 1; i < records->size(); ++i) {
+    if (std::optional<XmlElement> row = importer.read_row((*records)[i])) {
+      rows.push_back({std::move(*row), (*records)[i].line});
+    }
+  }
+  const std::optional<XmlElement> like =
+      calc::parse_xml(std::string(like_xml), "built in", diagnostics);
+  if (!like || diagnostics.error_count() > errors_before) return std::nullopt;
+  WrittenPack pack = assembled(*like, pack_id, csv_file, rows);
+  calc::Diagnostics of_pack;
+  if (!parse_rule_pack(pack.text, pack_id + ".xml", of_pack)) {
+    report_for_table(of_pack, pack.table_line, csv_file, diagnostics);
+    return std::nullopt;
+  }
+  return std::move(pack.text);
+}
+
+}  // namespace rules

@@ -1,0 +1,204 @@
+#include "rules/pack/limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rules {
+namespace {
+
+constexpr double kSameValue = 1e-9;  // relative
+
+bool is_same(double a, double b) { return std::abs(a - b) <= kSameValue * std::abs(b); }
+
+calc::Estimate exactly(double value) { return {value, value, value}; }
+
+Limit known(const calc::Estimate& value, Trust trust = Trust::confirmed) {
+  Limit limit;
+  limit.value = value;
+  limit.trust = trust;
+  return limit;
+}
+
+Limit missing(LimitStatus status, std::string reason) {
+  Limit limit;
+  limit.status = status;
+  limit.reason = std::move(reason);
+  return limit;
+}
+
+Limit unknown(std::string reason) { return missing(LimitStatus::unknown, std::move(reason)); }
+
+Limit row_value(const Expression& expression, const LimitScope& scope) {
+  if (scope.row == nullptr) return unknown("no row is chosen");
+  const RuleValue* value = scope.row->find_value(expression.name);
+  if (value == nullptr || !value->required) {
+    const NoValue why = value == nullptr ? NoValue::not_specified : value->why;
+    const std::string reason =
+        fmt::format("row {}: {} is {}", scope.row->ref, expression.name, no_value_name(why));
+    return missing(why == NoValue::unknown ? LimitStatus::unknown : LimitStatus::not_applicable,
+                   reason);
+  }
+  const bool is_modified = scope.level == RowLevel::modified && value->modified.has_value();
+  Limit limit = known(exactly(is_modified ? *value->modified : *value->required), value->trust);
+  limit.is_modified = is_modified;
+  return limit;
+}
+
+std::optional<double> look_up(const RuleTable& table, double key) {
+  const auto value_of = [](const RuleTable::Entry& entry, double used_key) {
+    return entry.value.value_or(used_key);
+  };
+  const RuleTable::Entry* below = nullptr;  // the last key that is not above
+  const RuleTable::Entry* above = nullptr;  // the first key that is not below
+  for (const RuleTable::Entry& entry : table.entries) {
+    if (entry.key <= key || is_same(entry.key, key)) below = &entry;
+    if (above == nullptr && (entry.key >= key || is_same(entry.key, key))) above = &entry;
+  }
+  switch (table.match) {
+    case TableMatch::exact:
+      if (below == nullptr || below != above) return std::nullopt;
+      return value_of(*below, key);
+    case TableMatch::next_lower:
+      if (below == nullptr) return std::nullopt;
+      return value_of(*below, key);
+    case TableMatch::next_higher:
+      if (above == nullptr) return std::nullopt;
+      return value_of(*above, key);
+    case TableMatch::linear:
+      break;
+  }
+  if (below == nullptr || above == nullptr) return std::nullopt;
+  if (below == above) return value_of(*below, key);
+  const double share = (key - below->key) / (above->key - below->key);
+  return (1.0 - share) * value_of(*below, below->key) + share * value_of(*above, above->key);
+}
+
+Limit table_value(const RuleTable& table, Limit key) {
+  if (key.value.low != key.value.high) {
+    return unknown(fmt::format("table '{}' needs a key that is exactly known", table.id));
+  }
+  const std::optional<double> value = look_up(table, key.value.value);
+  if (!value) {
+    return unknown(fmt::format("table '{}' has nothing for {:.9g} {}", table.id, key.value.value,
+                               base_unit(table.key_unit.dimension)));
+  }
+  key.value = exactly(*value);
+  key.trust = std::max(key.trust, table.trust);
+  return key;
+}
+
+Limit stepped(const RuleScale& scale, int steps, Limit start) {
+  if (start.value.low != start.value.high) {
+    return unknown(fmt::format("scale '{}' needs a value that is exactly known", scale.id));
+  }
+  const auto at = std::find_if(scale.values.begin(), scale.values.end(),
+                               [&](double value) { return is_same(start.value.value, value); });
+  const char* unit = base_unit(scale.unit.dimension);
+  if (at == scale.values.end()) {
+    return unknown(
+        fmt::format("{:.9g} {} is not on scale '{}'", start.value.value, unit, scale.id));
+  }
+  const std::ptrdiff_t index = at - scale.values.begin() + steps;
+  if (index < 0 || index >= static_cast<std::ptrdiff_t>(scale.values.size())) {
+    return unknown(fmt::format("scale '{}' ends before {:+} steps from {:.9g} {}", scale.id, steps,
+                               start.value.value, unit));
+  }
+  start.value = exactly(scale.values[static_cast<std::size_t>(index)]);
+  return start;
+}
+
+// Nothing is negative, so that ends meet ends.
+calc::Estimate combined(ExpressionKind kind, const calc::Estimate& a, const calc::Estimate& b) {
+  switch (kind) {
+    case ExpressionKind::add:
+      return {a.value + b.value, a.low + b.low, a.high + b.high};
+    case ExpressionKind::multiply:
+      return {a.value * b.value, a.low * b.low, a.high * b.high};
+    case ExpressionKind::divide:
+      return {a.value / b.value, a.low / b.high, a.high / b.low};
+    case ExpressionKind::minimum:
+      return {std::min(a.value, b.value), std::min(a.low, b.low), std::min(a.high, b.high)};
+    default:
+      return {std::max(a.value, b.value), std::max(a.low, b.low), std::max(a.high, b.high)};
+  }
+}
+
+// The parts of both; a missing part makes all of it missing.
+Limit joined(ExpressionKind kind, const Limit& a, const Limit& b) {
+  if (a.status != LimitStatus::known) return a;
+  if (b.status != LimitStatus::known) return b;
+  if (kind == ExpressionKind::divide && !(b.value.low > 0.0)) {
+    return unknown("the limit divides by a value that may be 0");
+  }
+  const calc::Estimate value = combined(kind, a.value, b.value);
+  // At once: the smaller of a NaN and a number would be the number.
+  if (!std::isfinite(value.value) || !std::isfinite(value.low) || !std::isfinite(value.high)) {
+    return unknown("the limit is not a finite number");
+  }
+  Limit limit = known(value, std::max(a.trust, b.trust));
+  limit.is_modified = a.is_modified || b.is_modified;
+  return limit;
+}
+
+Limit evaluate(const Expression& expression, const LimitScope& scope);
+
+Limit of_operands(const Expression& expression, const LimitScope& scope) {
+  Limit limit = evaluate(expression.operands.front(), scope);
+  for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+    limit = joined(expression.kind, limit, evaluate(expression.operands[i], scope));
+  }
+  if (limit.status != LimitStatus::known) return limit;
+  if (expression.kind == ExpressionKind::table) {
+    return table_value(*scope.pack.find_table(expression.name), limit);
+  }
+  if (expression.kind == ExpressionKind::step) {
+    return stepped(*scope.pack.find_scale(expression.name), expression.steps, limit);
+  }
+  return limit;
+}
+
+Limit result_of(const RuleCheck& check, const LimitScope& scope) {
+  const std::optional<calc::Estimate> result =
+      scope.result_of ? scope.result_of(check) : std::nullopt;
+  if (!result) return unknown(fmt::format("the result of check '{}' is not known", check.id));
+  return known(*result);
+}
+
+Limit fact(const std::string& id, const LimitScope& scope) {
+  const auto found = scope.facts.find(id);
+  if (found == scope.facts.end()) return unknown(fmt::format("fact '{}' is not stated", id));
+  return known(exactly(found->second));
+}
+
+Limit evaluate(const Expression& expression, const LimitScope& scope) {
+  switch (expression.kind) {
+    case ExpressionKind::number:
+      return known(exactly(expression.number));
+    case ExpressionKind::row_value:
+      return row_value(expression, scope);
+    case ExpressionKind::limit_of:
+      return evaluate_limit(*scope.pack.find_check(expression.name), scope);
+    case ExpressionKind::result_of:
+      return result_of(*scope.pack.find_check(expression.name), scope);
+    case ExpressionKind::fact:
+      return fact(expression.name, scope);
+    default:
+      return of_operands(expression, scope);
+  }
+}
+
+}  // namespace
+
+Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope) {
+  Limit limit = evaluate(check.limit, scope);
+  if (limit.status == LimitStatus::known && !std::isfinite(limit.value.high)) {
+    return unknown("the limit is not a finite number");
+  }
+  limit.trust = std::max(limit.trust, check.trust);
+  return limit;
+}
+
+}  // namespace rules

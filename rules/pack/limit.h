@@ -1,0 +1,42 @@
+#pragma once
+// A formula of a rule pack as a number: the limit of a check for one row, level and project.
+
+#include "calc/base/field.h"
+#include "rules/pack/rule_pack.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace rules {
+
+// What a formula may refer to, beside the pack.
+struct LimitScope {
+  const RulePack& pack;
+  const RuleRow* row = nullptr;  // nullptr: none was chosen
+  RowLevel level = RowLevel::required;
+  std::map<std::string, double> facts = {};  // by id, in base units
+  // The measured result of another check, with its interval; empty: not known.
+  std::function<std::optional<calc::Estimate>(const RuleCheck&)> result_of = {};
+};
+
+enum class LimitStatus {
+  known,
+  not_applicable,  // the row requires nothing
+  unknown,         // something is missing that the limit hangs on
+};
+
+struct Limit {
+  LimitStatus status = LimitStatus::known;
+  calc::Estimate value;            // of known, base units; an interval if it hangs on a result
+  Trust trust = Trust::confirmed;  // the worst of everything that it was made of
+  bool is_modified = false;        // a value of level "modified" is in it
+  std::string reason;              // of not_applicable and unknown, in words
+};
+
+// The formula must be one of scope.pack, which was read without error: names are known, units fit
+// and nothing goes round in a circle.
+Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope);
+
+}  // namespace rules

@@ -1,0 +1,74 @@
+#include "rules/pack/rule_lint.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace rules {
+namespace {
+
+using Used = std::set<std::pair<ExpressionKind, std::string>>;
+
+void collect(const Expression& expression, Used& used) {
+  if (!expression.name.empty()) used.emplace(expression.kind, expression.name);
+  for (const Expression& operand : expression.operands) collect(operand, used);
+}
+
+template <class Item>
+void report_unused(const RulePack& pack, const std::vector<Item>& items, ExpressionKind kind,
+                   const char* word, const Used& used, calc::Diagnostics& diagnostics) {
+  for (const Item& item : items) {
+    if (used.contains({kind, item.id})) continue;
+    diagnostics.report(calc::DiagnosticId::rule_unused, item.where, pack.full_id(), word, item.id);
+  }
+}
+
+bool has_number(const Expression& expression) {
+  return expression.kind == ExpressionKind::number ||
+         std::any_of(expression.operands.begin(), expression.operands.end(), has_number);
+}
+
+void report_no_trust(const RulePack& pack, const calc::SourceLocation& where, const char* word,
+                     const std::string& id, calc::Diagnostics& diagnostics) {
+  diagnostics.report(calc::DiagnosticId::rule_without_trust, where, pack.full_id(), word, id);
+}
+
+// A contract is its own source; whatever else a pack says was found somewhere.
+void lint_trust(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  if (pack.kind == "contract" || pack.kind == "company") return;
+  for (const RuleTable& table : pack.tables) {
+    if (!table.has_trust) report_no_trust(pack, table.where, "table", table.id, diagnostics);
+  }
+  for (const RuleCheck& check : pack.checks) {
+    if (check.has_trust || !has_number(check.limit)) continue;
+    report_no_trust(pack, check.where, "check", check.id, diagnostics);
+  }
+}
+
+}  // namespace
+
+void lint_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  Used used;
+  for (const RuleCheck& check : pack.checks) collect(check.limit, used);
+  report_unused(pack, pack.parameters, ExpressionKind::row_value, "parameter", used, diagnostics);
+  report_unused(pack, pack.facts, ExpressionKind::fact, "fact", used, diagnostics);
+  report_unused(pack, pack.tables, ExpressionKind::table, "table", used, diagnostics);
+  lint_trust(pack, diagnostics);
+  std::size_t unverified = 0, all = pack.checks.size();
+  for (const RuleCheck& check : pack.checks) {
+    if (check.trust == Trust::unverified) ++unverified;
+  }
+  for (const RuleRow& row : pack.rows) {
+    for (const RuleValue& value : row.values) {
+      ++all;
+      if (value.trust == Trust::unverified) ++unverified;
+    }
+  }
+  if (unverified > 0) {
+    diagnostics.report(calc::DiagnosticId::rule_pack_unverified, {pack.file, 0, 0}, pack.full_id(),
+                       unverified, all);
+  }
+}
+
+}  // namespace rules

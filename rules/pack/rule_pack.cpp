@@ -1,0 +1,172 @@
+#include "rules/pack/rule_pack.h"
+
+#include "calc/scene/sensor_grid.h"
+#include "rules/pack/builtin_packs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace rules {
+namespace {
+
+using calc::ReceiverKernel;
+
+constexpr std::array kQuantities{
+    Quantity{"planar", Dimension::illuminance, ReceiverKernel::planar},
+    Quantity{"cylindrical", Dimension::illuminance, ReceiverKernel::cylindrical},
+    Quantity{"semicylindrical", Dimension::illuminance, ReceiverKernel::semicylindrical},
+    Quantity{"hemispherical", Dimension::illuminance, ReceiverKernel::hemispherical},
+    Quantity{"scalar", Dimension::illuminance, ReceiverKernel::scalar},
+    Quantity{"modelling", Dimension::plain, ReceiverKernel::cylindrical,
+             calc::DerivedQuantity::modelling},
+    Quantity{"UGR", Dimension::plain, ReceiverKernel::planar, calc::DerivedQuantity::ugr},
+    Quantity{"GR", Dimension::plain, std::nullopt},
+    Quantity{"Ra", Dimension::plain, std::nullopt},
+    Quantity{"luminance", Dimension::luminance, std::nullopt},
+    Quantity{"power-density", Dimension::power_density, std::nullopt},
+    Quantity{"LENI", Dimension::energy_density, std::nullopt},
+};
+
+template <class Item, class Key>
+const Item* find_item(const std::vector<Item>& items, std::string_view wanted, Key key) {
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [&](const Item& item) { return item.*key == wanted; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const char* trust_name(Trust trust) {
+  switch (trust) {
+    case Trust::confirmed:
+      return "confirmed";
+    case Trust::single_source:
+      return "single-source";
+    case Trust::unverified:
+      return "unverified";
+  }
+  return "";
+}
+
+const char* trust_remark(Trust trust) {
+  switch (trust) {
+    case Trust::confirmed:
+      return "";
+    case Trust::single_source:
+      return "one public source";
+    case Trust::unverified:
+      return "unverified requirement";
+  }
+  return "";
+}
+
+const char* no_value_name(NoValue why) {
+  switch (why) {
+    case NoValue::not_specified:
+      return "not-specified";
+    case NoValue::not_applicable:
+      return "not-applicable";
+    case NoValue::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
+const Quantity* quantity_from_name(std::string_view name) {
+  for (const Quantity& quantity : kQuantities) {
+    if (name == quantity.name) return &quantity;
+  }
+  return nullptr;
+}
+
+calc::Names quantity_names() {
+  calc::Names names;
+  for (const Quantity& quantity : kQuantities) names.emplace_back(quantity.name);
+  return names;
+}
+
+const RuleValue* RuleRow::find_value(std::string_view parameter) const {
+  return find_item(values, parameter, &RuleValue::parameter);
+}
+
+bool RuleRow::has_modified_level() const {
+  return std::any_of(values.begin(), values.end(),
+                     [](const RuleValue& value) { return value.modified.has_value(); });
+}
+
+const RuleRow* RulePack::find_row(std::string_view ref) const {
+  return find_item(rows, ref, &RuleRow::ref);
+}
+const RuleCheck* RulePack::find_check(std::string_view check_id) const {
+  return find_item(checks, check_id, &RuleCheck::id);
+}
+const RuleTable* RulePack::find_table(std::string_view table_id) const {
+  return find_item(tables, table_id, &RuleTable::id);
+}
+const RuleScale* RulePack::find_scale(std::string_view scale_id) const {
+  return find_item(scales, scale_id, &RuleScale::id);
+}
+const RuleName* RulePack::find_parameter(std::string_view parameter_id) const {
+  return find_item(parameters, parameter_id, &RuleName::id);
+}
+const RuleName* RulePack::find_fact(std::string_view fact_id) const {
+  return find_item(facts, fact_id, &RuleName::id);
+}
+
+const RuleGrid* RulePack::find_grid(std::string_view grid_id) const {
+  return find_item(grids, grid_id, &RuleGrid::id);
+}
+const RulePlane* RulePack::find_plane(std::string_view role_name) const {
+  return find_item(planes, role_name, &RulePlane::role);
+}
+
+std::vector<std::string> RulePack::roles() const {
+  std::vector<std::string> roles;
+  for (const RuleCheck& check : checks) {
+    if (std::find(roles.begin(), roles.end(), check.role) == roles.end()) {
+      roles.push_back(check.role);
+    }
+  }
+  return roles;
+}
+
+std::string grid_text(const RuleGrid& grid) {
+  std::string text = "as the project says";
+  if (grid.rule) {
+    if (const auto* formula = std::get_if<calc::GridByRule>(&*grid.rule)) {
+      text = fmt::format(
+          "p = {:g} * {:g}^log10 d m, at most {:g} m; d the longer side, the shorter one from a "
+          "ratio of {:g} on; counts rounded: {}",
+          formula->factor_m, formula->base, formula->max_spacing_m, formula->shorter_from_ratio,
+          calc::rounding_name(formula->rounding));
+    } else if (const auto* spacing = std::get_if<calc::GridBySpacing>(&*grid.rule)) {
+      text = fmt::format("at most {:g} m along the longer and {:g} m along the shorter side",
+                         spacing->along_u_m, spacing->along_v_m);
+    } else {
+      const auto& count = std::get<calc::GridByCount>(*grid.rule);
+      text = fmt::format("{} cells along the longer and {} along the shorter side", count.columns,
+                         count.rows);
+    }
+  }
+  if (grid.trust != Trust::confirmed) text += fmt::format(" [{}]", trust_remark(grid.trust));
+  return text;
+}
+
+std::vector<RulePack> builtin_rule_packs() {
+  std::vector<RulePack> packs;
+  for (const std::string_view text : builtin_pack_texts()) {
+    calc::Diagnostics diagnostics;
+    std::optional<RulePack> pack = parse_rule_pack(text, "built in", diagnostics);
+    // Our own file: a test reads every one of them.
+    if (!pack) throw std::logic_error(calc::format_diagnostic(diagnostics.all().front()));
+    packs.push_back(std::move(*pack));
+  }
+  return packs;
+}
+
+}  // namespace rules

@@ -1,0 +1,242 @@
+#pragma once
+// A standard as data: what its rows require of which part of a room. README.md describes the file;
+// everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/project.h"
+#include "calc/scene/receiver_kernel.h"
+#include "rules/catalogue/aggregate.h"
+#include "rules/catalogue/mask.h"
+#include "rules/catalogue/policy.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/catalogue/unit.h"
+#include "rules/pack/expression.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+enum class RowLevel { required, modified };
+
+// How well a number is known, best first.
+enum class Trust {
+  confirmed,      // two or more independent public sources, or public law as printed
+  single_source,  // one public source
+  unverified,     // from memory, or doubtful
+};
+const char* trust_name(Trust trust);  // "confirmed", "single-source", "unverified"
+const char* trust_remark(
+    Trust trust);  // for reports: "" , "one public source", "unverified requirement"
+
+// Why a row has no value of a parameter.
+enum class NoValue {
+  not_specified,   // the row requires nothing
+  not_applicable,  // it makes no sense there
+  unknown,         // the standard has a value, this pack does not
+};
+const char* no_value_name(NoValue why);  // "not-specified", "not-applicable", "unknown"
+
+// A place where numbers were found.
+struct RuleSource {
+  std::string id, note, address;
+};
+
+// A column of the rows, or a fact that the project states.
+struct RuleName {
+  std::string id;
+  Unit unit{"none", Dimension::plain, 1.0};
+  std::string meaning;
+  calc::SourceLocation where;
+};
+
+struct RuleValue {
+  std::string parameter;
+  std::optional<double> required;  // empty: none, see why
+  std::optional<double> modified;  // at level "modified", where it differs
+  NoValue why = NoValue::not_specified;
+  Trust trust = Trust::confirmed;
+};
+
+struct RuleRow {
+  std::string ref;   // "34.2", unique in the pack
+  std::string name;  // use of the space, in own words
+  Trust trust = Trust::confirmed;
+  std::vector<std::string> sources;
+  std::string note;
+  std::vector<RuleValue> values;
+  struct Heights {
+    double lowest_m, highest_m;
+  };
+  std::optional<Heights> task_heights_m;  // where they are not those of the plane's role
+  calc::SourceLocation where;
+
+  const RuleValue* find_value(std::string_view parameter) const;
+  bool has_modified_level() const;
+};
+
+enum class TableMatch { exact, next_lower, next_higher, linear };
+struct RuleTable {
+  struct Entry {
+    double key = 0.0;
+    std::optional<double> value;  // empty: the key itself
+  };
+  std::string id;
+  Unit key_unit{"none", Dimension::plain, 1.0}, value_unit{"none", Dimension::plain, 1.0};
+  TableMatch match = TableMatch::exact;
+  Trust trust = Trust::confirmed;
+  bool has_trust = false;      // stated in the pack
+  std::vector<Entry> entries;  // keys ascending
+  calc::SourceLocation where;
+};
+
+// Preferred values, ascending.
+struct RuleScale {
+  std::string id;
+  Unit unit{"none", Dimension::plain, 1.0};
+  std::vector<double> values;
+  calc::SourceLocation where;
+};
+
+// What a check is about. The first seven are what the points of a plane can measure.
+struct Quantity {
+  const char* name;
+  Dimension dimension;
+  std::optional<calc::ReceiverKernel> kernel;  // empty: not measured on planes
+  calc::DerivedQuantity derived = calc::DerivedQuantity::none;
+};
+const Quantity* quantity_from_name(std::string_view name);  // nullptr if there is none
+calc::Names quantity_names();
+
+enum class LightSources { all, electric, emergency, daylight };
+
+struct RuleCheck {
+  std::string id;      // unique in the pack
+  std::string role;    // part of the room: "task", "surround", "route", ...
+  std::string clause;  // within the standard; "" = the row's ref
+  Severity severity = Severity::shall;
+  const Quantity* quantity = nullptr;
+  Metric metric = Metric::average;
+  double percent = 0.0;  // of Metric::percentile
+  ValueRange range;      // of Metric::share, base units
+  Mask mask;
+  LightState state = LightState::maintained;
+  LightSources sources = LightSources::all;
+  bool direct_only = false;
+  bool any_one_unit_out = false;
+  Comparison comparison = Comparison::at_least;
+  Expression limit;
+  std::string limit_text;
+  calc::SourceLocation limit_where;
+  Trust trust = Trust::confirmed;  // of what the check says itself, row values and tables apart
+  bool has_trust = false;          // stated in the pack
+  std::string note;
+  calc::SourceLocation where;
+
+  Dimension dimension() const { return is_ratio(metric) ? Dimension::plain : quantity->dimension; }
+};
+
+// Verdicts of several checks or places as one.
+struct RuleAggregate {
+  std::string id;
+  std::string clause;  // within the standard; "" = the row's ref
+  Severity severity = Severity::shall;
+  AggregateRule rule = AggregateRule::all;
+  AggregateOver over = AggregateOver::checks;
+  int count = 0;         // of at_least
+  double share = 0.0;    // of share, (0, 1]
+  bool by_area = false;  // of share over planes or rooms
+  std::vector<std::string> checks;
+  Trust trust = Trust::confirmed;
+  std::string note;
+  calc::SourceLocation where;
+};
+
+// Rows as classes, the best first; a class is reached if all of its checks pass.
+struct RuleClass {
+  std::string id;
+  std::vector<std::string> rows, checks;
+  calc::SourceLocation where;
+};
+
+// How the points of a plane are spread.
+struct RuleGrid {
+  std::string id;
+  std::optional<calc::GridRule> rule;  // empty: the project's own; spacing: along u = longer side
+  Trust trust = Trust::confirmed;
+  std::string note;
+};
+std::string grid_text(const RuleGrid& grid);  // "p = 0.2 * 5^log10 d, ..., rounding nearest"
+
+// What a workplace makes of a role.
+enum class ZoneArea {
+  none,           // nothing
+  task,           // the task area: as given, or the whole room
+  band,           // a band around another zone
+  task_and_band,  // the task area with the band around it
+  walls,          // every wall by itself
+  ceiling,
+};
+
+struct RulePlane {
+  std::string role, orientation, grid, mask, note;
+  bool has_heights = false;
+  bool are_heights_usual = false;          // others are fine, with a remark
+  double lowest_m = 0.0, highest_m = 0.0;  // above the floor
+  ZoneArea area = ZoneArea::none;
+  std::string around;              // role inside a band
+  double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
+  std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
+  double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings
+};
+
+struct RulePack {
+  std::string id;            // "en12464-1"
+  std::string edition;       // "2021"
+  std::string title;         // "EN 12464-1"
+  std::string version;       // of the pack itself
+  std::string kind;          // "standard", "law", ...
+  std::string status;        // "published", ...
+  std::string jurisdiction;  // "EU"
+  std::string licence;       // "public", "internal", "user-supplied"
+  std::string licence_note;
+  std::string role;  // of a plane that names none
+  std::string file;  // as named by the user; "built in"
+  std::vector<RuleSource> sources;
+  std::vector<RuleName> parameters, facts;
+  DecisionPolicy policy;
+  std::vector<RuleTable> tables;
+  std::vector<RuleScale> scales;
+  std::vector<Mask> masks;
+  std::vector<RuleGrid> grids;
+  std::vector<RulePlane> planes;
+  std::vector<RuleRow> rows;
+  std::vector<RuleCheck> checks;
+  std::vector<RuleAggregate> aggregates;
+  std::vector<RuleClass> classes;
+
+  std::string full_id() const { return id + ":" + edition; }
+  // nullptr if there is none.
+  const RuleRow* find_row(std::string_view ref) const;
+  const RuleCheck* find_check(std::string_view check_id) const;
+  const RuleTable* find_table(std::string_view table_id) const;
+  const RuleScale* find_scale(std::string_view scale_id) const;
+  const RuleName* find_parameter(std::string_view parameter_id) const;
+  const RuleName* find_fact(std::string_view fact_id) const;
+  const RuleGrid* find_grid(std::string_view grid_id) const;
+  const RulePlane* find_plane(std::string_view role) const;  // the first of the role
+  std::vector<std::string> roles() const;                    // in order of the checks, each once
+};
+
+// Reads a pack from XML text. `file` is used in messages. Anything unknown, repeated or out of
+// range is an error, and so are formulas whose units do not fit or that go round in a circle; all
+// are reported, and the result is empty if and only if there was one.
+std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string& file,
+                                        calc::Diagnostics& diagnostics);
+
+// The packs that are part of the program (rules/packs/*.xml).
+std::vector<RulePack> builtin_rule_packs();
+
+}  // namespace rules

@@ -1,0 +1,138 @@
+#include "rules/verdict/judge.h"
+
+#include "calc/base/elementary.h"
+#include "rules/measure/error_spending.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rules {
+namespace {
+
+int sign(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
+
+double rounded(double value, int digits) {
+  const double scale = calc::pow(10.0, digits);
+  return std::round(value * scale) / scale;
+}
+
+// Digits after the point with which both ends are still on their own side of the limit.
+int digits_for(const calc::Estimate& estimate, double limit, const Requirement& requirement) {
+  const auto is_kept = [&](double value, int digits) {
+    return sign(rounded(value, digits) - limit) == sign(value - limit);
+  };
+  constexpr int kMostDigits = 9;
+  int digits = is_ratio(requirement.metric)
+                   ? 2
+                   : (estimate.high < 10.0 ? 2 : (estimate.high < 100.0 ? 1 : 0));
+  while (digits < kMostDigits &&
+         !(is_kept(estimate.low, digits) && is_kept(estimate.high, digits))) {
+    ++digits;
+  }
+  return digits;
+}
+
+std::string undecided_text(const calc::Estimate& estimate, double limit,
+                           const Requirement& requirement) {
+  const int digits = digits_for(estimate, limit, requirement);
+  const std::string unit =
+      *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
+  return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
+                     digits, estimate.high, digits, unit, limit, unit);
+}
+
+std::string unseen_text(std::size_t unseen, std::size_t points) {
+  return fmt::format(
+      "no sampled light reached {} of {} points: their illuminance is small, but not known", unseen,
+      points);
+}
+
+std::string single_sample_text(std::size_t doubtful, std::size_t points) {
+  return fmt::format(
+      "the result rests on single samples at {} of {} points: their intervals cannot be trusted",
+      doubtful, points);
+}
+
+int digits_of(const Requirement& requirement) {
+  // A modelling ratio is printed as all ratios are, a glare rating as other numbers.
+  const bool is_of_two =
+      is_ratio(requirement.metric) || requirement.derived == calc::DerivedQuantity::modelling;
+  return requirement.policy.digits(
+      is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
+}
+
+}  // namespace
+
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid) {
+  Finding finding;
+  finding.requirement = requirement;
+  if (!measurement.metric) {
+    finding.reason = measurement.reason;
+    return finding;
+  }
+  const calc::Estimate& estimate = measurement.metric->estimate;
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.value) ||
+      !std::isfinite(estimate.high)) {
+    finding.reason = "the result is not a finite number";
+    return finding;
+  }
+  const double limit = requirement.limit;
+  finding.measured = estimate;
+  const Decision decision =
+      decide({estimate, requirement.comparison, {limit, limit, limit}, digits_of(requirement)},
+             requirement.policy);
+  finding.verdict = decision.verdict;
+  finding.is_close = decision.is_close;
+  finding.by_tolerance = decision.by_tolerance;
+  finding.margin = margin(estimate.value, requirement.comparison, limit);
+  finding.points_used = measurement.points_used;
+  if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
+  const std::size_t points = grid.position_m.size();
+  const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
+  if (finding.verdict == Verdict::undecided) {
+    finding.reason = undecided_text(finding.measured, limit, requirement);
+    if (!measurement.remark.empty()) finding.reason += "; " + measurement.remark;
+  }
+  if (!is_doubtful) return finding;
+  if (measurement.unseen_points > 0) {
+    finding.reason = unseen_text(measurement.unseen_points, points);
+  } else if (finding.verdict != Verdict::undecided) {
+    finding.reason = single_sample_text(measurement.single_sample_points, points);
+  }
+  finding.verdict = Verdict::undecided;
+  finding.is_doubtful = true;
+  finding.is_close = false;
+  finding.by_tolerance = false;
+  return finding;
+}
+
+std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
+                                 const calc::SensorGrid& grid, const calc::PlaneField& field,
+                                 const std::vector<calc::LightScene>& scenes, double confidence) {
+  if (!field.problem.empty()) return not_judged_plane(requirements, field.problem);
+  const double level = look_confidence(confidence, field.looks_planned);
+  std::vector<Finding> findings;
+  findings.reserve(requirements.size());
+  for (const Requirement& requirement : requirements) {
+    findings.push_back(
+        judge_measurement(requirement, measure(requirement, grid, field, scenes, level), grid));
+  }
+  return findings;
+}
+
+std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
+                                      const std::string& reason) {
+  std::vector<Finding> findings;
+  for (const Requirement& requirement : requirements) {
+    Finding finding;
+    finding.requirement = requirement;
+    finding.reason = reason;
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
+}  // namespace rules

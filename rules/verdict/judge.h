@@ -1,0 +1,50 @@
+#pragma once
+// Requirement against result: the verdict.
+
+#include "calc/base/field.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/catalogue/compare.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/measure/measure.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rules {
+
+struct Finding {
+  Requirement requirement;
+  Verdict verdict = Verdict::not_judged;
+  calc::Estimate measured;  // unit of the requirement; meaningless when not_judged
+  double margin = 0.0;      // (measured - limit) / limit, sign turned for at_most: > 0 is good
+  bool is_close =
+      false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
+  bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
+  bool is_doubtful = false;     // its interval cannot be trusted, see `reason`
+  bool by_tolerance = false;    // passes only with the tolerance of the policy
+  std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
+  std::optional<glm::dvec3>
+      place_m;         // of the minimum (of uniformities, too), the maximum or the value
+  std::string reason;  // for undecided and not_judged, in words
+};
+
+// One finding per requirement, in order. All arguments belong to one plane: `requirements` are its
+// own, see requirements_of_plane(); field.points = number of points of the grid. confidence in (0,
+// 1): of the run; every interval has the level of one look of the plane, see look_confidence().
+std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
+                                 const calc::SensorGrid& grid, const calc::PlaneField& field,
+                                 const std::vector<calc::LightScene>& scenes, double confidence);
+
+// What a measurement says about its requirement.
+Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
+                          const calc::SensorGrid& grid);
+
+// For a plane that could not be computed: every requirement is not judged, for this reason.
+std::vector<Finding> not_judged_plane(const std::vector<Requirement>& requirements,
+                                      const std::string& reason);
+
+}  // namespace rules

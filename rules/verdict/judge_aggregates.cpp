@@ -1,0 +1,516 @@
+#include "rules/verdict/judge_aggregates.h"
+
+#include "calc/scene/polygon.h"
+#include "rules/pack/evaluate.h"
+#include "rules/pack/limit.h"
+#include "rules/verdict/outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace rules {
+namespace {
+
+struct Entry {
+  const JudgedPlane* place;
+  const Finding* finding;
+
+  const RuleOrigin& origin() const { return finding->requirement.origin; }
+};
+
+// Findings that belong together, at least one; of one row and level unless they are of many rooms.
+using Group = std::vector<Entry>;
+
+bool names_check(const std::vector<std::string>& checks, const std::string& id) {
+  return std::find(checks.begin(), checks.end(), id) != checks.end();
+}
+
+std::vector<Entry> entries_of(const std::vector<JudgedPlane>& planes, const RulePack& pack,
+                              const std::vector<std::string>& checks) {
+  std::vector<Entry> entries;
+  for (const JudgedPlane& place : planes) {
+    for (const Finding& finding : *place.findings) {
+      const RuleOrigin& origin = finding.requirement.origin;
+      if (origin.pack != pack.full_id() || !names_check(checks, origin.check)) continue;
+      entries.push_back({&place, &finding});
+    }
+  }
+  return entries;
+}
+
+// Groups in order of their first entries. belong: whether two entries are of one group.
+template <class Belong>
+std::vector<Group> grouped(const std::vector<Entry>& entries, Belong belong) {
+  std::vector<Group> groups;
+  for (const Entry& entry : entries) {
+    const auto own = std::find_if(groups.begin(), groups.end(),
+                                  [&](const Group& group) { return belong(group.front(), entry); });
+    if (own == groups.end()) {
+      groups.push_back({entry});
+    } else {
+      own->push_back(entry);
+    }
+  }
+  return groups;
+}
+
+bool is_same_place(const calc::SourceLocation& a, const calc::SourceLocation& b) {
+  return a.file == b.file && a.line == b.line && a.column == b.column;
+}
+
+// Of one <require> of one plane.
+bool is_same_element(const Entry& a, const Entry& b) {
+  const Requirement &left = a.finding->requirement, &right = b.finding->requirement;
+  return a.place->plane == b.place->plane && is_same_place(left.where, right.where) &&
+         left.origin.row == right.origin.row && left.scene == right.scene &&
+         left.origin.is_modified == right.origin.is_modified;
+}
+
+bool is_same_use(const Entry& a, const Entry& b) {
+  return a.place->space == b.place->space && a.origin().row == b.origin().row &&
+         a.origin().is_modified == b.origin().is_modified && a.origin().facts == b.origin().facts;
+}
+
+bool is_same_plane(const Entry& a, const Entry& b) { return a.place->plane == b.place->plane; }
+bool is_same_room(const Entry& a, const Entry& b) { return a.place->space == b.place->space; }
+
+// Whether one plane can have all of them: a <require> has those of one role.
+bool is_about_one_part(const std::vector<std::string>& checks, const RulePack& pack) {
+  if (checks.empty()) return true;
+  const std::string& role = pack.find_check(checks.front())->role;
+  return std::all_of(checks.begin(), checks.end(),
+                     [&](const std::string& id) { return pack.find_check(id)->role == role; });
+}
+
+LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
+  return {pack, pack.find_row(origin.row),
+          origin.is_modified ? RowLevel::modified : RowLevel::required, origin.facts};
+}
+
+// As much as can be said of all of them together. Other than in a batch a member that fails comes
+// before one that cannot be judged: whatever the latter is, not all of them are met.
+Verdict verdict_of_both(Verdict a, Verdict b) {
+  return a == Verdict::fail || b == Verdict::fail ? Verdict::fail : graver(a, b);
+}
+
+// A member with what it would be if everything waived were met.
+struct Part {
+  AggregateMember member;
+  Verdict lived_with = Verdict::pass;
+};
+
+// "a, b and 3 more"
+std::string list_text(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
+    text += (i == 0 ? "" : ", ") + names[i];
+  }
+  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
+  return text;
+}
+
+// Where a member has its verdict from, if that is not a pass: planes and the first reason.
+std::string where_from(const std::vector<Entry>& entries, Verdict verdict) {
+  if (verdict == Verdict::pass) return {};
+  std::vector<std::string> planes;
+  std::string reason;
+  for (const Entry& entry : entries) {
+    if (entry.finding->verdict != verdict) continue;
+    const std::string& id = entry.place->plane->id;
+    if (!names_check(planes, id)) planes.push_back(id);
+    if (reason.empty() && verdict != Verdict::fail) reason = entry.finding->reason;
+  }
+  return list_text(planes) + (reason.empty() ? "" : ": " + reason);
+}
+
+Part part_of(std::string name, const std::vector<Entry>& entries) {
+  Part part;
+  part.member.name = std::move(name);
+  part.member.verdict = Verdict::pass;
+  for (const Entry& entry : entries) {
+    const Finding& finding = *entry.finding;
+    part.member.verdict = verdict_of_both(part.member.verdict, finding.verdict);
+    part.lived_with =
+        verdict_of_both(part.lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
+    part.member.is_waived = part.member.is_waived || finding.is_waived;
+  }
+  part.member.reason = where_from(entries, part.member.verdict);
+  return part;
+}
+
+// A check that no plane here is asked for; nothing if the row requires nothing of it.
+std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
+                                 const RuleOrigin& origin) {
+  if (evaluate_limit(check, scope_of(pack, origin)).status == LimitStatus::not_applicable) {
+    return std::nullopt;
+  }
+  Part part;
+  part.member.name = check.id;
+  part.lived_with = Verdict::not_judged;
+  part.member.reason =
+      check.quantity->kernel || check.quantity->dimension == Dimension::power_density ||
+              check.quantity->dimension == Dimension::energy_density
+          ? fmt::format("no plane of this room is asked for it, role '{}'", check.role)
+          : fmt::format("{} is not calculated", check.quantity->name);
+  return part;
+}
+
+// The checks of one plane or of one row in a room.
+std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::string>& checks,
+                                 const Group& group) {
+  std::vector<Part> parts;
+  for (const std::string& id : checks) {
+    std::vector<Entry> own;
+    std::copy_if(group.begin(), group.end(), std::back_inserter(own),
+                 [&](const Entry& entry) { return entry.origin().check == id; });
+    if (!own.empty()) {
+      parts.push_back(part_of(id, own));
+    } else if (auto missing = missing_part(pack, *pack.find_check(id), group.front().origin())) {
+      parts.push_back(std::move(*missing));
+    }
+  }
+  return parts;
+}
+
+std::optional<double> area_of(const calc::CalcPlane& plane) {
+  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
+  if (area == nullptr) return std::nullopt;
+  double area_m2 = std::abs(calc::signed_area(area->outline_m));
+  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
+  return area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
+}
+
+std::optional<double> area_of(const calc::Space& space) {
+  const double area_m2 =
+      std::abs(calc::signed_area(space.shell ? space.shell->footprint_m : space.outline_m));
+  return area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
+}
+
+std::vector<Part> parts_by_plane(const std::vector<Entry>& entries) {
+  std::vector<Part> parts;
+  for (const Group& group : grouped(entries, is_same_plane)) {
+    parts.push_back(part_of(group.front().place->plane->id, group));
+    parts.back().member.area_m2 = area_of(*group.front().place->plane);
+  }
+  return parts;
+}
+
+// A room passes if every check of every row that it is asked for does.
+std::vector<Part> parts_by_room(const RulePack& pack, const std::vector<std::string>& checks,
+                                const std::vector<Entry>& entries) {
+  std::vector<Part> parts;
+  for (const Group& room : grouped(entries, is_same_room)) {
+    Part part = part_of(room.front().place->space->id, room);
+    for (const Group& use : grouped(room, is_same_use)) {
+      for (const Part& check : parts_by_check(pack, checks, use)) {
+        const Verdict verdict = verdict_of_both(part.member.verdict, check.member.verdict);
+        if (verdict != part.member.verdict) {
+          part.member.reason = check.member.name + ": " + check.member.reason;
+        }
+        part.member.verdict = verdict;
+        part.lived_with = verdict_of_both(part.lived_with, check.lived_with);
+      }
+    }
+    part.member.area_m2 = area_of(*room.front().place->space);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+bool lacks_areas(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
+  return aggregate.by_area && std::any_of(parts.begin(), parts.end(),
+                                          [](const Part& part) { return !part.member.area_m2; });
+}
+
+bool lacks_members(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
+  return aggregate.rule == AggregateRule::at_least && !parts.empty() &&
+         parts.size() < static_cast<std::size_t>(aggregate.count);
+}
+
+// Empty: nothing is required.
+std::optional<Verdict> combined(const RuleAggregate& aggregate, const std::vector<Part>& parts,
+                                Verdict Part::*lived_with) {
+  std::vector<WeightedStatus> members;
+  bool is_one_missing = false;
+  for (const Part& part : parts) {
+    const Verdict verdict = lived_with == nullptr ? part.member.verdict : part.*lived_with;
+    is_one_missing = is_one_missing || verdict == Verdict::not_judged;
+    members.push_back(
+        {status_of(verdict), aggregate.by_area ? part.member.area_m2.value_or(0.0) : 1.0});
+  }
+  RuleAggregate rule = aggregate;
+  if (lacks_areas(aggregate, parts)) {
+    // What is the same for all is the same for any share of them.
+    const bool all_fail = std::all_of(members.begin(), members.end(), [](const auto& member) {
+      return member.status == CheckStatus::fail;
+    });
+    if (all_fail) return Verdict::fail;
+    rule.rule = AggregateRule::all;
+    return combine_statuses(rule, members) == CheckStatus::pass ? Verdict::pass
+                                                                : Verdict::not_judged;
+  }
+  // Of fewer than are needed nobody can say that they are not met.
+  if (lacks_members(aggregate, parts)) return Verdict::not_judged;
+  switch (combine_statuses(rule, members)) {
+    case CheckStatus::pass:
+      return Verdict::pass;
+    case CheckStatus::fail:
+      return Verdict::fail;
+    case CheckStatus::not_applicable:
+      return std::nullopt;
+    case CheckStatus::undecided:
+    case CheckStatus::not_evaluated:
+      break;
+  }
+  return is_one_missing ? Verdict::not_judged : Verdict::undecided;
+}
+
+// "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)"
+std::string reason_text(const std::vector<Part>& parts) {
+  std::string text;
+  for (const Verdict verdict : {Verdict::fail, Verdict::undecided, Verdict::not_judged}) {
+    std::vector<std::string> names;
+    for (const Part& part : parts) {
+      const AggregateMember& member = part.member;
+      if (member.verdict != verdict) continue;
+      names.push_back(member.reason.empty() || member.reason == member.name
+                          ? member.name
+                          : fmt::format("{} ({})", member.name, member.reason));
+    }
+    if (names.empty()) continue;
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "" : "; ", verdict_name(verdict), list_text(names));
+  }
+  return text;
+}
+
+// Who has waived what is in it.
+std::string waiver_text(const std::vector<Entry>& entries) {
+  std::vector<std::string> told;
+  for (const Entry& entry : entries) {
+    const std::optional<Waiver>& waiver = entry.finding->requirement.waiver;
+    if (!entry.finding->is_waived || !waiver) continue;
+    std::string text =
+        fmt::format("waived by {} until {}: {}", waiver->owner, waiver->until, waiver->reason);
+    if (!names_check(told, text)) told.push_back(std::move(text));
+  }
+  return list_text(told);
+}
+
+Trust worst_trust(const RulePack& pack, Trust own, const std::vector<std::string>& checks,
+                  const std::vector<Entry>& entries) {
+  Trust trust = own;
+  for (const Entry& entry : entries) {
+    trust = std::max(trust, evaluate_limit(*pack.find_check(entry.origin().check),
+                                           scope_of(pack, entry.origin()))
+                                .trust);
+  }
+  for (const std::string& id : checks) trust = std::max(trust, pack.find_check(id)->trust);
+  return trust;
+}
+
+std::string clause_of(const RulePack& pack, const std::string& clause, const Group& group,
+                      Trust trust) {
+  std::string text = fmt::format("{}:{}", pack.title, pack.edition);
+  const RuleOrigin& origin = group.front().origin();
+  const std::string& ref = clause.empty() ? origin.row : clause;
+  if (!ref.empty()) text += " " + ref;
+  if (origin.is_modified && clause.empty()) text += " (modified)";
+  if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
+  return text;
+}
+
+std::string note_of(const RulePack& pack, const std::string& own, Trust trust) {
+  std::string note = trust_remark(trust);
+  const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
+  if (pack.status != "published") {
+    add(fmt::format("{} is marked {} in its rule pack", pack.full_id(), pack.status));
+  }
+  if (!own.empty()) add(own);
+  return note;
+}
+
+void settle(AggregateFinding& finding, const std::vector<Part>& parts, Verdict lived_with,
+            const Group& group) {
+  finding.is_waived = finding.verdict != Verdict::pass && lived_with == Verdict::pass;
+  if (finding.verdict != Verdict::pass) finding.reason = reason_text(parts);
+  if (finding.is_waived) finding.reason += "; " + waiver_text(group);
+  for (const Part& part : parts) finding.members.push_back(part.member);
+}
+
+std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
+                                                  const RuleAggregate& aggregate,
+                                                  const Group& group,
+                                                  const std::vector<Part>& parts) {
+  const std::optional<Verdict> verdict = combined(aggregate, parts, nullptr);
+  if (!verdict) return std::nullopt;
+  AggregateFinding finding;
+  finding.id = aggregate.id;
+  finding.rule = aggregate.rule;
+  finding.over = aggregate.over;
+  finding.count = aggregate.count;
+  finding.share = aggregate.share;
+  finding.by_area = aggregate.by_area;
+  finding.severity = aggregate.severity;
+  finding.verdict = *verdict;
+  finding.where = group.front().finding->requirement.where;
+  const bool is_of_room = aggregate.over == AggregateOver::checks;
+  if (is_of_room) finding.space_id = group.front().place->space->id;
+  if (is_of_room && is_about_one_part(aggregate.checks, pack)) {
+    finding.plane_id = group.front().place->plane->id;
+  }
+  const Trust trust = worst_trust(pack, aggregate.trust, aggregate.checks, group);
+  // Of a whole project the rows may be many.
+  finding.clause = clause_of(
+      pack,
+      is_of_room ? aggregate.clause : (aggregate.clause.empty() ? aggregate.id : aggregate.clause),
+      group, trust);
+  finding.note = note_of(pack, aggregate.note, trust);
+  settle(finding, parts, combined(aggregate, parts, &Part::lived_with).value_or(Verdict::pass),
+         group);
+  const auto add_reason = [&finding](std::string_view text) {
+    finding.reason += finding.reason.empty() ? "" : "; ";
+    finding.reason += text;
+  };
+  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, parts))
+    add_reason("an area is not known");
+  if (lacks_members(aggregate, parts)) {
+    add_reason(fmt::format("at least {} must be met, and this many apply here: {}", aggregate.count,
+                           parts.size()));
+  }
+  return finding;
+}
+
+void judge_aggregate(const std::vector<JudgedPlane>& planes, const RulePack& pack,
+                     const RuleAggregate& aggregate, std::vector<AggregateFinding>& findings) {
+  const std::vector<Entry> entries = entries_of(planes, pack, aggregate.checks);
+  if (entries.empty()) return;
+  const auto add = [&](const Group& group, const std::vector<Part>& parts) {
+    if (auto finding = aggregate_finding(pack, aggregate, group, parts)) {
+      findings.push_back(std::move(*finding));
+    }
+  };
+  switch (aggregate.over) {
+    case AggregateOver::planes:
+      return add(entries, parts_by_plane(entries));
+    case AggregateOver::rooms:
+      return add(entries, parts_by_room(pack, aggregate.checks, entries));
+    case AggregateOver::checks:
+      break;
+  }
+  const bool is_of_plane = is_about_one_part(aggregate.checks, pack);
+  for (const Group& group : grouped(entries, is_of_plane ? is_same_element : is_same_use)) {
+    add(group, parts_by_check(pack, aggregate.checks, group));
+  }
+}
+
+// What every plane of the group has measured, by check. An interval that cannot be trusted is one
+// that says nothing.
+std::map<std::string, calc::Estimate> measured_on(const calc::CalcPlane* plane,
+                                                  const Group& group) {
+  constexpr double kOpen = 0.5 * std::numeric_limits<double>::max();  // a policy may widen it
+  std::map<std::string, calc::Estimate> measured;
+  std::set<std::string> unknown;
+  for (const Entry& entry : group) {
+    const Finding& finding = *entry.finding;
+    if (entry.place->plane != plane) continue;
+    if (finding.verdict == Verdict::not_judged) {
+      unknown.insert(entry.origin().check);
+      continue;
+    }
+    const calc::Estimate& estimate = finding.measured;
+    const calc::Estimate own =
+        finding.is_doubtful ? calc::Estimate{estimate.value, -kOpen, kOpen} : estimate;
+    const auto [found, is_first] = measured.emplace(entry.origin().check, own);
+    if (is_first) continue;
+    // Several scenes: whichever holds.
+    found->second.low = std::min(found->second.low, own.low);
+    found->second.high = std::max(found->second.high, own.high);
+  }
+  for (const std::string& check : unknown) measured.erase(check);
+  return measured;
+}
+
+// Of all checks of a class, with the limits of this row.
+CheckStatus class_status(const RulePack& pack, const RuleClass& item, const RuleRow& row,
+                         const Group& group) {
+  RuleAggregate all;
+  std::vector<WeightedStatus> members;
+  std::set<std::string> seen;
+  for (const Entry& entry : group) {
+    Evidence evidence{pack, &row, scope_of(pack, entry.origin()).level, entry.origin().facts,
+                      measured_on(entry.place->plane, group)};
+    seen.insert(entry.origin().check);
+    members.push_back({evaluate_check(*pack.find_check(entry.origin().check), evidence).status});
+  }
+  for (const std::string& id : item.checks) {
+    if (seen.contains(id)) continue;
+    const Evidence evidence{pack, &row, scope_of(pack, group.front().origin()).level,
+                            group.front().origin().facts};
+    members.push_back({evaluate_check(*pack.find_check(id), evidence).status});
+  }
+  return combine_statuses(all, members);
+}
+
+void judge_class(const std::vector<JudgedPlane>& planes, const RulePack& pack,
+                 const RuleClass& item, std::vector<AggregateFinding>& findings) {
+  std::vector<Entry> entries = entries_of(planes, pack, item.checks);
+  std::erase_if(entries,
+                [&](const Entry& entry) { return !names_check(item.rows, entry.origin().row); });
+  const bool is_of_plane = is_about_one_part(item.checks, pack);
+  for (const Group& group : grouped(entries, is_of_plane ? is_same_element : is_same_use)) {
+    const std::vector<Part> parts = parts_by_check(pack, item.checks, group);
+    const std::optional<Verdict> verdict = combined(RuleAggregate{}, parts, nullptr);
+    if (!verdict) continue;
+    AggregateFinding finding;
+    finding.kind = AggregateKind::row_class;
+    finding.id = item.id;
+    finding.space_id = group.front().place->space->id;
+    if (is_of_plane) finding.plane_id = group.front().place->plane->id;
+    finding.severity = Severity::advice;
+    finding.verdict = *verdict;
+    finding.where = group.front().finding->requirement.where;
+    const Trust trust = worst_trust(pack, Trust::confirmed, item.checks, group);
+    finding.clause = clause_of(pack, "", group, trust);
+    finding.note = note_of(pack, "", trust);
+    finding.asked = group.front().origin().row;
+    for (const std::string& ref : item.rows) {
+      const CheckStatus status = class_status(pack, item, *pack.find_row(ref), group);
+      const bool is_reached = status == CheckStatus::pass;
+      if (finding.possible.empty() && (is_reached || status == CheckStatus::undecided)) {
+        finding.possible = ref;
+      }
+      if (!is_reached) continue;
+      finding.reached = ref;
+      break;
+    }
+    settle(finding, parts,
+           combined(RuleAggregate{}, parts, &Part::lived_with).value_or(Verdict::pass), group);
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+std::vector<AggregateFinding> judge_aggregates(const std::vector<JudgedPlane>& planes,
+                                               const std::vector<RulePack>& packs) {
+  std::vector<AggregateFinding> findings;
+  for (const RulePack& pack : packs) {
+    for (const RuleAggregate& aggregate : pack.aggregates) {
+      judge_aggregate(planes, pack, aggregate, findings);
+    }
+    for (const RuleClass& item : pack.classes) judge_class(planes, pack, item, findings);
+  }
+  return findings;
+}
+
+}  // namespace rules

@@ -1,0 +1,89 @@
+#include "rules/verdict/stop_rule.h"
+
+#include "rules/measure/error_spending.h"
+#include "rules/measure/measure.h"
+#include "rules/verdict/judge.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rules {
+namespace {
+
+// Ratings and ratios of points have no average.
+std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
+  Requirement first;
+  first.metric = calc::is_plain_number(derived) ? Metric::maximum : Metric::average;
+  Requirement minimum;
+  minimum.metric = Metric::minimum;
+  return {first, minimum};
+}
+
+bool is_accurate(const Measurement& measurement, double tolerance) {
+  if (measurement.unseen_points > 0 || measurement.single_sample_points > 0) return false;
+  if (!measurement.metric) return true;
+  const calc::Estimate& estimate = measurement.metric->estimate;
+  return estimate.half_width() <= tolerance * estimate.value;  // 0 <= 0 for an exact darkness
+}
+
+bool is_decided(const Requirement& requirement, const Measurement& measurement,
+                const calc::SensorGrid& grid) {
+  // The first sample that arrives makes a uniformity defined.
+  if (!measurement.metric && measurement.unseen_points > 0) return false;
+  return judge_measurement(requirement, measurement, grid).verdict != Verdict::undecided;
+}
+
+// Adds the points of one unfinished quantity to those of others.
+class ActivePoints {
+ public:
+  void add(const std::vector<std::uint8_t>& marks) {
+    if (marks.empty()) wants_all_ = true;
+    marks_.resize(std::max(marks_.size(), marks.size()));
+    for (std::size_t i = 0; i < marks.size(); ++i) marks_[i] = marks_[i] | marks[i];
+  }
+
+  std::vector<std::uint8_t> take() {
+    const auto is_marked = [](std::uint8_t mark) { return mark != 0; };
+    if (wants_all_ || std::all_of(marks_.begin(), marks_.end(), is_marked) ||
+        std::none_of(marks_.begin(), marks_.end(), is_marked)) {
+      return {};
+    }
+    return std::move(marks_);
+  }
+
+ private:
+  std::vector<std::uint8_t> marks_;
+  bool wants_all_ = false;
+};
+
+}  // namespace
+
+StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& requirements,
+                         const calc::SensorGrid& grid, const calc::PlaneField& field,
+                         const std::vector<calc::LightScene>& scenes) {
+  const Goal goal = requirements.empty() ? Goal::accuracy : rule.goal;
+  const double level = look_confidence(rule.confidence, field.looks_planned);
+  ActivePoints active;
+  bool is_finished = true;
+  const std::vector<Requirement> judged =
+      requirements.empty() ? default_quantities(grid.derived) : requirements;
+  for (const Requirement& requirement : judged) {
+    const Measurement measurement = measure(requirement, grid, field, scenes, level, goal);
+    if (goal == Goal::verdict ? is_decided(requirement, measurement, grid)
+                              : is_accurate(measurement, rule.tolerance)) {
+      continue;
+    }
+    is_finished = false;
+    active.add(measurement.active);
+  }
+  StopAnswer answer;
+  if (is_finished) {
+    answer.finished =
+        goal == Goal::verdict ? calc::StopReason::decided : calc::StopReason::accurate;
+  } else {
+    answer.active = active.take();
+  }
+  return answer;
+}
+
+}  // namespace rules

@@ -1,0 +1,341 @@
+#include "rules/zones/zone_plane.h"
+
+#include "calc/project/plane_area.h"
+#include "calc/scene/polygon.h"
+#include "calc/scene/zone_shapes.h"
+#include "rules/zones/zone_outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rules {
+namespace {
+
+std::string metres(double length_m) { return fmt::format("{:.4g} m", length_m); }
+
+class ZoneMaker {
+ public:
+  ZoneMaker(const ZoneSource& source, const RulePlane& rule, const calc::ZoneText* change)
+      : source_(source), rule_(rule), change_(change) {}
+
+  ZonePlane run(std::optional<std::size_t> wall) {
+    if (wall) {
+      zone_.area = source_.workplace.walls[*wall];
+      make_surface(fmt::format("wall {}", *wall + 1));
+    } else if (rule_.area == ZoneArea::ceiling) {
+      zone_.area = source_.workplace.ceiling;
+      turn_area();
+      make_surface("the ceiling");
+    } else {
+      make_horizontal();
+    }
+    if (zone_.problem.empty() && zone_.not_made.empty()) add_grid();
+    if (change_ != nullptr && !zone_.changed.empty() && !change_->because.empty()) {
+      zone_.changed += fmt::format(" ({})", change_->because);
+    }
+    return std::move(zone_);
+  }
+
+ private:
+  const Polygon& room() const { return source_.space.shell->footprint_m; }
+  const Polygon& task() const { return source_.workplace.task_m; }
+  bool is_whole_room() const { return task().empty(); }
+
+  void note_change(const std::string& words) {
+    zone_.changed += (zone_.changed.empty() ? "" : ", ") + words;
+  }
+
+  double margin_m() {
+    if (change_ == nullptr || !change_->margin_m) return rule_.margin_m;
+    if (*change_->margin_m != rule_.margin_m) {
+      note_change(fmt::format("margin {} instead of {}", metres(*change_->margin_m),
+                              metres(rule_.margin_m)));
+    }
+    return *change_->margin_m;
+  }
+
+  void make_surface(const std::string& name) {
+    zone_.area.margin_m = margin_m();
+    const glm::dvec2 side_m = size_of(zone_.area.outline_m);
+    const double shorter_m = std::min(side_m.x, side_m.y);
+    if (shorter_m <= 2.0 * zone_.area.margin_m) {
+      zone_.not_made = fmt::format("{} wide, and {} along its edges do not count",
+                                   metres(shorter_m), metres(zone_.area.margin_m));
+      return;
+    }
+    zone_.words = name;
+    if (zone_.area.margin_m > 0.0) {
+      zone_.words += fmt::format(", without {} along its edges", metres(zone_.area.margin_m));
+    }
+  }
+
+  // Rules about sides and spacings are meant along the area's own sides.
+  void turn_area() {
+    calc::PlanarArea& area = zone_.area;
+    const glm::dvec2 axis = calc::long_axis(area.outline_m);
+    const glm::dvec3 u = area.u, v = area.v;
+    area.u = axis.x * u + axis.y * v;
+    area.v = axis.x * v - axis.y * u;
+    area.outline_m = along_axis(area.outline_m, axis);
+  }
+
+  // The height that a rule gives to a plane, for this row.
+  double rule_height_m(const RulePlane& rule) const {
+    if (rule.area == ZoneArea::task && source_.row.task_heights_m) {
+      return source_.row.task_heights_m->lowest_m;
+    }
+    if (rule.height_m) return *rule.height_m;
+    return task_height_m();
+  }
+
+  double task_height_m() const {
+    for (const calc::ZoneText& zone : source_.workplace.zones) {
+      const RulePlane* plane = source_.pack.find_plane(zone.role);
+      if (plane != nullptr && plane->area == ZoneArea::task && zone.height_m) return *zone.height_m;
+    }
+    if (source_.workplace.height_m) return *source_.workplace.height_m;
+    for (const RulePlane& plane : source_.pack.planes) {
+      if (plane.area == ZoneArea::task) return rule_height_m(plane);
+    }
+    return 0.0;
+  }
+
+  double height_m() {
+    const double by_rule = rule_height_m(rule_);
+    double height = rule_.area == ZoneArea::task ? task_height_m() : by_rule;
+    if (change_ != nullptr && change_->height_m) height = *change_->height_m;
+    if (height != by_rule) {
+      note_change(fmt::format("height {} instead of {}", metres(height), metres(by_rule)));
+    }
+    return height;
+  }
+
+  void make_horizontal() {
+    const double height = height_m();
+    if (height >= source_.space.shell->height_m) {
+      zone_.problem = fmt::format("{} above the floor there is no room", metres(height));
+      return;
+    }
+    make_outline();
+    if (!zone_.problem.empty() || !zone_.not_made.empty()) return;
+    zone_.words += height > 0.0 ? fmt::format(", {} above the floor", metres(height))
+                                : std::string(", on the floor");
+    place(height);
+  }
+
+  // Outlines so far in the world's x and y; planes are written from a corner of their own, along
+  // the longest side.
+  void place(double height) {
+    calc::PlanarArea& area = zone_.area;
+    area.u = glm::dvec3(axis_, 0.0);
+    area.v = glm::dvec3(-axis_.y, axis_.x, 0.0);
+    area.outline_m = along_axis(area.outline_m, axis_);
+    for (Polygon& hole : area.holes_m) hole = along_axis(hole, axis_);
+    glm::dvec2 corner = area.outline_m[0];
+    for (const glm::dvec2& other : area.outline_m) corner = glm::min(corner, other);
+    area.origin_m = corner.x * area.u + corner.y * area.v;
+    area.origin_m.z = source_.space.shell->floor_z_m + height;
+    for (glm::dvec2& point : area.outline_m) point -= corner;
+    for (Polygon& hole : area.holes_m) {
+      for (glm::dvec2& point : hole) point -= corner;
+    }
+  }
+
+  void make_outline() {
+    if (change_ != nullptr && !change_->area_m.empty()) return make_given(change_->area_m);
+    if (rule_.area != ZoneArea::band && is_whole_room()) return make_whole_room();
+    if (rule_.area == ZoneArea::task) return make_given(task());
+    if (is_whole_room()) {
+      zone_.not_made = "the task is the whole room";
+      return;
+    }
+    make_band();
+  }
+
+  void make_whole_room() {
+    zone_.area.outline_m = room();
+    axis_ = calc::long_axis(room());
+    zone_.area.margin_m = margin_m();
+    zone_.words = "the whole room";
+    if (zone_.area.margin_m > 0.0) {
+      zone_.words += fmt::format(" without {} along its walls", metres(zone_.area.margin_m));
+    }
+    constexpr double kWorthSaying_m2 = 1.0;
+    if (const double lost_m2 = lost_to_margin_m2(room(), zone_.area.margin_m);
+        zone_.area.margin_m > 0.0 && lost_m2 > kWorthSaying_m2) {
+      zone_.words += fmt::format(
+          " (about {:.2g} m2 are in parts of the room not wider than {}: "
+          "nothing is judged there)",
+          lost_m2, metres(2.0 * zone_.area.margin_m));
+    }
+    const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
+    if (std::min(side_m.x, side_m.y) <= 2.0 * zone_.area.margin_m) {
+      zone_.problem =
+          fmt::format("the room is {} wide, and {} along its walls do not count",
+                      metres(std::min(side_m.x, side_m.y)), metres(zone_.area.margin_m));
+    }
+  }
+
+  // An area that somebody has measured out needs no margin but the one that is written with it.
+  void make_given(const Polygon& outline) {
+    const bool is_task = rule_.area == ZoneArea::task;
+    zone_.area.outline_m = outline;
+    axis_ = calc::long_axis(outline);
+    if (change_ != nullptr && change_->margin_m) {
+      zone_.area.margin_m = *change_->margin_m;
+      note_change(fmt::format("margin {} along its outline", metres(zone_.area.margin_m)));
+    }
+    zone_.words = "the area that the project gives";
+    if (!is_task) note_change("an area of the project's own");
+    if (rule_.area == ZoneArea::band && !is_whole_room()) {
+      const Polygon inner = outer_edge(rule_.around);
+      zone_.words += ", without what is inside the band";
+      if (inner.empty()) {
+        zone_.problem = zone_.words;
+        zone_.is_simple = false;
+        return;
+      }
+      zone_.area.holes_m.push_back(inner);
+      check_area("the zone inside it covers all of it");
+    }
+  }
+
+  // Of the zone with this role, without regard to walls. Empty if it is not simple.
+  Polygon outer_edge(const std::string& role) const {
+    const RulePlane* plane = source_.pack.find_plane(role);
+    if (plane == nullptr || plane->area != ZoneArea::band) return task();
+    for (const calc::ZoneText& zone : source_.workplace.zones) {
+      if (zone.role == role && !zone.area_m.empty()) return zone.area_m;
+    }
+    const Polygon inner = outer_edge(plane->around);
+    return inner.empty() ? inner : calc::moved_sides(inner, plane->width_m);
+  }
+
+  bool reaches_into_margin(double margin) const {
+    constexpr double kTie = 1.0e-9;
+    return least_distance(task(), room()) < margin * (1.0 - kTie);
+  }
+
+  void make_band() {
+    const bool is_band = rule_.area == ZoneArea::band;
+    const Polygon inner = is_band ? outer_edge(rule_.around) : task();
+    const Polygon outer = inner.empty() ? inner : calc::moved_sides(inner, rule_.width_m);
+    zone_.words = fmt::format("{} of {} around the {}", is_band ? "band" : "task and band",
+                              metres(rule_.width_m), is_band ? rule_.around : "task");
+    if (outer.empty()) {
+      zone_.problem = zone_.words;
+      zone_.is_simple = false;
+      return;
+    }
+    double margin = margin_m();
+    const bool is_first = is_band && source_.pack.find_plane(rule_.around)->area == ZoneArea::task;
+    const bool is_changed = change_ != nullptr && change_->margin_m;
+    if (is_first && margin > 0.0 && !is_changed && reaches_into_margin(margin)) {
+      margin = 0.0;
+      zone_.words += ", up to the walls as the task reaches into the strip along them";
+    } else if (margin > 0.0) {
+      zone_.words += fmt::format(", without {} along the walls", metres(margin));
+    }
+    axis_ = calc::long_axis(inner);
+    // A niche narrower than twice the margin has no sides to move: the strips are cut off instead.
+    const Polygon moved = margin > 0.0 ? calc::moved_sides(room(), -margin) : room();
+    const auto strips = moved.empty() ? wall_strips(room(), margin) : std::vector<Polygon>();
+    cut_band(outer, inner, moved.empty() ? room() : moved, strips, is_band);
+  }
+
+  void cut_band(const Polygon& outer, const Polygon& inner, const Polygon& region,
+                const std::vector<Polygon>& strips, bool is_band) {
+    zone_.area.outline_m =
+        back_from(calc::within_bounds(along_axis(outer, axis_), along_axis(region, axis_)), axis_);
+    if (zone_.area.outline_m.empty()) {
+      zone_.problem = zone_.words;
+      return;
+    }
+    zone_.area.holes_m = calc::pieces_outside(zone_.area.outline_m, region);
+    zone_.area.holes_m.insert(zone_.area.holes_m.end(), strips.begin(), strips.end());
+    if (is_band) zone_.area.holes_m.push_back(inner);
+    check_area(zone_.words);
+  }
+
+  // A band farther out may end at the walls before it begins.
+  void check_area(const std::string& why) {
+    constexpr double kNothing = 1.0e-6;  // of the outline's area
+    const double whole_m2 = std::abs(calc::signed_area(zone_.area.outline_m));
+    if (calc::area_left(zone_.area.outline_m, zone_.area.holes_m) > kNothing * whole_m2) return;
+    const RulePlane* inside = source_.pack.find_plane(rule_.around);
+    const bool is_outer = inside != nullptr && inside->area == ZoneArea::band;
+    if (is_outer && (change_ == nullptr || change_->area_m.empty())) {
+      zone_.not_made = fmt::format("nothing of the room is left around the {}", rule_.around);
+    } else {
+      zone_.problem = why;
+    }
+  }
+
+  void add_grid() {
+    const RuleGrid* grid = source_.pack.find_grid(rule_.grid);
+    if (grid != nullptr && grid->rule) zone_.area.grid = *grid->rule;
+    if (change_ != nullptr && change_->grid) return change_grid(*change_->grid);
+    name_grid(grid);
+  }
+
+  void change_grid(const calc::GridRule& grid) {
+    auto* by_rule = std::get_if<calc::GridByRule>(&zone_.area.grid);
+    const auto* own = std::get_if<calc::GridByRule>(&grid);
+    if (own == nullptr) {
+      note_change("a grid of the project's own");
+      zone_.area.grid = grid;
+      return;
+    }
+    if (by_rule == nullptr) {
+      zone_.area.grid = grid;
+    } else {
+      by_rule->rounding = own->rounding;
+    }
+    note_change("another rounding of the grid");
+    name_grid(source_.pack.find_grid(rule_.grid));
+  }
+
+  // With the pack's name, and as wide as a band at most.
+  void name_grid(const RuleGrid* grid) {
+    std::string name = calc::GridByRule().name;
+    if (grid != nullptr) name = fmt::format("{}:{}", source_.pack.title, source_.pack.edition);
+    if (grid != nullptr && grid->trust != Trust::confirmed) {
+      name += fmt::format(" [{}]", trust_remark(grid->trust));
+    }
+    const double widest_m = rule_.area == ZoneArea::band ? rule_.width_m : 1.0e9;
+    const glm::dvec2 side_m = size_of(zone_.area.outline_m);
+    const bool is_v_longer = side_m.y > side_m.x;
+    if (auto* by_rule = std::get_if<calc::GridByRule>(&zone_.area.grid)) {
+      by_rule->name = name;
+      by_rule->max_spacing_m = std::min(by_rule->max_spacing_m, widest_m);
+    } else if (auto* spacing = std::get_if<calc::GridBySpacing>(&zone_.area.grid)) {
+      spacing->name = name;
+      if (is_v_longer) std::swap(spacing->along_u_m, spacing->along_v_m);
+      spacing->along_u_m = std::min(spacing->along_u_m, widest_m);
+      spacing->along_v_m = std::min(spacing->along_v_m, widest_m);
+    } else if (auto* count = std::get_if<calc::GridByCount>(&zone_.area.grid)) {
+      if (is_v_longer) std::swap(count->columns, count->rows);
+    }
+  }
+
+  const ZoneSource& source_;
+  const RulePlane& rule_;
+  const calc::ZoneText* change_;
+  glm::dvec2 axis_{1.0, 0.0};  // of horizontal areas, in the world
+  ZonePlane zone_;
+};
+
+}  // namespace
+
+ZonePlane make_zone_plane(const ZoneSource& source, const RulePlane& rule,
+                          const calc::ZoneText* change, std::optional<std::size_t> wall) {
+  return ZoneMaker(source, rule, change).run(wall);
+}
+
+}  // namespace rules

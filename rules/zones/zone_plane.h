@@ -1,0 +1,41 @@
+#pragma once
+// One zone of a workplace: the area that a rule pack gives to a role in a room, with what the
+// project changes.
+
+#include "calc/scene/project.h"
+#include "rules/pack/rule_pack.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace rules {
+
+// Everything that a zone is made from. The room is a prism: space.shell is there.
+struct ZoneSource {
+  const RulePack& pack;
+  const RuleRow& row;
+  const calc::Workplace& workplace;
+  const calc::Space& space;
+};
+
+struct ZonePlane {
+  calc::PlanarArea area;  // with its grid
+  std::string words;      // "band of 0.5 m around the task, 0.75 m above the floor, ..."
+  std::string changed;    // by the project, in words; or ""
+  std::string not_made;   // why there is no such zone in this room; "" = there is
+  std::string problem;    // an error: why nothing is left of it; "" = none
+  bool is_simple = true;  // false: the problem is that the outline crosses itself
+};
+
+// rule: of the pack, with an area; change: empty if the project changes nothing; wall: from 0, for
+// walls only.
+//
+// The task is the given area, or the whole room without the margin along its walls. Bands go round
+// the zone inside them and end at the room's walls, less the margin; of the first band nothing is
+// taken off where the task itself reaches into that margin. The cells of a band are at most as
+// large as it is wide, so that it has points all round.
+ZonePlane make_zone_plane(const ZoneSource& source, const RulePlane& rule,
+                          const calc::ZoneText* change, std::optional<std::size_t> wall);
+
+}  // namespace rules

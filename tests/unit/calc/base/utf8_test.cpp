@@ -1,0 +1,51 @@
+#include "calc/base/utf8.h"
+
+#include "calc/base/diagnostics.h"
+
+#include <gtest/gtest.h>
+
+namespace calc {
+namespace {
+
+TEST(Utf8, AcceptsOneToFourBytes) {
+  EXPECT_FALSE(first_invalid_utf8("a\xC3\xBC\xE2\x82\xAC\xF0\x9F\x92\xA1"));
+}
+
+TEST(Utf8, FindsTheFirstBadByte) {
+  EXPECT_EQ(first_invalid_utf8("ab\xFC"), 2u);            // Latin-1
+  EXPECT_EQ(first_invalid_utf8("a\x80"), 1u);             // continuation without lead
+  EXPECT_EQ(first_invalid_utf8("a\xE2\x82"), 1u);         // cut off
+  EXPECT_EQ(first_invalid_utf8("\xC0\xAF"), 0u);          // overlong
+  EXPECT_EQ(first_invalid_utf8("\xE0\x80\xAF"), 0u);      // overlong
+  EXPECT_EQ(first_invalid_utf8("\xED\xA0\x80"), 0u);      // surrogate
+  EXPECT_EQ(first_invalid_utf8("\xF4\x90\x80\x80"), 0u);  // above U+10FFFF
+}
+
+TEST(Utf8, EncodesCodePointsOfAllLengths) {
+  EXPECT_EQ(utf8_from_code_point('A'), "A");
+  EXPECT_EQ(utf8_from_code_point(0xFC), "\xC3\xBC");
+  EXPECT_EQ(utf8_from_code_point(0x20AC), "\xE2\x82\xAC");
+  EXPECT_EQ(utf8_from_code_point(0x1F4A1), "\xF0\x9F\x92\xA1");
+}
+
+TEST(Utf8, ControlCharactersBecomeBlanks) {
+  EXPECT_EQ(without_control_characters("a\nb\tc\x1B[2Jd\x7F"), "a b c [2Jd ");
+  EXPECT_EQ(without_control_characters("a\xC2\x9B"
+                                       "b"),
+            "a b");
+  EXPECT_EQ(without_control_characters("\xC2\xA0 \xC3\x9B \xC2"), "\xC2\xA0 \xC3\x9B \xC2");
+}
+
+TEST(Utf8, MessagesAreOneLineWhateverTheyQuote) {
+  Diagnostics diagnostics;
+  diagnostics.report(DiagnosticId::file_not_readable, {}, "a\r\nb", "c");
+  EXPECT_EQ(diagnostics.all().front().message, "cannot read 'a  b': c");
+}
+
+TEST(Utf8, ShortensByCharacters) {
+  EXPECT_EQ(shorten_utf8("\xC3\xBC\xC3\xBC\xC3\xBC", 2), "\xC3\xBC\xC3\xBC...");
+  EXPECT_EQ(shorten_utf8("\xC3\xBC\xC3\xBC", 2), "\xC3\xBC\xC3\xBC");
+}
+
+}  // namespace
+}  // namespace calc

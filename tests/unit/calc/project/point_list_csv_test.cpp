@@ -1,0 +1,52 @@
+#include "calc/project/point_list_csv.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace calc {
+namespace {
+
+TEST(PointListCsv, ReadsByteOrderMarkCarriageReturnsBlanksAndEmptyLines) {
+  Diagnostics diagnostics;
+  const auto list = parse_point_list(
+      "\xEF\xBB\xBFx,y,z,nx,ny,nz\r\n1, -2 ,3e-1,0,3,-4\r\n\r\n5,6,7,0,0,1", "f.csv", diagnostics);
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->file, "f.csv");
+  ASSERT_EQ(list->position_m.size(), 2u);
+  EXPECT_EQ(list->position_m[0], glm::dvec3(1, -2, 0.3));
+  EXPECT_DOUBLE_EQ(list->normal[0].y, 0.6);
+  EXPECT_DOUBLE_EQ(list->normal[0].z, -0.8);
+  EXPECT_EQ(list->position_m[1], glm::dvec3(5, 6, 7));
+  EXPECT_EQ(list->line, (std::vector<int>{2, 4}));
+}
+
+TEST(PointListCsv, GivesUpAfterTenBadLines) {
+  std::string text = "x,y,z,nx,ny,nz\n";
+  for (int i = 0; i < 1000; ++i) text += "1;2;3;0;0;1\n";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_point_list(text, "f.csv", diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 11u);
+  EXPECT_EQ(format_diagnostic(diagnostics.all().back()),
+            "f.csv:11: error[point-list-gives-up]: more than 9 bad lines; the rest was not read");
+}
+
+TEST(PointListCsv, RefusesNumbersThatAreNotFiniteOrTooLarge) {
+  for (const char* number : {"nan", "inf", "1e999", "2e9", "", "1 2"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_point_list("x,y,z,nx,ny,nz\n0,0," + std::string(number) + ",0,0,1\n", "f",
+                                  diagnostics))
+        << number;
+    EXPECT_EQ(diagnostics.error_count(), 1u) << number;
+  }
+}
+
+TEST(PointListCsv, AnEmptyFileHasNoPoints) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_point_list("", "f.csv", diagnostics));
+  EXPECT_EQ(diagnostics.error_count(), 1u);
+}
+
+}  // namespace
+}  // namespace calc

@@ -1,0 +1,117 @@
+// What projects make of photometry beyond its table: TILT data and the interpolation.
+
+#include "calc/base/units.h"
+#include "calc/scene/prepared_scene.h"
+#include "tests/unit/calc/project/project_xml_support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace calc {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using testing::load;
+using ::testing::Not;
+
+std::string ies_with(const std::string& tilt) {
+  std::string text = testing::kSpotIes;
+  return text.replace(text.find("TILT=NONE"), 9, tilt);
+}
+
+// A metal halide lamp, upright in a luminaire that points down: less light where it is tilted.
+const std::string kTiltFile = "1\n3\n0 45 90\n1 0.8 0.5\n";
+
+MemoryFileReader project_with_lamp(const std::string& tilt, const std::string& luminaires) {
+  MemoryFileReader files = testing::project_files(testing::in_project(
+      "<luminaire-type id=\"lamp\" photometry=\"ies/lamp.ies\"/>\n"
+      "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">\n" +
+      luminaires + "<plane id=\"task\" height=\"0.75\"/></room>"));
+  files.add("dir/ies/lamp.ies", ies_with(tilt));
+  return files;
+}
+
+const std::string kLuminaires =
+    "<luminaire id=\"down\" type=\"lamp\" position=\"1 1.5 2\"/>\n"
+    "<luminaire id=\"tilted\" type=\"lamp\" position=\"2 1.5 2\" axis=\"1 0 -1\"/>\n"
+    "<luminaire id=\"level\" type=\"lamp\" position=\"3 1.5 2\" axis=\"0 1 0\"/>\n";
+
+TEST(ProjectPhotometry, ATiltFileBesideThePhotometryDimsTiltedLuminaires) {
+  MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
+  files.add("dir/ies/MH.TLT", kTiltFile);
+  const testing::Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_EQ(loaded.messages, "");
+  std::vector<std::string> inputs;
+  for (const InputFile& input : loaded.project->inputs) inputs.push_back(input.path);
+  EXPECT_THAT(inputs, Contains("ies/MH.TLT")) << "hashed like any other input";
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  ASSERT_EQ(scene.luminaires.size(), 3u);
+  EXPECT_NEAR(scene.luminaires[0].flux_scale, 1.0, 1e-12);
+  EXPECT_NEAR(scene.luminaires[1].flux_scale, 0.8, 1e-12);
+  EXPECT_NEAR(scene.luminaires[2].flux_scale, 0.5, 1e-12);
+}
+
+// The table holds the factor of tilt 0, which must not count twice.
+TEST(ProjectPhotometry, TheFactorIsRelativeToThatOfTheTable) {
+  MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
+  files.add("dir/ies/MH.TLT", "1\n3\n0 45 90\n0.5 0.8 1\n");
+  const testing::Loaded loaded = load(files);
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  EXPECT_NEAR(scene.luminaires[1].flux_scale, 1.6, 1e-12);
+  const double nadir_cd = scene.luminaires[1].web->intensity_cd(0.0, 0.0);
+  EXPECT_NEAR(nadir_cd * scene.luminaires[1].flux_scale, 80.0, 1e-9);
+}
+
+TEST(ProjectPhotometry, AMissingTiltFileIsAnErrorWithItsName) {
+  const testing::Loaded loaded = load(project_with_lamp("TILT=MH.TLT", kLuminaires));
+  EXPECT_FALSE(loaded.project);
+  EXPECT_THAT(loaded.messages, HasSubstr("error[file-not-readable]"));
+  EXPECT_THAT(loaded.messages, HasSubstr("dir/ies/MH.TLT"));
+  EXPECT_THAT(loaded.messages, HasSubstr("dir/ies/lamp.ies:6: error[photometry-tilt-file]"));
+}
+
+TEST(ProjectPhotometry, ATiltFileElsewhereIsNotLookedFor) {
+  MemoryFileReader files = project_with_lamp("TILT=../MH.TLT", kLuminaires);
+  files.add("dir/MH.TLT", kTiltFile);
+  const testing::Loaded loaded = load(files);
+  EXPECT_FALSE(loaded.project);
+  EXPECT_THAT(loaded.messages, HasSubstr("error[photometry-tilt-file-name]"));
+  EXPECT_EQ(files.reads("dir/MH.TLT"), 0);
+}
+
+TEST(ProjectPhotometry, TiltsBeyondTheDataGetTheNearestFactorAndAWarning) {
+  MemoryFileReader files = project_with_lamp("TILT=MH.TLT", kLuminaires);
+  files.add("dir/ies/MH.TLT", "1\n2\n0 60\n1 0.7\n");
+  const testing::Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_THAT(loaded.messages,
+              HasSubstr("warning[photometry-tilt-outside]: luminaire 'level': the lamp is tilted "
+                        "by 90 degrees, but the tilt data of its photometry cover 0 to 60; the "
+                        "nearest factor, 0.7, is used"));
+  EXPECT_THAT(loaded.messages, Not(HasSubstr("'tilted'")));
+  const PreparedScene scene = prepare_scene(*loaded.project, loaded.project->spaces[0]);
+  EXPECT_NEAR(scene.luminaires[2].flux_scale, 0.7, 1e-12);
+}
+
+TEST(ProjectPhotometry, CubicInterpolationIsAChoiceOfTheType) {
+  const MemoryFileReader files = testing::project_files(testing::in_project(
+      "<luminaire-type id=\"cubic\" photometry=\"spot.ies\" interpolation=\"cubic\"/>"));
+  const testing::Loaded loaded = load(files);
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_EQ(files.reads("dir/spot.ies"), 1);
+  const auto half_way_cd = [&](std::size_t type) {
+    return loaded.project->webs[loaded.project->luminaire_types[type].web].intensity_cd(0.0,
+                                                                                        0.25 * kPi);
+  };
+  EXPECT_DOUBLE_EQ(half_way_cd(0), 50.0);
+  // From 100 cd with slope 0 at nadir to 0 with the secant's slope at 90 degrees.
+  EXPECT_NEAR(half_way_cd(1), 62.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace calc

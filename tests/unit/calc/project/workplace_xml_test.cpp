@@ -1,0 +1,125 @@
+#include "tests/unit/calc/project/project_xml_support.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace calc::testing {
+namespace {
+
+// In the room of 4 x 3 x 2.5 m of in_room(), line 5.
+Loaded load_workplace(const std::string& attributes, const std::string& children = "") {
+  return load(in_room("<workplace id='w' pack='p' row='1' " + attributes + ">" + children +
+                      "</workplace>"));
+}
+
+void expect_message(const Loaded& loaded, const std::string& message) {
+  EXPECT_FALSE(loaded.project);
+  EXPECT_NE(loaded.messages.find(message), std::string::npos) << loaded.messages;
+}
+
+TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
+  const Loaded loaded = load(
+      "<luxgate version='1' units='cm'><material id='white' reflectance='0.7'/>"
+      "<luminaire-type id='spot' photometry='spot.ies'/>"
+      "<room id='r' origin='1000 2000 100' size='400 300 250' ceiling='white' walls='white' "
+      "floor='white'><luminaire id='l' type='spot' position='200 150 250'/>"
+      "<workplace id='w' name='Desk' pack='p' row='1' level='modified' origin='100 50' "
+      "size='200 100' height='75'>"
+      "<zone role='cylinder' height='160' margin='20' rounding='up' because='standing'/>"
+      "<zone role='background' footprint='0 0  0 300  400 300  400 0'/>"
+      "<without role='wall.2' because='glass'/></workplace></room></luxgate>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_EQ(loaded.messages, "");  // a workplace counts as planes
+  const Workplace& w = loaded.project->spaces.at(0).workplaces.at(0);
+  EXPECT_EQ(w.name, "Desk");
+  EXPECT_TRUE(w.is_good);
+  ASSERT_NE(w.element.find("level"), nullptr);
+  EXPECT_EQ(w.element.find("level")->value, "modified");
+  ASSERT_EQ(w.task_m.size(), 4u);
+  EXPECT_EQ(w.task_m[0], glm::dvec2(11, 20.5));
+  EXPECT_EQ(w.task_m[2], glm::dvec2(13, 21.5));
+  EXPECT_EQ(w.height_m, 0.75);
+  EXPECT_EQ(w.walls.size(), 4u);
+  EXPECT_EQ(w.ceiling.origin_m.z, 3.5);
+  EXPECT_EQ(w.ceiling.normal().z, -1.0);
+  ASSERT_EQ(w.zones.size(), 3u);
+  EXPECT_EQ(w.zones[0].height_m, 1.6);
+  EXPECT_EQ(w.zones[0].margin_m, 0.2);
+  EXPECT_EQ(std::get<GridByRule>(w.zones[0].grid.value()).rounding, GridRounding::up);
+  EXPECT_EQ(w.zones[0].because, "standing");
+  EXPECT_FALSE(w.zones[1].grid);
+  EXPECT_EQ(w.zones[1].area_m.at(1), glm::dvec2(14, 23)) << "counter-clockwise";
+  EXPECT_TRUE(w.zones[2].is_left_out);
+  EXPECT_EQ(w.zones[2].because, "glass");
+}
+
+TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
+  const Loaded loaded = load_workplace("");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_TRUE(loaded.project->spaces.at(0).workplaces.at(0).task_m.empty());
+  EXPECT_FALSE(loaded.project->spaces.at(0).workplaces.at(0).height_m);
+}
+
+TEST(WorkplacesXmlMessage, TaskLargerThanTheRoom) {
+  expect_message(
+      load_workplace("origin='1 1' size='4 1'"),
+      "p.xml:5:49: error[area-outside-room]: attribute 'size' of <workplace>: 1 of its 4 "
+      "m2 lie outside room 'r'; it must lie within the room");
+}
+
+TEST(WorkplacesXmlMessage, AreaOfAZoneOutsideTheRoom) {
+  expect_message(load_workplace("", "<zone role='background' footprint='0 0  9 0  9 3  0 3'/>"),
+                 "attribute 'footprint' of <zone>: 15 of its 27 m2 lie outside room 'r'");
+}
+
+TEST(WorkplacesXmlMessage, AreasThatAreNone) {
+  expect_message(load_workplace("size='2 1'"), "<workplace> has 'size' without 'origin'");
+  expect_message(load_workplace("origin='1 1' size='2 0'"), "a number above 0");
+  expect_message(load_workplace("footprint='1 1  2 2  1 2  2 1'"), "not-simple-polygon");
+  expect_message(load_workplace("origin='1 1' size='1 1' footprint='1 1  2 1  2 2'"),
+                 "has both 'size' and 'footprint'");
+}
+
+TEST(WorkplacesXmlMessage, HeightBeyondTheRoom) {
+  expect_message(
+      load_workplace("height='2.5'"),
+      "attribute 'height' of <workplace>: 2.5 is not allowed; expected a number from 0 to "
+      "below the room's height 2.5");
+}
+
+TEST(WorkplacesXmlMessage, ZoneThatChangesNothing) {
+  expect_message(load_workplace("", "<zone role='wall' because='x'/>"),
+                 "<zone> needs something that it changes: 'height', 'margin'");
+}
+
+TEST(WorkplacesXmlMessage, LeftOutWithoutAReason) {
+  expect_message(load_workplace("", "<without role='wall'/>"),
+                 "<without> needs the attribute 'because'");
+}
+
+TEST(WorkplacesXmlMessage, SameZoneTwice) {
+  expect_message(
+      load_workplace("", "<zone role='wall' margin='0'/>\n<without role='wall' because='x'/>"),
+      "p.xml:6:10: error[duplicate-id]: the zone 'wall' is given twice, also in line 5");
+}
+
+TEST(WorkplacesXmlMessage, SameIdTwice) {
+  expect_message(load(in_room("<workplace id='w' pack='p' row='1'/>\n<workplace id='w' pack='p' "
+                              "row='1'/>")),
+                 "the workplace 'w' is given twice, also in line 5");
+}
+
+TEST(WorkplacesXmlMessage, OutsideARoom) {
+  expect_message(load(in_project("<workplace id='w' pack='p' row='1'/>")),
+                 "unknown element <workplace> in <luxgate>");
+}
+
+TEST(WorkplacesXmlMessage, InARoomOfABuildingFile) {
+  expect_message(load(in_project("<room id='b' file='house.xml' space='low' material='white'>"
+                                 "<workplace id='w' pack='p' row='1' height='0.75'/></room>")),
+                 "error[workplace-needs-room]: <workplace> needs a room given by 'size'");
+}
+
+}  // namespace
+}  // namespace calc::testing

@@ -1,0 +1,249 @@
+// The formats of CI systems: one document with every verdict against files, and what must hold for
+// any document.
+#include "report/formats/ci_annotations.h"
+#include "report/formats/ci_finding.h"
+#include "report/formats/junit.h"
+#include "report/formats/markdown.h"
+#include "report/formats/sarif.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace report {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+calc::SourceLocation at(int line) { return {"office.xml", line, 7}; }
+
+// A pass, a fail, an undecided, a not judged, a waived requirement and advice, a plane and a
+// project without result, a warning.
+Document every_verdict() {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  project.inputs = {{"office.xml", std::string(64, 'a')}, {"my lamp.ies", std::string(64, 'b')}};
+  project.diagnostics = {{calc::DiagnosticId::nothing_required, at(3), "a warning, 100% true"}};
+  PlanePart& plane = project.spaces[0].planes[0];
+  plane.where = at(20);
+  plane.findings[0].requirement.where = at(21);
+  plane.findings[1].requirement.where = at(22);
+  rules::Finding undecided =
+      sample_finding(rules::Metric::uniformity_min_avg, 0.83, plane.uniformity_min_avg);
+  undecided.requirement.where = at(23);
+  undecided.is_close = true;
+  rules::Finding unjudged = sample_finding(rules::Metric::maximum, 900, {});
+  unjudged.requirement.comparison = rules::Comparison::at_most;
+  unjudged.requirement.where = at(24);
+  unjudged.requirement.scene = "night";
+  unjudged.verdict = rules::Verdict::not_judged;
+  unjudged.reason = "no such light";
+  rules::Finding waived =
+      sample_finding(rules::Metric::uniformity_min_max, 0.8, plane.uniformity_min_max);
+  waived.requirement.where = at(25);
+  waived.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
+  waived.is_waived = true;
+  waived.reason = "waived by A. Client until 2030-12-31: old hall";
+  rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum_lx);
+  advice.requirement.percent = 5;
+  advice.requirement.severity = rules::Severity::advice;
+  advice.requirement.where = at(26);
+  plane.findings.push_back(undecided);
+  plane.findings.push_back(unjudged);
+  plane.findings.push_back(waived);
+  plane.findings.push_back(advice);
+  PlanePart dark;
+  dark.id = "stairs";
+  dark.where = at(30);
+  dark.reason = "every point lies inside a solid";
+  project.spaces[0].planes.push_back(dark);
+
+  ProjectPart broken;
+  broken.path = "/srv/a b/yard.xml";
+  broken.diagnostics = {
+      {calc::DiagnosticId::internal_error, {"/srv/a b/yard.xml", 4, 0}, "broken"}};
+  document.projects.push_back(broken);
+  return document;
+}
+
+// Names that try to be markup, commands, or lines of their own.
+Document hostile() {
+  Document document = every_verdict();
+  ProjectPart& project = document.projects[0];
+  const std::string name =
+      "a|b</td><script>x</script>\n::error::no %0A @all #1 `c` [l](u) https://x.y www.x.y \x1b[31m "
+      "\xff";
+  project.name = name;
+  project.path = name;
+  project.spaces[0].name = name;
+  project.spaces[0].planes[0].id = name;
+  project.spaces[0].planes[0].name = name;
+  project.spaces[0].planes[0].findings[1].requirement.clause = name;
+  project.spaces[0].planes[0].findings[1].requirement.id = name;
+  project.diagnostics[0].message = name;
+  return document;
+}
+
+// What was rendered is left beside the test where it differs from the file.
+void expect_file(const std::string& name, const std::string& text) {
+  std::ifstream file(std::string(LUXGATE_FORMAT_SAMPLES) + "/expected." + name, std::ios::binary);
+  std::ostringstream expected;
+  expected << file.rdbuf();
+  if (text == expected.str()) return;
+  std::ofstream(testing::TempDir() + "actual." + name, std::ios::binary) << text;
+  EXPECT_EQ(text, expected.str()) << "see " << testing::TempDir() << "actual." << name;
+}
+
+TEST(CiFormats, EveryVerdictLooksLikeTheFiles) {
+  const Document document = every_verdict();
+  expect_file("junit.xml", render_junit(document));
+  expect_file("sarif", render_sarif(document, SarifContent::problems));
+  expect_file("all.sarif", render_sarif(document, SarifContent::all));
+  expect_file("github.txt", render_github(document));
+  expect_file("gitlab.json", render_gitlab(document));
+  expect_file("md", render_markdown(document));
+}
+
+TEST(CiFindings, FingerprintsFollowIdsAlone) {
+  const Document document = every_verdict();
+  const auto before = ci_findings(document);
+  std::set<std::string> different;
+  for (const CiFinding& entry : before) different.insert(entry.fingerprint);
+  EXPECT_EQ(different.size(), before.size());
+  Document changed = document;
+  PlanePart& plane = changed.projects[0].spaces[0].planes[0];
+  plane.name = "New name";
+  plane.findings[0].requirement.where.line = 99;
+  plane.findings[0].measured.value = 480.0;
+  plane.findings[0].verdict = rules::Verdict::fail;
+  EXPECT_EQ(ci_findings(changed)[0].fingerprint, before[0].fingerprint);
+  plane.findings[0].requirement.id = "other";
+  EXPECT_NE(ci_findings(changed)[0].fingerprint, before[0].fingerprint);
+}
+
+// Its exit code is 2: no format may look green.
+TEST(CiFindings, APlaneWithoutResultIsToldBesideAdvice) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.is_computed = false;
+  plane.findings.resize(1);
+  plane.findings[0].verdict = rules::Verdict::not_judged;
+  EXPECT_EQ(ci_findings(document).size(), 1u);
+  plane.findings[0].requirement.severity = rules::Severity::advice;
+  const auto list = ci_findings(document);
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[1].rule, "plane");
+  EXPECT_TRUE(list[1].counts);
+  EXPECT_THAT(render_junit(document), HasSubstr("errors=\"1\""));
+}
+
+TEST(Junit, CountsWhatItLists) {
+  pugi::xml_document xml;
+  ASSERT_TRUE(xml.load_string(render_junit(every_verdict()).c_str()));
+  const pugi::xml_node all = xml.child("testsuites");
+  EXPECT_EQ(all.attribute("tests").as_int(), 8);
+  EXPECT_EQ(all.attribute("failures").as_int(), 2);
+  EXPECT_EQ(all.attribute("errors").as_int(), 3);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase").size(), 8u);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase/failure").size(), 2u);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase/error").size(), 3u);
+  EXPECT_EQ(all.select_nodes("testsuite").size(), 2u);
+  EXPECT_EQ(all.child("testsuite").attribute("skipped").as_int(), 2);
+  EXPECT_EQ(all.select_nodes("testsuite/testcase/skipped").size(), 2u);
+}
+
+TEST(Sarif, PointsToRulesAndKeepsKindsApart) {
+  const json run = json::parse(render_sarif(every_verdict(), SarifContent::all))["runs"][0];
+  std::set<std::string> kinds;
+  for (const json& result : run["results"]) {
+    const std::size_t index = result["ruleIndex"];
+    EXPECT_EQ(run["tool"]["driver"]["rules"][index]["id"], result["ruleId"]);
+    kinds.insert(result["kind"]);
+    const bool is_advice = result["ruleId"] == "percentile";
+    EXPECT_EQ(result["level"], result["kind"] != "fail" ? "none" : is_advice ? "note" : "error");
+    EXPECT_EQ(result.contains("suppressions"), result["ruleId"] == "Ud");
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"pass", "fail", "review", "open"}));
+  for (const json& result :
+       json::parse(render_sarif(every_verdict(), SarifContent::problems))["runs"][0]["results"]) {
+    EXPECT_NE(result["kind"], "pass");
+  }
+  EXPECT_EQ(run["artifacts"][1]["location"]["uri"], "my%20lamp.ies");
+  EXPECT_FALSE(run["invocations"][0]["executionSuccessful"]);
+}
+
+TEST(CiFormats, NamesStayText) {
+  const Document document = hostile();
+  pugi::xml_document xml;
+  EXPECT_TRUE(xml.load_string(render_junit(document).c_str()));
+  EXPECT_EQ(xml.select_nodes("//script").size(), 0u);
+  EXPECT_NO_THROW(json::parse(render_sarif(document, SarifContent::all)));
+  EXPECT_NO_THROW(json::parse(render_gitlab(document)));
+  const std::string github = render_github(document);
+  std::istringstream lines(github);
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) commands += line.starts_with("::") ? 1 : 0;
+  EXPECT_EQ(commands, 9);  // two diagnostics, seven findings that did not pass
+  EXPECT_THAT(github, HasSubstr("no %250A"));
+  const std::string markdown = render_markdown(document);
+  EXPECT_THAT(markdown, Not(HasSubstr("<script>")));
+  EXPECT_THAT(markdown, Not(HasSubstr("@all")));
+  EXPECT_THAT(markdown, Not(HasSubstr("[l](u)")));
+  EXPECT_THAT(markdown, Not(HasSubstr("://")));
+  EXPECT_THAT(markdown, Not(HasSubstr("www.")));
+  for (const std::string& text : {github, markdown, render_junit(document)}) {
+    EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+    EXPECT_THAT(text, Not(HasSubstr("\xff")));
+  }
+}
+
+TEST(Markdown, SaysWhatALongTableLeavesOut) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.findings.assign(130, plane.findings[1]);
+  const std::string text = render_markdown(document);
+  EXPECT_THAT(text, HasSubstr("30 more are left out here."));
+  EXPECT_LT(text.size(), 65536u);  // GitHub's limit of a comment
+}
+
+TEST(Gitlab, FingerprintsAreUniqueEvenForEqualMessages) {
+  Document document = small_document();
+  document.projects[0].diagnostics.assign(
+      3, {calc::DiagnosticId::nothing_required, at(3), "the same"});
+  std::set<std::string> different;
+  const json issues = json::parse(render_gitlab(document));
+  for (const json& issue : issues) different.insert(issue["fingerprint"]);
+  EXPECT_EQ(issues.size(), 4u);
+  EXPECT_EQ(different.size(), 4u);
+}
+
+// CI output must not hide that a zone was left out or changed.
+TEST(CiFormats, NotesOfRoomsAreTold) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  EXPECT_THAT(render_markdown(document), Not(HasSubstr("Notes on")));
+  EXPECT_THAT(render_junit(document), Not(HasSubstr("Office: ")));
+  space.notes = {"workplace desk: left out: ceiling | <open>"};
+  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
+  EXPECT_THAT(render_markdown(document),
+              HasSubstr("- Office: workplace desk: left out: ceiling &#124; &#60;open&#62;\n"
+                        "- Office / Work plane: changed: height 1.1 m instead of 0.75 m\n"));
+  pugi::xml_document tree;
+  ASSERT_TRUE(tree.load_string(render_junit(document).c_str()));
+  const std::string told = tree.select_node("//testsuite/system-out").node().text().as_string();
+  EXPECT_EQ(told,
+            "Office: workplace desk: left out: ceiling | <open>\n"
+            "Office / Work plane: changed: height 1.1 m instead of 0.75 m\n");
+}
+
+}  // namespace
+}  // namespace report

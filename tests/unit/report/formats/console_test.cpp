@@ -1,0 +1,147 @@
+#include "report/formats/console.h"
+
+#include "report/text/plain_text.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Console, SmallDocument) {
+  EXPECT_EQ(render_text(small_document()),
+            R"(office.xml: Small office
+  verdict  room / plane         quantity  required        measured  margin  at (m)
+  ✓ pass   Office / Work plane  average   ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
+  ✗ FAIL   Office / Work plane  minimum   ≥ 450 lx  424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)
+
+2 requirements: 1 pass, 1 fail
+)");
+}
+
+TEST(Console, PlaneWithoutRequirementIsListed) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].findings.clear();
+  EXPECT_EQ(render_text(document),
+            R"(office.xml: Small office
+  verdict     room / plane
+    no limit  Office / Work plane
+              └ average 512.5 ± 4.0 lx, minimum 424.5 ± 4.2 lx, Uo 0.828 ± 0.006
+
+0 requirements: nothing was asked
+)");
+}
+
+TEST(Console, WhatAProjectChangesAboutAZoneAndLeavesOutIsTold) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes[0].made_by = "workplace desk, task: the whole room";
+  EXPECT_THAT(render_text(document), testing::Not(HasSubstr("workplace desk")));
+  space.planes[0].changed = "height 1.1 m instead of 0.75 m";
+  space.notes = {"workplace desk: left out: ceiling (open)"};
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ workplace desk, task: the whole room; changed: height 1.1 m instead of "
+                        "0.75 m\n"));
+  EXPECT_THAT(render_text(document), HasSubstr("└ workplace desk: left out: ceiling (open)\n"));
+}
+
+TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.kernel = calc::ReceiverKernel::cylindrical;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("  average of cylindrical illuminance Ez  ≥ 500 lx  "));
+  EXPECT_THAT(render_text(document), HasSubstr("  minimum of cylindrical illuminance Ez  "));
+  plane.findings.clear();
+  plane.kernel = calc::ReceiverKernel::semicylindrical;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ semicylindrical illuminance Esz: average 512.5 ± 4.0 lx, minimum"));
+}
+
+TEST(Console, RatingsHaveNoUnit) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.derived = calc::DerivedQuantity::ugr;
+  plane.minimum_lx = {15.5, 15.25, 15.75};
+  plane.maximum_lx = {18.5, 18.25, 18.75};
+  plane.remarks = {"how it was rated"};
+  rules::Finding finding = plane.findings[0];
+  finding.requirement.metric = rules::Metric::maximum;
+  finding.requirement.derived = plane.derived;
+  finding.measured = plane.maximum_lx;
+  plane.findings = {finding};
+  const std::string text = render_text(document);
+  EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));
+  EXPECT_THAT(text, HasSubstr("18.50 ± 0.25  "));
+  EXPECT_THAT(text, HasSubstr("└ how it was rated\n"));
+  plane.findings.clear();
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ glare rating UGR: minimum 15.50 ± 0.25, maximum 18.50 ± 0.25\n"));
+}
+
+TEST(Console, WhatWasNotJudgedSaysWhy) {
+  const std::string text = render_text(sample_document());
+  EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));
+  EXPECT_THAT(text, HasSubstr("└ the plane was not computed\n"));
+  EXPECT_THAT(text, HasSubstr("yard.xml\n  – not judged: it could not be read"));
+  EXPECT_THAT(text, HasSubstr("└ close: usual rounding would change the verdict\n"));
+}
+
+TEST(Console, ReasonOfAnUncomputedPlaneWithoutRequirementIsShown) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.findings.clear();
+  plane.is_computed = false;
+  plane.reason = "no point is left";
+  EXPECT_THAT(render_text(document), HasSubstr("– not computed  Office / Work plane\n"));
+  EXPECT_THAT(render_text(document), HasSubstr("└ no point is left\n"));
+}
+
+TEST(Console, PointsThatCannotBeTrustedAreTold) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].unseen_points = 1;
+  document.projects[0].spaces[0].planes[0].single_sample_points = 2;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ 1 of 2 points got no sample of the light that may reach them; 2 of 2 "
+                        "points rest on single samples: their intervals cannot be trusted\n"));
+}
+
+TEST(Console, ColoursOnlyOnRequest) {
+  EXPECT_THAT(render_text(sample_document()), Not(HasSubstr("\033")));
+  EXPECT_THAT(render_text(sample_document(), {true, 0}), HasSubstr("\033[1;31m✗ FAIL"));
+}
+
+TEST(Console, EscapesInNamesDoNotReachTheTerminal) {
+  Document document = small_document();
+  document.projects[0].spaces[0].name = "\033[2J";
+  EXPECT_THAT(render_text(document), Not(HasSubstr("\033")));
+}
+
+TEST(Console, NarrowTerminalShortensNamesButNeverNumbers) {
+  const std::string text = render_text(small_document(), {false, 90});
+  EXPECT_THAT(text, HasSubstr("…e / Work plane"));
+  EXPECT_THAT(text, HasSubstr("424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 90U) << line;
+  EXPECT_THAT(render_text(small_document(), {false, 10}),
+              HasSubstr("424.5 ± 4.2 lx  -5.7 %  (2.75, 1.00, 0.80)"));
+}
+
+TEST(Console, SceneAndStateAreNamed) {
+  Document document = small_document();
+  rules::Requirement& requirement =
+      document.projects[0].spaces[0].planes[0].findings[0].requirement;
+  requirement.state = rules::LightState::initial;
+  requirement.scene = "evening";
+  EXPECT_THAT(render_text(document), HasSubstr("average, initial, scene evening"));
+}
+
+}  // namespace
+}  // namespace report

@@ -1,0 +1,99 @@
+#include "report/images/room_picture.h"
+
+#include "report/html/html_room.h"
+#include "report/images/exr.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+using ::testing::HasSubstr;
+
+// Two pixels beside each other: one with a surface of 150 lx, one of which a quarter is covered.
+report::DrawnRoom drawn() {
+  report::DrawnRoom room{4, 2, std::vector<float>(8, -1.0F), std::vector<std::uint8_t>(32, 0)};
+  for (const std::size_t i : {0u, 1u, 4u, 5u}) room.lx[i] = 150.0F;
+  room.cover[4 * 2] = 100;
+  room.cover[4 * 2 + 3] = 255;
+  return room;
+}
+
+TEST(RoomPicture, PaintsBandsAndCover) {
+  const report::Palette palette{{{10, 20, 30}, {40, 50, 60}}, 100.0F};
+  const report::Raster raster = report::paint_room(drawn(), palette);
+  EXPECT_EQ(raster.width, 2);
+  EXPECT_EQ(raster.height, 1);
+  EXPECT_THAT(raster.rgba, ::testing::ElementsAre(40, 50, 60, 255, 100, 0, 0, 64));
+}
+
+TEST(RoomPicture, MeanValuesLeaveOutWhatIsNotThere) {
+  report::DrawnRoom room = drawn();
+  room.lx[1] = -1.0F;
+  room.lx[0] = 120.0F;
+  EXPECT_THAT(report::mean_values(room), ::testing::ElementsAre(140.0F, -1.0F));
+}
+
+TEST(RoomPicture, ScaleBeginsAtZeroAndLeavesOutTheBrightestFew) {
+  report::DrawnRoom room{100, 2, std::vector<float>(200, 400.0F), {}};
+  room.lx[7] = 9000.0F;
+  const std::array<double, 3> values{10.0, 20.0, 30.0};
+  const report::ColourScale scale = report::room_scale({&room, 1}, values);
+  EXPECT_EQ(scale.low_lx, 0.0);
+  EXPECT_EQ(scale.high_lx(), 400.0);
+  EXPECT_EQ(scale.step_lx, 50.0);
+}
+
+TEST(RoomPicture, LegendIsBelow) {
+  const report::Raster plain = report::paint_room(
+      {400, 200, std::vector<float>(80'000, 0.0F), std::vector<std::uint8_t>(320'000, 0)},
+      {{{1, 2, 3}}, 1.0F});
+  const report::Raster raster = report::with_legend(plain, {0.0, 100.0, 4});
+  EXPECT_GT(raster.width, plain.width);
+  EXPECT_GT(raster.height, plain.height + 30);
+  const auto at = [&](int x, int y) {
+    return std::array<int, 4>{raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x)],
+                              raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x) + 1],
+                              raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x) + 2],
+                              raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x) + 3]};
+  };
+  EXPECT_EQ(at(0, 0), (std::array<int, 4>{255, 255, 255, 255}));
+  EXPECT_EQ(at(24, 24), (std::array<int, 4>{1, 2, 3, 255}));
+  const report::Rgb first = report::band_colour({0.0, 100.0, 4}, 0);
+  EXPECT_EQ(at(40, plain.height + 52), (std::array<int, 4>{first.r, first.g, first.b, 255}));
+}
+
+TEST(RoomPicture, ExrHoldsLux) {
+  const std::string bytes =
+      report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F});
+  EXPECT_THAT(bytes, HasSubstr("luxgate.picture"));
+  EXPECT_EQ(bytes,
+            report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F}));
+  EXPECT_THROW(report::render_room_exr("a.xml", "r", "t", 0, 0, {}), std::runtime_error);
+}
+
+TEST(HtmlRoom, ShowsPicturesOrSaysWhyNot) {
+  report::SpacePart space;
+  space.id = "r<1>";
+  EXPECT_EQ(report::html_room({}, space), "");
+  space.pictures.problem = "no <GL>";
+  EXPECT_THAT(report::html_room({}, space), HasSubstr("No pictures of this room: no &lt;GL&gt;."));
+  space.pictures = {};
+  report::RoomPicture picture;
+  picture.title = "seen from above";
+  picture.width = 10;
+  picture.height = 20;
+  picture.png = "abc";
+  space.pictures.list.push_back(picture);
+  space.pictures.step_lx = 100.0;
+  space.pictures.bands = 5;
+  space.pictures.highest_lx = 1234.0;
+  const std::string html = report::html_room({}, space);
+  EXPECT_THAT(html, HasSubstr("base64,YWJj\" width=\"10\" height=\"20\" alt=\"r&lt;1&gt; seen"));
+  EXPECT_THAT(html, HasSubstr("reach 1234 lx"));
+  EXPECT_THAT(html, HasSubstr("Colour scale from 0 to 500 lx"));
+}
+
+}  // namespace

@@ -1,0 +1,289 @@
+#include "report/result_file/read_json.h"
+
+#include "report/formats/ci_annotations.h"
+#include "report/formats/console.h"
+#include "report/formats/csv.h"
+#include "report/formats/junit.h"
+#include "report/formats/markdown.h"
+#include "report/formats/sarif.h"
+#include "report/html/html.h"
+#include "report/images/exr.h"
+#include "report/images/png.h"
+#include "report/result_file/json.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace report {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+Document read_again(const Document& document) {
+  std::string problem;
+  std::optional<Document> read = read_json(render_json(document), problem);
+  EXPECT_TRUE(read) << problem;
+  return read.value_or(Document{});
+}
+
+// Everything that documents can hold, beyond the samples.
+Document rich_document() {
+  Document document = sample_document();
+  ProjectPart& project = document.projects[0];
+  project.times = {0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.6, 0.7, 2.8};
+  project.spaces[0].balance.untraced_lm = 12.5;
+  project.spaces[0].floor_z_m = -3.25;
+  PlanePart& plane = project.spaces[0].planes[0];
+  plane.kernel = plane.grid.kernel = calc::ReceiverKernel::hemispherical;
+  plane.where = {"school/project.xml", 12, 3};
+  plane.made_by = "workplace desk, EN 12464-1:2021 34.2, task: the whole room";
+  plane.changed = "height 1.1 m instead of 0.75 m";
+  project.spaces[0].notes = {"workplace desk: left out: ceiling (open)", "more"};
+  plane.unseen_points = 1;
+  plane.single_sample_points = 2;
+  plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};
+  rules::Finding value = sample_finding(rules::Metric::value_at_point, 10, estimate(12, 1));
+  value.requirement.point_m = {1, 2, 3};
+  value.requirement.scene = "night";
+  value.requirement.state = rules::LightState::initial;
+  value.requirement.comparison = rules::Comparison::at_most;
+  rules::Finding percentile = sample_finding(rules::Metric::percentile, 10, estimate(12, 1));
+  percentile.requirement.percent = 5;
+  rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
+  share.requirement.range.from = 300;
+  share.requirement.comparison = rules::Comparison::more_than;
+  share.requirement.state = rules::LightState::end_of_duration;
+  share.requirement.note = "unverified requirement";
+  share.requirement.severity = rules::Severity::advice;
+  share.requirement.mask.id = "inner";
+  share.points_used = 12;
+  share.requirement.direct_only = true;
+  share.requirement.policy.tolerance = 0.05;
+  share.requirement.policy.tolerance_reason = "agreed";
+  share.requirement.policy.rounding = rules::Rounding::half_even;
+  share.by_tolerance = true;
+  share.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
+  share.is_waived = true;
+  plane.findings.push_back(share);
+  plane.findings.push_back(value);
+  plane.findings.push_back(percentile);
+  plane.by_luminaire.largest = {
+      {"L1", "panel", "row <1>", {1, 2, 3}, estimate(250, 3), 180, estimate(90, 2), 60}};
+  plane.by_luminaire.others = 2;
+  plane.by_luminaire.rest = {"", "", "", {}, estimate(150, 3), 70, estimate(40, 2), 20};
+  plane.by_luminaire.minimum_at_m = {4, 5, 6};
+  plane.groups = {{"row <1>", estimate(300, 3), 200}, {"", estimate(100, 1), 50}};
+  PlaneLook look{1024, 4096, 12, estimate(400, 9), {}};
+  for (const rules::Finding& finding : plane.findings)
+    look.findings.push_back({finding.verdict, finding.measured});
+  plane.looks = {look, look};
+  plane.looks[1].paths = 2048;
+  project.luminaires.at(0).c0_cd.assign(2 * kPolarHalfSteps + 1, 120.5);
+  project.luminaires.at(0).c90_cd.assign(2 * kPolarHalfSteps + 1, 90.25);
+  LuminaireMark& mark = project.spaces[0].luminaires.at(0);
+  mark.group = "row <1>";
+  mark.outline_m = {{1, 1}, {2, 1}, {2, 1.5}};
+  mark.c0 = {0.6, 0.8};
+  project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}}};
+  project.spaces[0].bodies_left_out = 3;
+  document.provenance.timestamp = "2024-05-01T12:00:00Z";
+  document.provenance.goal = rules::Goal::accuracy;
+  return document;
+}
+
+TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
+  for (const Document& document : {small_document(), sample_document(), rich_document()}) {
+    const Document again = read_again(document);
+    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(render_text(again), render_text(document));
+    EXPECT_EQ(render_results_csv(again), render_results_csv(document));
+    EXPECT_EQ(render_points_csv(again), render_points_csv(document));
+    EXPECT_EQ(render_html(again), render_html(document));
+    EXPECT_EQ(render_junit(again), render_junit(document));
+    EXPECT_EQ(render_sarif(again, SarifContent::all), render_sarif(document, SarifContent::all));
+    EXPECT_EQ(render_github(again), render_github(document));
+    EXPECT_EQ(render_gitlab(again), render_gitlab(document));
+    EXPECT_EQ(render_markdown(again), render_markdown(document));
+    const ProjectPart &a = document.projects[0], &b = again.projects[0];
+    EXPECT_EQ(render_heatmap_png(a.spaces[0].planes[0]), render_heatmap_png(b.spaces[0].planes[0]));
+    EXPECT_EQ(render_exr(document, a, a.spaces[0], a.spaces[0].planes[0]),
+              render_exr(again, b, b.spaces[0], b.spaces[0].planes[0]));
+  }
+}
+
+// Eyes: no unit, no average, an observer without rating, a share between plain numbers.
+Document rated_document() {
+  Document document = sample_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.power = {540.0, 96.0, 15, 1};
+  PlanePart& plane = space.planes[0];
+  plane.derived = plane.grid.derived = calc::DerivedQuantity::ugr;
+  plane.remarks = {"how it was rated"};
+  plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  plane.points[0].maintained_lx = no_estimate();
+  rules::Finding maximum = sample_finding(rules::Metric::maximum, 19, estimate(18.5, 0.25));
+  rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
+  share.requirement.range.to = 19;
+  plane.findings = {maximum, share};
+  for (rules::Finding& finding : plane.findings) finding.requirement.derived = plane.derived;
+  return document;
+}
+
+TEST(ReadJson, RatingsAreReadBack) {
+  const Document document = rated_document();
+  const Document again = read_again(document);
+  EXPECT_EQ(render_json(again), render_json(document));
+  EXPECT_EQ(render_text(again, {}), render_text(document, {}));
+  EXPECT_EQ(render_html(again), render_html(document));
+  EXPECT_EQ(render_points_csv(again), render_points_csv(document));
+  const json plane = json::parse(render_json(document))["projects"][0]["spaces"][0]["planes"][0];
+  EXPECT_EQ(plane["quantity"], "ugr");
+  EXPECT_EQ(plane["findings"][0]["unit"], "");
+  EXPECT_EQ(plane["findings"][1]["to"], 19.0);
+  EXPECT_EQ(plane["points"]["columns"][8], "ugr");
+  EXPECT_TRUE(plane["points"]["rows"][0][8].is_null());
+  EXPECT_FALSE(plane["statistics"].contains("average_lx"));
+  EXPECT_EQ(again.projects[0].spaces[0].power.without_power, 1);
+}
+
+TEST(ReadJson, WhatIsNotFiniteStaysSo) {
+  Document document = small_document();
+  document.projects[0].spaces[0].planes[0].findings[0].measured.high =
+      std::numeric_limits<double>::infinity();
+  const Document again = read_again(document);
+  EXPECT_FALSE(std::isfinite(again.projects[0].spaces[0].planes[0].findings[0].measured.high));
+}
+
+// Files have no infinity: before and after one the pages are the same, and no drawing gets a place
+// that is no number.
+TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
+  const double open = std::numeric_limits<double>::infinity();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const calc::Estimate& measured :
+       {calc::Estimate{512, 500, open}, calc::Estimate{512, -open, 520},
+        calc::Estimate{512, none, 520}, calc::Estimate{512, none, none},
+        calc::Estimate{open, 500, open}, calc::Estimate{-open, -open, -open}}) {
+    Document document = small_document();
+    PlanePart& plane = document.projects[0].spaces[0].planes[0];
+    plane.findings[0].measured = plane.average_lx = plane.points[0].maintained_lx = measured;
+    plane.groups = {{"row", measured, 200}, {"", estimate(100, 1), 50}};
+    PlaneLook look{1024, 4096, 2, measured, {}};
+    for (const rules::Finding& finding : plane.findings)
+      look.findings.push_back({finding.verdict, finding.measured});
+    plane.looks = {look, look};
+    settle_estimates(plane);
+    const Document again = read_again(document);
+    const std::string html = render_html(document);
+    EXPECT_EQ(render_html(again), html);
+    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(render_text(again), render_text(document));
+    EXPECT_EQ(render_junit(again), render_junit(document));
+    const std::string drawn = html.substr(0, html.find("<script>"));
+    for (const char* wrong : {"NaN", "nan ", "nan\"", "inf ", "inf\"", "M–", "H–", "L–", "\"–\""})
+      EXPECT_THAT(drawn, Not(HasSubstr(wrong))) << wrong;
+  }
+}
+
+TEST(ReadJson, OnlyWhatIsNotJudgedMayLackItsLimit) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.requirement.limit = std::numeric_limits<double>::quiet_NaN();
+  std::string problem;
+  EXPECT_FALSE(read_json(render_json(document), problem));
+  EXPECT_EQ(problem, "/projects/0/spaces/0/planes/0/findings/0/limit: a number is needed");
+  finding.verdict = rules::Verdict::not_judged;
+  const Document again = read_again(document);
+  EXPECT_TRUE(std::isnan(again.projects[0].spaces[0].planes[0].findings[0].requirement.limit));
+}
+
+std::string problem_with(const json& changed) {
+  std::string problem;
+  EXPECT_FALSE(read_json(changed.dump(), problem));
+  return problem;
+}
+
+TEST(ReadJson, SaysWhereSomethingIsWrong) {
+  const json good = json::parse(render_json(small_document()));
+  const auto with = [&](const char* pointer, const json& value) {
+    json changed = good;
+    changed[json::json_pointer(pointer)] = value;
+    return problem_with(changed);
+  };
+  EXPECT_EQ(with("/format", "other"), "/format: 'luxgate-result' is needed");
+  EXPECT_EQ(with("/format_version", 2), "/format_version: a whole number from 1 to 1 is needed");
+  EXPECT_EQ(with("/projects", 3), "/projects: an array is needed");
+  EXPECT_EQ(with("/projects/0/path", 3), "/projects/0/path: a text is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/height_m", nullptr),
+            "/projects/0/spaces/0/height_m: a number is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/verdict", "good"),
+            "/projects/0/spaces/0/planes/0/findings/0/verdict: one of 'pass', 'fail', 'undecided', "
+            "'not-judged' is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/quantity", "mean"),
+            "/projects/0/spaces/0/planes/0/findings/0/quantity: no quantity has that name");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1/0", 2),
+            "/projects/0/spaces/0/planes/0/points/rows/1: the cell is outside the grid");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/points/rows/1", json::array({1})),
+            "/projects/0/spaces/0/planes/0/points/rows/1: an array of 13 is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/grid/columns", 2'000'000'000),
+            "/projects/0/spaces/0/planes/0/grid/columns: the grid has too many cells")
+      << "with one row";
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/counters/paths", -1),
+            "/projects/0/spaces/0/planes/0/counters/paths: a whole number of at least 0 is needed");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/waiver",
+                 {{"reason", "r"}, {"owner", "o"}, {"until", "2030-01-01"}, {"applies", true}}),
+            "/projects/0/spaces/0/planes/0/findings/0/waiver/applies: only 'fail' and 'undecided' "
+            "can be waived");
+  json without = good;
+  without["provenance"].erase("seed");
+  EXPECT_EQ(problem_with(without), "/provenance: the key 'seed' is missing");
+}
+
+TEST(ReadJson, RefusesWhatIsNoJson) {
+  std::string problem;
+  for (const char* text :
+       {"", "{", "[1,2", "<html>", "\xff\xfe", "{\"format\":\"luxgate-result\"}"}) {
+    EXPECT_FALSE(read_json(text, problem)) << text;
+    EXPECT_FALSE(problem.empty());
+  }
+  EXPECT_FALSE(read_json(std::string(1'000'000, '['), problem));
+}
+
+TEST(ReadJson, PassesOverKeysOfLaterVersions) {
+  json later = json::parse(render_json(small_document()));
+  later["projects"][0]["spaces"][0]["planes"][0]["colour"] = "blue";
+  std::string problem;
+  EXPECT_TRUE(read_json(later.dump(), problem)) << problem;
+}
+
+// Every value of a result replaced by each of some others: read or refused, never a crash.
+TEST(ReadJson, SurvivesAnyReplacedValue) {
+  const json good = json::parse(render_json(small_document()));
+  std::string problem;
+  std::size_t refused = 0, tried = 0;
+  const json flat = good.flatten();
+  for (const auto& item : flat.items()) {
+    for (const json& value : {json(), json(-1), json(1e300), json("x"), json::array(),
+                              json::object(), json(true), json(std::uint64_t{1} << 63)}) {
+      json changed = good;
+      changed[json::json_pointer(item.key())] = value;
+      ++tried;
+      std::optional<Document> read = read_json(changed.dump(), problem);
+      if (!read) ++refused;
+      if (read) {
+        EXPECT_FALSE(render_html(*read).empty());
+      }
+    }
+  }
+  EXPECT_GT(tried, 500u);
+  EXPECT_GT(refused, tried / 2);
+}
+
+}  // namespace
+}  // namespace report

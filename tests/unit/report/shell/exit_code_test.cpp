@@ -1,0 +1,67 @@
+#include "report/shell/exit_code.h"
+
+#include "report/document/document.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+namespace {
+
+using rules::Verdict;
+
+report::ProjectPart project(std::initializer_list<Verdict> verdicts) {
+  report::PlanePart plane;
+  plane.is_computed = true;
+  for (const Verdict verdict : verdicts) {
+    rules::Finding finding;
+    finding.verdict = verdict;
+    plane.findings.push_back(finding);
+  }
+  report::SpacePart space;
+  space.planes.push_back(plane);
+  report::ProjectPart part;
+  part.is_judged = true;
+  part.spaces.push_back(space);
+  return part;
+}
+
+int code(std::initializer_list<Verdict> verdicts) {
+  report::Document document;
+  document.projects.push_back(project(verdicts));
+  return cli::exit_code_of(outcome_of(document));
+}
+
+TEST(ExitCode, WorstVerdictCountsInTheDocumentedOrder) {
+  EXPECT_EQ(code({Verdict::pass, Verdict::pass}), 0);
+  EXPECT_EQ(code({Verdict::pass, Verdict::undecided}), 3);
+  EXPECT_EQ(code({Verdict::undecided, Verdict::fail, Verdict::pass}), 1);
+  EXPECT_EQ(code({Verdict::fail, Verdict::not_judged}), 2);
+}
+
+TEST(ExitCode, EveryOutcomeHasTheDocumentedCode) {
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::not_judged), 2);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::fail), 1);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::undecided), 3);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::pass), 0);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::waived), 0);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::nothing_asked), 0);
+}
+
+TEST(ExitCode, NothingRequiredIsNoFailure) { EXPECT_EQ(code({}), 0); }
+
+TEST(ExitCode, AnUnreadableProjectSpoilsTheBatch) {
+  report::Document document;
+  document.projects.push_back(project({Verdict::pass}));
+  document.projects.emplace_back();
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 2);
+}
+
+TEST(ExitCode, APlaneWithoutResultCountsEvenIfNothingWasRequired) {
+  report::Document document;
+  document.projects.push_back(project({}));
+  document.projects[0].spaces[0].planes[0].is_computed = false;
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 2);
+}
+
+}  // namespace

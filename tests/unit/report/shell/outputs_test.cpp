@@ -1,0 +1,174 @@
+#include "report/shell/outputs.h"
+
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Outputs : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("luxgate_outputs_") + info->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    options_.projects = {path("project.xml")};
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void add(cli::FormatKind kind, const std::string& name) {
+    options_.formats.push_back({kind, path(name)});
+  }
+
+  fs::path folder_;
+  cli::Options options_;
+};
+
+TEST_F(Outputs, FolderMeansFourFilesBesideTheNamedOnes) {
+  options_.formats = {{cli::FormatKind::json, ""}, {cli::FormatKind::csv, "own.csv"}};
+  options_.output_folder = "out";
+  std::vector<std::string> names;
+  for (const cli::OutputFormat& file : cli::planned_files(options_)) names.push_back(file.file);
+  EXPECT_THAT(names, ::testing::ElementsAre("own.csv", "out/results.csv", "out/points.csv",
+                                            "out/result.json", "out/report.html"));
+}
+
+TEST_F(Outputs, NewFoldersAreFineAndNotMadeByChecking) {
+  options_.output_folder = path("a/b");
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  EXPECT_FALSE(fs::exists(path("a")));
+}
+
+TEST_F(Outputs, NeverOverwritesAnInput) {
+  add(cli::FormatKind::csv, "sub/../project.xml");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is an input"));
+}
+
+TEST_F(Outputs, RefusesTheSameFileTwice) {
+  options_.output_folder = path("");
+  add(cli::FormatKind::json, "result.json");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("written twice"));
+}
+
+TEST_F(Outputs, RefusesAFolderWhereAFileShouldBe) {
+  fs::create_directories(path("taken"));
+  add(cli::FormatKind::html, "taken");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("it is a folder"));
+}
+
+TEST_F(Outputs, RefusesAFileWhereAFolderShouldBe) {
+  std::ofstream(path("file")) << "x";
+  add(cli::FormatKind::html, "file/report.html");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+}
+
+TEST_F(Outputs, PagesOfRoomsAreInFoldersOfTheirOwn) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "büro.html");
+  add(cli::FormatKind::html, "bäro.html");
+  add(cli::FormatKind::html, "bäro.htm");
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  report::Document document;
+  document.projects.resize(1);
+  document.projects[0].spaces.resize(1);
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  for (const char* page :
+       {"büro.html-rooms/p1s1.html", "bäro.html-rooms/p1s1.html", "bäro.htm-rooms/p1s1.html"}) {
+    EXPECT_TRUE(fs::exists(path(page))) << page;
+  }
+  std::ifstream index(path("büro.html"));
+  const std::string html((std::istreambuf_iterator<char>(index)), {});
+  EXPECT_THAT(html, HasSubstr("href=\"b%C3%BCro.html-rooms/p1s1.html\""));
+}
+
+TEST_F(Outputs, PagesOfRoomsArePlannedFiles) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "r.html");
+  add(cli::FormatKind::json, "r.html-rooms/p1s2-3.html");
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("written twice"));
+  options_.formats.back().file = path("r.html-rooms/result.json");
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  options_.projects = {path("sub/../r.html-rooms/p1s1.html")};
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is an input"));
+  options_.html_split = false;
+  EXPECT_EQ(cli::check_outputs(options_), "");
+  options_.html_split = true;
+  options_.projects = {path("project.xml")};
+  std::ofstream(path("r.html-rooms")) << "x";
+  options_.formats.pop_back();
+  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+}
+
+// Nothing but pages is removed, and no input.
+TEST_F(Outputs, PagesOfAnEarlierRunAreRemoved) {
+  options_.html_split = true;
+  add(cli::FormatKind::html, "r.html");
+  fs::create_directories(path("r.html-rooms/p9s9.html"));
+  for (const char* name : {"p1s1.html", "p1s2.html", "p12s3-4.html", "p2s1.html", "notes.html",
+                           "p1s.html", "p1s2-.html", "p1s2.html.bak", "xp1s2.html"})
+    std::ofstream(path("r.html-rooms/") + name) << "old";
+  report::Document document;
+  document.projects.resize(1);
+  document.projects[0].spaces.resize(1);
+  EXPECT_TRUE(cli::write_outputs(options_, document, {path("r.html-rooms/p2s1.html")}).empty());
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(path("r.html-rooms")))
+    left.insert(entry.path().filename().string());
+  EXPECT_EQ(left, (std::set<std::string>{"p1s1.html", "p2s1.html", "p9s9.html", "notes.html",
+                                         "p1s.html", "p1s2-.html", "p1s2.html.bak", "xp1s2.html"}));
+}
+
+TEST_F(Outputs, ImageNamesAreSafeFileNames) {
+  report::ProjectPart project;
+  project.path = "some/where/my office.xml";
+  report::PlanePart plane;
+  plane.id = "desk:1/é";
+  EXPECT_EQ(cli::image_stem(project, plane),
+            "my_office-desk_1__");  // one _ per character, however many bytes it has
+}
+
+TEST_F(Outputs, LanguageIsForReadersAlone) {
+  const report::Document document = report::sample_document();
+  const report::Texts german(report::Language::german, true);
+  using enum cli::FormatKind;
+  for (const cli::FormatKind kind :
+       {csv, points_csv, json, junit, sarif, sarif_all, github, gitlab}) {
+    EXPECT_EQ(cli::render(kind, document, {}, german), cli::render(kind, document));
+  }
+  for (const cli::FormatKind kind : {html, markdown, text}) {
+    EXPECT_THAT(cli::render(kind, document, {}, german), HasSubstr("nicht bewertet"));
+    EXPECT_THAT(cli::render(kind, document), ::testing::Not(HasSubstr("nicht bewertet")));
+  }
+}
+
+TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
+  options_.language = report::Language::german;
+  const auto file_text = [this](const std::string& name) {
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  add(cli::FormatKind::html, "report.html");
+  add(cli::FormatKind::csv, "results.csv");
+  const report::Document document = report::sample_document();
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_THAT(file_text("report.html"), HasSubstr("<html lang=\"de\">"));
+  EXPECT_EQ(file_text("results.csv"), cli::render(cli::FormatKind::csv, document));
+  options_.html_split = true;
+  EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
+  EXPECT_THAT(file_text("report.html"), HasSubstr("Anforderungen"));
+  EXPECT_THAT(file_text("report.html-rooms/p1s1.html"), HasSubstr("<html lang=\"de\">"));
+}
+
+}  // namespace

@@ -1,0 +1,132 @@
+#include "report/shell/write.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A folder of its own for every test.
+class Write : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "luxgate_write_XXXXXX";
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Write, NewFileAndReplacement) {
+  const fs::path path = folder_ / "a.txt";
+  EXPECT_EQ(write_file_atomically(path, "one"), "");
+  EXPECT_EQ(content(path), "one");
+  EXPECT_EQ(write_file_atomically(path, std::string("t\0wo", 4)), "");
+  EXPECT_EQ(content(path), std::string("t\0wo", 4));
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Write, MissingFoldersAreMade) {
+  EXPECT_EQ(write_file_atomically(folder_ / "b" / "c" / "a.txt", "x"), "");
+  EXPECT_EQ(content(folder_ / "b" / "c" / "a.txt"), "x");
+}
+
+TEST_F(Write, RespectsTheUmask) {
+  const mode_t before = umask(0027);
+  EXPECT_EQ(write_file_atomically(folder_ / "a.txt", "x"), "");
+  umask(before);
+  EXPECT_EQ(fs::status(folder_ / "a.txt").permissions(), fs::perms(0640));
+}
+
+// The disk "fills up" in the middle of the new text.
+TEST_F(Write, FailureLeavesTheOldFileAndNothingElse) {
+  const fs::path path = folder_ / "a.txt";
+  ASSERT_EQ(write_file_atomically(path, "old"), "");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string error = write_file_atomically(path, std::string(5000, 'x'));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(error, "File too large");
+  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Write, ReadOnlyFolderIsAnError) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const fs::path path = folder_ / "a.txt";
+  ASSERT_EQ(write_file_atomically(path, "old"), "");
+  fs::permissions(folder_, fs::perms(0555));
+  EXPECT_EQ(write_file_atomically(path, "new"), "Permission denied");
+  fs::permissions(folder_, fs::perms(0755));
+  EXPECT_EQ(content(path), "old");
+}
+
+TEST_F(Write, FolderOrFileInTheWayIsAnError) {
+  EXPECT_EQ(write_file_atomically(folder_, "x"), "this is a folder");
+  EXPECT_EQ(write_file_atomically("", "x"), "the file name is empty");
+  ASSERT_EQ(write_file_atomically(folder_ / "a", "x"), "");
+  EXPECT_EQ(write_file_atomically(folder_ / "a" / "b", "y"), "Not a directory");
+  EXPECT_EQ(content(folder_ / "a"), "x");
+}
+
+TEST_F(Write, LinkIsFollowed) {
+  ASSERT_EQ(write_file_atomically(folder_ / "target", "old"), "");
+  fs::create_symlink("target", folder_ / "link");
+  EXPECT_EQ(write_file_atomically(folder_ / "link", "new"), "");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(content(folder_ / "target"), "new");
+}
+
+TEST_F(Write, DevicesAreWrittenDirectly) {
+  EXPECT_EQ(write_file_atomically("/dev/null", "x"), "");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(write_file_atomically("/dev/full", "x"), "No space left on device");
+}
+
+TEST_F(Write, WritersAtOnceLeaveOneWholeFile) {
+  const fs::path path = folder_ / "a.txt";
+  std::vector<std::thread> writers;
+  for (char c = 'a'; c < 'i'; ++c) {
+    writers.emplace_back([&path, c] {
+      for (int i = 0; i < 20; ++i) EXPECT_EQ(write_file_atomically(path, std::string(5000, c)), "");
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  const std::string text = content(path);
+  ASSERT_EQ(text.size(), 5000U);
+  EXPECT_EQ(text, std::string(5000, text[0]));
+  EXPECT_EQ(files(), 1U);
+}
+
+}  // namespace
+}  // namespace report

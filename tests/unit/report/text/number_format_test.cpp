@@ -1,0 +1,175 @@
+#include "report/text/number_format.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <locale>
+#include <string>
+
+namespace report {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+calc::Estimate plus_minus(double value, double half) { return {value, value - half, value + half}; }
+Threshold at_least(double limit) { return {limit, rules::Comparison::at_least}; }
+Threshold at_most(double limit) { return {limit, rules::Comparison::at_most}; }
+
+TEST(NumberFormat, DigitsFollowTheInterval) {
+  EXPECT_EQ(format_measured(plus_minus(512.345, 4.1), "lx"), "512.3 ± 4.1 lx");
+  EXPECT_EQ(format_measured(plus_minus(512.345, 41), "lx"), "512 ± 41 lx");
+  EXPECT_EQ(format_measured(plus_minus(51.2345, 0.412), "lx"), "51.23 ± 0.41 lx");
+  EXPECT_EQ(format_measured(plus_minus(5123.4, 410), "lx"), "5123 ± 410 lx");
+}
+
+TEST(NumberFormat, RoundedUpHalfWidthLosesADigit) {
+  EXPECT_EQ(format_measured(plus_minus(512.345, 9.96), "lx"), "512 ± 10 lx");
+}
+
+TEST(NumberFormat, TinyHalfWidthIsNotShownAsZero) {
+  EXPECT_EQ(format_measured(plus_minus(512.345, 0.0004), "lx"), "512.3 ± 0.1 lx");
+  EXPECT_EQ(format_measured(plus_minus(0.612, 0.00002), ""), "0.612 ± 0.001");
+}
+
+TEST(NumberFormat, ExactValuesHaveNoHalfWidth) {
+  EXPECT_EQ(format_measured(plus_minus(512.345, 0), "lx"), "512.3 lx");
+  EXPECT_EQ(format_measured(plus_minus(0, 0), "lx"), "0.0 lx");
+  EXPECT_EQ(format_interval(plus_minus(5, 0), "lx"), "exact");
+}
+
+TEST(NumberFormat, RatiosHaveThreeDecimals) {
+  EXPECT_EQ(format_measured(plus_minus(0.61234, 0), ""), "0.612");
+  EXPECT_EQ(format_measured(plus_minus(0.61234, 0.0041), ""), "0.612 ± 0.004");
+}
+
+TEST(NumberFormat, WiderSideOfALopsidedIntervalIsShown) {
+  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx"), "100.0 ± 5.0 lx");
+  EXPECT_EQ(format_interval({100.0, 95.0, 101.0}, "lx"), "95.0 – 101.0 lx");
+}
+
+TEST(NumberFormat, ShownValueStaysOnItsSideOfTheLimit) {
+  EXPECT_EQ(format_measured(plus_minus(499.6, 0), "lx", at_least(500)), "499.6 lx");
+  EXPECT_EQ(format_measured(plus_minus(499.96, 0), "lx", at_least(500)), "499.96 lx");
+  EXPECT_EQ(format_measured(plus_minus(499.6, 40), "lx", at_least(500)), "499.6 ± 40.0 lx");
+  EXPECT_EQ(format_measured(plus_minus(0.5996, 0), "", at_least(0.6)), "0.5996");
+  EXPECT_EQ(format_measured(plus_minus(500.004, 0), "lx", at_most(500)), "500.004 lx");
+}
+
+TEST(NumberFormat, ValueOnTheLimitNeedsNoMoreDigits) {
+  EXPECT_EQ(format_measured(plus_minus(500, 0), "lx", at_least(500)), "500.0 lx");
+  EXPECT_EQ(format_measured(plus_minus(500.04, 0), "lx", at_least(500)), "500.0 lx");
+}
+
+TEST(NumberFormat, ShownIntervalStaysOnItsSideOfTheLimit) {
+  // 500.44 - 0.443 < 500: "500.44 ± 0.44" would read as met.
+  EXPECT_EQ(format_measured(plus_minus(500.44, 0.443), "lx", at_least(500)), "500.440 ± 0.443 lx");
+}
+
+TEST(NumberFormat, MissesBelowNineDecimalsAreStillShown) {
+  const double value = 0.6 * (1 - 1e-8);
+  const EstimateText text = format_estimate(plus_minus(value, 0), "", at_least(0.6));
+  EXPECT_LT(std::stod(text.value), 0.6);
+}
+
+TEST(NumberFormat, NotANumberIsADash) {
+  EXPECT_EQ(format_fixed(kNan, 2), "–");
+  EXPECT_EQ(format_measured({kNan, kNan, kNan}, "lx"), "–");
+  EXPECT_EQ(format_measured({5.0, -kInfinity, kInfinity}, "lx"), "5.000 ± – lx");
+  EXPECT_EQ(format_interval({5.0, kNan, kNan}, "lx"), "–");
+  EXPECT_EQ(format_margin(kInfinity), "–");
+  EXPECT_EQ(format_cell_lx(kNan), "–");
+  EXPECT_EQ(format_shortest(kNan), "");
+  EXPECT_EQ(format_shortest(-kInfinity), "");
+}
+
+TEST(NumberFormat, ZeroHasNoMinus) {
+  EXPECT_EQ(format_fixed(-0.0004, 2), "0.00");
+  EXPECT_EQ(format_shortest(-0.0), "0");
+}
+
+TEST(NumberFormat, ShortestReadsBackTheSame) {
+  for (const double value : {0.1, 1.0 / 3.0, 512.3456789012345, 1e-300, 123456789.0}) {
+    EXPECT_EQ(std::stod(format_shortest(value)), value);
+  }
+  EXPECT_EQ(format_shortest(500.0), "500");
+}
+
+TEST(NumberFormat, LimitsKeepTheirDigits) {
+  EXPECT_EQ(format_required(at_least(500), "lx"), "≥ 500 lx");
+  EXPECT_EQ(format_required(at_most(0.6), ""), "≤ 0.60");
+  EXPECT_EQ(format_required(at_least(0.125), ""), "≥ 0.125");
+  EXPECT_EQ(format_required(at_least(1), ""), "≥ 1.00");
+}
+
+TEST(NumberFormat, LimitsInFootCandlesAndUnknownOnes) {
+  EXPECT_EQ(format_limit(10.763910416709722, "lx"), "10.7639104 lx");
+  EXPECT_EQ(format_limit(6.5659853541929305, "W/m2"), "6.56598535 W/m2");  // 0.61 W/ft2
+  EXPECT_EQ(format_required(at_most(19), ""), "≤ 19");                     // a rating, no ratio
+  EXPECT_EQ(format_required({kNan, rules::Comparison::at_least}, "lx"), "unknown limit");
+}
+
+TEST(NumberFormat, MarginIsNeverRoundedToZero) {
+  EXPECT_EQ(format_margin(0.0246), "+2.5 %");
+  EXPECT_EQ(format_margin(-0.0008), "-0.1 %");
+  EXPECT_EQ(format_margin(-0.000012), "-0.001 %");
+  EXPECT_EQ(format_margin(0.0), "+0.0 %");
+}
+
+TEST(NumberFormat, CellsAreShortAndOnTheirSideOfTheLimit) {
+  EXPECT_EQ(format_cell_lx(1240.4), "1240");
+  EXPECT_EQ(format_cell_lx(51.24), "51.2");
+  EXPECT_EQ(format_cell_lx(0.01234), "0.012");
+  EXPECT_EQ(format_cell_lx(0.0), "0.0");
+  EXPECT_EQ(format_cell_lx(499.7, at_least(500)), "499.7");
+  EXPECT_EQ(format_cell_lx(499.2, at_least(500)), "499");
+}
+
+TEST(NumberFormat, DigitsRespectSeveralLimits) {
+  const Thresholds both(at_least(500), at_most(600));
+  EXPECT_EQ(format_cell_lx(499.96, both), "499.96");
+  EXPECT_EQ(format_cell_lx(600.04, both), "600.04");
+  EXPECT_EQ(format_cell_lx(550.04, both), "550");
+  EXPECT_EQ(format_measured({600.04, 590.04, 610.04}, "lx", both), "600.04 ± 10.00 lx");
+  EXPECT_EQ(format_interval({510, 499.96, 520.04}, "lx", both), "499.96 – 520.04 lx");
+}
+
+TEST(NumberFormat, OpenIntervalsAreNoExactOnes) {
+  const double open = std::numeric_limits<double>::infinity();
+  for (const calc::Estimate& estimate :
+       {calc::Estimate{512, 500, open}, calc::Estimate{512, -open, 520},
+        calc::Estimate{512, kNan, 520}, calc::Estimate{512, 500, kNan}}) {
+    EXPECT_EQ(format_measured(estimate, "lx"), "512.0 ± – lx");
+  }
+}
+
+TEST(NumberFormat, LengthsCountsAndTimes) {
+  EXPECT_EQ(format_metres(0.8), "0.80");
+  EXPECT_EQ(format_metres(0.125), "0.125");
+  EXPECT_EQ(format_position({1, -2.5, 0}), "(1.00, -2.50, 0.00)");
+  EXPECT_EQ(format_count(4194304), "4\u202F194\u202F304");
+  EXPECT_EQ(format_count(999), "999");
+  EXPECT_EQ(format_share(0.784), "78 %");
+  EXPECT_EQ(format_percent(0.95), "95 %");
+  EXPECT_EQ(format_percent(0.999), "99.9 %");
+  EXPECT_EQ(format_percent(0.07), "7 %");
+  EXPECT_EQ(format_lumens(4200.4), "4200");
+  EXPECT_EQ(format_seconds(12.34), "12.3");
+}
+
+// A locale that writes 1.512,3; made here, since the machine may have none installed.
+struct CommaPoint : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(NumberFormat, LocaleDoesNotMatter) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaPoint));
+  EXPECT_EQ(format_measured(plus_minus(1512.345, 4.1), "lx"), "1512.3 ± 4.1 lx");
+  EXPECT_EQ(format_shortest(1512.345), "1512.345");
+  std::locale::global(before);
+}
+
+}  // namespace
+}  // namespace report

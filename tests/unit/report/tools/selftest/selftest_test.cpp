@@ -1,0 +1,90 @@
+#include "report/tools/selftest/closed_forms.h"
+#include "report/tools/selftest/judge.h"
+
+#include "calc/base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace {
+
+using namespace cli::selftest;
+
+// Printed digits of the literature.
+TEST(ClosedForms, GiveThePrintedNumbers) {
+  EXPECT_NEAR(opposite_rectangles(1, 1, 1), 0.199824895698387, 1e-14);
+  EXPECT_NEAR(opposite_rectangles(1, 1, 10), 0.00316205683876, 1e-12);
+  EXPECT_NEAR(rectangles_with_edge(1, 1, 1), 0.200043776075403, 1e-14);
+  EXPECT_NEAR(3000.0 * calc::kPi *
+                  rectangle_factor({0, 0, 0}, {0, 0, 1}, {0, 0, 2.05}, {0, 1.2, 0}, {0.6, 0, 0}),
+              403.152371146, 1e-8);
+  EXPECT_NEAR(
+      3000.0 * calc::kPi *
+          rectangle_factor({1, 2, 0.5}, {-0.6, 0, 0.8}, {0, 0, 2.05}, {0, 1.2, 0}, {0.6, 0, 0}),
+      248.939053673, 1e-8);
+  EXPECT_NEAR(5000.0 * calc::kPi * disc_factor_parallel(0.5, 2, 0.5), 829.166902934, 1e-8);
+  EXPECT_NEAR(5000.0 * calc::kPi * disc_factor_perpendicular(0.5, 1, 1), 913.517112972, 1e-8);
+  EXPECT_NEAR(8000.0 * calc::kPi * sphere_factor(0.2, 1.0, 0.5 * calc::kPi), 43.1899309414, 1e-8);
+  EXPECT_EQ(sphere_factor(0.2, 1.0, 2.0), 0.0);
+  EXPECT_NEAR(strip_middle_lx(0.6, 500.0, 2.0), 141.671538069, 1e-8);
+}
+
+Measured number(double exact, std::vector<double> replicates) {
+  Measured m;
+  m.exact = exact;
+  m.replicates = std::move(replicates);
+  m.widest = 0.05;
+  return m;
+}
+
+TEST(Judge, HoldsExactNumbersToRounding) {
+  EXPECT_EQ(judge(number(100.0, {100.00009})).verdict, Verdict::right);
+  EXPECT_EQ(judge(number(100.0, {100.0002})).verdict, Verdict::wrong);
+  EXPECT_EQ(judge(number(0.0, {1e-12})).verdict, Verdict::wrong);
+  EXPECT_EQ(judge(number(0.0, {std::nan("")})).verdict, Verdict::wrong);
+}
+
+TEST(Judge, NeitherWrongNorVagueIntervalsPass) {
+  std::vector<double> narrow, wide;
+  for (int r = 0; r < kReplicates; ++r) {
+    narrow.push_back(100.0 + (r % 2 == 0 ? 0.1 : -0.1));
+    wide.push_back(100.0 + (r % 2 == 0 ? 20.0 : -20.0));
+  }
+  EXPECT_EQ(judge(number(100.1, narrow)).verdict, Verdict::right);
+  EXPECT_EQ(judge(number(101.0, narrow)).verdict, Verdict::wrong);
+  EXPECT_EQ(judge(number(100.1, wide)).verdict, Verdict::too_vague);
+}
+
+TEST(Judge, RoundingDoesNotChooseTheWorst) {
+  JudgedCase judged;
+  for (const double value : {100.0, 100.0 * (1.0 + 1e-15), 100.0 * (1.0 + 3e-12)}) {
+    judged.numbers.push_back(judge(number(100.0, {value})));
+  }
+  EXPECT_EQ(judged.worst(), &judged.numbers[0]);
+  judged.numbers.push_back(judge(number(100.0, {100.0 * (1.0 + 1e-11)})));
+  EXPECT_EQ(judged.worst(), &judged.numbers[3]);
+}
+
+TEST(Judge, WhatIsNotRefusedIsWrong) {
+  CaseResult result;
+  result.refused.push_back({"a room", "no steady state", ""});
+  EXPECT_EQ(judge(SelftestCase{}, result).verdict, Verdict::wrong);
+  result.refused[0].said = "there is no steady state";
+  EXPECT_EQ(judge(SelftestCase{}, result).verdict, Verdict::refused);
+  EXPECT_EQ(judge(SelftestCase{}, CaseResult{}).verdict, Verdict::wrong);
+}
+
+TEST(SelftestCases, HaveNamesOfTheirOwnAndKnownKinds) {
+  std::set<std::string> names, known;
+  for (const Kind& kind : kinds()) known.insert(kind.name);
+  for (const SelftestCase& item : all_cases()) {
+    EXPECT_TRUE(names.insert(item.name).second) << item.name;
+    EXPECT_FALSE(known.contains(item.name)) << item.name;
+    EXPECT_TRUE(known.contains(item.kind)) << item.name;
+    EXPECT_FALSE(item.title.empty() || item.source.empty()) << item.name;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,586 @@
+#include "rules/binding/workplace.h"
+
+#include "calc/scene/polygon.h"
+#include "calc/scene/sensor_grid.h"
+#include "calc/scene/zone_shapes.h"
+#include "rules/binding/bind.h"
+#include "rules/binding/judged_project.h"
+#include "rules/catalogue/mask.h"
+#include "tests/support/memory_file_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kIes =
+    "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\nTILT=NONE\n"
+    "1 1000 1 2 1 1 2 0 0 0\n1 1 12\n0 90\n0\n100 0\n";
+
+struct Made {
+  calc::Project project;
+  std::vector<Requirement> requirements;
+  std::vector<std::string> messages;
+
+  const calc::Space& space() const { return project.spaces.at(0); }
+  std::vector<std::string> ids() const {
+    std::vector<std::string> ids;
+    for (const calc::CalcPlane& plane : space().planes) ids.push_back(plane.id);
+    return ids;
+  }
+  const calc::CalcPlane& plane(const std::string& id) const {
+    for (const calc::CalcPlane& plane : space().planes) {
+      if (plane.id == id) return plane;
+    }
+    ADD_FAILURE() << "no plane " << id << ": " << testing::PrintToString(messages);
+    static const calc::CalcPlane none;
+    return none;
+  }
+  const calc::PlanarArea& area(const std::string& id) const {
+    return std::get<calc::PlanarArea>(plane(id).area);
+  }
+  calc::SensorGrid grid(const std::string& id) const {
+    calc::Diagnostics diagnostics;
+    const auto grid = calc::make_sensor_grid(plane(id), space(), diagnostics);
+    EXPECT_THAT(diagnostics.all(), IsEmpty()) << id;
+    return grid.value_or(calc::SensorGrid{});
+  }
+  double area_m2(const std::string& id) const {
+    return calc::area_left(area(id).outline_m, area(id).holes_m);
+  }
+  double height_m(const std::string& id) const {
+    return area(id).origin_m.z - space().shell->floor_z_m;
+  }
+};
+
+// `lines` from line 5 on, in a room of 12 x 8 x 2.8 m whose corner is at (10, 20, 1), or with this
+// shape.
+Made make(const std::string& lines, const std::string& shape = "size='12 8 2.8'",
+          const std::vector<RulePack>& packs = builtin_rule_packs()) {
+  const std::string xml =
+      "<luxgate version='1'>\n<material id='white' reflectance='0.7'/><luminaire-type id='spot' "
+      "photometry='spot.ies'/>\n<scene id='night'/>\n<room id='r' origin='10 20 1' " +
+      shape + " ceiling='white' walls='white' floor='white'>\n" + lines +
+      "\n<luminaire id='l' type='spot' position='1 1 2.5'/></room></luxgate>";
+  calc::Diagnostics diagnostics;
+  Made made;
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  if (auto judged = load_judged_project(files, "p.xml", packs, diagnostics)) {
+    made.requirements = std::move(judged->requirements);
+    made.project = std::move(judged->project);
+  }
+  for (const auto& d : diagnostics.all()) made.messages.push_back(format_diagnostic(d));
+  return made;
+}
+
+std::string workplace(const std::string& attributes, const std::string& children = "") {
+  return "<workplace id='w' pack='en12464-1:2021' row='34.2' " + attributes + ">" + children +
+         "</workplace>";
+}
+
+const std::string kDesk = "origin='4 3' size='2 1.5'";  // 0.5 m and more from every wall
+
+std::vector<double> limits_of(const Made& made, const std::string& plane) {
+  std::vector<double> limits;
+  for (const Requirement& r : requirements_of_plane(made.requirements, plane)) {
+    EXPECT_EQ(r.problem, "") << plane;
+    EXPECT_EQ(r.note, "") << plane;
+    limits.push_back(r.limit);
+  }
+  return limits;
+}
+
+TEST(Workplace, AGivenTaskHasAllZonesWithTheRowsLimits) {
+  const Made made = make(workplace(kDesk));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                          "w.wall.3", "w.wall.4", "w.ceiling", "w.cylinder", "w.modelling",
+                          "w.observer.1", "w.observer.2", "w.observer.3", "w.observer.4"));
+  EXPECT_THAT(limits_of(made, "w.task"), ElementsAre(500, 0.6));
+  EXPECT_THAT(limits_of(made, "w.surround"), ElementsAre(300, 0.4));
+  EXPECT_THAT(limits_of(made, "w.background"), ElementsAre(100, 0.1));
+  EXPECT_THAT(limits_of(made, "w.wall.3"), ElementsAre(150, 0.1));
+  EXPECT_THAT(limits_of(made, "w.ceiling"), ElementsAre(100, 0.1));
+  EXPECT_THAT(limits_of(made, "w.cylinder"), ElementsAre(150, 0.1));
+  EXPECT_EQ(made.plane("w.cylinder").kernel, calc::ReceiverKernel::cylindrical);
+  EXPECT_EQ(made.plane("w.wall.2").name, "w: wall 2");
+  EXPECT_EQ(made.plane("w.modelling").derived, calc::DerivedQuantity::modelling);
+  const calc::CalcPlane& observer = made.plane("w.observer.3");
+  EXPECT_EQ(observer.derived, calc::DerivedQuantity::ugr);
+  EXPECT_NEAR(glm::length(observer.direction), 1.0, 1e-12);
+  const auto glare = requirements_of_plane(made.requirements, "w.observer.3");
+  ASSERT_EQ(glare.size(), 1u);
+  EXPECT_EQ(glare[0].limit, 19);
+  EXPECT_THAT(glare[0].note, HasSubstr("not by the tabular method"));
+  EXPECT_NEAR(made.height_m("w.observer.3"), 1.2, 1e-12);
+}
+
+TEST(Workplace, ZonesAreWhereTheStandardWantsThem) {
+  const Made made = make(workplace(kDesk));
+  EXPECT_NEAR(made.area_m2("w.task"), 3.0, 1e-9);
+  EXPECT_NEAR(made.area_m2("w.surround"), 3.0 * 2.5 - 3.0, 1e-9);
+  // 3 m around the surround, but 0.5 m from the walls: x 0.5 to 9.5, y 0.5 to 7.5.
+  EXPECT_NEAR(made.area_m2("w.background"), 9.0 * 7.0 - 7.5, 1e-9);
+  EXPECT_NEAR(made.area_m2("w.cylinder"), 7.5, 1e-9);
+  EXPECT_DOUBLE_EQ(made.height_m("w.task"), 0.75);
+  EXPECT_DOUBLE_EQ(made.height_m("w.surround"), 0.75);
+  EXPECT_DOUBLE_EQ(made.height_m("w.background"), 0.0);
+  EXPECT_NEAR(made.height_m("w.cylinder"), 1.2, 1e-12);
+  EXPECT_EQ(made.area("w.wall.1").margin_m, 0.5);
+  EXPECT_EQ(made.area("w.ceiling").margin_m, 0.5);
+  EXPECT_EQ(made.area("w.task").margin_m, 0.0);
+  EXPECT_EQ(made.area("w.ceiling").normal().z, -1.0);
+  EXPECT_EQ(made.plane("w.surround").made_by,
+            "workplace w, EN 12464-1:2021 34.2, surround: band of 0.5 m around the task, without "
+            "0.5 m along the walls, 0.75 m above the floor");
+  EXPECT_EQ(made.plane("w.surround").changed, "");
+}
+
+TEST(Workplace, EveryZoneHasPointsThatItsMaskCounts) {
+  const Made made = make(workplace(kDesk));
+  for (const calc::CalcPlane& plane : made.space().planes) {
+    const calc::SensorGrid grid = made.grid(plane.id);
+    EXPECT_GE(grid.position_m.size(), 8u) << plane.id;
+    EXPECT_THAT(grid.rule, HasSubstr("EN 12464-1:2021 [one public source] (p = 0.2 * 5^log10 d)"));
+    for (const Requirement& r : requirements_of_plane(made.requirements, plane.id)) {
+      const MaskedPoints masked = apply_mask(r.mask, grid);
+      EXPECT_EQ(masked.problem, "") << plane.id;
+      EXPECT_EQ(masked.points.size(), grid.position_m.size()) << plane.id;
+    }
+  }
+  // All round the task, on all four sides.
+  const calc::SensorGrid band = made.grid("w.surround");
+  const auto has = [&](const auto& is_there) {
+    return std::any_of(band.position_m.begin(), band.position_m.end(), is_there);
+  };
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.x < 14; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.x > 16; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.y < 23; }));
+  EXPECT_TRUE(has([](const glm::dvec3& p) { return p.y > 24.5; }));
+}
+
+// The cells of the formula would be 0.9 m: some sides of the band would stay empty.
+TEST(Workplace, CellsOfABandAreNoLargerThanTheBandIsWide) {
+  const Made made = make(workplace("origin='1.5 1.5' size='9 5'"));
+  const calc::SensorGrid grid = made.grid("w.surround");
+  EXPECT_LE(grid.spacing_u_m, 0.5 + 1e-9);
+  EXPECT_THAT(grid.rule, HasSubstr("p = 0.5 m, the most that is allowed"));
+}
+
+TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
+  const Made made = make(workplace(""));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                                      "w.ceiling", "w.cylinder", "w.modelling", "w.observer.1",
+                                      "w.observer.2", "w.observer.3", "w.observer.4"));
+  EXPECT_EQ(made.area("w.task").margin_m, 0.5);
+  EXPECT_NEAR(made.area_m2("w.task"), 96.0, 1e-9);
+  EXPECT_EQ(made.area("w.cylinder").margin_m, 0.5);
+  ASSERT_EQ(made.space().notes.size(), 1u);
+  EXPECT_EQ(made.space().notes[0],
+            "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
+            "background (the task is the whole room), lamp (Ra is not measured on planes)");
+}
+
+TEST(Workplace, WhereTheTaskReachesIntoTheWallZoneItsSurroundGoesToTheWall) {
+  const Made made = make(workplace("origin='0.3 3' size='2 1'"));
+  // x 0 to 2.8, y 2.5 to 4.5, less the task.
+  EXPECT_NEAR(made.area_m2("w.surround"), 2.8 * 2 - 2, 1e-9);
+  EXPECT_THAT(made.plane("w.surround").made_by, HasSubstr("up to the walls"));
+  // 0.5 to 5.8 and 0.5 to 7.5, less what is inside (from 0.5 on).
+  EXPECT_NEAR(made.area_m2("w.background"), 5.3 * 7 - 2.3 * 2, 1e-9);
+}
+
+TEST(Workplace, AConcaveRoomCutsItsZones) {
+  const Made made = make(workplace("origin='3.5 1' size='2 2'"),
+                         "footprint='0 0  8 0  8 4  4 4  4 8  0 8' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_NEAR(made.area_m2("w.surround"), 9 - 4, 1e-9);  // x 3 to 6, y 0.5 to 3.5
+  // x 0.5 to 7.5, y 0.5 to 6.5, without what is beyond (3.5, 3.5).
+  EXPECT_NEAR(made.area_m2("w.background"), 7 * 6 - 4 * 3 - 9, 1e-9);
+  for (const glm::dvec3& point : made.grid("w.background").position_m) {
+    EXPECT_GE(calc::distance_to_boundary(made.space().shell->footprint_m, glm::dvec2(point)),
+              0.5 - 1e-9);
+  }
+  EXPECT_GT(made.grid("w.ceiling").position_m.size(), 20u);
+  EXPECT_EQ(apply_mask(requirements_of_plane(made.requirements, "w.ceiling").at(0).mask,
+                       made.grid("w.ceiling"))
+                .problem,
+            "");
+}
+
+TEST(Workplace, RolesForWhichTheRowHasNothingAreNotMade) {
+  const Made made = make("<workplace id='w' pack='en12464-1:2021' row='14.1'/>");
+  EXPECT_THAT(made.ids(), ElementsAre("w.task", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                                      "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
+                                      "w.observer.3", "w.observer.4"));
+  EXPECT_THAT(made.space().notes.at(0), HasSubstr("ceiling (row 14.1 specifies nothing)"));
+}
+
+TEST(Workplace, SomeRowsAreAboutFloors) {
+  const Made made = make("<workplace id='w' pack='en12464-1:2021' row='9.4' " + kDesk + "/>");
+  EXPECT_EQ(made.height_m("w.task"), 0.0);
+  EXPECT_EQ(made.height_m("w.surround"), 0.0);
+  EXPECT_EQ(made.plane("w.task").changed, "");
+}
+
+TEST(Workplace, ANarrowWallIsNotMade) {
+  const Made made =
+      make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");
+  EXPECT_THAT(made.space().notes.at(0),
+              HasSubstr("wall.3 (0.8 m wide, and 0.5 m along its edges do not count)"));
+}
+
+const std::string kNarrowWall = "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'";
+
+TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
+  EXPECT_THAT(make(workplace(""), kNarrowWall).messages,
+              ElementsAre(HasSubstr("warning[zone-not-checked]: workplace 'w': not checked: wall.3 "
+                                    "(0.8 m wide, and 0.5 m along its edges do not count); give")));
+  const Made said = make(workplace("", "<without role='wall.3' because='a pier'/>"), kNarrowWall);
+  EXPECT_THAT(said.messages, IsEmpty());
+  EXPECT_THAT(said.space().notes.at(0), HasSubstr("left out: wall.3 (a pier)"));
+  const Made judged = make(workplace("", "<zone role='wall.3' margin='0.1'/>"), kNarrowWall);
+  EXPECT_THAT(judged.messages, IsEmpty());
+  EXPECT_THAT(judged.ids(), testing::Contains("w.wall.3"));
+  EXPECT_FALSE(judged.grid("w.wall.3").position_m.empty());
+}
+
+// A side of 8 m that a drawing has bent by half a millimetre, in ten pieces of 0.8 m.
+TEST(WorkplaceMessage, AWallInBentPiecesIsNotLost) {
+  std::string footprint = "footprint='0 0  8 0";
+  for (int i = 0; i <= 10; ++i) {
+    const double x = 8.0 - 0.8 * i, bend = 0.0005 * (1.0 - (x - 4.0) * (x - 4.0) / 16.0);
+    footprint += "  " + std::to_string(x) + " " + std::to_string(4.0 + bend);
+  }
+  EXPECT_THAT(make(workplace(""), footprint + "' height='2.8'").messages,
+              testing::Contains(AllOf(HasSubstr("error[zone-vanishes]"),
+                                      HasSubstr("pieces of a wall of 8.00 m"))));
+}
+
+TEST(WorkplaceMessage, ManyWallsThatAreNotCheckedAreCounted) {
+  // Two niches of 0.8 x 0.4 m: six walls.
+  EXPECT_THAT(make(workplace(""),
+                   "footprint='0 0  12 0  12 8  9 8  9 8.4  8.2 8.4  8.2 8  4 8  4 8.4  3.2 8.4  "
+                   "3.2 8  0 8' height='2.8'")
+                  .messages,
+              ElementsAre(testing::AllOf(HasSubstr("not checked: wall.4 (0.4 m"),
+                                         HasSubstr("wall.8 (0.4 m"), HasSubstr(" and 2 more; "))));
+}
+
+TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
+  const Made made = make(workplace(
+      kDesk + " height='1.1' level='modified' name='Bench'",
+      "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
+      "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
+      "<zone role='surround' rounding='up'/>"
+      "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
+      "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
+                          "w.wall.4", "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
+                          "w.observer.3", "w.observer.4"));
+  EXPECT_EQ(made.plane("w.task").name, "Bench: task");
+  EXPECT_EQ(made.plane("w.task").changed, "height 1.1 m instead of 0.75 m");
+  EXPECT_NEAR(made.height_m("w.surround"), 1.1, 1e-12) << "at the task's height";
+  EXPECT_EQ(made.plane("w.surround").changed, "another rounding of the grid");
+  EXPECT_THAT(made.grid("w.surround").rule, HasSubstr("rounded up"));
+  EXPECT_NEAR(made.height_m("w.cylinder"), 1.6, 1e-12);
+  EXPECT_EQ(made.plane("w.cylinder").changed,
+            "height 1.6 m instead of 1.2 m, margin 0 m instead of 0.5 m (standing)");
+  EXPECT_NEAR(made.area_m2("w.background"), 96 - 7.5, 1e-9);
+  EXPECT_EQ(made.plane("w.background").changed,
+            "an area of the project's own, a grid of the project's own");
+  EXPECT_EQ(made.grid("w.background").rule, "spacing");
+  EXPECT_EQ(made.area("w.wall.1").margin_m, 0.3);
+  EXPECT_EQ(made.area("w.wall.2").margin_m, 0.1);
+  EXPECT_THAT(made.space().notes.at(0), HasSubstr("left out: wall.3 (glass), ceiling (open); not"));
+  EXPECT_EQ(requirements_of_plane(made.requirements, "w.task").at(0).limit, 1000);
+}
+
+TEST(Workplace, GridsOfAPackAreUsed) {
+  calc::Diagnostics diagnostics;
+  const auto pack = parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='company' status='published' "
+      "licence='internal' role='place'><parameter id='E' unit='lx' meaning='m'/>"
+      "<grid id='g' method='fixed-spacing' count='up' spacing='2 1'/>"
+      "<plane role='place' orientation='horizontal-up' grid='g' area='task' height='0'/>"
+      "<row ref='a' name='a' trust='confirmed'><value of='E' required='10'/></row>"
+      "<check id='c' role='place' quantity='planar' statistic='average' at-least='row(E)'/>"
+      "</rule-pack>",
+      "own.xml", diagnostics);
+  ASSERT_TRUE(pack);
+  const Made made = make("<workplace id='w' pack='own' row='a' origin='0 0' size='4 6'/>",
+                         "size='12 8 2.8'", {*pack});
+  const calc::SensorGrid grid = made.grid("w.place");
+  EXPECT_EQ(grid.columns, 4) << "1 m along the shorter side";
+  EXPECT_EQ(grid.rows, 3);
+  EXPECT_EQ(grid.rule, "Own:1: at most 1 x 2 m");
+}
+
+// What looks somewhere looks along the room's axes.
+TEST(Workplace, PointsThatLookAroundHaveAPlaneForEachDirection) {
+  calc::Diagnostics diagnostics;
+  const auto pack = parse_rule_pack(
+      "<rule-pack id='own' edition='1' title='Own' version='1' kind='company' status='published' "
+      "licence='internal' role='face'><parameter id='E' unit='lx' meaning='m'/>"
+      "<plane role='face' orientation='free' area='task-and-band' width='0' height='1.2'/>"
+      "<row ref='a' name='a' trust='confirmed'><value of='E' required='10'/></row>"
+      "<check id='c' role='face' quantity='semicylindrical' statistic='minimum' "
+      "at-least='row(E)'/></rule-pack>",
+      "own.xml", diagnostics);
+  ASSERT_TRUE(pack);
+  const Made made = make(
+      "<workplace id='w' pack='own' row='a' origin='2 2' size='4 3'><without role='face.4' "
+      "because='nobody'/></workplace>",
+      "size='12 8 2.8'", {*pack});
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), ElementsAre("w.face.1", "w.face.2", "w.face.3"));
+  const glm::dvec3 first = made.plane("w.face.1").direction;
+  EXPECT_NEAR(std::abs(first.x), 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(made.plane("w.face.2").direction.y), 1.0, 1e-12);
+  EXPECT_NEAR(glm::dot(first, made.plane("w.face.3").direction), -1.0, 1e-12);
+  EXPECT_NEAR(made.area_m2("w.face.2"), 12.0, 1e-9);
+  EXPECT_THAT(made.plane("w.face.1").made_by, HasSubstr(", looking to ("));
+  EXPECT_EQ(requirements_of_plane(made.requirements, "w.face.3").at(0).problem, "");
+}
+
+bool has_point_in(const calc::SensorGrid& grid, glm::dvec2 lower, glm::dvec2 upper) {
+  return std::any_of(grid.position_m.begin(), grid.position_m.end(), [&](const glm::dvec3& p) {
+    return p.x > lower.x && p.y > lower.y && p.x < upper.x && p.y < upper.y;
+  });
+}
+
+// Between the rows of the bounding rectangle, 0.3 m of it count.
+TEST(Workplace, AnArmOfTheRoomHasPoints) {
+  const Made made =
+      make(workplace(""), "footprint='0 0  20 0  20 1.3  10 1.3  10 10  0 10' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  const calc::SensorGrid grid = made.grid("w.task");
+  EXPECT_TRUE(has_point_in(grid, {21, 20}, {30, 21.3}));
+  EXPECT_TRUE(has_point_in(grid, {28, 20}, {30, 21.3})) << "to its end";
+  EXPECT_THAT(grid.rule, HasSubstr("every cell in"));
+}
+
+TEST(Workplace, AnArmThatIsAllMarginIsNamed) {
+  const Made made =
+      make(workplace(""), "footprint='0 0  20 0  20 0.9  10 0.9  10 10  0 10' height='2.8'");
+  EXPECT_THAT(made.plane("w.task").made_by,
+              HasSubstr("m2 are in parts of the room not wider than"));
+  EXPECT_THAT(make(workplace("")).plane("w.task").made_by, testing::Not(HasSubstr("m2 are in")));
+}
+
+// 10 x 2 m, turned by 45 degrees: the grid is that of the same room along the axes.
+TEST(Workplace, GridsAreTurnedWithTheRoom) {
+  const Made straight = make(workplace(""), "size='10 2 2.8'");
+  const Made turned = make(workplace(""),
+                           "footprint='0 0  7.0710678118654755 7.0710678118654755  "
+                           "5.6568542494923806 8.4852813742385695  -1.4142135623730951 "
+                           "1.4142135623730951' height='2.8'");
+  EXPECT_THAT(turned.messages, IsEmpty());
+  for (const char* id : {"w.task", "w.ceiling", "w.cylinder"}) {
+    const calc::SensorGrid a = straight.grid(id), b = turned.grid(id);
+    EXPECT_EQ(a.position_m.size(), b.position_m.size()) << id;
+    EXPECT_EQ(a.columns * a.rows, b.columns * b.rows) << id;
+    EXPECT_NEAR(std::abs(b.u.x), std::sqrt(0.5), 1e-9) << id;
+    EXPECT_NEAR(b.front(0).z, a.front(0).z, 1e-12) << id;
+    for (const glm::dvec3& p : b.position_m) {
+      EXPECT_GE(calc::distance_to_boundary(turned.space().shell->footprint_m, glm::dvec2(p)),
+                0.5 - 1e-9);
+    }
+  }
+}
+
+TEST(Workplace, ZonesRoundATurnedTaskAreTurned) {
+  // A square of 2 m on its corner, in the middle of the room.
+  const Made made = make(workplace("footprint='6 2.5  7.5 4  6 5.5  4.5 4'"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  const double side_m = std::sqrt(4.5);
+  EXPECT_NEAR(made.area_m2("w.surround"), std::pow(side_m + 1.0, 2) - 4.5, 1e-9);
+  EXPECT_NEAR(std::abs(made.grid("w.surround").u.x), std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(made.grid("w.task").dropped.size(), 0u);
+}
+
+TEST(Workplace, AStraightWallInPiecesIsOneWall) {
+  const Made made = make(workplace(kDesk),
+                         "footprint='0 0  1 0  2 0  3 0  4 0  5 0  6 0  7 0  8 0  9 0  10 0  12 0  "
+                         "12 8  0 8' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(), testing::Contains("w.wall.1"));
+  EXPECT_THAT(made.ids(), testing::Not(testing::Contains("w.wall.2")));
+  EXPECT_NEAR(made.area_m2("w.wall.1"), 12 * 2.8, 1e-9);
+  for (const glm::dvec3& p : made.grid("w.wall.1").position_m) {
+    EXPECT_GE(p.x, 10.5);
+    EXPECT_LE(p.x, 21.5);
+    EXPECT_NEAR(p.y, 20.0, 1e-9);
+  }
+  EXPECT_GT(made.grid("w.wall.1").position_m.size(), 20u);
+}
+
+TEST(Workplace, APieceOfAWallWithItsOwnZoneStaysOne) {
+  const Made made = make(workplace(kDesk, "<without role='wall.2' because='window'/>"),
+                         "footprint='0 0  4 0  8 0  12 0  12 8  0 8' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_NEAR(made.area_m2("w.wall.1"), 4 * 2.8, 1e-9);
+  EXPECT_NEAR(made.area_m2("w.wall.3"), 4 * 2.8, 1e-9);
+}
+
+std::string round_room() {
+  std::string corners;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 2.0 * 3.14159265358979 * i / 24;
+    corners += std::to_string(3.5 * std::cos(angle)) + " " + std::to_string(3.5 * std::sin(angle));
+    corners += " ";
+  }
+  return "footprint='" + corners + "' height='2.8'";
+}
+
+TEST(WorkplaceMessage, WallsThatAreAllTooNarrow) {
+  EXPECT_THAT(make(workplace(""), round_room()).messages,
+              ElementsAre(HasSubstr("nothing is left of the zone 'wall' (wall.1 (0.91")));
+  EXPECT_THAT(make(workplace("", "<without role='wall' because='round'/>"), round_room()).messages,
+              IsEmpty());
+}
+
+TEST(Workplace, AMarginOfTheProjectHoldsForTheMaskToo) {
+  const Made made = make(workplace("", "<zone role='wall' margin='0.1'/>"), round_room());
+  EXPECT_THAT(made.messages, IsEmpty());
+  const calc::SensorGrid grid = made.grid("w.wall.7");
+  const Requirement required = requirements_of_plane(made.requirements, "w.wall.7").at(0);
+  EXPECT_EQ(apply_mask(required.mask, grid).points.size(), grid.position_m.size());
+  const Requirement ceiling = requirements_of_plane(made.requirements, "w.ceiling").at(0);
+  EXPECT_EQ(ceiling.mask.operations.at(0).metres, 0.5) << "as the pack says";
+}
+
+// Desk top from 0.73 to 0.76 m, and a task at 0.75 m that is a little larger.
+TEST(Workplace, ADeskTopThatSwallowsTheTaskIsNotJudged) {
+  const auto grid_with = [](const std::string& desk, calc::Diagnostics& diagnostics) {
+    const Made made = make("<box id='desk' material='white' " + desk + "/>" +
+                           workplace("origin='4 3' size='2 1.5'"));
+    EXPECT_THAT(made.messages, IsEmpty());
+    return calc::make_sensor_grid(made.plane("w.task"), made.space(), diagnostics);
+  };
+  calc::Diagnostics most, few, none;
+  EXPECT_FALSE(grid_with("position='4.2 3.2 0.73' size='1.6 1.1 0.03'", most));
+  ASSERT_EQ(most.all().size(), 1u);
+  EXPECT_THAT(format_diagnostic(most.all()[0]), HasSubstr("inside solids, the first in 'desk'"));
+  EXPECT_THAT(format_diagnostic(most.all()[0]), HasSubstr("give it a 'height'"));
+  EXPECT_TRUE(grid_with("position='4 3 0.73' size='0.3 0.3 0.03'", few));
+  ASSERT_EQ(few.all().size(), 1u);
+  EXPECT_THAT(format_diagnostic(few.all()[0]), HasSubstr("'desk'"));
+  EXPECT_TRUE(grid_with("position='4 3 0.7' size='2 1.5 0.03'", none));
+  EXPECT_THAT(none.all(), IsEmpty());
+}
+
+TEST(Workplace, PointsThatLookAroundGoByTheLongestWall) {
+  const Made made =
+      make(workplace(kDesk), "footprint='0.3 0  12 0  12 8  0 8  0 0.3' height='2.8'");
+  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.5 (0.42")));
+  EXPECT_NEAR(std::abs(made.plane("w.observer.1").direction.x), 1.0, 1e-12);
+  const Made cut = make(workplace(kDesk), "footprint='0 0.3  0.3 0  12 0  12 8  0 8' height='2.8'");
+  EXPECT_NEAR(std::abs(cut.plane("w.observer.1").direction.x), 1.0, 1e-12);
+}
+
+// Its sides cannot be moved by the margin.
+TEST(Workplace, ANicheDoesNotBreakTheZones) {
+  const Made made = make(workplace(kDesk),
+                         "footprint='0 0  12 0  12 8  8 8  8 8.4  7.2 8.4  7.2 8  0 8' "
+                         "height='2.8'");
+  EXPECT_THAT(made.messages, ElementsAre(HasSubstr("not checked: wall.4 (0.4 m wide")));
+  EXPECT_NEAR(made.area_m2("w.surround"), 3.0 * 2.5 - 3.0, 1e-9);
+  EXPECT_THAT(made.plane("w.surround").made_by, HasSubstr("without 0.5 m along the walls"));
+  // As without the niche, less what its corners take at most.
+  EXPECT_NEAR(made.area_m2("w.background"), 9.0 * 7.0 - 7.5, 0.5);
+  for (const glm::dvec3& point : made.grid("w.background").position_m) {
+    EXPECT_GE(calc::distance_to_boundary(made.space().shell->footprint_m, glm::dvec2(point)),
+              0.5 - 1e-9);
+  }
+}
+
+TEST(Workplace, CorridorsOfWarehousesAreFloors) {
+  EXPECT_EQ(make("<workplace id='w' pack='en12464-1:2021' row='13.7'/>").height_m("w.task"), 0.0);
+  EXPECT_EQ(make("<workplace id='w' pack='en12464-1:2011' row='5.1.4'/>").height_m("w.task"), 0.0);
+}
+
+TEST(WorkplaceMessage, MorePointsThanFitIntoMemory) {
+  EXPECT_THAT(make(workplace(kDesk, "<zone role='wall' count='1000 1000'/>")).messages,
+              ElementsAre(HasSubstr("at most 4000 planes and 4e+06 points of all workplaces")));
+}
+
+TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {
+  EXPECT_THAT(make("<workplace id='w' pack='en' row='1'/>").messages,
+              ElementsAre(HasSubstr("p.xml:5:19: error[unknown-reference]: attribute 'pack' of "
+                                    "<workplace>: there is no rule pack 'en'; allowed: ")));
+  EXPECT_THAT(make("<workplace id='w' pack='en12464-1' row='34.9'/>").messages,
+              ElementsAre(HasSubstr("p.xml:5:36: error[unknown-reference]: attribute 'row' of "
+                                    "<workplace>: there is no row '34.9'; allowed: 9.4, ")));
+  EXPECT_THAT(make(workplace("scene='day'")).messages,
+              ElementsAre(HasSubstr("there is no scene 'day'; allowed: night")));
+  EXPECT_THAT(make(workplace("", "<without role='sealing' because='x'/>")).messages,
+              ElementsAre(HasSubstr(
+                  "attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
+                  "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
+                  "ceiling, cylinder, modelling, observer, observer.1, observer.2, observer.3 or "
+                  "observer.4; did you mean 'ceiling'?")));
+  EXPECT_THAT(make(workplace("", "<zone role='wall.5' margin='0'/>")).messages,
+              ElementsAre(HasSubstr("there is no zone 'wall.5'")));
+}
+
+TEST(WorkplaceMessage, ABandThatVanishes) {
+  // From wall zone to wall zone.
+  EXPECT_THAT(
+      make(workplace("origin='0.5 0.5' size='11 7'")).messages,
+      ElementsAre(HasSubstr("p.xml:5:1: error[zone-vanishes]: workplace 'w': nothing is left of "
+                            "the zone 'surround' (band of 0.5 m around the task, without 0.5 m "
+                            "along the walls)")));
+  const Made left_out =
+      make(workplace("origin='0.5 0.5' size='11 7'", "<without role='surround' because='none'/>"));
+  EXPECT_THAT(left_out.messages, IsEmpty());
+  EXPECT_THAT(left_out.space().notes.at(0),
+              HasSubstr("background (nothing of the room is left around the surround)"));
+}
+
+TEST(WorkplaceMessage, AMarginThatLeavesNothingOfTheRoom) {
+  EXPECT_THAT(make(workplace("", "<zone role='task' margin='4'/>")).messages,
+              ElementsAre(HasSubstr("nothing is left of the zone 'task' (the room is 8 m wide, and "
+                                    "4 m along its walls do not count)")));
+}
+
+TEST(WorkplaceMessage, AZoneAboveTheCeiling) {
+  EXPECT_THAT(make(workplace(""), "size='12 8 1.1'").messages,
+              testing::Contains(HasSubstr("'cylinder' (1.2 m above the floor there is no room)")));
+}
+
+TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {
+  EXPECT_THAT(make(workplace("", "<zone role='wall.1' height='1'/>")).messages,
+              ElementsAre(HasSubstr("<zone>: 'height' has no meaning together with "
+                                    "'role=\"wall.1\"'")));
+}
+
+TEST(WorkplaceMessage, AnIdThatIsTaken) {
+  EXPECT_THAT(make("<plane id='w.task' height='1'/>\n" + workplace(kDesk)).messages,
+              ElementsAre(HasSubstr("p.xml:6:1: error[duplicate-id]: the plane 'w.task' is given "
+                                    "twice, also in line 5")));
+}
+
+TEST(WorkplaceMessage, APackThatMakesNoWorkplaces) {
+  EXPECT_THAT(make("<workplace id='w' pack='en12464-2' row='5.1-walkways'/>").messages,
+              ElementsAre(HasSubstr("rule pack 'en12464-2:2014' does not say where the planes of a "
+                                    "workplace are, for row '5.1-walkways' or any other; give "
+                                    "every <plane> with its <require>")));
+}
+
+}  // namespace
+}  // namespace rules

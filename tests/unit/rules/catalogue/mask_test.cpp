@@ -1,0 +1,155 @@
+#include "rules/catalogue/mask.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// columns x rows points of a plane of this size in metres, without `margin_m` along its outline.
+calc::SensorGrid grid_of(double u_m, double v_m, int columns, int rows, double margin_m = 0.0) {
+  calc::SensorGrid grid;
+  grid.columns = columns;
+  grid.rows = rows;
+  grid.margin_m = margin_m;
+  grid.spacing_u_m = (u_m - 2 * margin_m) / columns;
+  grid.spacing_v_m = (v_m - 2 * margin_m) / rows;
+  grid.origin_m = {10.0, 20.0, 0.0};
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      grid.position_m.push_back(grid.origin_m + glm::dvec3((column + 0.5) * grid.spacing_u_m,
+                                                           (row + 0.5) * grid.spacing_v_m, 0.0));
+      grid.column.push_back(column);
+      grid.row.push_back(row);
+    }
+  }
+  return grid;
+}
+
+std::set<int> rows_of(const MaskedPoints& masked, const calc::SensorGrid& grid) {
+  std::set<int> rows;
+  for (const std::size_t point : masked.points) rows.insert(grid.row[point]);
+  return rows;
+}
+
+Mask mask_of(MaskStep step, double metres = 0, double share = 0, double up_to = 0) {
+  return {"m", {{step, metres, share, up_to}}};
+}
+
+TEST(Mask, WithoutOperationsCountsEverything) {
+  EXPECT_EQ(apply_mask({}, grid_of(4, 2, 4, 2)).points.size(), 8u);
+}
+
+TEST(Mask, InsetLeavesOutAStripAlongAllSides) {
+  const calc::SensorGrid grid = grid_of(4, 3, 4, 3);  // points 0.5 m from the outline
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 0.5), grid).points.size(), 12u);  // on the edge
+  EXPECT_THAT(apply_mask(mask_of(MaskStep::inset, 0.6), grid).points, ElementsAre(5, 6));
+}
+
+TEST(Mask, AcrossLeavesOutTheLongSidesOnly) {
+  const calc::SensorGrid wide = grid_of(10, 3, 10, 6);  // rows at 0.25, 0.75, ... m
+  EXPECT_THAT(rows_of(apply_mask(mask_of(MaskStep::across, 0.5), wide), wide),
+              ElementsAre(1, 2, 3, 4));
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::across, 0.5), wide).points.size(), 40u);
+  const calc::SensorGrid turned = grid_of(3, 10, 6, 10);
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::across, 0.5), turned).points.size(), 40u);
+}
+
+// EN 1838:2024: a quarter of the width up to 2 m, 0.5 m beyond.
+TEST(Mask, ShareHoldsUpToItsWidth) {
+  const Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2.0);
+  const calc::SensorGrid narrow = grid_of(10, 1.2, 10, 12);  // rows at 0.05, 0.15, ... m
+  EXPECT_THAT(rows_of(apply_mask(mask, narrow), narrow), ElementsAre(3, 4, 5, 6, 7, 8));
+  const calc::SensorGrid two_metres = grid_of(10, 2.0, 10, 8);
+  EXPECT_THAT(rows_of(apply_mask(mask, two_metres), two_metres), ElementsAre(2, 3, 4, 5));
+  const calc::SensorGrid wider = grid_of(10, 4.0, 10, 8);  // rows at 0.25, 0.75, ...
+  EXPECT_THAT(rows_of(apply_mask(mask, wider), wider), ElementsAre(1, 2, 3, 4, 5, 6));
+}
+
+TEST(Mask, CentreLineIsTheMiddleRowOrTheTwoBesideTheMiddle) {
+  const Mask mask = mask_of(MaskStep::centre_line);
+  const calc::SensorGrid odd = grid_of(10, 3, 10, 5);
+  EXPECT_THAT(rows_of(apply_mask(mask, odd), odd), ElementsAre(2));
+  const calc::SensorGrid even = grid_of(10, 3, 10, 6);
+  EXPECT_THAT(rows_of(apply_mask(mask, even), even), ElementsAre(2, 3));
+}
+
+TEST(Mask, CentreLineMayBeForNarrowPlanesOnly) {
+  const Mask mask = mask_of(MaskStep::centre_line, 0, 0, 2.0);
+  const calc::SensorGrid narrow = grid_of(10, 2, 10, 5);
+  EXPECT_THAT(rows_of(apply_mask(mask, narrow), narrow), ElementsAre(2));
+  const MaskedPoints wide = apply_mask(mask, grid_of(12, 8, 12, 9));
+  EXPECT_TRUE(wide.points.empty());
+  EXPECT_EQ(wide.problem,
+            "mask 'm' needs a plane at most 2 m wide, this one is 8 m: divide it into strips");
+}
+
+TEST(Mask, MeasuresFromTheOutlineNotFromTheGrid) {
+  const calc::SensorGrid grid = grid_of(10, 4, 10, 3, 0.5);  // rows at 1, 2 and 3 m
+  EXPECT_THAT(rows_of(apply_mask(mask_of(MaskStep::across, 0.9), grid), grid),
+              ElementsAre(0, 1, 2));
+  EXPECT_THAT(rows_of(apply_mask(mask_of(MaskStep::across, 1.1), grid), grid), ElementsAre(1));
+}
+
+TEST(Mask, NeedsEveryOperation) {
+  Mask mask = mask_of(MaskStep::inset, 0.6);
+  mask.operations.push_back({MaskStep::centre_line, 0, 0, 0});
+  EXPECT_THAT(apply_mask(mask, grid_of(4, 4, 4, 4)).points, ElementsAre(5, 6, 9, 10));
+}
+
+TEST(Mask, SaysWhenNothingIsLeft) {
+  const MaskedPoints masked = apply_mask(mask_of(MaskStep::inset, 3), grid_of(4, 4, 4, 4));
+  EXPECT_THAT(masked.points, IsEmpty());
+  EXPECT_EQ(masked.problem, "mask 'm' leaves none of 16 points");
+}
+
+// The plane is a strip along the wall x = 10 of a room of 10 x 5 m.
+TEST(Mask, WallsAreThoseOfTheRoomNotThePlanesOwnEdges) {
+  calc::SensorGrid grid = grid_of(3, 5, 3, 5);  // from (10, 20); points 0.5 m from its outline
+  const Mask mask = mask_of(MaskStep::walls, 0.6);
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 15u) << "in the open space";
+  grid.room_m = {{3, 20}, {13, 20}, {13, 25}, {3, 25}};
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(3, 4, 6, 7, 9, 10));
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::walls, 0.5), grid).points.size(), 15u) << "on the edge";
+  // A band with a hole is judged, too.
+  grid.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 6u);
+  grid.room_m.clear();
+  grid.has_unknown_walls = true;
+  EXPECT_EQ(apply_mask(mask, grid).problem,
+            "mask 'm' needs to know the walls: the building file has no outline of this room");
+}
+
+TEST(Mask, InsetWorksForEveryOutline) {
+  calc::SensorGrid grid = grid_of(4, 4, 4, 4);
+  // An L: without the corner beyond (2, 2).
+  grid.outline_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  grid.dropped.push_back({{}, 2, 2, calc::DropReason::outside_area, ""});
+  for (const std::size_t point : {15, 14, 11, 10}) {
+    grid.position_m.erase(grid.position_m.begin() + static_cast<std::ptrdiff_t>(point));
+  }
+  // Of the twelve points only (1.5, 1.5) is farther than 0.6 m from every side.
+  EXPECT_THAT(apply_mask(mask_of(MaskStep::inset, 0.6), grid).points, ElementsAre(5));
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 0.6, 0.1, 2.0), grid).problem,
+            "mask 'm' needs a plane that is a rectangle");
+}
+
+TEST(Mask, IsForRectanglesOnly) {
+  calc::SensorGrid list = grid_of(4, 4, 4, 4);
+  list.columns = list.rows = 0;
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), list).problem,
+            "mask 'm' needs a plane that is a rectangle");
+  calc::SensorGrid polygon = grid_of(4, 4, 4, 4);
+  polygon.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), polygon).problem,
+            "mask 'm' needs a plane that is a rectangle");
+  EXPECT_EQ(apply_mask({}, list).points.size(), 16u);
+}
+
+}  // namespace
+}  // namespace rules

@@ -1,0 +1,36 @@
+#include "rules/catalogue/requirement.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rules {
+namespace {
+
+TEST(MetricNames, AreThoseOfProjectFiles) {
+  const std::vector<std::string_view> expected{"average",    "minimum", "maximum", "Uo",      "Ud",
+                                               "percentile", "value",   "share",   "gradient"};
+  EXPECT_EQ(metric_names(), expected);
+  EXPECT_STREQ(metric_name(Metric::uniformity_min_max), "Ud");
+}
+
+TEST(MetricNames, AreReadBack) {
+  for (const std::string_view name : metric_names()) {
+    ASSERT_TRUE(metric_from_name(name).has_value());
+    EXPECT_EQ(metric_name(*metric_from_name(name)), name);
+  }
+  EXPECT_FALSE(metric_from_name("uo").has_value());
+  EXPECT_FALSE(metric_from_name("").has_value());
+}
+
+TEST(MetricUnits, AreLuxExceptForRatios) {
+  for (const std::string_view name : metric_names()) {
+    const Metric metric = *metric_from_name(name);
+    const bool is_plain = name == "Uo" || name == "Ud" || name == "share" || name == "gradient";
+    EXPECT_EQ(is_ratio(metric), is_plain) << name;
+    EXPECT_STREQ(metric_unit(metric), is_plain ? "" : "lx") << name;
+  }
+}
+
+}  // namespace
+}  // namespace rules

@@ -1,0 +1,166 @@
+#include "rules/measure/measure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+
+// A plane of 4 m x 3 m with a point in the middle of every square metre.
+calc::SensorGrid grid_of_twelve() {
+  calc::SensorGrid grid;
+  grid.columns = 4;
+  grid.rows = 3;
+  grid.spacing_u_m = grid.spacing_v_m = 1.0;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      grid.position_m.emplace_back(column + 0.5, row + 0.5, 0.0);
+    }
+  }
+  return grid;
+}
+
+// Exact direct light of 1, 2, ... 12 lx, and reflected light in two replicates.
+calc::PlaneField field_of_twelve() {
+  calc::PlaneField field;
+  field.points = 12;
+  field.replicates = 2;
+  field.channels = {{"", 0.5}};
+  for (int i = 1; i <= 12; ++i) field.direct_exact_lx.push_back(i);
+  for (int i = 0; i < 24; ++i) field.indirect_lx.push_back(i < 12 ? 99.0 : 101.0);
+  return field;
+}
+
+Requirement minimum_at_least(double limit) {
+  Requirement requirement;
+  requirement.metric = Metric::minimum;
+  requirement.state = LightState::initial;
+  requirement.limit = limit;
+  return requirement;
+}
+
+TEST(Measure, CountsThePointsOfTheMaskOnly) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.value, 6.0);  // points 5 and 6 of 0 ... 11
+  EXPECT_EQ(result.metric->point, 5u);
+  EXPECT_EQ(result.points_used, 2u);
+}
+
+TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::power_per_100_lx;
+  requirement.power_density_w_m2 = 13.0;
+  requirement.direct_only = true;
+  const calc::Estimate exact =
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  EXPECT_DOUBLE_EQ(exact.value, 200.0);  // 6.5 lx
+  EXPECT_EQ(exact.low, exact.high);
+  requirement.direct_only = false;
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  const calc::Estimate power =
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  const calc::Estimate lx =
+      measure(average, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  EXPECT_DOUBLE_EQ(power.low, 1300.0 / lx.high);
+  EXPECT_DOUBLE_EQ(power.high, 1300.0 / lx.low);
+  EXPECT_LT(power.low, power.value);
+}
+
+TEST(Measure, PowerDensityIsKnownBeforehand) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::power_density;
+  requirement.power_density_w_m2 = 6.5;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.low, 6.5);
+  EXPECT_EQ(result.metric->estimate.high, 6.5);
+  EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
+}
+
+TEST(Measure, EnergyIsKnownBeforehand) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::leni;
+  requirement.power_density_w_m2 = 6.5;
+  requirement.leni_kwh_m2 = 11.9;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(result.metric.has_value());
+  EXPECT_EQ(result.metric->estimate.value, 11.9);
+  EXPECT_EQ(result.metric->estimate.high, 11.9);
+  EXPECT_EQ(result.active, std::vector<std::uint8_t>(12, 0));
+}
+
+// What a rule requires of an area it requires of all of it; the project's own limits are about its
+// points.
+TEST(Measure, OfARulePackNeedsPointsEverywhere) {
+  Requirement requirement = minimum_at_least(1);
+  calc::SensorGrid grid = grid_of_twelve();
+  grid.missed_m2 = 0.8;
+  EXPECT_TRUE(measure(requirement, grid, field_of_twelve(), {}, 0.95).metric.has_value());
+  requirement.origin.pack = "own:1";
+  const Measurement result = measure(requirement, grid, field_of_twelve(), {}, 0.95);
+  EXPECT_FALSE(result.metric.has_value());
+  EXPECT_THAT(result.reason, testing::HasSubstr("0.8 m2 of the area have no calculation point"));
+  EXPECT_EQ(result.unseen_points, 0u);  // more samples do not help
+}
+
+TEST(Measure, LeavesReflectedLightOut) {
+  Requirement requirement = minimum_at_least(1);
+  EXPECT_EQ(
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate.value,
+      101.0);
+  requirement.direct_only = true;
+  const Measurement direct = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_EQ(direct.metric->estimate.low, 1.0);  // exact
+  EXPECT_EQ(direct.metric->estimate.high, 1.0);
+  requirement.state = LightState::end_of_duration;  // times the maintenance factor
+  EXPECT_EQ(
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate.value,
+      0.5);
+}
+
+TEST(Measure, OfDirectLightDoubtsWhatNoDirectSampleReached) {
+  calc::PlaneField field = field_of_twelve();
+  field.direct_exact_lx.assign(12, 0.0);
+  field.direct_sampled_lx.assign(24, 5.0);
+  field.direct_sampled_lx[3] = field.direct_sampled_lx[15] = 0.0;
+  field.largest_share.assign(12, 0.09F);
+  Requirement requirement = minimum_at_least(1);
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field, {}, 0.95);
+  EXPECT_EQ(result.unseen_points, 1u);
+}
+
+TEST(Measure, WorksOnAtPointsOfTheMask) {
+  Requirement requirement = minimum_at_least(105.5);
+  requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_THAT(result.active, ElementsAre(0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0));
+}
+
+TEST(Measure, DoesNothingForWhatCannotBeJudged) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.problem = "no daylight";
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_FALSE(result.metric.has_value());
+  EXPECT_EQ(result.reason, "no daylight");
+}
+
+TEST(Measure, SharesOfPoints) {
+  Requirement requirement = minimum_at_least(0.5);
+  requirement.metric = Metric::share;
+  requirement.range.from = 7.0;
+  requirement.direct_only = true;
+  const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_EQ(result.metric->estimate.value, 0.5);
+  EXPECT_EQ(result.metric->estimate.low, 0.5);
+}
+
+}  // namespace
+}  // namespace rules

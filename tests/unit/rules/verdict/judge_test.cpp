@@ -1,0 +1,240 @@
+#include "rules/verdict/judge.h"
+
+#include <gtest/gtest.h>
+
+namespace rules {
+namespace {
+
+// Three points in a row, cells of 1 m x 0.5 m.
+calc::SensorGrid row_of_points() {
+  calc::SensorGrid grid;
+  grid.columns = 3;
+  grid.rows = 1;
+  grid.spacing_u_m = 1.0;
+  grid.spacing_v_m = 0.5;
+  grid.position_m = {{0.5, 0.25, 0.75}, {1.5, 0.25, 0.75}, {2.5, 0.25, 0.75}};
+  return grid;
+}
+
+calc::PlaneField exact_field(std::vector<double> values_lx) {
+  calc::PlaneField field;
+  field.plane_id = "desk";
+  field.points = values_lx.size();
+  field.replicates = 16;
+  field.channels = {{"window", 0.8}};
+  field.direct_exact_lx = std::move(values_lx);
+  return field;
+}
+
+// Two replicates per value pair: average - spread, average + spread at every point.
+calc::PlaneField sampled_field(double average_lx, double spread_lx) {
+  calc::PlaneField field = exact_field({0, 0, 0});
+  field.replicates = 4;
+  field.channels = {{"", 1.0}};
+  for (const double sign : {-1.0, 1.0, -1.0, 1.0}) {
+    field.indirect_lx.insert(field.indirect_lx.end(), 3, average_lx + sign * spread_lx);
+  }
+  return field;
+}
+
+Requirement at_least(Metric metric, double limit) {
+  Requirement requirement;
+  requirement.plane_id = "desk";
+  requirement.metric = metric;
+  requirement.limit = limit;
+  return requirement;
+}
+
+Finding judge(const Requirement& requirement, const calc::PlaneField& field,
+              const std::vector<calc::LightScene>& scenes = {}) {
+  return judge_plane({requirement}, row_of_points(), field, scenes, 0.95).at(0);
+}
+
+TEST(Judge, PassesWithValueMarginAndPlace) {
+  const Finding finding = judge(at_least(Metric::minimum, 200), exact_field({500, 300, 400}));
+  EXPECT_EQ(finding.verdict, Verdict::pass);  // 300 lx times the maintenance factor 0.8
+  EXPECT_DOUBLE_EQ(finding.measured.value, 240);
+  EXPECT_DOUBLE_EQ(finding.margin, 0.2);
+  EXPECT_FALSE(finding.is_close);
+  ASSERT_TRUE(finding.place_m.has_value());
+  EXPECT_EQ(*finding.place_m, glm::dvec3(1.5, 0.25, 0.75));
+  EXPECT_EQ(finding.reason, "");
+  EXPECT_EQ(finding.requirement.metric, Metric::minimum);
+}
+
+// A refused plane has no values: its zeros must never be judged.
+TEST(Judge, ARefusedPlaneIsNotJudged) {
+  calc::PlaneField field = exact_field({0, 0, 0});
+  field.problem = "no steady state";
+  Requirement at_most = at_least(Metric::maximum, 1000);
+  at_most.comparison = Comparison::at_most;
+  for (const Requirement& requirement : {at_most, at_least(Metric::average, 100)}) {
+    const Finding finding = judge(requirement, field);
+    EXPECT_EQ(finding.verdict, Verdict::not_judged);
+    EXPECT_EQ(finding.reason, "no steady state");
+  }
+}
+
+// Sampled light may reach point 1 but no sample has: its 0 lx +- 0 proves nothing.
+TEST(Judge, PointsThatNoSampleReachedLeaveTheVerdictOpen) {
+  calc::PlaneField field = sampled_field(500, 1);
+  for (std::size_t r = 0; r < 4; ++r) field.indirect_lx[3 * r + 1] = 0.0;
+  field.unseen = {0, 1, 0};
+  const Finding minimum = judge(at_least(Metric::minimum, 100), field);
+  EXPECT_EQ(minimum.verdict, Verdict::undecided);
+  EXPECT_EQ(minimum.reason,
+            "no sampled light reached 1 of 3 points: their illuminance is small, but not known");
+  EXPECT_EQ(judge(at_least(Metric::average, 100), field).verdict, Verdict::pass);
+  field.unseen = {0, 0, 0};  // nothing can reach it: 0 lx is the truth
+  EXPECT_EQ(judge(at_least(Metric::minimum, 100), field).verdict, Verdict::fail);
+}
+
+TEST(Judge, FailsWithANegativeMargin) {
+  const Finding finding = judge(at_least(Metric::average, 400), exact_field({500, 300, 400}));
+  EXPECT_EQ(finding.verdict, Verdict::fail);
+  EXPECT_DOUBLE_EQ(finding.margin, -0.2);
+  EXPECT_FALSE(finding.place_m.has_value());
+}
+
+TEST(Judge, FailsCloselyWhereAPrintedNumberWouldPass) {
+  const Finding finding = judge(at_least(Metric::average, 500), exact_field({624.5, 624.5, 624.5}));
+  EXPECT_DOUBLE_EQ(finding.measured.value, 499.6);
+  EXPECT_EQ(finding.verdict, Verdict::fail);
+  EXPECT_TRUE(finding.is_close);
+}
+
+TEST(Judge, FailsAUniformityThatPrintsAsItsLimit) {
+  const Finding finding =
+      judge(at_least(Metric::uniformity_min_avg, 0.60), exact_field({59.5, 100, 140.5}));
+  EXPECT_DOUBLE_EQ(finding.measured.value, 0.595);
+  EXPECT_EQ(finding.verdict, Verdict::fail);
+  EXPECT_TRUE(finding.is_close);
+}
+
+TEST(Judge, PassesExactlyAtTheLimit) {
+  EXPECT_EQ(judge(at_least(Metric::average, 400), exact_field({500, 500, 500})).verdict,
+            Verdict::pass);
+}
+
+TEST(Judge, UsesTheStateOfTheRequirement) {
+  Requirement requirement = at_least(Metric::average, 450);
+  EXPECT_EQ(judge(requirement, exact_field({500, 500, 500})).verdict, Verdict::fail);
+  requirement.state = LightState::initial;
+  EXPECT_EQ(judge(requirement, exact_field({500, 500, 500})).verdict, Verdict::pass);
+}
+
+TEST(Judge, UsesTheSceneOfTheRequirement) {
+  Requirement requirement = at_least(Metric::average, 100);
+  requirement.scene = "day";
+  const std::vector<calc::LightScene> scenes{{"night", {}, {}}, {"day", {{"window", 0.5}}, {}}};
+  EXPECT_DOUBLE_EQ(judge(requirement, exact_field({500, 500, 500}), scenes).measured.value, 200);
+}
+
+TEST(Judge, SaysThatASceneIsMissing) {
+  Requirement requirement = at_least(Metric::average, 100);
+  requirement.scene = "day";
+  const Finding finding = judge(requirement, exact_field({500, 500, 500}));
+  EXPECT_EQ(finding.verdict, Verdict::not_judged);
+  EXPECT_EQ(finding.reason, "there is no scene 'day'");
+}
+
+TEST(Judge, IsUndecidedWithinTheInterval) {
+  // standard error 5 * sqrt(4 / 3) / 2, t 3.182: 500 -+ 9.19
+  const Finding finding = judge(at_least(Metric::average, 505), sampled_field(500, 5));
+  EXPECT_EQ(finding.verdict, Verdict::undecided);
+  EXPECT_EQ(finding.reason, "the interval 491 to 509 lx contains the limit 505 lx");
+}
+
+TEST(Judge, ShowsEnoughDigitsToBelieveTheReason) {
+  // 500 -+ 0.0184 and 500 -+ 0.184
+  EXPECT_EQ(judge(at_least(Metric::average, 500), sampled_field(500, 0.01)).reason,
+            "the interval 499.98 to 500.02 lx contains the limit 500 lx");
+  EXPECT_EQ(judge(at_least(Metric::average, 499.9), sampled_field(500, 0.1)).reason,
+            "the interval 499.8 to 500.2 lx contains the limit 499.9 lx");
+  EXPECT_EQ(judge(at_least(Metric::average, 2), sampled_field(2, 0.1)).reason,
+            "the interval 1.82 to 2.18 lx contains the limit 2 lx");
+}
+
+TEST(Judge, ShowsRatiosWithoutUnit) {
+  calc::PlaneField field = sampled_field(100, 0);
+  field.indirect_lx = {55, 90, 155, 65, 110, 125, 60, 100, 140, 60, 100, 140};
+  const Finding finding = judge(at_least(Metric::uniformity_min_avg, 0.6), field);
+  EXPECT_EQ(finding.verdict, Verdict::undecided);
+  // 0.6 - 3.182 * 0.0204; above, three points share the level: 0.6 + 4.857 * 0.0204
+  EXPECT_EQ(finding.reason, "the interval 0.54 to 0.70 contains the limit 0.6");
+}
+
+TEST(Judge, DoesNotJudgeAnUndefinedUniformity) {
+  const Finding uo = judge(at_least(Metric::uniformity_min_avg, 0.6), exact_field({0, 0, 0}));
+  EXPECT_EQ(uo.verdict, Verdict::not_judged);
+  EXPECT_EQ(uo.reason, "average is 0 lx: uniformity is undefined");
+  const Finding ud = judge(at_least(Metric::uniformity_min_max, 0.1), exact_field({0, 0, 0}));
+  EXPECT_EQ(ud.reason, "maximum is 0 lx: uniformity is undefined");
+  EXPECT_EQ(ud.margin, 0.0);
+}
+
+TEST(Judge, FailsADarkPlaneWhereTheQuantityExists) {
+  EXPECT_EQ(judge(at_least(Metric::average, 100), exact_field({0, 0, 0})).verdict, Verdict::fail);
+}
+
+Requirement value_at(const glm::dvec3& point_m) {
+  Requirement requirement = at_least(Metric::value_at_point, 200);
+  requirement.point_m = point_m;
+  return requirement;
+}
+
+TEST(Judge, TakesTheCalculationPointNextToAPlace) {
+  const Finding finding = judge(value_at({1.9, 0.4, 0.8}), exact_field({500, 300, 400}));
+  EXPECT_DOUBLE_EQ(finding.measured.value, 240);
+  EXPECT_EQ(*finding.place_m, glm::dvec3(1.5, 0.25, 0.75));
+}
+
+TEST(Judge, TakesAPlaceOnTheEdgeOfACell) {
+  EXPECT_EQ(judge(value_at({3.0, 0.5, 0.75}), exact_field({500, 300, 400})).verdict, Verdict::pass);
+}
+
+TEST(Judge, DoesNotJudgeAPlaceWithoutACalculationPoint) {
+  const calc::PlaneField field = exact_field({500, 300, 400});
+  const std::string nearest = "; nearest is at (2.500, 0.250, 0.750) m";
+  const std::string none = "no calculation point within half a cell (0.500 x 0.250 m) of ";
+  const Finding along = judge(value_at({3.1, 0.25, 0.75}), field);
+  EXPECT_EQ(along.verdict, Verdict::not_judged);
+  EXPECT_EQ(along.reason, none + "(3.100, 0.250, 0.750) m" + nearest);
+  EXPECT_EQ(judge(value_at({2.5, 0.6, 0.75}), field).verdict, Verdict::not_judged);
+  EXPECT_EQ(judge(value_at({2.5, 0.25, 0.0}), field).verdict, Verdict::not_judged);
+}
+
+TEST(Judge, WantsThePointItselfOfAPointList) {
+  calc::SensorGrid list = row_of_points();
+  list.columns = list.rows = 0;
+  list.spacing_u_m = list.spacing_v_m = 0.0;
+  const calc::PlaneField field = exact_field({500, 300, 400});
+  EXPECT_EQ(judge_plane({value_at({1.5005, 0.25, 0.75})}, list, field, {}, 0.95)[0].verdict,
+            Verdict::pass);
+  const Finding off = judge_plane({value_at({1.6, 0.25, 0.75})}, list, field, {}, 0.95)[0];
+  EXPECT_EQ(off.verdict, Verdict::not_judged);
+  EXPECT_EQ(off.reason,
+            "no calculation point within 0.001 m of (1.600, 0.250, 0.750) m; nearest is at "
+            "(1.500, 0.250, 0.750) m");
+}
+
+TEST(Judge, KeepsTheOrderOfRequirements) {
+  const std::vector<Finding> findings =
+      judge_plane({at_least(Metric::maximum, 1), at_least(Metric::minimum, 1000)}, row_of_points(),
+                  exact_field({500, 300, 400}), {}, 0.95);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].verdict, Verdict::pass);
+  EXPECT_EQ(findings[1].verdict, Verdict::fail);
+}
+
+TEST(NotJudgedPlane, RepeatsTheReasonForEveryRequirement) {
+  const std::vector<Finding> findings = not_judged_plane(
+      {at_least(Metric::average, 1), at_least(Metric::minimum, 2)}, "no point is left");
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[1].verdict, Verdict::not_judged);
+  EXPECT_EQ(findings[1].reason, "no point is left");
+  EXPECT_EQ(findings[1].requirement.limit, 2);
+}
+
+}  // namespace
+}  // namespace rules
