@@ -7,7 +7,7 @@ luxgate_test(cli_tests
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/init/init_test.cpp
-    unit/report/cli/options_test.cpp
+    unit/report/shell/command_line_test.cpp
     unit/report/shell/outputs_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)

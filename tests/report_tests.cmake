@@ -23,7 +23,7 @@ luxgate_test(report_tests
     unit/report/text/redact_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
-    unit/report/shell/write_test.cpp
+    unit/report/formats/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
 target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
 

@@ -1,10 +1,10 @@
 #include "calc/meshes/mesh_gltf.h"
 
+#include "calc/base/relative_path.h"
 #include "calc/base/utf8.h"
 #include "calc/meshes/gltf_container.h"
 #include "calc/meshes/mesh_builder.h"
 #include "calc/meshes/mesh_gltf_accessor.h"
-#include "calc/project/project_files.h"
 
 #include <tiny_gltf.h>
 #include <glm/gtc/quaternion.hpp>

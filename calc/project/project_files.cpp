@@ -1,6 +1,7 @@
 #include "calc/project/project_files.h"
 
 #include "calc/base/file_hash.h"
+#include "calc/base/relative_path.h"
 #include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/web_hermite.h"
 #include "calc/project/point_list_csv.h"
@@ -9,11 +10,6 @@
 
 namespace calc {
 namespace {
-
-bool is_absolute(std::string_view path) {
-  const bool has_drive = path.size() >= 2 && path[1] == ':';
-  return path.starts_with('/') || path.starts_with('\\') || has_drive;
-}
 
 // The same light from the middle of the luminaire.
 PhotometricWeb without_opening(const PhotometricWeb& web) {
@@ -28,30 +24,6 @@ PhotometricWeb without_opening(const PhotometricWeb& web) {
 }
 
 }  // namespace
-
-std::optional<std::string> normalize_relative_path(std::string_view path) {
-  if (is_absolute(path)) return std::nullopt;
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('/', begin), path.size());
-    const std::string_view part = path.substr(begin, end - begin);
-    begin = end + 1;
-    if (part.empty() || part == ".") continue;
-    if (part != "..") {
-      parts.push_back(part);
-    } else if (parts.empty()) {
-      return std::nullopt;
-    } else {
-      parts.pop_back();
-    }
-  }
-  std::string normal;
-  for (const std::string_view part : parts) {
-    if (!normal.empty()) normal += '/';
-    normal += part;
-  }
-  return normal;
-}
 
 ProjectFiles::ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics)
     : reader_(reader), project_(project), diagnostics_(diagnostics) {}

@@ -21,10 +21,6 @@
 
 namespace calc {
 
-// "a/./b/../c" -> "a/c"; empty for absolute names and for names that lead out of the folder they
-// start from.
-std::optional<std::string> normalize_relative_path(std::string_view path);
-
 // How a project uses a file's light.
 struct WebUse {
   bool as_point = false;  // from the luminaire's centre, without the file's luminous opening

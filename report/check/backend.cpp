@@ -4,7 +4,6 @@
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
 #include "gpu/shadow_map_gatherer.h"
-#include "report/shell/option_values.h"
 #include "report/text/number_format.h"
 
 #include <fmt/format.h>
@@ -12,9 +11,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
-namespace cli {
+namespace check {
 namespace {
+
+constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
+    {"light-paths", &GpuStages::light_paths},
+    {"connections", &GpuStages::connections},
+    {"near-field", &GpuStages::near_field}};
 
 std::string why_no_hardware(const gpu::DeviceList& hardware) {
   if (!hardware.problem.empty()) return hardware.problem;
@@ -56,6 +61,21 @@ constexpr double kTriangle_ns = 300.0;         // the tree
 
 }  // namespace
 
+std::vector<std::string_view> gpu_stage_names(const GpuStages& stages) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, member] : kGpuStages) {
+    if (stages.*member) names.push_back(name);
+  }
+  return names;
+}
+
+bool GpuStages::*find_gpu_stage(std::string_view name) {
+  for (const auto& [known, member] : kGpuStages) {
+    if (known == name) return member;
+  }
+  return nullptr;
+}
+
 BackendCost backend_cost(const GatherWork& work) {
   BackendCost cost;
   cost.cpu_s = 1e-9 * kCpuConnection_ns / kCores * work.connections;
@@ -93,17 +113,17 @@ BackendChoice choose_automatically(const gpu::DeviceList& hardware,
   return {Backend::gpu, *device, why};
 }
 
-BackendChoice choose_backend(const Options& options, gpu::Fault fault,
-                             const std::function<GatherWork()>& work) {
-  if (const std::uint32_t texels = options.radiosity.shadow_map_texels; texels > 0) {
+BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
+                             gpu::Fault fault, const std::function<GatherWork()>& work) {
+  if (shadow_map_texels > 0) {
     // Maps make the connections, whatever else is chosen; instant radiosity has no near field.
-    const GpuStages wanted = options.gpu_stages.value_or(GpuStages{false, true, false});
-    return {Backend::gpu, options.gl_device, "--visibility shadow-map draws with OpenGL",
-            GpuStages{wanted.light_paths, true, false}, texels};
+    const GpuStages wanted = request.stages.value_or(GpuStages{false, true, false});
+    return {Backend::gpu, request.gl_device, "--visibility shadow-map draws with OpenGL",
+            GpuStages{wanted.light_paths, true, false}, shadow_map_texels};
   }
-  if (options.backend != Backend::automatic) {
-    return {options.backend, options.gl_device, "asked for with --backend",
-            options.gpu_stages.value_or(GpuStages())};
+  if (request.backend != Backend::automatic) {
+    return {request.backend, request.gl_device, "asked for with --backend",
+            request.stages.value_or(GpuStages())};
   }
   return choose_automatically(gpu::list_hardware(fault), work);
 }
@@ -144,4 +164,4 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   return backend;
 }
 
-}  // namespace cli
+}  // namespace check

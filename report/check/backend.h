@@ -3,7 +3,6 @@
 
 #include "calc/radiosity/stages.h"
 #include "gpu/gl_gatherer.h"
-#include "report/cli/options.h"
 
 #include <cstdint>
 #include <functional>
@@ -11,8 +10,27 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-namespace cli {
+namespace check {
+
+enum class Backend { automatic, cpu, gpu };
+// Which parts of the calculation a gpu does.
+struct GpuStages {
+  bool light_paths = true, connections = true, near_field = true;
+  friend bool operator==(const GpuStages&, const GpuStages&) = default;
+};
+// "light-paths", "connections" and "near-field": those that are set, in this order.
+std::vector<std::string_view> gpu_stage_names(const GpuStages& stages);
+// Of such a name; null if there is none.
+bool GpuStages::*find_gpu_stage(std::string_view name);
+
+// What a user wants.
+struct BackendRequest {
+  Backend backend = Backend::automatic;
+  int gl_device = -1;               // as `luxgate devices` numbers them; -1 = not given
+  std::optional<GpuStages> stages;  // empty: not given, all
+};
 
 // The value of LUXGATE_GL_FAULT, by which tests let OpenGL fail: "" or a name of gpu::Fault with
 // dashes; empty if it is neither.
@@ -48,8 +66,9 @@ BackendCost backend_cost(const GatherWork& work);
 BackendChoice choose_automatically(const gpu::DeviceList& hardware,
                                    const std::function<GatherWork()>& work);
 // What --backend means on this machine, whose devices are only looked for if that matters.
-BackendChoice choose_backend(const Options& options, gpu::Fault fault,
-                             const std::function<GatherWork()>& work);
+// shadow_map_texels: as in calc::RadiositySettings.
+BackendChoice choose_backend(const BackendRequest& request, std::uint32_t shadow_map_texels,
+                             gpu::Fault fault, const std::function<GatherWork()>& work);
 
 // "backend: cpu: this machine has no graphics device\n"; of a gpu also what runs on it.
 std::string backend_line(const BackendChoice& choice);
@@ -66,9 +85,10 @@ struct OpenBackend {
 };
 
 // Empty: `problem` says why. Another backend is never taken instead. Where OpenGL turns out to be
-// software, `warning` names its renderer. program_folder: see Environment.
+// software, `warning` names its renderer. program_folder: where compiled shaders are kept, "" =
+// nowhere.
 std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault fault,
                                         const std::string& program_folder, std::string& problem,
                                         std::string& warning);
 
-}  // namespace cli
+}  // namespace check

@@ -8,9 +8,6 @@
 #include "report/build/build_evidence.h"
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
-#include "report/check/plan.h"
-#include "report/shell/interrupt.h"
-#include "report/tools/vpl/vpl.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
@@ -25,10 +22,12 @@
 #include <chrono>
 #include <cstddef>
 #include <ctime>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
-namespace cli {
+namespace check {
 namespace {
 
 class Stopwatch {
@@ -106,7 +105,7 @@ Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
 // "" where the light of single luminaires can be kept apart, else why not: it takes so many
 // numbers.
 std::string problem_with_separation(const calc::PreparedScene& scene, const Tasks& tasks,
-                                    const Options& options) {
+                                    const Settings& settings) {
   constexpr double kMostNumbers = 1 << 24;  // 128 MiB for each of the field's parts
   constexpr std::size_t kMostLuminaires = 4096;
   double receivers = 0.0;
@@ -115,7 +114,8 @@ std::string problem_with_separation(const calc::PreparedScene& scene, const Task
                                      calc::receivers_per_point(task.grid->derived));
   }
   const std::size_t luminaires = scene.luminaires.size();
-  const double numbers = receivers * static_cast<double>(luminaires) * options.radiosity.replicates;
+  const double numbers =
+      receivers * static_cast<double>(luminaires) * settings.radiosity.replicates;
   if (luminaires <= kMostLuminaires && numbers <= kMostNumbers) return "";
   return fmt::format(
       "light by luminaire is left out: {} luminaires at {:.0f} points are too many to keep apart",
@@ -123,36 +123,35 @@ std::string problem_with_separation(const calc::PreparedScene& scene, const Task
 }
 
 // The project's settings with what is left of its time; a limit of 0 would mean none.
-calc::RadiositySettings remaining_settings(const Options& options, const Stopwatch& watch) {
-  calc::RadiositySettings settings = options.radiosity;
-  if (settings.time_limit_s > 0.0) {
+calc::RadiositySettings remaining_settings(const Settings& settings, const Stopwatch& watch) {
+  calc::RadiositySettings remaining = settings.radiosity;
+  if (remaining.time_limit_s > 0.0) {
     constexpr double kShortest_s = 1e-3;
-    settings.time_limit_s = std::max(settings.time_limit_s - watch.seconds(), kShortest_s);
+    remaining.time_limit_s = std::max(remaining.time_limit_s - watch.seconds(), kShortest_s);
   }
-  return settings;
+  return remaining;
 }
 
 calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScene& scene,
-                          Tasks& tasks, const CheckContext& context, const Stopwatch& watch,
+                          Tasks& tasks, const Context& context, const Stopwatch& watch,
                           const calc::VertexCache* cache) {
-  const Options& options = context.options;
-  const rules::StopRule rule{options.goal, options.tolerance, options.confidence};
+  const Settings& wanted = context.settings;
+  const rules::StopRule rule{wanted.goal, wanted.tolerance, wanted.confidence};
   const auto test = [&](std::size_t task, const calc::PlaneField& field, calc::Look) {
     const PlaneJob& job = *tasks.job[task];
     tasks.looks[task].push_back(report::build_look(
         field, job.grid->derived,
-        rules::judge_plane(job.requirements, *job.grid, field, project.scenes, options.confidence),
-        options.confidence));
+        rules::judge_plane(job.requirements, *job.grid, field, project.scenes, wanted.confidence),
+        wanted.confidence));
     rules::StopAnswer answer =
         rules::stop_or_go_on(rule, job.requirements, *job.grid, field, project.scenes);
     return calc::LookAnswer{answer.finished, std::move(answer.active)};
   };
   const auto progress = [&](const calc::SolveProgress& solve_progress) {
-    context.progress.update(solve_progress);
-    return !interrupted();
+    return context.observer.go_on(solve_progress);
   };
-  return calc::solve_illuminance(scene, tasks.list, remaining_settings(options, watch),
-                                 options.confidence, context.stages, test, progress, cache);
+  return calc::solve_illuminance(scene, tasks.list, remaining_settings(wanted, watch),
+                                 wanted.confidence, context.stages, test, progress, cache);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
@@ -183,25 +182,23 @@ void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneFie
   }
 }
 
-// "2026-05-31": of the report if it has a date, else of the clock, UTC.
-std::string today(const Options& options) {
-  constexpr std::size_t kDateLength = 10;
-  if (!options.timestamp.empty()) return options.timestamp.substr(0, kDateLength);
+std::string today(const Settings& settings) {
+  if (!settings.today.empty()) return settings.today;
   const std::time_t now = std::time(nullptr);
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }
 
 report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
-                        const std::vector<calc::LightScene>& scenes, const Options& options) {
+                        const std::vector<calc::LightScene>& scenes, const Settings& settings) {
   if (field == nullptr || !job.reason.empty()) {
     return report::build_uncomputed_plane(*job.plane, job.reason,
                                           rules::not_judged_plane(job.requirements, job.reason));
   }
   std::vector<rules::Finding> findings =
-      rules::judge_plane(job.requirements, *job.grid, *field, scenes, options.confidence);
-  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(options));
+      rules::judge_plane(job.requirements, *job.grid, *field, scenes, settings.confidence);
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(settings));
   return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
-                             options.confidence);
+                             settings.confidence);
 }
 
 void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
@@ -214,7 +211,7 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
 }
 
 report::SpacePart check_space(const calc::Space& space, const rules::JudgedProject& loaded,
-                              const CheckContext& context, const Stopwatch& watch,
+                              const Context& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
   std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
@@ -222,21 +219,24 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   Tasks tasks = make_tasks(jobs);
   std::optional<calc::PreparedScene> apart;
   std::string not_apart;
-  if (context.options.by_luminaire) {
-    not_apart = problem_with_separation(scene, tasks, context.options);
+  if (context.settings.by_luminaire) {
+    not_apart = problem_with_separation(scene, tasks, context.settings);
     if (not_apart.empty()) calc::separate_luminaires(apart.emplace(scene));
   }
   const calc::PreparedScene& solved = apart ? *apart : scene;
   times.prepare_s += prepare_watch.seconds();
 
-  const calc::VertexCache* cache =
-      context.cache != nullptr && context.cache->space_id == space.id ? context.cache : nullptr;
-  if (cache != nullptr && !fits(*cache, solved, context.options, diagnostics)) return {};
+  const bool is_traced =
+      context.vertices == nullptr || context.vertices->cache.space_id != space.id;
+  if (!is_traced &&
+      !fits(*context.vertices, solved, context.settings.radiosity.skips, diagnostics)) {
+    return {};
+  }
+  const calc::VertexCache* cache = is_traced ? nullptr : &context.vertices->cache;
   calc::SpaceSolution solution;
   if (!tasks.list.empty()) solution = solve(loaded.project, solved, tasks, context, watch, cache);
-  if (context.cost_log != nullptr && !tasks.list.empty()) {
-    *context.cost_log += explain_cost(loaded.project.path, space.id, solved, tasks.list,
-                                      context.options.radiosity, solution);
+  if (!tasks.list.empty()) {
+    context.observer.solved(loaded.project.path, space.id, solved, tasks.list, solution);
   }
   add_times(solution, times);
   take_problems(jobs, solution.fields, diagnostics);
@@ -247,14 +247,14 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   std::size_t task = 0;
   for (const PlaneJob& job : jobs) {
     const calc::PlaneField* field = job.grid ? &solution.fields[task] : nullptr;
-    planes.push_back(judge(job, field, loaded.project.scenes, context.options));
+    planes.push_back(judge(job, field, loaded.project.scenes, context.settings));
     if (!job.grid) continue;
     if (planes.back().is_computed && !field->is_exact())
       planes.back().looks = std::move(tasks.looks[task]);
     if (planes.back().is_computed && apart) {
       planes.back().by_luminaire = report::build_luminaire_shares(
           *field, space.luminaires, loaded.project.luminaire_types, planes.back(),
-          rules::look_confidence(context.options.confidence, field->looks_planned));
+          rules::look_confidence(context.settings.confidence, field->looks_planned));
     }
     ++task;
   }
@@ -263,9 +263,7 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
-  if (context.pictures != nullptr) {
-    context.pictures->add_pictures(loaded.project.path, space, scene, part);
-  }
+  context.observer.judged(loaded.project.path, space, scene, part);
   return part;
 }
 
@@ -284,7 +282,10 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
 
 }  // namespace
 
-report::ProjectPart check_project(const std::string& path, const CheckContext& context) {
+report::ProjectPart check_project(const std::string& path, const Context& context) {
+  if (const std::string problem = problem_with(context.settings); !problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   const std::optional<rules::JudgedProject> loaded =
@@ -294,14 +295,14 @@ report::ProjectPart check_project(const std::string& path, const CheckContext& c
   report::ProjectPart part = report::build_project(loaded->project);
   report::PhaseTimes times;
   times.load_s = watch.seconds();
-  if (context.cache != nullptr &&
-      !has_space_of(*context.cache, loaded->project, context.options, diagnostics)) {
+  if (context.vertices != nullptr &&
+      !has_space_of(*context.vertices, loaded->project, diagnostics)) {
     return unreadable_project(path, diagnostics);
   }
   for (const calc::Space& space : loaded->project.spaces) {
-    context.progress.start_space(space.id);
+    context.observer.start_space(space.id);
     part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
-    if (interrupted()) break;
+    if (context.observer.is_stopped()) break;
   }
   const bool is_refused =
       std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [](const auto& diagnostic) {
@@ -312,8 +313,17 @@ report::ProjectPart check_project(const std::string& path, const CheckContext& c
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();
-  if (context.options.timing) part.times = times;
+  if (context.settings.has_times) part.times = times;
   return part;
+}
+
+report::ProjectPart check_project(const std::string& path, const Settings& settings) {
+  const calc::DiskFileReader files;
+  const std::vector<rules::RulePack> packs = rules::builtin_rule_packs();
+  const std::unique_ptr<calc::Gatherer> gatherer = calc::make_cpu_gatherer();
+  const calc::Stages stages(*gatherer);
+  Observer nobody;
+  return check_project(path, Context{settings, files, packs, stages, nobody});
 }
 
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
@@ -329,4 +339,4 @@ report::ProjectPart validate_project(const std::string& path, const calc::FileRe
   return part;
 }
 
-}  // namespace cli
+}  // namespace check

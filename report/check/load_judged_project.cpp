@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace cli {
+namespace check {
 
 std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const calc::FileReader& files,
@@ -18,4 +18,4 @@ std::optional<calc::Project> load_judged_project(const std::string& path,
   return std::move(judged->project);
 }
 
-}  // namespace cli
+}  // namespace check

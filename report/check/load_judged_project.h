@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace cli {
+namespace check {
 
 // See rules::load_judged_project(), with the delivered packs and those of `rule_files` (files or
 // folders). Empty after any error, also of the requirements, which are not handed on.
@@ -19,4 +19,4 @@ std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const std::vector<std::string>& rule_files,
                                                  calc::Diagnostics& diagnostics);
 
-}  // namespace cli
+}  // namespace check

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-namespace cli {
+namespace check {
 namespace {
 
 std::vector<std::string> packs_in(const std::filesystem::path& folder, std::error_code& error) {
@@ -61,4 +61,4 @@ std::vector<rules::RulePack> load_rule_packs(const std::vector<std::string>& pat
   return packs;
 }
 
-}  // namespace cli
+}  // namespace check

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace cli {
+namespace check {
 
 // Files, and for a folder the *.xml files in it, in order of their names.
 std::vector<std::string> rule_files(const std::vector<std::string>& paths,
@@ -19,4 +19,4 @@ std::vector<rules::RulePack> load_rule_packs(const std::vector<std::string>& pat
                                              const calc::FileReader& files,
                                              calc::Diagnostics& diagnostics);
 
-}  // namespace cli
+}  // namespace check

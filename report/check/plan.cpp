@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace cli {
+namespace check {
 namespace {
 
 std::string grid_text(const calc::SensorGrid& grid) {
@@ -69,6 +69,17 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
   return plan;
 }
 
+std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
+                                       const calc::FileReader& files,
+                                       const std::vector<rules::RulePack>& packs,
+                                       const calc::RadiositySettings& settings) {
+  std::vector<ProjectPlan> plans;
+  for (const std::string& path : paths) {
+    plans.push_back(plan_project(path, files, packs, settings));
+  }
+  return plans;
+}
+
 GatherWork first_look_work(const std::vector<ProjectPlan>& projects) {
   GatherWork sum;
   for (const ProjectPlan& project : projects) {
@@ -81,4 +92,4 @@ GatherWork first_look_work(const std::vector<ProjectPlan>& projects) {
   return sum;
 }
 
-}  // namespace cli
+}  // namespace check

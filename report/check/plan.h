@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate plan`: what a check would do, without doing it.
+// What a check would do, without doing it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace cli {
+namespace check {
 
 struct SpacePlan {
   std::string id, name;
@@ -34,20 +34,13 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
                          const calc::RadiositySettings& settings);
 
+// Of each.
+std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
+                                       const calc::FileReader& files,
+                                       const std::vector<rules::RulePack>& packs,
+                                       const calc::RadiositySettings& settings);
+
 // What the first look at these projects gathers, as far as they are planned.
 GatherWork first_look_work(const std::vector<ProjectPlan>& projects);
 
-std::string render_plan_text(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings, const BackendChoice& backend);
-std::string render_plan_json(const std::vector<ProjectPlan>& projects,
-                             const calc::RadiositySettings& settings, const BackendChoice& backend);
-
-// For --explain-cost: the plan's prediction for the looks that were taken, and what they took.
-// solution: of these tasks.
-std::string explain_cost(const std::string& path, const std::string& space_id,
-                         const calc::PreparedScene& scene,
-                         const std::vector<calc::PlaneTask>& tasks,
-                         const calc::RadiositySettings& settings,
-                         const calc::SpaceSolution& solution);
-
-}  // namespace cli
+}  // namespace check

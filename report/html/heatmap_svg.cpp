@@ -2,6 +2,7 @@
 
 #include "report/html/html_markup.h"
 #include "report/html/html_plan.h"
+#include "report/text/markup.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

@@ -10,6 +10,7 @@
 #include "report/html/html_room.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
+#include "report/text/markup.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

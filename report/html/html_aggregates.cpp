@@ -2,6 +2,7 @@
 
 #include "report/html/html_markup.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/markup.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 

@@ -1,6 +1,7 @@
 #include "report/html/html_contributions.h"
 
 #include "report/html/html_markup.h"
+#include "report/text/markup.h"
 #include "report/text/text_numbers.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "report/html/html_aggregates.h"
 #include "report/html/pass_factor.h"
+#include "report/text/markup.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

@@ -11,14 +11,8 @@
 
 namespace report {
 
-// Safe as element text and inside a quoted attribute; valid UTF-8, no control characters.
-std::string escape_html(std::string_view text);
-
 // Our own numbers with a typographic minus sign.
 std::string with_minus(std::string text);
-
-// Coordinates in an SVG: two decimals at most, no trailing zeros.
-std::string svg_number(double value);
 
 std::string base64(std::string_view bytes);
 

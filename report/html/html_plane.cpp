@@ -7,6 +7,7 @@
 #include "report/html/pass_factor.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
+#include "report/text/markup.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

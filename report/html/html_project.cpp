@@ -3,6 +3,7 @@
 #include "report/html/html_convergence.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_polar.h"
+#include "report/text/markup.h"
 #include "report/text/redact.h"
 #include "report/text/words.h"
 

@@ -1,5 +1,5 @@
-#include "report/html/html_markup.h"
 #include "report/images/polar_diagram.h"
+#include "report/text/markup.h"
 
 #include <fmt/format.h>
 

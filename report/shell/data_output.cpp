@@ -1,11 +1,15 @@
 #include "report/shell/data_output.h"
 
+#include "report/formats/write.h"
 #include "report/shell/option_values.h"
-#include "report/shell/write.h"
+#include "report/shell/output_options.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cli {
+namespace {
 
 ValueParser data_output(std::vector<DataOutput>& target) {
   return [&target](const std::string& text) -> std::string {
@@ -23,6 +27,18 @@ ValueParser data_output(std::vector<DataOutput>& target) {
     target.push_back(output);
     return "";
   };
+}
+
+}  // namespace
+
+Option data_format_option(std::vector<DataOutput>& target, const std::string& help) {
+  return {"--format", "KIND[=FILE]", help, data_output(target), true};
+}
+
+std::string data_output_problem(const std::vector<DataOutput>& outputs) {
+  const auto to_stdout = std::count_if(
+      outputs.begin(), outputs.end(), [](const DataOutput& output) { return output.file.empty(); });
+  return to_stdout > 1 ? kOnlyOneToStdout : "";
 }
 
 std::string write_data_outputs(const std::vector<DataOutput>& outputs,

@@ -2,6 +2,7 @@
 // Outputs of commands that write one document in several formats: `--format KIND[=FILE]`.
 
 #include "calc/base/diagnostics.h"
+#include "report/shell/command.h"
 
 #include <functional>
 #include <string>
@@ -15,9 +16,10 @@ struct DataOutput {
   std::string file;  // "" = standard output
 };
 
-// Of "KIND" or "KIND=FILE"; adds to `target`. A ValueParser of option_values.h, which cannot be
-// included here: it needs Options, and those hold DataOutput.
-std::function<std::string(const std::string& text)> data_output(std::vector<DataOutput>& target);
+// --format; help: what it says of the kinds.
+Option data_format_option(std::vector<DataOutput>& target, const std::string& help);
+// "" unless several kinds would go to standard output.
+std::string data_output_problem(const std::vector<DataOutput>& outputs);
 
 // Writes the files, each whole or not at all; a file that cannot be written is reported, and the
 // others are written all the same. What is for standard output comes back: text, unless another

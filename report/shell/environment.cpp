@@ -1,8 +1,8 @@
 #include "report/shell/environment.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <sys/ioctl.h>
 #include <cstdlib>
 
 namespace cli {

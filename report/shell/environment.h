@@ -1,8 +1,6 @@
 #pragma once
 // What the program takes from its surroundings, as a value so that tests can choose it.
 
-#include "report/cli/options.h"
-
 #include <string>
 
 namespace cli {
@@ -20,6 +18,8 @@ struct Environment {
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known
 };
 Environment read_environment();
+
+enum class ColorChoice { automatic, always, never };
 
 // For standard output: --color, then NO_COLOR (set: off), CLICOLOR_FORCE (set and not "0": on),
 // TERM=dumb (off), then whether standard output is a terminal.

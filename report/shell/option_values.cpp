@@ -1,6 +1,7 @@
 #include "report/shell/option_values.h"
 
 #include "calc/base/text.h"
+#include "calc/radiosity/settings.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -9,23 +10,9 @@
 #include <charconv>
 #include <cmath>
 #include <ctime>
-#include <iterator>
 
 namespace cli {
 namespace {
-
-const std::vector<std::pair<std::string_view, FormatKind>> kFormats = {
-    {"text", FormatKind::text},
-    {"csv", FormatKind::csv},
-    {"points-csv", FormatKind::points_csv},
-    {"json", FormatKind::json},
-    {"html", FormatKind::html},
-    {"junit", FormatKind::junit},
-    {"sarif", FormatKind::sarif},
-    {"sarif-all", FormatKind::sarif_all},
-    {"github", FormatKind::github},
-    {"gitlab", FormatKind::gitlab},
-    {"markdown", FormatKind::markdown}};
 
 std::optional<std::string> format_epoch(std::uint64_t epoch_s) {
   constexpr std::uint64_t kEndOfYear9999 = 253402300799;
@@ -127,15 +114,19 @@ ValueParser some_text(std::string& target) {
   };
 }
 
-ValueOption rule_files_option(std::vector<std::string>& target) {
-  return {"--rules", "FILE|DIR",
-          "Rule pack, or folder of rule packs, to know besides those delivered; may be repeated",
-          [&target](const std::string& text) -> std::string {
-            if (text.empty()) return "the name of a file or folder is needed";
-            target.push_back(text);
-            return "";
-          },
-          true};
+ValueParser one_more(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "a name is needed";
+    target.push_back(text);
+    return "";
+  };
+}
+
+ValueParser any_text(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    target = text;
+    return "";
+  };
 }
 
 ValueParser seconds(double& target) {
@@ -143,75 +134,6 @@ ValueParser seconds(double& target) {
     const std::optional<double> value = calc::parse_number(text);
     if (!value || *value <= 0.0) return "a number of seconds above 0 is needed";
     target = *value;
-    return "";
-  };
-}
-
-ValueParser format_item(std::vector<OutputFormat>& target) {
-  return [&target](const std::string& text) -> std::string {
-    const std::size_t equals = text.find('=');
-    OutputFormat format;
-    std::string problem = choice(format.kind, kFormats)(text.substr(0, equals));
-    if (!problem.empty()) return problem;
-    if (equals != std::string::npos) {
-      format.file = text.substr(equals + 1);
-      if (format.file.empty()) return "a file name is needed after '='";
-    }
-    target.push_back(std::move(format));
-    return "";
-  };
-}
-
-ValueParser forbidden_skip(calc::SkipSet& target) {
-  return [&target](const std::string& text) -> std::string {
-    if (text == "all") {
-      target.forbid_all();
-      return "";
-    }
-    if (const std::optional<calc::Skip> skip = calc::find_skip(text)) {
-      target.forbid(*skip);
-      return "";
-    }
-    std::vector<std::string_view> names;
-    for (std::size_t s = 0; s < calc::kSkips; ++s) {
-      names.push_back(calc::skip_name(static_cast<calc::Skip>(s)));
-    }
-    names.push_back("all");
-    return one_of_message(text, names);
-  };
-}
-
-namespace {
-
-constexpr std::pair<std::string_view, bool GpuStages::*> kGpuStages[] = {
-    {"light-paths", &GpuStages::light_paths},
-    {"connections", &GpuStages::connections},
-    {"near-field", &GpuStages::near_field}};
-
-}  // namespace
-
-std::vector<std::string_view> gpu_stage_names(const GpuStages& stages) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, member] : kGpuStages) {
-    if (stages.*member) names.push_back(name);
-  }
-  return names;
-}
-
-ValueParser gpu_stages(std::optional<GpuStages>& target) {
-  return [&target](const std::string& text) -> std::string {
-    GpuStages stages{false, false, false};
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      const std::string_view name = std::string_view(text).substr(begin, end - begin);
-      const auto found = std::find_if(std::begin(kGpuStages), std::end(kGpuStages),
-                                      [&](const auto& stage) { return stage.first == name; });
-      if (found == std::end(kGpuStages)) return one_of_message(name, gpu_stage_names(GpuStages()));
-      if (stages.*found->second) return std::string(name) + " is named twice";
-      stages.*found->second = true;
-      begin = end + 1;
-    }
-    target = stages;
     return "";
   };
 }
@@ -225,6 +147,34 @@ ValueParser moment(std::string& target) {
     target = std::move(*formatted);
     return "";
   };
+}
+
+Option rules_option(std::vector<std::string>& target) {
+  return {"--rules", "FILE|DIR",
+          "Rule pack, or folder of rule packs, to know besides those delivered;\nmay be repeated",
+          one_more(target), true};
+}
+
+Option seed_option(std::uint64_t& target) {
+  return {"--seed", "N", "Seed of the random numbers; default 1",
+          whole_number(target, 0, UINT64_MAX)};
+}
+
+Option jobs_option(int& target, const std::string& never_changes) {
+  return {"--jobs", "N", "Threads; default one per core. Never changes " + never_changes,
+          whole_number(target, 1, 1024)};
+}
+
+Option space_option(std::string& target) {
+  return {"--space", "ID", "Which space; needed if there are several", some_text(target)};
+}
+
+Option quiet_option(bool& target) {
+  return {"-q,--quiet", "", "Print errors and what an option asks for, nothing else", &target};
+}
+
+Place project_place(std::string& target) {
+  return {"project", "PROJECT.xml", "Project file", &target};
 }
 
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names) {

@@ -2,7 +2,7 @@
 // The texts after options, turned into values. No locale, no silent rounding, clamping or octal
 // numbers.
 
-#include "report/cli/options.h"
+#include "report/shell/command.h"
 
 #include <cstdint>
 #include <functional>
@@ -13,33 +13,6 @@
 #include <vector>
 
 namespace cli {
-
-// Sets its target and returns "", or returns what is allowed and leaves the target alone.
-using ValueParser = std::function<std::string(const std::string& text)>;
-
-// An option with a value, for commands that list theirs in a file of their own.
-struct ValueOption {
-  std::string name, value_name, help;
-  ValueParser parser;
-  bool repeats = false;
-};
-
-// What a command has that lists its options in a file of its own.
-struct ListedCommand {
-  struct Place {
-    std::string name, value_name, help;
-    std::string* target;
-    bool is_required = true;
-  };
-  struct Flag {
-    std::string name, help;
-    bool* target;
-  };
-  std::vector<Place> places = {};
-  std::vector<Flag> flags = {};
-  std::vector<ValueOption> values = {};
-  std::string footer = {};
-};
 
 // Digits only.
 std::optional<std::uint64_t> parse_count(std::string_view text);
@@ -56,19 +29,24 @@ ValueParser positive_number(double& target);
 ValueParser visibility(std::uint32_t& target);
 // Not empty.
 ValueParser some_text(std::string& target);
-// --rules, as of 'check', for commands that list their options.
-ValueOption rule_files_option(std::vector<std::string>& target);
+// Not empty, appended.
+ValueParser one_more(std::vector<std::string>& target);
+// Anything, the empty text too.
+ValueParser any_text(std::string& target);
 // > 0
 ValueParser seconds(double& target);
-// "csv" or "csv=FILE", appended.
-ValueParser format_item(std::vector<OutputFormat>& target);
-// A name of calc::skip_name(), or "all"; forbidden besides those that are already.
-ValueParser forbidden_skip(calc::SkipSet& target);
-// "light-paths,near-field": names of GpuStages with dashes, each once, at least one.
-ValueParser gpu_stages(std::optional<GpuStages>& target);
-std::vector<std::string_view> gpu_stage_names(const GpuStages& stages);
 // "now" or seconds since 1970; the target becomes "2024-05-01T12:00:00Z".
 ValueParser moment(std::string& target);
+
+// Options that several commands have, with the same words.
+// --rules: packs besides those delivered, or folders of them.
+Option rules_option(std::vector<std::string>& target);
+Option seed_option(std::uint64_t& target);
+// never_changes: "a result", "the file".
+Option jobs_option(int& target, const std::string& never_changes = "a result");
+Option space_option(std::string& target);
+Option quiet_option(bool& target);
+Place project_place(std::string& target);
 
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names);
 

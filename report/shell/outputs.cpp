@@ -1,18 +1,13 @@
 #include "report/shell/outputs.h"
 
-#include "report/formats/ci_annotations.h"
-#include "report/formats/csv.h"
-#include "report/formats/junit.h"
-#include "report/formats/markdown.h"
-#include "report/formats/sarif.h"
+#include "report/formats/write.h"
 #include "report/html/heatmap_svg.h"
 #include "report/html/html.h"
 #include "report/html/html_pages.h"
 #include "report/images/exr.h"
 #include "report/images/heatmap.h"
 #include "report/images/png.h"
-#include "report/result_file/json.h"
-#include "report/shell/write.h"
+#include "report/shell/print.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -240,25 +235,7 @@ std::string path_identity(const std::string& file) {
   return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
 }
 
-std::vector<OutputFormat> planned_files(const Options& options) {
-  std::vector<OutputFormat> files;
-  for (const OutputFormat& format : options.formats) {
-    if (!format.file.empty()) files.push_back(format);
-  }
-  if (!options.output_folder.empty()) {
-    const fs::path folder = options.output_folder;
-    files.push_back({FormatKind::csv, (folder / "results.csv").string()});
-    files.push_back({FormatKind::points_csv, (folder / "points.csv").string()});
-    files.push_back({FormatKind::json, (folder / "result.json").string()});
-    files.push_back({FormatKind::html, (folder / "report.html").string()});
-  }
-  return files;
-}
-
-std::string check_outputs(const Options& options) {
-  std::vector<std::string> read = options.projects;
-  read.insert(read.end(), options.rule_files.begin(), options.rule_files.end());
-  if (!options.result_file.empty()) read.push_back(options.result_file);
+std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& read) {
   std::set<std::string> inputs, seen;
   for (const std::string& file : read) inputs.insert(path_identity(file));
   const std::vector<OutputFormat> planned = planned_files(options);
@@ -271,55 +248,45 @@ std::string check_outputs(const Options& options) {
       return fmt::format("'{}' would be written twice", format.file);
     }
     std::string problem = writability(format.file);
-    if (problem.empty() && format.kind == FormatKind::html && options.html_split)
+    if (problem.empty() && format.format->is_html && options.html_split)
       problem = pages_problem(format.file, planned, read);
     if (!problem.empty()) return problem;
   }
   return "";
 }
 
-std::vector<std::string> write_outputs(const Options& options, const report::Document& document,
+std::vector<std::string> write_outputs(const OutputOptions& options,
+                                       const report::Document& document,
                                        const std::set<std::string>& inputs) {
   Writer writer(inputs);
   const report::Texts t = report_texts(options);
   for (const OutputFormat& format : planned_files(options)) {
-    if (format.kind == FormatKind::html && options.html_split) {
+    if (format.format->is_html && options.html_split) {
       write_html_pages(format.file, document, t, writer);
     } else {
-      writer.write(format.file, [&] { return render(format.kind, document, {}, t); });
+      writer.write(format.file, [&] { return format.format->render(document, {{}, t}); });
     }
   }
-  if (options.images) write_images(options.output_folder, document, t, writer);
+  if (options.images) write_images(options.folder, document, t, writer);
   return writer.problems();
 }
 
-std::string render(FormatKind kind, const report::Document& document,
-                   const report::TextOptions& text, const report::Texts& t) {
-  switch (kind) {
-    case FormatKind::text:
-      return report::render_text(document, text, t);
-    case FormatKind::csv:
-      return report::render_results_csv(document);
-    case FormatKind::points_csv:
-      return report::render_points_csv(document);
-    case FormatKind::json:
-      return report::render_json(document);
-    case FormatKind::html:
-      return report::render_html(document, t);
-    case FormatKind::junit:
-      return report::render_junit(document);
-    case FormatKind::sarif:
-      return report::render_sarif(document, report::SarifContent::problems);
-    case FormatKind::sarif_all:
-      return report::render_sarif(document, report::SarifContent::all);
-    case FormatKind::github:
-      return report::render_github(document);
-    case FormatKind::gitlab:
-      return report::render_gitlab(document);
-    case FormatKind::markdown:
-      return report::render_markdown(document, t);
+bool write_results(const OutputOptions& options, const Environment& environment,
+                   const report::Document& document, const std::set<std::string>& inputs) {
+  bool is_written = true;
+  for (const std::string& problem : write_outputs(options, document, inputs)) {
+    print_error(calc::DiagnosticId::output_not_possible, problem);
+    is_written = false;
   }
-  return "";
+  if (const report::Format* format = stdout_format(options)) {
+    const report::TextOptions terminal{use_color(options.color, environment),
+                                       environment.stdout_columns};
+    if (!print_result(format->render(document, {terminal, report_texts(options)}))) {
+      print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
+      is_written = false;
+    }
+  }
+  return is_written;
 }
 
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {

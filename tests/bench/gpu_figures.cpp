@@ -207,8 +207,8 @@ std::vector<Cell> whole_runs(const Settings& settings, const std::vector<Worker>
   return cells;
 }
 
-cli::BackendCost predicted(const Cell& cell, const Outcome& outcome) {
-  return cli::backend_cost({outcome.first_connections, outcome.first_light_rays, cell.triangles});
+check::BackendCost predicted(const Cell& cell, const Outcome& outcome) {
+  return check::backend_cost({outcome.first_connections, outcome.first_light_rays, cell.triangles});
 }
 
 void print_runs(const std::vector<Cell>& cells, double open_s) {
@@ -219,7 +219,7 @@ void print_runs(const std::vector<Cell>& cells, double open_s) {
     const Outcome* known = cell.cpu ? &*cell.cpu : cell.gpu ? &*cell.gpu : nullptr;
     if (known == nullptr) continue;
     const bool is_whole = cell.cpu && cell.gpu && !cell.cpu->is_late && !cell.gpu->is_late;
-    const cli::BackendCost cost = predicted(cell, *known);
+    const check::BackendCost cost = predicted(cell, *known);
     const bool takes_gpu = cost.gpu_s() < cost.cpu_s;
     std::vector<std::string> row{cell.name, count(known->connections), seconds_of(cell.cpu),
                                  seconds_of(cell.gpu)};
@@ -242,7 +242,7 @@ void print_runs(const std::vector<Cell>& cells, double open_s) {
 // Connections above which the model takes the GPU, for this room; none: never.
 std::optional<double> model_break_even(double light_rays, double triangles) {
   for (double connections = 1e4; connections < 1e13; connections *= 1.02) {
-    const cli::BackendCost cost = cli::backend_cost({connections, light_rays, triangles});
+    const check::BackendCost cost = check::backend_cost({connections, light_rays, triangles});
     if (cost.gpu_s() < cost.cpu_s) return connections;
   }
   return std::nullopt;

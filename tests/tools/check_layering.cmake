@@ -1,15 +1,21 @@
 # Allowed directions between folders, read from the #include lines.
 #   cmake -DROOT=<source folder> -P check_layering.cmake
-# calc -> calc, rules -> calc, gpu -> calc, report -> rules and calc, report/cli -> everything. Inside calc the
-# model (scene, photometry, top level) must not know rays, proofs, radiosity or forecast;
-# rays know triangles only, proofs neither rays nor the solver, the solver not the forecast. Single libraries belong to single files.
+# A folder may include itself and those before it in the list: so there is no circle. Besides, a verdict traces no ray
+# (rules and documents know calc/rays and what stands on it not at all), proofs know no rays, and gpu no rules.
 cmake_minimum_required(VERSION 3.25)
 
-set(allowed_calc calc)
-set(allowed_rules rules calc)
-set(allowed_gpu gpu calc)
-set(allowed_report report rules calc)
-set(allowed_cli report rules calc gpu)
+set(folders
+  calc/base calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/proofs calc/meshes
+  calc/project calc/radiosity calc/forecast
+  rules/catalogue rules/pack rules/zones rules/measure rules/verdict rules/binding
+  gpu
+  report/document report/text report/build report/images report/html report/result_file report/formats report/check
+  report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
+  report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
+  report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/validate
+  report/tools/vpl report/cli)
+
+set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli))$")
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
@@ -18,48 +24,42 @@ set(owned_libraries
   "sleef|calc/base/elementary\\.cpp"
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
-  "CLI/|report/cli/(rules_)?options\\.cpp"
-  "tiny_obj_loader|calc/scene/mesh_obj"
-  "tiny_gltf|calc/scene/mesh_gltf"
+  "CLI/|report/shell/command_line\\.cpp"
+  "tiny_obj_loader|calc/meshes/mesh_obj"
+  "tiny_gltf|calc/meshes/mesh_gltf"
   "png\\.h|report/"
   "OpenEXR/|report/")
 
 function(check_file root file)
   file(RELATIVE_PATH name ${root} ${file})
-  string(REGEX MATCH "^[a-z]+" module ${name})
-  set(layer ${module})
-  if(name MATCHES "^report/cli/")
-    set(layer cli)
+  get_filename_component(folder ${name} DIRECTORY)
+  list(FIND folders "${folder}" floor)
+  if(floor LESS 0)
+    message(SEND_ERROR "${name}: '${folder}' is not in the list of folders of check_layering.cmake")
   endif()
 
   file(STRINGS ${file} includes REGEX "^#include \"")
   foreach(line IN LISTS includes)
-    if(NOT line MATCHES "^#include \"(calc|rules|report|gpu)/(.*)\"")
+    if(NOT line MATCHES "^#include \"((calc|rules|report|gpu)/.*)\"")
       message(SEND_ERROR "${name}: ${line}\n  includes of our own files start at the root: calc/, rules/, ...")
       continue()
     endif()
-    set(target ${CMAKE_MATCH_1})
-    set(rest ${CMAKE_MATCH_2})
-    if(NOT target IN_LIST allowed_${layer})
-      message(SEND_ERROR "${name}: ${layer} must not include ${target}/${rest}")
+    get_filename_component(target ${CMAKE_MATCH_1} DIRECTORY)
+    list(FIND folders "${target}" target_floor)
+    if(target_floor LESS 0 OR target_floor GREATER floor)
+      message(SEND_ERROR "${name}: ${folder} must not include ${target}")
     endif()
-    if(layer STREQUAL "report" AND target STREQUAL "report" AND rest MATCHES "^cli/")
-      message(SEND_ERROR "${name}: report must not include report/cli")
+    if(target MATCHES "^calc/(rays|radiosity|forecast)$" AND NOT folder MATCHES "${needs_rays}")
+      message(SEND_ERROR "${name}: must not include ${target}: a verdict traces no ray")
     endif()
-    if(name MATCHES "^calc/rays/" AND rest MATCHES "/" AND NOT rest MATCHES "^rays/")
-      message(SEND_ERROR "${name}: rays know triangles only, not calc/${rest}")
+    if(target STREQUAL "calc/proofs" AND folder MATCHES "^(rules|report/(document|text|build|images|html|result_file|formats))")
+      message(SEND_ERROR "${name}: must not include ${target}: a verdict traces no ray")
     endif()
-    if(target STREQUAL "calc" AND rest MATCHES "^(rays|proofs|radiosity|forecast)/")
-      if(layer MATCHES "^(rules|report)$" OR
-         (layer STREQUAL "calc" AND NOT name MATCHES "^calc/(rays|proofs|radiosity|forecast)/"))
-        message(SEND_ERROR "${name}: must not include calc/radiosity: a verdict traces no ray")
-      endif()
-      if(name MATCHES "^calc/proofs/" AND NOT rest MATCHES "^proofs/")
-        message(SEND_ERROR "${name}: a proof must not include calc/${rest}")
-      endif()
-      if(rest MATCHES "^forecast/" AND name MATCHES "^calc/" AND NOT name MATCHES "^calc/forecast/")
-        message(SEND_ERROR "${name}: nothing in calc stands on the forecast")
-      endif()
+    if(folder STREQUAL "gpu" AND NOT target MATCHES "^(calc/|gpu)")
+      message(SEND_ERROR "${name}: gpu must not include ${target}")
+    endif()
+    if(target STREQUAL "gpu" AND NOT folder MATCHES "^(gpu|report/(check|shell|tools/[a-z]+|cli))$")
+      message(SEND_ERROR "${name}: must not include gpu")
     endif()
   endforeach()
 

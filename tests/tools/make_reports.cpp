@@ -1,9 +1,9 @@
 // Reports of synthetic results for the browser test, and what they cost.
 //   make_reports FOLDER PROBE.js
 
+#include "report/formats/write.h"
 #include "report/html/html.h"
 #include "report/html/html_pages.h"
-#include "report/shell/write.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
 

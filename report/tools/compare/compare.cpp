@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -333,6 +334,15 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
   }
   outcome.diagnostics = diagnostics.all();
   return outcome;
+}
+
+Command compare_command() {
+  const auto options = std::make_shared<CompareOptions>();
+  Command command = compare_syntax(*options);
+  command.run = [options](const RunContext&) {
+    return print_outcome(run_compare(*options, calc::DiskFileReader()));
+  };
+  return command;
 }
 
 }  // namespace cli

@@ -2,11 +2,14 @@
 // `luxgate compare`: a result against another one, another program's or measured values.
 
 #include "calc/base/file_reader.h"
-#include "report/shell/command_outcome.h"
+#include "report/shell/command.h"
+#include "report/shell/print.h"
 #include "report/tools/compare/compare_options.h"
 
 namespace cli {
 
 CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader& disk);
+
+Command compare_command();
 
 }  // namespace cli

@@ -2,18 +2,17 @@
 
 #include "report/shell/option_values.h"
 
-#include <algorithm>
-
 namespace cli {
-ListedCommand compare_command(CompareOptions& options) {
-  ListedCommand command;
+Command compare_syntax(CompareOptions& options) {
+  Command command{"compare",
+                  "Compare a result with another one, another program's or measured values"};
   command.places = {
       {"a", "A.json", "A result of 'check --format json'", &options.a},
       {"b", "B.json|B.csv", "Another one, or a table of another program's or measured values",
        &options.b}};
-  command.flags = {{"--partial", "Compare what both have; what one lacks is noted, not an error",
-                    &options.is_partial}};
-  command.values = {
+  command.options = {
+      {"--partial", "", "Compare what both have; what one lacks is noted, not an error",
+       &options.is_partial},
       {"--tolerance", "SHARE",
        "Difference allowed besides the intervals, as 0.05 or 5% of B; default none",
        share_between(options.tolerance, 0.0, 1.0)},
@@ -31,10 +30,10 @@ ListedCommand compare_command(CompareOptions& options) {
        true},
       {"--worst", "N", "Points to name, furthest apart first; default 5",
        whole_number(options.worst, 0, 1000)},
-      {"--format", "KIND[=FILE]",
-       "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
-       "default text; may be repeated",
-       data_output(options.outputs), true}};
+      data_format_option(
+          options.outputs,
+          "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
+          "default text; may be repeated")};
   command.footer =
       "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
       "with\n"
@@ -47,15 +46,10 @@ ListedCommand compare_command(CompareOptions& options) {
       "point does; an average whose interval is not known (--partial, some points) is not judged.\n"
       "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
       "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";
+  command.complete = [&options](const Environment&) {
+    return data_output_problem(options.outputs);
+  };
   return command;
-}
-
-std::string compare_contradiction(const CompareOptions& options) {
-  if (std::count_if(options.outputs.begin(), options.outputs.end(),
-                    [](const DataOutput& output) { return output.file.empty(); }) > 1) {
-    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
-  }
-  return "";
 }
 
 }  // namespace cli

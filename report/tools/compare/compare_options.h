@@ -1,14 +1,13 @@
 #pragma once
 // The options of `luxgate compare`.
 
-#include "report/tools/converge/converge_options.h"
+#include "report/shell/command.h"
+#include "report/shell/data_output.h"
 
 #include <string>
 #include <vector>
 
 namespace cli {
-
-struct ListedCommand;
 
 struct CompareOptions {
   std::string a, b;
@@ -20,8 +19,6 @@ struct CompareOptions {
   std::vector<DataOutput> outputs;
 };
 
-ListedCommand compare_command(CompareOptions& options);
-// "" = nothing is wrong.
-std::string compare_contradiction(const CompareOptions& options);
+Command compare_syntax(CompareOptions& options);
 
 }  // namespace cli

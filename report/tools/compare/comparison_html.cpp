@@ -1,5 +1,6 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_style.h"
+#include "report/text/markup.h"
 #include "report/text/number_format.h"
 #include "report/tools/compare/comparison.h"
 

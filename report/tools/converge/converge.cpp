@@ -6,18 +6,20 @@
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
+#include "report/document/program_version.h"
 #include "report/shell/chosen_space.h"
+#include "report/shell/interrupt.h"
 #include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/number_format.h"
 #include "report/tools/converge/converge_measure.h"
 #include "report/tools/converge/converge_reference.h"
-#include "report/tools/devices/version.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -78,7 +80,7 @@ bool load(const ConvergeOptions& options, const calc::FileReader& files, Subject
           report::ConvergeDocument& document, calc::Diagnostics& diagnostics) {
   const double begin_s = calc::now_s();
   std::optional<calc::Project> project =
-      load_judged_project(options.project, files, options.rule_files, diagnostics);
+      check::load_judged_project(options.project, files, options.rule_files, diagnostics);
   if (!project) return false;
   subject.project = std::move(*project);
   document.load_s = calc::now_s() - begin_s;
@@ -158,7 +160,7 @@ void describe(const ConvergeOptions& options, const Subject& subject,
   document.project = subject.project.name;
   document.path = options.project;
   document.space_id = subject.space->id;
-  document.program = program_version();
+  document.program = report::program_version();
   document.tracer = calc::tree_builder_version();
   document.part = options.is_indirect ? "indirect" : "total";
   document.reference =
@@ -299,6 +301,17 @@ CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileRead
     fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
   outcome.diagnostics = diagnostics.all();
   return outcome;
+}
+
+Command converge_command() {
+  const auto options = std::make_shared<ConvergeOptions>();
+  Command command = converge_syntax(*options);
+  command.run = [options](const RunContext& context) {
+    watch_for_interrupt();
+    return print_outcome(
+        run_converge(*options, calc::DiskFileReader(), context.environment, context.gl_fault));
+  };
+  return command;
 }
 
 }  // namespace cli

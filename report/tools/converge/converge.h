@@ -3,8 +3,9 @@
 
 #include "calc/base/file_reader.h"
 #include "gpu/egl_context.h"
-#include "report/shell/command_outcome.h"
+#include "report/shell/command.h"
 #include "report/shell/environment.h"
+#include "report/shell/print.h"
 #include "report/tools/converge/converge_options.h"
 
 namespace cli {
@@ -12,5 +13,7 @@ namespace cli {
 // What is being done is told on standard error, if that is a terminal. gl_fault: for tests.
 CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileReader& disk,
                             const Environment& environment, gpu::Fault gl_fault);
+
+Command converge_command();
 
 }  // namespace cli

@@ -1,4 +1,5 @@
 // Convergence as CSV and JSON.
+
 #include "report/text/csv_field.h"
 #include "report/text/json_layout.h"
 #include "report/text/number_format.h"

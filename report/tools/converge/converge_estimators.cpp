@@ -10,7 +10,6 @@
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
-
 #include <tbb/task_arena.h>
 
 #include <algorithm>

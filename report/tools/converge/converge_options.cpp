@@ -38,19 +38,29 @@ ValueParser method_list(std::vector<std::string>& target) {
   };
 }
 
-ValueParser plane_list(std::vector<std::string>& target) {
-  return [&target](const std::string& text) -> std::string {
-    if (text.empty()) return "the id of a plane is needed";
-    target.push_back(text);
-    return "";
-  };
+// "" = nothing is wrong.
+std::string converge_contradiction(const ConvergeOptions& options) {
+  if (options.max_paths < options.min_paths) {
+    return fmt::format("--max-paths {} is less than --min-paths {}", options.max_paths,
+                       options.min_paths);
+  }
+  if (options.gl_device >= 0 &&
+      std::none_of(options.methods.begin(), options.methods.end(), needs_opengl)) {
+    return "--gl-device is for the methods gpu and shadow-map:N";
+  }
+  if (options.reference != "own" && options.reference_paths > 0) {
+    return "--reference-paths is for --reference own";
+  }
+  return data_output_problem(options.outputs);
 }
 
 }  // namespace
 
-std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
+Command converge_syntax(ConvergeOptions& options) {
   constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
-  return {
+  Command command{"converge", "Measure error against run time and rays, for several methods"};
+  command.places = {project_place(options.project)};
+  command.options = {
       {"--methods", "LIST",
        "Any of core (what 'check' does), gpu (what 'check --backend gpu' does), path-tracing,\n"
        "instant-radiosity, clamped-instant-radiosity and shadow-map:N (instant radiosity that\n"
@@ -80,51 +90,30 @@ std::vector<ValueOption> converge_value_options(ConvergeOptions& options) {
        whole_number(options.seed, 0, UINT64_MAX - 1000)},
       {"--clamp", "B", "Largest geometry term of clamped-instant-radiosity, 1/m2; default 1",
        positive_number(options.clamp_per_m2)},
-      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
+      space_option(options.space),
       {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
-       plane_list(options.planes), true},
-      rule_files_option(options.rule_files),
+       one_more(options.planes), true},
+      rules_option(options.rule_files),
       {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
       {"--gl-device", "N",
        "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"
        "hardware before software",
        whole_number(options.gl_device, 0, 1000)},
-      {"--format", "KIND[=FILE]",
-       "text, csv, json or html, to FILE or (one kind only) to standard output, where text goes\n"
-       "unless another kind does; may be repeated",
-       data_output(options.outputs), true}};
-}
-
-std::string converge_contradiction(const ConvergeOptions& options) {
-  if (options.max_paths < options.min_paths) {
-    return fmt::format("--max-paths {} is less than --min-paths {}", options.max_paths,
-                       options.min_paths);
-  }
-  if (options.gl_device >= 0 &&
-      std::none_of(options.methods.begin(), options.methods.end(), needs_opengl)) {
-    return "--gl-device is for the methods gpu and shadow-map:N";
-  }
-  if (options.reference != "own" && options.reference_paths > 0) {
-    return "--reference-paths is for --reference own";
-  }
-  const auto to_stdout =
-      std::count_if(options.outputs.begin(), options.outputs.end(),
-                    [](const DataOutput& output) { return output.file.empty(); });
-  if (to_stdout > 1) {
-    return "--format: only one kind can go to standard output; give the others as KIND=FILE";
-  }
-  return "";
-}
-
-std::string converge_footer() {
-  return "Error against the number of light vertices and the size of shadow maps, with the core "
-         "in\n"
-         "the same plots, and the time of each phase, in examples/08-error-against-time:\n"
-         "  luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 \\\n"
-         "    --methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 \\\n"
-         "    --min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html\n"
-         "Times depend on the machine and on what else it does; errors do not.\n"
-         "Exit codes: 0 measured, 2 an error, 130 interrupted.";
+      data_format_option(options.outputs,
+                         "text, csv, json or html, to FILE or (one kind only) to standard output, "
+                         "where text goes\n"
+                         "unless another kind does; may be repeated")};
+  command.footer =
+      "Error against the number of light vertices and the size of shadow maps, with the core "
+      "in\n"
+      "the same plots, and the time of each phase, in examples/08-error-against-time:\n"
+      "  luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 \\\n"
+      "    --methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 \\\n"
+      "    --min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html\n"
+      "Times depend on the machine and on what else it does; errors do not.\n"
+      "Exit codes: 0 measured, 2 an error, 130 interrupted.";
+  command.complete = [&options](const Environment&) { return converge_contradiction(options); };
+  return command;
 }
 
 }  // namespace cli

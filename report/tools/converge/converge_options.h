@@ -1,6 +1,7 @@
 #pragma once
 // The options of `luxgate converge`.
 
+#include "report/shell/command.h"
 #include "report/shell/data_output.h"
 
 #include <cstdint>
@@ -8,8 +9,6 @@
 #include <vector>
 
 namespace cli {
-
-struct ValueOption;
 
 struct ConvergeOptions {
   std::string project;
@@ -30,9 +29,6 @@ struct ConvergeOptions {
   std::vector<DataOutput> outputs;
 };
 
-std::vector<ValueOption> converge_value_options(ConvergeOptions& options);
-// "" = nothing is wrong.
-std::string converge_contradiction(const ConvergeOptions& options);
-std::string converge_footer();
+Command converge_syntax(ConvergeOptions& options);
 
 }  // namespace cli

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "report/html/html_markup.h"
+#include "report/text/markup.h"
 #include "report/text/number_format.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #include "report/tools/devices/devices.h"
 
+#include "gpu/egl_context.h"
+#include "report/shell/print.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
 
@@ -48,6 +50,20 @@ nlohmann::ordered_json devices_json(const gpu::DeviceList& list) {
 std::string render_devices_json(const gpu::DeviceList& list) {
   return report::json_layout(
       nlohmann::ordered_json{{"devices", devices_json(list)}, {"problem", list.problem}});
+}
+
+Command devices_command() {
+  const auto as_json = std::make_shared<bool>(false);
+  Command command{"devices", "List OpenGL devices, and why one cannot be used"};
+  command.options = {{"--json", "", "As JSON", as_json.get()}};
+  command.footer = "Exit codes: 0 at least one device is usable, 2 none is.";
+  command.run = [as_json](const RunContext& context) {
+    const gpu::DeviceList list = gpu::list_devices(context.gl_fault);
+    return print_outcome({gpu::preferred_device(list) >= 0 ? kAllMet : kNotJudged,
+                          *as_json ? render_devices_json(list) : render_devices_text(list),
+                          {}});
+  };
+  return command;
 }
 
 }  // namespace cli

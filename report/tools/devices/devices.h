@@ -2,6 +2,7 @@
 // `luxgate devices`: what --backend gpu could run on.
 
 #include "gpu/device.h"
+#include "report/shell/command.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,5 +14,7 @@ std::string render_devices_text(const gpu::DeviceList& list);
 std::string render_devices_json(const gpu::DeviceList& list);
 // The list in the latter, also part of `luxgate version --json`.
 nlohmann::ordered_json devices_json(const gpu::DeviceList& list);
+
+Command devices_command();
 
 }  // namespace cli

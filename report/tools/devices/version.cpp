@@ -4,22 +4,24 @@
 #include "calc/rays/instruction_set.h"
 #include "calc/rays/triangle_tree.h"
 #include "gpu/egl_context.h"
+#include "report/document/program_version.h"
+#include "report/shell/print.h"
 #include "report/text/json_layout.h"
 #include "report/tools/devices/devices.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <memory>
+
 namespace cli {
 
-// LUXGATE_VERSION, LUXGATE_COMPILER and LUXGATE_BUILD_TYPE come from CMake.
-std::string program_version() { return LUXGATE_VERSION; }
-
+// LUXGATE_COMPILER and LUXGATE_BUILD_TYPE come from CMake.
 std::string version_text(bool as_json) {
   const std::string builder = calc::tree_builder_version();
   if (as_json) {
     return report::json_layout(
-        nlohmann::ordered_json{{"luxgate", LUXGATE_VERSION},
+        nlohmann::ordered_json{{"luxgate", report::program_version()},
                                {"compiler", LUXGATE_COMPILER},
                                {"build_type", LUXGATE_BUILD_TYPE},
                                {"numbers_version", calc::kNumbersVersion},
@@ -31,8 +33,18 @@ std::string version_text(bool as_json) {
   return fmt::format(
       "luxgate {}\nnumbers    version {}\ncompiler   {}\nbuild type {}\ntrees      {}\nvectors    "
       "{}\n",
-      LUXGATE_VERSION, calc::kNumbersVersion, LUXGATE_COMPILER, LUXGATE_BUILD_TYPE, builder,
-      calc::instruction_set());
+      report::program_version(), calc::kNumbersVersion, LUXGATE_COMPILER, LUXGATE_BUILD_TYPE,
+      builder, calc::instruction_set());
+}
+
+Command version_command() {
+  const auto as_json = std::make_shared<bool>(false);
+  Command command{"version", "Print versions of the program and libraries"};
+  command.options = {{"--json", "", "As JSON", as_json.get()}};
+  command.run = [as_json](const RunContext&) {
+    return print_outcome({kAllMet, version_text(*as_json), {}});
+  };
+  return command;
 }
 
 }  // namespace cli

@@ -1,13 +1,16 @@
 #pragma once
 // What this program is made of.
 
+#include "report/shell/command.h"
+
 #include <string>
 
 namespace cli {
 
-std::string program_version();  // "0.1.0"
 // The answer to `luxgate version`: program, numbers, compiler, build type, Embree, vectors in use.
 // Lines, or a JSON object that has the OpenGL devices too, which takes a moment.
 std::string version_text(bool as_json);
+
+Command version_command();
 
 }  // namespace cli

@@ -3,10 +3,10 @@
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
+#include "report/formats/write.h"
 #include "report/shell/chosen_space.h"
 #include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
-#include "report/shell/write.h"
 #include "report/text/plain_text.h"
 #include "report/tools/export/radiance_lights.h"
 #include "report/tools/export/radiance_scene.h"
@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -109,7 +110,7 @@ std::string obstacle(const ExportOptions& options, const std::vector<ExportedFil
 std::string export_project(const ExportOptions& options, const RecordingReader& files,
                            calc::Diagnostics& diagnostics) {
   const std::optional<calc::Project> project =
-      load_judged_project(options.project, files, options.rule_files, diagnostics);
+      check::load_judged_project(options.project, files, options.rule_files, diagnostics);
   if (!project) return "";
   const calc::Space* space = find_chosen_space(*project, options.space, diagnostics);
   if (space == nullptr) return "";
@@ -150,6 +151,15 @@ CommandOutcome run_export(const ExportOptions& options, const calc::FileReader& 
   if (outcome.text.empty()) outcome.code = kNotJudged;
   outcome.diagnostics = diagnostics.all();
   return outcome;
+}
+
+Command export_command() {
+  const auto options = std::make_shared<ExportOptions>();
+  Command command = export_syntax(*options);
+  command.run = [options](const RunContext&) {
+    return print_outcome(run_export(*options, calc::DiskFileReader()));
+  };
+  return command;
 }
 
 }  // namespace cli

@@ -4,15 +4,27 @@
 
 namespace cli {
 
-ListedCommand export_command(ExportOptions& options) {
-  ListedCommand command;
+namespace {
+
+// "" = nothing is wrong.
+std::string export_contradiction(const ExportOptions& options) {
+  if (options.target != "radiance") {
+    return one_of_message(options.target, {"radiance"});
+  }
+  return options.folder.empty() ? "-o FOLDER is needed" : "";
+}
+
+}  // namespace
+
+Command export_syntax(ExportOptions& options) {
+  Command command{"export", "Write a project as a scene for another program (Radiance)"};
   command.places = {{"target", "radiance", "The program to write for", &options.target},
-                    {"project", "PROJECT.xml", "Project file", &options.project}};
-  command.flags = {{"--force", "Replace files of an earlier export", &options.overwrites}};
-  command.values = {
+                    project_place(options.project)};
+  command.options = {
+      {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
-      {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
-      rule_files_option(options.rule_files)};
+      space_option(options.space),
+      rules_option(options.rule_files)};
   command.footer =
       "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
       "their\n"
@@ -22,14 +34,8 @@ ListedCommand export_command(ExportOptions& options) {
       "         office-radiance/run.sh && luxgate compare result.json "
       "office-radiance/radiance.csv\n"
       "Exit codes: 0 written, 2 an error.";
+  command.complete = [&options](const Environment&) { return export_contradiction(options); };
   return command;
-}
-
-std::string export_contradiction(const ExportOptions& options) {
-  if (options.target != "radiance") {
-    return one_of_message(options.target, {"radiance"});
-  }
-  return options.folder.empty() ? "-o FOLDER is needed" : "";
 }
 
 }  // namespace cli

@@ -1,12 +1,12 @@
 #pragma once
 // The options of `luxgate export`.
 
+#include "report/shell/command.h"
+
 #include <string>
 #include <vector>
 
 namespace cli {
-
-struct ListedCommand;
 
 struct ExportOptions {
   std::string target;  // "radiance"
@@ -16,8 +16,6 @@ struct ExportOptions {
   bool overwrites = false;
 };
 
-ListedCommand export_command(ExportOptions& options);
-// "" = nothing is wrong.
-std::string export_contradiction(const ExportOptions& options);
+Command export_syntax(ExportOptions& options);
 
 }  // namespace cli

@@ -1,9 +1,9 @@
 #include "report/tools/export/radiance_scene.h"
 
+#include "report/document/program_version.h"
 #include "report/text/csv_field.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
-#include "report/tools/devices/version.h"
 #include "report/tools/export/radiance_lights.h"
 
 #include <fmt/format.h>
@@ -112,9 +112,9 @@ std::string write_readme(const calc::Project& project, const calc::Space& space,
   std::string text = fmt::format(
       "# {}, for Radiance\n\nWritten by luxgate {} from `{}`, space `{}`: {} triangles, {} "
       "luminaires, {} points.\n\n",
-      report::printable(project.name.empty() ? project.path : project.name), program_version(),
-      report::printable(project.path), report::printable(space.id), scene.triangle.size(),
-      scene.luminaires.size(), points);
+      report::printable(project.name.empty() ? project.path : project.name),
+      report::program_version(), report::printable(project.path), report::printable(space.id),
+      scene.triangle.size(), scene.luminaires.size(), points);
   text += fmt::format(
       "`./run.sh` needs oconv and rtrace and writes `radiance.csv`, which `luxgate compare "
       "RESULT.json radiance.csv{}` reads.\n",

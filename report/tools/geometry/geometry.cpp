@@ -8,8 +8,12 @@
 #include "calc/project/project_context.h"
 #include "calc/project/project_files.h"
 #include "calc/project/project_xml.h"
+#include "report/shell/option_values.h"
+#include "report/shell/print.h"
+#include "rules/verdict/outcome.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -47,7 +51,7 @@ bool is_xml(std::string_view bytes) {
 struct Axes {
   std::string units, up;
 };
-std::optional<Axes> axes_for(calc::MeshFormat format, const Options& options,
+std::optional<Axes> axes_for(calc::MeshFormat format, const GeometryOptions& options,
                              const std::string& path, calc::Diagnostics& diagnostics) {
   if (calc::has_fixed_units(format)) return Axes{"m", "y"};
   const std::string_view name = calc::mesh_format_name(format);
@@ -70,8 +74,9 @@ double metres_per_unit(const std::string& unit) {
       static_cast<std::size_t>(std::find(names.begin(), names.end(), unit) - names.begin()));
 }
 
-void examine_mesh(const std::string& bytes, const calc::FileReader& files, const Options& options,
-                  calc::Diagnostics& diagnostics, GeometryReport& report) {
+void examine_mesh(const std::string& bytes, const calc::FileReader& files,
+                  const GeometryOptions& options, calc::Diagnostics& diagnostics,
+                  GeometryReport& report) {
   const std::string folder = report.path.substr(0, report.path.rfind('/') + 1);
   const calc::SideFiles side_files = [&](const std::string& name) -> std::optional<std::string> {
     calc::FileContent content = files.read(folder + name);
@@ -153,7 +158,7 @@ void examine_gbxml(std::string bytes, calc::Diagnostics& diagnostics, GeometryRe
 }  // namespace
 
 GeometryReport examine_geometry(const std::string& path, const calc::FileReader& files,
-                                const Options& options) {
+                                const GeometryOptions& options) {
   GeometryReport report;
   report.path = path;
   calc::Diagnostics diagnostics;
@@ -171,6 +176,52 @@ GeometryReport examine_geometry(const std::string& path, const calc::FileReader&
   const std::vector<calc::Diagnostic>& found = diagnostics.all();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
   return report;
+}
+
+namespace {
+
+ExitCode run_geometry(const GeometryOptions& options) {
+  using rules::Outcome;
+  const calc::DiskFileReader files;
+  std::vector<GeometryReport> reports;
+  Outcome outcome = Outcome::nothing_asked;
+  for (const std::string& path : options.files) {
+    reports.push_back(examine_geometry(path, files, options));
+    const GeometryReport& report = reports.back();
+    print_diagnostics(report.diagnostics, false);
+    if (!report.is_readable()) outcome = graver(outcome, Outcome::not_judged);
+    if (options.strict && !report.diagnostics.empty()) outcome = graver(outcome, Outcome::fail);
+  }
+  const std::string text =
+      options.as_json ? render_geometry_json(reports) : render_geometry_text(reports);
+  return print_outcome({exit_code_of(outcome), text, {}});
+}
+
+}  // namespace
+
+Command geometry_syntax(GeometryOptions& options) {
+  Command command{"geometry",
+                  "Say what is in mesh files and projects, and whether rooms are closed"};
+  command.places = {{"files", "FILE",
+                     "Mesh files (OBJ, glTF, GLB, STL, PLY), gbXML files or projects",
+                     &options.files}};
+  command.options = {
+      {"--units", "UNIT", "Unit of OBJ, STL and PLY files: m, cm, mm, in or ft",
+       choice<std::string>(options.mesh_units,
+                           {{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}})},
+      {"--up", "AXIS", "Vertical axis of OBJ, STL and PLY files: z or y",
+       choice<std::string>(options.mesh_up, {{"z", "z"}, {"y", "y"}})},
+      {"--json", "", "As JSON", &options.as_json},
+      {"--strict", "", "Exit with 1 if there is a warning", &options.strict}};
+  command.footer = "Exit codes: 0 readable, 1 warnings with --strict, 2 at least one error.";
+  return command;
+}
+
+Command geometry_command() {
+  const auto options = std::make_shared<GeometryOptions>();
+  Command command = geometry_syntax(*options);
+  command.run = [options](const RunContext&) { return run_geometry(*options); };
+  return command;
 }
 
 }  // namespace cli

@@ -4,7 +4,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/meshes/mesh_check.h"
-#include "report/cli/options.h"
+#include "report/shell/command.h"
 #include "report/tools/geometry/escape.h"
 
 #include <string>
@@ -31,9 +31,19 @@ struct GeometryReport {
   bool is_readable() const { return !kind.empty(); }
 };
 
+struct GeometryOptions {
+  std::vector<std::string> files;
+  std::string mesh_units, mesh_up;  // of mesh files that do not say; "" = not given
+  bool as_json = false;
+  bool strict = false;  // warnings count
+};
+
+Command geometry_syntax(GeometryOptions& options);
+Command geometry_command();
+
 // Everything that is found, warnings included, ends up in the report.
 GeometryReport examine_geometry(const std::string& path, const calc::FileReader& files,
-                                const Options& options);
+                                const GeometryOptions& options);
 
 std::string render_geometry_text(const std::vector<GeometryReport>& reports);
 // "format": "luxgate-geometry-1"; lengths in metres.

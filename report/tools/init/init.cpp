@@ -1,12 +1,14 @@
 #include "report/tools/init/init.h"
 
-#include "report/shell/write.h"
+#include "report/formats/write.h"
+#include "report/shell/print.h"
 #include "report/tools/init/starter_files.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -36,6 +38,25 @@ InitResult write_starter_project(const std::string& folder) {
     }
   }
   return {files.back().path.string(), ""};
+}
+
+Command init_command() {
+  const auto folder = std::make_shared<std::string>(".");
+  Command command{"init", "Write a small project that runs and passes"};
+  command.places = {
+      {"folder", "FOLDER", "Where; made if needed. Existing files are kept", folder.get(), false}};
+  command.run = [folder](const RunContext&) {
+    const InitResult result = write_starter_project(*folder);
+    if (!result.error.empty()) {
+      print_error(calc::DiagnosticId::output_not_possible, result.error);
+      return kNotJudged;
+    }
+    return print_outcome({kAllMet,
+                          fmt::format("Wrote {0} and its photometry. Next: luxgate check {0}\n",
+                                      result.project_file),
+                          {}});
+  };
+  return command;
 }
 
 }  // namespace cli

@@ -1,6 +1,8 @@
 #pragma once
 // A first project to start from.
 
+#include "report/shell/command.h"
+
 #include <string>
 
 namespace cli {
@@ -14,5 +16,7 @@ struct InitResult {
 // Writes project.xml and photometry/panel.ies into `folder` (made if needed). Existing files are an
 // error and stay as they are. The project runs and passes (tested).
 InitResult write_starter_project(const std::string& folder);
+
+Command init_command();
 
 }  // namespace cli

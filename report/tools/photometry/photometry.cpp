@@ -2,11 +2,12 @@
 
 #include "calc/photometry/write/write_eulumdat.h"
 #include "calc/photometry/write/write_lm63.h"
+#include "report/formats/write.h"
 #include "report/images/polar_diagram.h"
 #include "report/shell/exit_code.h"
 #include "report/shell/outputs.h"
+#include "report/shell/print.h"
 #include "report/shell/recording_reader.h"
-#include "report/shell/write.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <cctype>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <set>
 
 namespace cli {
@@ -29,8 +31,8 @@ std::string lower_extension(const std::string& path) {
 
 class Run {
  public:
-  Run(const Options& options, const calc::FileReader& disk, bool colour)
-      : options_(options), wanted_(options.photometry), disk_(disk), colour_(colour) {
+  Run(const PhotometryOptions& options, const calc::FileReader& disk, bool colour)
+      : wanted_(options), disk_(disk), colour_(colour) {
     choice_.lamp_set = wanted_.lamp_set;
     choice_.variant = wanted_.variant;
     choice_.emitter = wanted_.emitter;
@@ -119,7 +121,7 @@ class Run {
   void print_diagnostic(const calc::Diagnostic& entry, bool warnings_too) {
     const bool is_error = entry.severity() == calc::Severity::error;
     (is_error ? has_errors_ : has_warnings_) = true;
-    if (is_error || (warnings_too && !options_.quiet)) {
+    if (is_error || (warnings_too && !wanted_.quiet)) {
       result_.err += calc::format_diagnostic(entry) + "\n";
     }
   }
@@ -138,11 +140,11 @@ class Run {
       result_.out = render_photometry_json(files_, comparison);
     } else if (wanted_.format == PhotometryFormat::csv) {
       result_.out = render_photometry_csv(files_);
-    } else if (wanted_.compare && !options_.quiet) {
+    } else if (wanted_.compare && !wanted_.quiet) {
       if (comparison != nullptr) {
         result_.out = render_comparison_text(files_[0], files_[1], *comparison, colour_);
       }
-    } else if (!options_.quiet) {
+    } else if (!wanted_.quiet) {
       for (const PhotometryFile& file : files_) {
         if (!result_.out.empty()) result_.out += "\n";
         result_.out += render_photometry_text(file, colour_);
@@ -154,7 +156,6 @@ class Run {
     result_.exit_code = exit_code_of(outcome);
   }
 
-  const Options& options_;
   const PhotometryOptions& wanted_;
   const RecordingReader disk_;
   const bool colour_;
@@ -168,8 +169,21 @@ class Run {
 
 }  // namespace
 
-PhotometryRun run_photometry(const Options& options, const calc::FileReader& files, bool colour) {
+PhotometryRun run_photometry(const PhotometryOptions& options, const calc::FileReader& files,
+                             bool colour) {
   return Run(options, files, colour).run();
+}
+
+Command photometry_command() {
+  const auto options = std::make_shared<PhotometryOptions>();
+  Command command = photometry_syntax(*options);
+  command.run = [options](const RunContext& context) {
+    const PhotometryRun result = run_photometry(*options, calc::DiskFileReader(),
+                                                use_color(options->color, context.environment));
+    fmt::print(stderr, "{}", result.err);
+    return print_result(result.out) ? result.exit_code : kNotJudged;
+  };
+  return command;
 }
 
 }  // namespace cli

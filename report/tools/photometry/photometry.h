@@ -9,7 +9,8 @@
 #include "calc/photometry/web_compare.h"
 #include "calc/photometry/web_hermite.h"
 #include "calc/photometry/web_measures.h"
-#include "report/cli/options.h"
+#include "report/shell/command.h"
+#include "report/tools/photometry/photometry_options.h"
 
 #include <array>
 #include <cstddef>
@@ -79,8 +80,11 @@ inline constexpr double kSameLight = 0.005, kNearlySameLight = 0.03;
 // after any error, 1 after warnings with --strict.
 struct PhotometryRun {
   std::string out, err;
-  int exit_code = 0;
+  ExitCode exit_code = kAllMet;
 };
-PhotometryRun run_photometry(const Options& options, const calc::FileReader& files, bool colour);
+PhotometryRun run_photometry(const PhotometryOptions& options, const calc::FileReader& files,
+                             bool colour);
+
+Command photometry_command();
 
 }  // namespace cli

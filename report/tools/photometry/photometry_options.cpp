@@ -1,6 +1,8 @@
 #include "report/tools/photometry/photometry_options.h"
 
 #include "calc/base/text.h"
+#include "report/shell/option_values.h"
+#include "report/shell/output_options.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +20,7 @@ bool ends_with_one_of(std::string text, const std::vector<std::string_view>& end
   });
 }
 
-}  // namespace
-
+// "" = nothing is wrong.
 std::string photometry_contradiction(const PhotometryOptions& photometry) {
   const std::size_t files = photometry.files.size();
   const auto one_file = [&](const char* name, const std::string& value,
@@ -35,6 +36,53 @@ std::string photometry_contradiction(const PhotometryOptions& photometry) {
   if (!photometry.compare) return "";
   if (files != 2) return fmt::format("--compare needs two FILEs; found {}", files);
   return photometry.format == PhotometryFormat::csv ? "--compare has no CSV form; use --json" : "";
+}
+
+ValueParser chosen(PhotometryFormat& target, PhotometryFormat format) {
+  return [&target, format](const std::string&) {
+    target = format;
+    return std::string();
+  };
+}
+
+}  // namespace
+
+Command photometry_syntax(PhotometryOptions& options) {
+  Command command{"photometry", "Show, check, convert, draw and compare photometry files"};
+  command.places = {
+      {"files", "FILE", "Photometry files (LM-63, EULUMDAT, TM-33, GLDF)", &options.files}};
+  command.options = {
+      {"--json", "", "As JSON", chosen(options.format, PhotometryFormat::json)},
+      {"--csv",
+       "",
+       "As CSV, one line per file",
+       chosen(options.format, PhotometryFormat::csv),
+       false,
+       {"--json"}},
+      {"--polar", "OUT.svg|.png", "Draw one file's polar diagram; the kind by the name",
+       any_text(options.polar_file)},
+      {"--polar-dir", "FOLDER", "Draw every file's polar diagram: FOLDER/FILE.svg; made if needed",
+       any_text(options.polar_folder)},
+      {"--convert", "OUT.ies|.ldt",
+       "Write one file again as LM-63-2002 or EULUMDAT, by the name; never over an input",
+       any_text(options.convert_file)},
+      {"--compare", "",
+       "Compare two files: are they one light, and which quarter turn lies between them?",
+       &options.compare},
+      {"--lamp-set", "N", "EULUMDAT: take the N-th lamp set; default the first",
+       whole_number(options.lamp_set, 1, 1'000'000)},
+      {"--variant", "ID", "GLDF: take the light of this variant", some_text(options.variant)},
+      {"--emitter", "ID",
+       "GLDF: this emitter, or ID#2 for its second light; TM-33: id, description or number",
+       some_text(options.emitter)},
+      {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
+      color_option(options.color),
+      quiet_option(options.quiet)};
+  command.footer =
+      "Exit codes: 0 all files are readable, 1 warnings with --strict, 2 an unreadable file or\n"
+      "another error. A bad file does not keep the others from being shown.";
+  command.complete = [&options](const Environment&) { return photometry_contradiction(options); };
+  return command;
 }
 
 }  // namespace cli

@@ -5,7 +5,6 @@
 #include "gpu/picture.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
-#include "report/shell/outputs.h"
 #include "report/text/words.h"
 
 #include <algorithm>
@@ -162,24 +161,20 @@ report::DrawnRoom cropped(report::DrawnRoom drawn) {
 
 bool opens(const calc::Space& space) { return space.shell || !space.surfaces_file.empty(); }
 
-bool wants_pictures(const Options& options) {
-  if (!options.pictures) return false;
+bool wants_pictures(const OutputOptions& options) {
   const std::vector<OutputFormat> files = planned_files(options);
-  const auto is_html = [](const OutputFormat& format) { return format.kind == FormatKind::html; };
+  const auto is_html = [](const OutputFormat& item) { return item.format->is_html; };
   return options.images || std::any_of(files.begin(), files.end(), is_html) ||
          std::any_of(options.formats.begin(), options.formats.end(), is_html);
 }
 
-PictureMaker::PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on,
-                           std::string program_folder)
-    : options_(options),
-      fault_(fault),
-      go_on_(std::move(go_on)),
-      program_folder_(std::move(program_folder)) {}
+PictureMaker::PictureMaker(PictureSettings settings, std::function<bool()> go_on)
+    : settings_(std::move(settings)), go_on_(std::move(go_on)) {}
 
 std::string PictureMaker::open_device() {
   if (!device_ && problem_.empty()) {
-    device_ = gpu::DeviceThread::open({options_.gl_device, fault_, program_folder_}, problem_);
+    device_ = gpu::DeviceThread::open(
+        {settings_.gl_device, settings_.gl_fault, settings_.program_folder}, problem_);
   }
   return device_ ? "" : problem_;
 }
@@ -210,8 +205,8 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
   const std::vector<View> views = make_views(tracer, opens(space));
   const SharedSides sides = share_sides(views, scene.triangle.size());
   calc::SurfaceLightSettings settings;
-  settings.seed = options_.radiosity.seed;
-  settings.jobs = options_.radiosity.jobs;
+  settings.seed = settings_.seed;
+  settings.jobs = settings_.jobs;
   settings.go_on = go_on_;
   const auto gatherer = calc::make_cpu_gatherer();
   const calc::LitSurfaces lit = calc::light_surfaces(scene, sides.side, settings, *gatherer);
@@ -242,7 +237,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
     made.width = raster.width;
     made.height = raster.height;
     made.png = report::encode_png(raster);
-    if (options_.images) {
+    if (settings_.has_files) {
       made.labelled_png = report::encode_png(report::with_legend(raster, scale));
       made.exr = report::render_room_exr(project_path, space.id, view.title, raster.width,
                                          raster.height, report::mean_values(drawn));

@@ -5,10 +5,11 @@
 #include "calc/scene/project.h"
 #include "gpu/device_thread.h"
 #include "gpu/room_drawing.h"
-#include "report/cli/options.h"
 #include "report/document/document.h"
 #include "report/images/room_picture.h"
+#include "report/shell/output_options.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -17,15 +18,23 @@
 namespace cli {
 
 // Whether a run makes pictures: there is a file to put them into.
-bool wants_pictures(const Options& options);
+bool wants_pictures(const OutputOptions& options);
+
+struct PictureSettings {
+  bool has_files = false;  // of --images: pictures with their legend, and EXR
+  std::uint64_t seed = 1;
+  int jobs = 0;
+  int gl_device = -1;  // as of `luxgate devices`; -1 = the first that is usable
+  gpu::Fault gl_fault = gpu::Fault::none;
+  std::string program_folder;  // see Environment
+};
 
 // Draws rooms one after the other. The device is opened for the first; a room without pictures says
 // why (RoomPictures::problem), and is a room like any other otherwise.
 class PictureMaker {
  public:
-  // go_on: false stops the light on surfaces. program_folder: see Environment.
-  PictureMaker(const Options& options, gpu::Fault fault, std::function<bool()> go_on,
-               std::string program_folder = "");
+  // go_on: false stops the light on surfaces.
+  PictureMaker(PictureSettings settings, std::function<bool()> go_on);
 
   void add_pictures(const std::string& project_path, const calc::Space& space,
                     const calc::PreparedScene& scene, report::SpacePart& part);
@@ -35,10 +44,8 @@ class PictureMaker {
   std::string draw(const std::string& project_path, const calc::Space& space,
                    const calc::PreparedScene& scene, report::SpacePart& part);
 
-  const Options& options_;
-  gpu::Fault fault_;
+  PictureSettings settings_;
   std::function<bool()> go_on_;
-  std::string program_folder_;
   std::shared_ptr<gpu::DeviceThread> device_;
   std::string problem_;
   int rooms_ = 0;

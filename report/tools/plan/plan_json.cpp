@@ -1,7 +1,6 @@
 #include "calc/proofs/skips.h"
-#include "report/check/plan.h"
-#include "report/shell/option_values.h"
 #include "report/text/json_layout.h"
+#include "report/tools/plan/plan.h"
 
 #include <nlohmann/json.hpp>
 
@@ -28,7 +27,7 @@ Json prediction_json(const calc::Prediction& prediction, std::uint64_t paths) {
           {"bytes", prediction.bytes}};
 }
 
-Json space_json(const SpacePlan& space, const calc::RadiositySettings& settings) {
+Json space_json(const check::SpacePlan& space, const calc::RadiositySettings& settings) {
   Json json = {{"id", space.id},
                {"name", space.name},
                {"triangles", space.triangles},
@@ -62,24 +61,24 @@ Json space_json(const SpacePlan& space, const calc::RadiositySettings& settings)
 
 }  // namespace
 
-std::string render_plan_json(const std::vector<ProjectPlan>& projects,
+std::string render_plan_json(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const BackendChoice& backend) {
-  Json json = {{"backend", backend.backend == Backend::gpu ? "gpu" : "cpu"},
+                             const check::BackendChoice& backend) {
+  Json json = {{"backend", backend.backend == check::Backend::gpu ? "gpu" : "cpu"},
                {"why_backend", backend.why},
                {"gpu_stages", Json::array()},
                {"projects", Json::array()}};
-  if (backend.backend == Backend::gpu) {
-    for (const std::string_view name : gpu_stage_names(backend.stages)) {
+  if (backend.backend == check::Backend::gpu) {
+    for (const std::string_view name : check::gpu_stage_names(backend.stages)) {
       json["gpu_stages"].push_back(name);
     }
   }
-  for (const ProjectPlan& project : projects) {
+  for (const check::ProjectPlan& project : projects) {
     Json part = {{"path", project.path},
                  {"name", project.name},
                  {"planned", project.is_planned},
                  {"spaces", Json::array()}};
-    for (const SpacePlan& space : project.spaces) {
+    for (const check::SpacePlan& space : project.spaces) {
       part["spaces"].push_back(space_json(space, settings));
     }
     json["projects"].push_back(std::move(part));

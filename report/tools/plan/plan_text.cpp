@@ -1,7 +1,7 @@
 #include "calc/proofs/skips.h"
-#include "report/check/plan.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
+#include "report/tools/plan/plan.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ std::string plane_line(const calc::PlanePlan& plane, std::size_t luminaires) {
   return text + fmt::format(", reflected light at {} points\n", plane.seeing_points);
 }
 
-std::string decision_line(const calc::SkipDecision& decision, const SpacePlan& space) {
+std::string decision_line(const calc::SkipDecision& decision, const check::SpacePlan& space) {
   std::string why = decision.why;
   if (decision.body && !space.obstacle.empty()) {
     why += fmt::format(" of '{}'", report::printable(space.obstacle));
@@ -55,7 +55,7 @@ std::string decision_line(const calc::SkipDecision& decision, const SpacePlan& s
   return fmt::format("      {:<15} {}\n", calc::skip_name(decision.skip), why);
 }
 
-std::string decisions(const SpacePlan& space, calc::SkipState state, const char* heading) {
+std::string decisions(const check::SpacePlan& space, calc::SkipState state, const char* heading) {
   std::string lines;
   for (const calc::SkipDecision& decision : space.plan.skips) {
     if (decision.state == state) lines += decision_line(decision, space);
@@ -95,7 +95,7 @@ std::string prediction_table(const calc::ScenePlan& plan, const calc::RadiosityS
   return text;
 }
 
-std::string space_text(const SpacePlan& space, const calc::RadiositySettings& settings) {
+std::string space_text(const check::SpacePlan& space, const calc::RadiositySettings& settings) {
   const std::string& title = space.name.empty() ? space.id : space.name;
   std::string text =
       fmt::format("  {}: {} triangles, {} luminaire{}\n", report::printable(title), space.triangles,
@@ -123,19 +123,19 @@ std::string comparison_row(const char* label, const std::string& predicted,
 
 }  // namespace
 
-std::string render_plan_text(const std::vector<ProjectPlan>& projects,
+std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
                              const calc::RadiositySettings& settings,
-                             const BackendChoice& backend) {
+                             const check::BackendChoice& backend) {
   std::string text;
-  for (const ProjectPlan& project : projects) {
+  for (const check::ProjectPlan& project : projects) {
     text += report::printable(project.path);
     if (!project.name.empty()) text += ": " + report::printable(project.name);
     text += "\n";
     if (project.spaces.empty() && !project.is_planned) text += "  not planned: see the errors\n";
-    for (const SpacePlan& space : project.spaces) text += space_text(space, settings);
+    for (const check::SpacePlan& space : project.spaces) text += space_text(space, settings);
     text += "\n";
   }
-  return text + backend_line(backend);
+  return text + check::backend_line(backend);
 }
 
 std::string explain_cost(const std::string& path, const std::string& space_id,

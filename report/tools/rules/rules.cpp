@@ -3,8 +3,9 @@
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
 #include "report/check/load_rules.h"
-#include "report/shell/exit_code.h"
-#include "report/shell/write.h"
+#include "report/formats/write.h"
+#include "report/shell/option_values.h"
+#include "report/shell/print.h"
 #include "report/text/plain_text.h"
 #include "report/tools/rules/explain.h"
 #include "rules/pack/builtin_packs.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -33,14 +35,9 @@ std::string printable_lines(std::string_view text) {
   return result;
 }
 
-RulesRun finished(std::string out, const calc::Diagnostics& diagnostics) {
-  RulesRun run;
-  run.out = std::move(out);
-  for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
-    run.err += calc::format_diagnostic(diagnostic) + "\n";
-  }
-  run.exit_code = diagnostics.has_errors() ? kNotJudged : kAllMet;
-  return run;
+ExitCode finished(std::string out, const calc::Diagnostics& diagnostics) {
+  return print_outcome(
+      {diagnostics.has_errors() ? kNotJudged : kAllMet, std::move(out), diagnostics.all()});
 }
 
 std::string joined_ids(const std::vector<rules::RulePack>& packs) {
@@ -61,21 +58,21 @@ rules::NamedPack find_pack(const std::string& name, const std::vector<rules::Rul
   return found;
 }
 
-std::string show(const Options& options, const std::vector<rules::RulePack>& packs,
+std::string show(const std::string& pack, const std::vector<rules::RulePack>& packs,
                  calc::Diagnostics& diagnostics) {
-  const rules::NamedPack found = find_pack(options.rules_command.pack, packs, diagnostics);
+  const rules::NamedPack found = find_pack(pack, packs, diagnostics);
   if (found.is_ambiguous()) return {};
   if (found.pack != nullptr) return show_rule_pack(*found.pack);
-  diagnostics.report(calc::DiagnosticId::rule_import, {},
-                     fmt::format("there is no rule pack '{}'; allowed: {}",
-                                 options.rules_command.pack, joined_ids(packs)));
+  diagnostics.report(
+      calc::DiagnosticId::rule_import, {},
+      fmt::format("there is no rule pack '{}'; allowed: {}", pack, joined_ids(packs)));
   return {};
 }
 
-std::string lint(const Options& options, const calc::FileReader& files,
+std::string lint(const std::vector<std::string>& paths, const calc::FileReader& files,
                  calc::Diagnostics& diagnostics) {
   std::string out;
-  for (const std::string& path : rule_files(options.rules_command.files, diagnostics)) {
+  for (const std::string& path : check::rule_files(paths, diagnostics)) {
     const calc::FileContent content = files.read(path);
     if (!content.ok()) {
       diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
@@ -91,43 +88,45 @@ std::string lint(const Options& options, const calc::FileReader& files,
   return out;
 }
 
-std::string import_table(const Options& options, const calc::FileReader& files,
+struct ImportOptions {
+  std::string csv, output;  // output "" = standard output
+  std::string pack_id = "en12464-1-own";
+};
+
+std::string import_table(const ImportOptions& options, const calc::FileReader& files,
                          calc::Diagnostics& diagnostics) {
   constexpr const char* kLike = "en12464-1:2021";
-  const RulesOptions& rules_options = options.rules_command;
-  if (!calc::is_id(rules_options.pack_id)) {
-    diagnostics.report(calc::DiagnosticId::not_an_id, {}, "--id", "rules import",
-                       rules_options.pack_id);
+  if (!calc::is_id(options.pack_id)) {
+    diagnostics.report(calc::DiagnosticId::not_an_id, {}, "--id", "rules import", options.pack_id);
     return {};
   }
-  const calc::FileContent csv = files.read(rules_options.csv);
+  const calc::FileContent csv = files.read(options.csv);
   if (!csv.ok()) {
-    diagnostics.report(calc::DiagnosticId::file_not_readable, {rules_options.csv, 0, 0},
-                       rules_options.csv, csv.error);
+    diagnostics.report(calc::DiagnosticId::file_not_readable, {options.csv, 0, 0}, options.csv,
+                       csv.error);
     return {};
   }
   std::error_code ignored;
-  if (!rules_options.output.empty() &&
-      std::filesystem::equivalent(rules_options.output, rules_options.csv, ignored)) {
+  if (!options.output.empty() &&
+      std::filesystem::equivalent(options.output, options.csv, ignored)) {
     diagnostics.report(calc::DiagnosticId::output_not_possible, {},
-                       fmt::format("'{}' is the table itself", rules_options.output));
+                       fmt::format("'{}' is the table itself", options.output));
     return {};
   }
   for (const std::string_view text : rules::builtin_pack_texts()) {
     calc::Diagnostics own;
     if (rules::parse_rule_pack(text, "built in", own)->full_id() != kLike) continue;
-    const std::string name = std::filesystem::path(rules_options.csv).filename().string();
+    const std::string name = std::filesystem::path(options.csv).filename().string();
     const std::optional<std::string> pack =
-        rules::import_rows(csv.bytes, name, text, rules_options.pack_id, diagnostics);
-    if (!pack || rules_options.output.empty()) return pack.value_or("");
-    const std::string problem = report::write_file_atomically(rules_options.output, *pack);
+        rules::import_rows(csv.bytes, name, text, options.pack_id, diagnostics);
+    if (!pack || options.output.empty()) return pack.value_or("");
+    const std::string problem = report::write_file_atomically(options.output, *pack);
     if (!problem.empty()) {
       diagnostics.report(calc::DiagnosticId::output_not_possible, {},
-                         fmt::format("cannot write '{}': {}", rules_options.output, problem));
+                         fmt::format("cannot write '{}': {}", options.output, problem));
       return {};
     }
-    return fmt::format("Wrote {}. Next: luxgate rules lint {}\n", rules_options.output,
-                       rules_options.output);
+    return fmt::format("Wrote {}. Next: luxgate rules lint {}\n", options.output, options.output);
   }
   return {};
 }
@@ -151,39 +150,106 @@ std::string explain(const std::string& what, const std::vector<rules::RulePack>&
   return text.value_or("");
 }
 
-}  // namespace
+constexpr const char* kExitCodes = "Exit codes: 0 no error, 2 at least one error.";
 
-RulesRun run_rules(const Options& options, const calc::FileReader& files) {
-  calc::Diagnostics diagnostics;
-  std::string out;
-  switch (options.rules_command.action) {
-    case RulesAction::list:
-      out =
-          printable_lines(list_rule_packs(load_rule_packs(options.rule_files, files, diagnostics)));
-      break;
-    case RulesAction::show:
-      out = printable_lines(
-          show(options, load_rule_packs(options.rule_files, files, diagnostics), diagnostics));
-      break;
-    case RulesAction::lint:
-      out = printable_lines(lint(options, files, diagnostics));
-      break;
-    case RulesAction::import_rows:
-      out = import_table(options, files, diagnostics);
-      break;
-    case RulesAction::schema:
-      out = std::string(rules::rule_pack_schema());
-      break;
-  }
-  return finished(std::move(out), diagnostics);
+// An action that prints what `make` gives of its options.
+template <class Options>
+Command action(Command command, const std::shared_ptr<Options>& options,
+               std::string (*make)(const Options&, const calc::FileReader&, calc::Diagnostics&)) {
+  command.footer = kExitCodes;
+  command.run = [options, make](const RunContext&) {
+    calc::Diagnostics diagnostics;
+    std::string out = make(*options, calc::DiskFileReader(), diagnostics);
+    return finished(std::move(out), diagnostics);
+  };
+  return command;
 }
 
-RulesRun run_explain(const Options& options, const calc::FileReader& files) {
-  calc::Diagnostics diagnostics;
-  const std::vector<rules::RulePack> packs =
-      load_rule_packs(options.rule_files, files, diagnostics);
-  std::string out = printable_lines(explain(options.rules_command.explained, packs, diagnostics));
-  return finished(std::move(out), diagnostics);
+// What most actions take: a name, files or nothing, and packs besides those delivered.
+struct PackOptions {
+  std::string name;
+  std::vector<std::string> files, rule_files;
+};
+
+Command list_action() {
+  const auto options = std::make_shared<PackOptions>();
+  Command command{"list", "List the rule packs"};
+  command.options = {rules_option(options->rule_files)};
+  return action<PackOptions>(
+      std::move(command), options,
+      [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
+        return printable_lines(
+            list_rule_packs(check::load_rule_packs(given.rule_files, files, diagnostics)));
+      });
+}
+
+Command show_action() {
+  const auto options = std::make_shared<PackOptions>();
+  Command command{"show", "Print all of one rule pack"};
+  command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name}};
+  command.options = {rules_option(options->rule_files)};
+  return action<PackOptions>(
+      std::move(command), options,
+      [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
+        const auto packs = check::load_rule_packs(given.rule_files, files, diagnostics);
+        return printable_lines(show(given.name, packs, diagnostics));
+      });
+}
+
+Command lint_action() {
+  const auto options = std::make_shared<PackOptions>();
+  Command command{"lint", "Find errors and doubtful things in rule pack files"};
+  command.places = {{"files", "FILE|DIR", "Rule packs, or folders of them", &options->files}};
+  return action<PackOptions>(
+      std::move(command), options,
+      [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
+        return printable_lines(lint(given.files, files, diagnostics));
+      });
+}
+
+Command import_action() {
+  const auto options = std::make_shared<ImportOptions>();
+  Command command{"import", "Make a private rule pack for indoor work places from a table"};
+  command.places = {{"csv", "TABLE.csv", "Table with a line of column names; see rules/README.md",
+                     &options->csv}};
+  command.options = {
+      {"-o,--output", "PACK.xml", "Where to; default standard output", any_text(options->output)},
+      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)}};
+  return action<ImportOptions>(std::move(command), options, import_table);
+}
+
+Command schema_action() {
+  return action<PackOptions>({"schema", "Print the XML schema of rule packs"},
+                             std::make_shared<PackOptions>(),
+                             [](const PackOptions&, const calc::FileReader&, calc::Diagnostics&) {
+                               return std::string(rules::rule_pack_schema());
+                             });
+}
+
+}  // namespace
+
+Command rules_command() {
+  Command command{"rules", "List, show, check and import rule packs (standards as data)"};
+  command.actions = {list_action(), show_action(), lint_action(), import_action(), schema_action()};
+  command.footer = "'luxgate rules ACTION --help' explains an action.";
+  return command;
+}
+
+Command explain_command() {
+  const auto options = std::make_shared<PackOptions>();
+  Command command{"explain", "Say what a rule requires, or what a message means"};
+  command.places = {
+      {"what", "WHAT",
+       "PACK/ROW, PACK/ROLE or PACK/CHECK, PACK being the id of a rule pack or id:edition; "
+       "or the id of a message",
+       &options->name}};
+  command.options = {rules_option(options->rule_files)};
+  return action<PackOptions>(
+      std::move(command), options,
+      [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
+        const auto packs = check::load_rule_packs(given.rule_files, files, diagnostics);
+        return printable_lines(explain(given.name, packs, diagnostics));
+      });
 }
 
 }  // namespace cli

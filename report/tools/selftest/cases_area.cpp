@@ -1,9 +1,9 @@
 // Area sources: luminous openings of luminaires against configuration factors.
+
 #include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "report/tools/selftest/case.h"
 #include "report/tools/selftest/closed_forms.h"
-
-#include "calc/base/units.h"
 
 #include <cmath>
 

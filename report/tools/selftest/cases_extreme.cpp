@@ -1,9 +1,9 @@
 // Extremes: reflectance to the end, 1:1000, far from the origin, 1 mm, double walls, needles.
+
 #include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "report/tools/selftest/case.h"
 #include "report/tools/selftest/closed_forms.h"
-
-#include "calc/base/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // Form factors between rectangles: the mean illuminance of one, lit by another of even exitance.
+
 #include "report/tools/selftest/case.h"
 #include "report/tools/selftest/closed_forms.h"
 

@@ -1,8 +1,8 @@
 // Flux conservation: what a lamp sends arrives, all of it and where it belongs.
-#include "report/tools/selftest/case.h"
-#include "report/tools/selftest/closed_forms.h"
 
 #include "calc/base/units.h"
+#include "report/tools/selftest/case.h"
+#include "report/tools/selftest/closed_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Point sources: E = I(C, gamma) cos i / d^2. Nothing is sampled, so that every digit counts.
-#include "calc/base/elementary.h"
-#include "report/tools/selftest/case.h"
 
+#include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "report/tools/selftest/case.h"
 
 #include <cmath>
 

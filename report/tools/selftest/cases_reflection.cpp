@@ -1,9 +1,9 @@
 // One diffuse reflection: from an evenly lit surface by Lambert's formula, from one that a lamp
 // lights by quadrature.
-#include "report/tools/selftest/case.h"
-#include "report/tools/selftest/closed_forms.h"
 
 #include "calc/base/units.h"
+#include "report/tools/selftest/case.h"
+#include "report/tools/selftest/closed_forms.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // What has no right answer is refused, and the message says why.
-#include "report/tools/selftest/case.h"
 
 #include "calc/base/file_reader.h"
 #include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/tools/selftest/case.h"
 
 #include <fmt/format.h>
 

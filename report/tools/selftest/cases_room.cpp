@@ -1,8 +1,8 @@
 // Closed rooms: averages by the flux balance, points by a matrix solution, furnaces and plates.
-#include "report/tools/selftest/case.h"
-#include "report/tools/selftest/closed_forms.h"
 
 #include "calc/base/units.h"
+#include "report/tools/selftest/case.h"
+#include "report/tools/selftest/closed_forms.h"
 
 #include <fmt/format.h>
 

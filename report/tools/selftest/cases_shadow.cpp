@@ -1,4 +1,5 @@
 // Obstruction: exact shadows, what is seen of a surface past an obstacle, light through a slit.
+
 #include "report/tools/selftest/case.h"
 #include "report/tools/selftest/closed_forms.h"
 

@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_style.h"
+#include "report/text/markup.h"
 #include "report/text/plain_text.h"
 
 #include <fmt/format.h>

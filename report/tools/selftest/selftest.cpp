@@ -3,9 +3,9 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/rays/triangle_tree.h"
+#include "report/document/program_version.h"
+#include "report/formats/write.h"
 #include "report/shell/interrupt.h"
-#include "report/shell/write.h"
-#include "report/tools/devices/version.h"
 #include "report/tools/selftest/report.h"
 #include "report/tools/selftest/sweep.h"
 
@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -151,7 +152,7 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   }
   selftest::RunResult result;
   result.seed = options.seed;
-  result.program = program_version();
+  result.program = report::program_version();
   result.tracer = calc::tree_builder_version();
   result.cases = run_cases(std::move(cases), options, announce);
   announce.clear();
@@ -169,6 +170,16 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
     if (interrupted()) return interrupted_outcome();
   }
   return outcome;
+}
+
+Command selftest_command() {
+  const auto options = std::make_shared<SelftestOptions>();
+  Command command = selftest_syntax(*options);
+  command.run = [options](const RunContext& context) {
+    watch_for_interrupt();
+    return print_outcome(run_selftest(*options, context.environment));
+  };
+  return command;
 }
 
 }  // namespace cli

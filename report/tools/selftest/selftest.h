@@ -1,12 +1,15 @@
 #pragma once
 // `luxgate selftest`: cases whose light is known exactly.
 
-#include "report/shell/command_outcome.h"
+#include "report/shell/command.h"
 #include "report/shell/environment.h"
+#include "report/shell/print.h"
 #include "report/tools/selftest/selftest_options.h"
 
 namespace cli {
 
 CommandOutcome run_selftest(const SelftestOptions& options, const Environment& environment);
+
+Command selftest_command();
 
 }  // namespace cli

@@ -24,40 +24,7 @@ ValueParser case_or_kind(std::vector<std::string>& target) {
   };
 }
 
-}  // namespace
-
-ListedCommand selftest_command(SelftestOptions& options) {
-  ListedCommand command;
-  command.flags = {{"--list", "Name the cases and run none", &options.lists},
-                   {"--all", "A line for every number, not for every case", &options.shows_all},
-                   {"--json", "As JSON, with every number", &options.as_json},
-                   {"--timing", "Times and rays too; without them equal runs print equal bytes",
-                    &options.has_timing}};
-  command.values = {
-      {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
-       true},
-      {"--report", "FOLDER",
-       "Write validation.html and validation.md there: every case with its numbers, and the open\n"
-       "cases of $LUXGATE_SHARED_DATA/validation where that is set. Made if needed",
-       some_text(options.report_folder)},
-      {"--sweep", "FOLDER",
-       "Instead: error over ranges of reflectance, distance, offset, intensity and aspect, as\n"
-       "sweeps.csv, sweeps.html and sweeps.md. Takes minutes",
-       some_text(options.sweep_folder)},
-      {"--seed", "N", "Seed of the random numbers; default 1",
-       whole_number(options.seed, 0, UINT64_MAX)},
-      {"--jobs", "N", "Threads; default one per core. Never changes a result",
-       whole_number(options.jobs, 1, 1024)}};
-  command.footer =
-      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or "
-      "by\n"
-      "a matrix solution, none of which uses the calculation. 'in': the exact value lies in our\n"
-      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.\n"
-      "Example: luxgate selftest --only cie171-5.8 --all\n"
-      "Exit codes: 0 all cases are right, 1 a case is wrong or too vague, 2 an error.";
-  return command;
-}
-
+// "" = nothing is wrong.
 std::string selftest_contradiction(const SelftestOptions& options) {
   if (!options.sweep_folder.empty() && (!options.only.empty() || !options.report_folder.empty() ||
                                         options.as_json || options.lists || options.shows_all)) {
@@ -71,6 +38,39 @@ std::string selftest_contradiction(const SelftestOptions& options) {
     return "--report is about all cases: leave out --only";
   }
   return "";
+}
+
+}  // namespace
+
+Command selftest_syntax(SelftestOptions& options) {
+  Command command{"selftest", "Calculate cases whose light is known exactly, and compare"};
+  command.options = {
+      {"--list", "", "Name the cases and run none", &options.lists},
+      {"--all", "", "A line for every number, not for every case", &options.shows_all},
+      {"--json", "", "As JSON, with every number", &options.as_json},
+      {"--timing", "", "Times and rays too; without them equal runs print equal bytes",
+       &options.has_timing},
+      {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
+       true},
+      {"--report", "FOLDER",
+       "Write validation.html and validation.md there: every case with its numbers, and the open\n"
+       "cases of $LUXGATE_SHARED_DATA/validation where that is set. Made if needed",
+       some_text(options.report_folder)},
+      {"--sweep", "FOLDER",
+       "Instead: error over ranges of reflectance, distance, offset, intensity and aspect, as\n"
+       "sweeps.csv, sweeps.html and sweeps.md. Takes minutes",
+       some_text(options.sweep_folder)},
+      seed_option(options.seed),
+      jobs_option(options.jobs)};
+  command.footer =
+      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or "
+      "by\n"
+      "a matrix solution, none of which uses the calculation. 'in': the exact value lies in our\n"
+      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.\n"
+      "Example: luxgate selftest --only cie171-5.8 --all\n"
+      "Exit codes: 0 all cases are right, 1 a case is wrong or too vague, 2 an error.";
+  command.complete = [&options](const Environment&) { return selftest_contradiction(options); };
+  return command;
 }
 
 }  // namespace cli

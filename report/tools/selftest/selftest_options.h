@@ -1,13 +1,13 @@
 #pragma once
 // The options of `luxgate selftest`.
 
+#include "report/shell/command.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace cli {
-
-struct ListedCommand;
 
 struct SelftestOptions {
   std::vector<std::string> only;  // names of cases or kinds; empty = all
@@ -20,8 +20,6 @@ struct SelftestOptions {
   int jobs = 0;
 };
 
-ListedCommand selftest_command(SelftestOptions& options);
-// "" = nothing is wrong.
-std::string selftest_contradiction(const SelftestOptions& options);
+Command selftest_syntax(SelftestOptions& options);
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_style.h"
 #include "report/text/csv_field.h"
+#include "report/text/markup.h"
 #include "report/text/number_format.h"
 #include "report/tools/converge/converge_plot.h"
 #include "report/tools/selftest/sweep.h"

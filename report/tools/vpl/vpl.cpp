@@ -1,23 +1,23 @@
 #include "report/tools/vpl/vpl.h"
 
 #include "calc/project/project_xml.h"
-#include "calc/proofs/solve_plan.h"
-#include "calc/radiosity/scene_fingerprint.h"
-#include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
+#include "report/check/vertex_source.h"
+#include "report/formats/write.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
 #include "report/shell/chosen_space.h"
 #include "report/shell/outputs.h"
+#include "report/shell/print.h"
 #include "report/shell/recording_reader.h"
-#include "report/shell/write.h"
 #include "report/text/number_format.h"
-#include "report/tools/devices/version.h"
 #include "report/tools/pictures/room_pictures.h"
+#include "report/tools/vpl/vpl_options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -27,11 +27,6 @@ namespace {
 
 // What readers of files take, with room for the header.
 constexpr std::uint64_t kLargestFileBytes = std::uint64_t{510} << 20;
-constexpr int kFewestReplicates = 4;
-
-std::string maker() {
-  return fmt::format("luxgate {} ({})", program_version(), calc::tree_builder_version());
-}
 
 double reflected_lm(const calc::VertexCache& cache) {
   double sum = 0.0;
@@ -77,7 +72,7 @@ class VertexWriter {
                           traced.problem);
       return "";
     }
-    traced.cache->made_by = maker();
+    traced.cache->made_by = check::vertex_maker();
     traced.cache->space_id = space->id;
     std::string text;
     if (!options_.output.empty() && !write_cache(*traced.cache, text)) return "";
@@ -159,8 +154,6 @@ class VertexWriter {
   std::shared_ptr<gpu::DeviceThread> device_;
 };
 
-}  // namespace
-
 CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk,
                        const Environment& environment, gpu::Fault gl_fault) {
   const RecordingReader files(disk);
@@ -172,56 +165,16 @@ CommandOutcome run_vpl(const VplOptions& options, const calc::FileReader& disk,
   return outcome;
 }
 
-std::optional<calc::VertexCache> read_vertex_cache(const std::string& path,
-                                                   const calc::FileReader& files,
-                                                   calc::Diagnostics& diagnostics) {
-  const calc::FileContent content = files.read(path);
-  if (!content.ok()) {
-    diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
-    return std::nullopt;
-  }
-  calc::TracedCache parsed = calc::parse_vertex_ply(content.bytes);
-  if (parsed.cache && parsed.cache->made_by != maker()) {
-    parsed.problem = fmt::format("it was made by {}, this is {}", parsed.cache->made_by, maker());
-  } else if (parsed.cache && parsed.cache->replicates < kFewestReplicates) {
-    parsed.problem = fmt::format("it has {} replicates; intervals need {} or more",
-                                 parsed.cache->replicates, kFewestReplicates);
-  }
-  if (parsed.problem.empty()) return std::move(parsed.cache);
-  diagnostics.report(calc::DiagnosticId::vertex_cache_unreadable, {path, 0, 0}, parsed.problem);
-  return std::nullopt;
-}
+}  // namespace
 
-void use_settings_of(const calc::VertexCache& cache, calc::RadiositySettings& settings) {
-  settings.seed = cache.seed;
-  settings.replicates = cache.replicates;
-  settings.first_paths = cache.first_paths;
-  settings.max_paths = cache.paths;
-}
-
-bool has_space_of(const calc::VertexCache& cache, const calc::Project& project,
-                  const Options& options, calc::Diagnostics& diagnostics) {
-  for (const calc::Space& space : project.spaces) {
-    if (space.id == cache.space_id) return true;
-  }
-  diagnostics.report(calc::DiagnosticId::vertex_cache_unfit, {options.vpl_file, 0, 0},
-                     fmt::format("they are of the space '{}', which '{}' does not have",
-                                 cache.space_id, project.path));
-  return false;
-}
-
-bool fits(const calc::VertexCache& cache, const calc::PreparedScene& scene, const Options& options,
-          calc::Diagnostics& diagnostics) {
-  const std::uint64_t print = calc::scene_fingerprint(
-      scene, calc::unlit_luminaires(scene, calc::beams_of(scene), options.radiosity.skips));
-  if (print == cache.scene && cache.channels == scene.channels.size()) return true;
-  diagnostics.report(
-      calc::DiagnosticId::vertex_cache_unfit, {options.vpl_file, 0, 0},
-      fmt::format("they are of another scene ({:016x}, now {:016x}): surfaces, reflectances, "
-                  "luminaires, photometry or --no-skip have changed; make them anew with "
-                  "'luxgate vpl'",
-                  cache.scene, print));
-  return false;
+Command vpl_command() {
+  const auto options = std::make_shared<VplOptions>();
+  Command command = vpl_syntax(*options);
+  command.run = [options](const RunContext& context) {
+    return print_outcome(
+        run_vpl(*options, calc::DiskFileReader(), context.environment, context.gl_fault));
+  };
+  return command;
 }
 
 }  // namespace cli

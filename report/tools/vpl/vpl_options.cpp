@@ -8,30 +8,6 @@
 
 namespace cli {
 
-std::vector<ValueOption> vpl_value_options(VplOptions& options) {
-  calc::RadiositySettings& settings = options.radiosity;
-  return {{"-o,--output", "FILE.ply", "Where to, never over an input; this or --view is needed",
-           some_text(options.output)},
-          {"--view", "OUT.png|.exr",
-           "A picture of the room with the light vertices of one replicate's first look (of its\n"
-           "first 1024 paths, or --paths if that is less) as dots: area by flux, drawn by OpenGL",
-           some_text(options.view)},
-          {"--gl-device", "N",
-           "OpenGL device of 'luxgate devices' for --view; default the first that works, hardware\n"
-           "before software",
-           whole_number(options.gl_device, 0, 1000)},
-          {"--paths", "N", "Light paths of each replicate, a power of two; default 4096",
-           power_of_two(settings.max_paths, 16, std::uint64_t{1} << 30)},
-          {"--replicates", "N",
-           "Independent repetitions, 1 to 64; 'check --vpl' needs 4 for its intervals; default 16",
-           whole_number(settings.replicates, 1, 64)},
-          {"--seed", "N", "Seed of the random numbers; default 1",
-           whole_number(settings.seed, 0, UINT64_MAX)},
-          {"--space", "ID", "Which space; needed if there are several", some_text(options.space)},
-          {"--jobs", "N", "Threads; default one per core. Never changes the file",
-           whole_number(settings.jobs, 1, 1024)}};
-}
-
 bool is_exr(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -39,6 +15,9 @@ bool is_exr(const std::string& file) {
   return ending == ".exr";
 }
 
+namespace {
+
+// "" = nothing is wrong.
 std::string vpl_contradiction(const VplOptions& options) {
   if (options.output.empty() && options.view.empty()) {
     return "-o FILE.ply is needed, or --view OUT.png";
@@ -49,6 +28,36 @@ std::string vpl_contradiction(const VplOptions& options) {
   return ending == ".png" || ending == ".PNG"
              ? ""
              : "--view: a name that ends in .png or .exr is needed";
+}
+
+}  // namespace
+
+Command vpl_syntax(VplOptions& options) {
+  calc::RadiositySettings& settings = options.radiosity;
+  Command command{"vpl", "Trace the light vertices of a space and write them as a PLY file"};
+  command.places = {project_place(options.project)};
+  command.options = {
+      {"-o,--output", "FILE.ply", "Where to, never over an input; this or --view is needed",
+       some_text(options.output)},
+      {"--view", "OUT.png|.exr",
+       "A picture of the room with the light vertices of one replicate's first look (of its\n"
+       "first 1024 paths, or --paths if that is less) as dots: area by flux, drawn by OpenGL",
+       some_text(options.view)},
+      {"--gl-device", "N",
+       "OpenGL device of 'luxgate devices' for --view; default the first that works, hardware\n"
+       "before software",
+       whole_number(options.gl_device, 0, 1000)},
+      {"--paths", "N", "Light paths of each replicate, a power of two; default 4096",
+       power_of_two(settings.max_paths, 16, std::uint64_t{1} << 30)},
+      {"--replicates", "N",
+       "Independent repetitions, 1 to 64; 'check --vpl' needs 4 for its intervals; default 16",
+       whole_number(settings.replicates, 1, 64)},
+      seed_option(settings.seed),
+      space_option(options.space),
+      jobs_option(settings.jobs, "the file")};
+  command.footer = "Exit codes: 0 written, 2 an error.";
+  command.complete = [&options](const Environment&) { return vpl_contradiction(options); };
+  return command;
 }
 
 }  // namespace cli

@@ -2,13 +2,12 @@
 // The options of `luxgate vpl`.
 
 #include "calc/radiosity/settings.h"
+#include "report/shell/command.h"
 
 #include <string>
 #include <vector>
 
 namespace cli {
-
-struct ValueOption;
 
 struct VplOptions {
   std::string project;
@@ -25,9 +24,7 @@ struct VplOptions {
   }
 };
 
-std::vector<ValueOption> vpl_value_options(VplOptions& options);
+Command vpl_syntax(VplOptions& options);
 bool is_exr(const std::string& file);  // by its name
-// "" = nothing is wrong.
-std::string vpl_contradiction(const VplOptions& options);
 
 }  // namespace cli

@@ -1,4 +1,5 @@
 #include "calc/project/project_files.h"
+#include "calc/base/relative_path.h"
 
 #include <gtest/gtest.h>
 

@@ -22,45 +22,45 @@ gpu::Device device(int index, const std::string& renderer, bool is_software,
   return result;
 }
 
-cli::BackendChoice choose(const gpu::DeviceList& list, double connections) {
+check::BackendChoice choose(const gpu::DeviceList& list, double connections) {
   // Five connections share a vertex.
-  return cli::choose_automatically(list, [&] {
-    return cli::GatherWork{connections, connections / 5.0, 1000.0};
+  return check::choose_automatically(list, [&] {
+    return check::GatherWork{connections, connections / 5.0, 1000.0};
   });
 }
 
 TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
   const gpu::DeviceList list{{device(0, "Card A", false), device(1, "Card B", false)}, ""};
-  const cli::BackendChoice much = choose(list, 2e8);
-  EXPECT_EQ(much.backend, cli::Backend::gpu);
+  const check::BackendChoice much = choose(list, 2e8);
+  EXPECT_EQ(much.backend, check::Backend::gpu);
   EXPECT_EQ(much.device, 0);
-  EXPECT_THAT(cli::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 200"));
+  EXPECT_THAT(check::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 200"));
   EXPECT_THAT(much.why,
               HasSubstr("take some 2.1 s on 16 processor cores, 1.5 s with it: 0.4 s to "
                         "open it, 0.6 s to send scene and light vertices, 0.45 s to gather"));
-  const cli::BackendChoice little = choose(list, 6e7);
-  EXPECT_EQ(little.backend, cli::Backend::cpu);
+  const check::BackendChoice little = choose(list, 6e7);
+  EXPECT_EQ(little.backend, check::Backend::cpu);
   EXPECT_THAT(little.why, HasSubstr("too little work for Card A"));
 }
 
 // What a context, the scene and the vertices cost must be won back.
 TEST(Backend, AutoCountsWhatHasToBeSent) {
   const gpu::DeviceList list{{device(0, "Card A", false)}, ""};
-  const auto with = [&](const cli::GatherWork& work) {
-    return cli::choose_automatically(list, [&] { return work; }).backend;
+  const auto with = [&](const check::GatherWork& work) {
+    return check::choose_automatically(list, [&] { return work; }).backend;
   };
-  EXPECT_EQ(with({1e8, 0.0, 0.0}), cli::Backend::gpu);
-  EXPECT_EQ(with({1e8, 5e7, 0.0}), cli::Backend::cpu);
-  EXPECT_EQ(with({1e8, 0.0, 5e6}), cli::Backend::cpu);
+  EXPECT_EQ(with({1e8, 0.0, 0.0}), check::Backend::gpu);
+  EXPECT_EQ(with({1e8, 5e7, 0.0}), check::Backend::cpu);
+  EXPECT_EQ(with({1e8, 0.0, 5e6}), check::Backend::cpu);
 }
 
 TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
   const gpu::DeviceList list{
       {device(0, "Old Card", false, "OpenGL 3.3 has no compute shaders"), device(1, "soft", true)},
       ""};
-  const cli::BackendChoice choice = choose(list, 1e12);
-  EXPECT_EQ(choice.backend, cli::Backend::cpu);
-  EXPECT_EQ(cli::backend_line(choice),
+  const check::BackendChoice choice = choose(list, 1e12);
+  EXPECT_EQ(choice.backend, check::Backend::cpu);
+  EXPECT_EQ(check::backend_line(choice),
             "backend: cpu: OpenGL device 0 cannot be used: OpenGL 3.3 has no compute shaders; "
             "OpenGL device 1 is software, slower than the CPU backend\n");
   EXPECT_EQ(choose({{}, "this machine has no graphics device"}, 1e12).why,
@@ -68,19 +68,19 @@ TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
 }
 
 TEST(Backend, AutoDoesNotCountWorkWithoutADevice) {
-  const cli::BackendChoice choice = cli::choose_automatically({{}, "none"}, [] {
+  const check::BackendChoice choice = check::choose_automatically({{}, "none"}, [] {
     ADD_FAILURE() << "planned for nothing";
-    return cli::GatherWork{};
+    return check::GatherWork{};
   });
-  EXPECT_EQ(choice.backend, cli::Backend::cpu);
+  EXPECT_EQ(choice.backend, check::Backend::cpu);
 }
 
 TEST(Backend, WhatIsAskedForIsTaken) {
-  for (const cli::Backend backend : {cli::Backend::cpu, cli::Backend::gpu}) {
-    cli::Options options;
-    options.backend = backend;
-    const cli::BackendChoice choice =
-        cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork{}; });
+  for (const check::Backend backend : {check::Backend::cpu, check::Backend::gpu}) {
+    check::BackendRequest request;
+    request.backend = backend;
+    const check::BackendChoice choice =
+        check::choose_backend(request, 0, gpu::Fault::no_egl, [] { return check::GatherWork{}; });
     EXPECT_EQ(choice.backend, backend);
     EXPECT_EQ(choice.why, "asked for with --backend");
   }
@@ -89,45 +89,45 @@ TEST(Backend, WhatIsAskedForIsTaken) {
 TEST(Backend, FailureIsNeverTurnedIntoTheCpu) {
   std::string problem, warning;
   EXPECT_FALSE(
-      cli::open_backend({cli::Backend::gpu, -1, ""}, gpu::Fault::no_egl, "", problem, warning));
+      check::open_backend({check::Backend::gpu, -1, ""}, gpu::Fault::no_egl, "", problem, warning));
   EXPECT_EQ(problem, "there is no EGL library (libEGL.so.1)");
 }
 
 TEST(Backend, StagesAreNamed) {
-  cli::Options options;
-  options.backend = cli::Backend::gpu;
-  options.gpu_stages = cli::GpuStages{true, false, true};
+  check::BackendRequest request;
+  request.backend = check::Backend::gpu;
+  request.stages = check::GpuStages{true, false, true};
   const auto choose = [&] {
-    return cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork(); });
+    return check::choose_backend(request, 0, gpu::Fault::no_egl,
+                                 [] { return check::GatherWork(); });
   };
-  EXPECT_EQ(cli::backend_line(choose()),
+  EXPECT_EQ(check::backend_line(choose()),
             "backend: gpu: asked for with --backend\ngpu stages: light-paths, near-field\n");
-  options.gpu_stages.reset();
-  EXPECT_EQ(choose().stages, cli::GpuStages());
-  EXPECT_THAT(cli::backend_line(choose()),
+  request.stages.reset();
+  EXPECT_EQ(choose().stages, check::GpuStages());
+  EXPECT_THAT(check::backend_line(choose()),
               HasSubstr("gpu stages: light-paths, connections, near-field\n"));
 }
 
 // Maps make the connections, whatever is chosen, and nothing is near to them.
 TEST(Backend, StagesBesideShadowMapsAreNamedAsTheyAre) {
-  cli::Options options;
-  options.backend = cli::Backend::gpu;
-  options.radiosity.shadow_map_texels = 64;
+  check::BackendRequest request;
+  request.backend = check::Backend::gpu;
   const auto line = [&] {
-    return cli::backend_line(
-        cli::choose_backend(options, gpu::Fault::no_egl, [] { return cli::GatherWork(); }));
+    return check::backend_line(
+        check::choose_backend(request, 64, gpu::Fault::no_egl, [] { return check::GatherWork(); }));
   };
   EXPECT_THAT(line(), HasSubstr("gpu stages: connections\n"));
-  options.gpu_stages = cli::GpuStages{true, false, true};
+  request.stages = check::GpuStages{true, false, true};
   EXPECT_THAT(line(), HasSubstr("gpu stages: light-paths, connections\n"));
 }
 
 TEST(Backend, FaultsForTestsHaveNames) {
-  EXPECT_EQ(cli::find_gl_fault(""), gpu::Fault::none);
-  EXPECT_EQ(cli::find_gl_fault("no-egl"), gpu::Fault::no_egl);
-  EXPECT_EQ(cli::find_gl_fault("out-of-memory"), gpu::Fault::out_of_memory);
-  EXPECT_EQ(cli::find_gl_fault("context-lost"), gpu::Fault::context_lost);
-  EXPECT_FALSE(cli::find_gl_fault("none"));
+  EXPECT_EQ(check::find_gl_fault(""), gpu::Fault::none);
+  EXPECT_EQ(check::find_gl_fault("no-egl"), gpu::Fault::no_egl);
+  EXPECT_EQ(check::find_gl_fault("out-of-memory"), gpu::Fault::out_of_memory);
+  EXPECT_EQ(check::find_gl_fault("context-lost"), gpu::Fault::context_lost);
+  EXPECT_FALSE(check::find_gl_fault("none"));
 }
 
 TEST(Devices, AreListedWithWhatKeepsThemFromUse) {

@@ -1,15 +1,16 @@
 #include "report/html/html.h"
-
 #include "calc/base/file_hash.h"
 #include "report/document/same_bits.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_script.h"
+#include "report/text/markup.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
 #include <pugixml.hpp>
 
 #include <algorithm>

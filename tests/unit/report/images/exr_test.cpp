@@ -1,6 +1,6 @@
 #include "report/images/exr.h"
 
-#include "report/shell/write.h"
+#include "report/formats/write.h"
 #include "tests/support/sample_document.h"
 
 #include <ImathBox.h>

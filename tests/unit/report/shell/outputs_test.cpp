@@ -23,22 +23,23 @@ class Outputs : public ::testing::Test {
     folder_ = fs::path(::testing::TempDir()) / (std::string("luxgate_outputs_") + info->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    options_.projects = {path("project.xml")};
+    inputs_ = {path("project.xml")};
   }
   void TearDown() override { fs::remove_all(folder_); }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void add(cli::FormatKind kind, const std::string& name) {
-    options_.formats.push_back({kind, path(name)});
+  void add(const char* format, const std::string& name) {
+    options_.formats.push_back({report::find_format(format), path(name)});
   }
 
   fs::path folder_;
-  cli::Options options_;
+  cli::OutputOptions options_;
+  std::vector<std::string> inputs_;
 };
 
 TEST_F(Outputs, FolderMeansFourFilesBesideTheNamedOnes) {
-  options_.formats = {{cli::FormatKind::json, ""}, {cli::FormatKind::csv, "own.csv"}};
-  options_.output_folder = "out";
+  options_.formats = {{report::find_format("json"), ""}, {report::find_format("csv"), "own.csv"}};
+  options_.folder = "out";
   std::vector<std::string> names;
   for (const cli::OutputFormat& file : cli::planned_files(options_)) names.push_back(file.file);
   EXPECT_THAT(names, ::testing::ElementsAre("own.csv", "out/results.csv", "out/points.csv",
@@ -46,40 +47,40 @@ TEST_F(Outputs, FolderMeansFourFilesBesideTheNamedOnes) {
 }
 
 TEST_F(Outputs, NewFoldersAreFineAndNotMadeByChecking) {
-  options_.output_folder = path("a/b");
-  EXPECT_EQ(cli::check_outputs(options_), "");
+  options_.folder = path("a/b");
+  EXPECT_EQ(cli::check_outputs(options_, inputs_), "");
   EXPECT_FALSE(fs::exists(path("a")));
 }
 
 TEST_F(Outputs, NeverOverwritesAnInput) {
-  add(cli::FormatKind::csv, "sub/../project.xml");
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is an input"));
+  add("csv", "sub/../project.xml");
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("is an input"));
 }
 
 TEST_F(Outputs, RefusesTheSameFileTwice) {
-  options_.output_folder = path("");
-  add(cli::FormatKind::json, "result.json");
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("written twice"));
+  options_.folder = path("");
+  add("json", "result.json");
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("written twice"));
 }
 
 TEST_F(Outputs, RefusesAFolderWhereAFileShouldBe) {
   fs::create_directories(path("taken"));
-  add(cli::FormatKind::html, "taken");
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("it is a folder"));
+  add("html", "taken");
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("it is a folder"));
 }
 
 TEST_F(Outputs, RefusesAFileWhereAFolderShouldBe) {
   std::ofstream(path("file")) << "x";
-  add(cli::FormatKind::html, "file/report.html");
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+  add("html", "file/report.html");
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("is not a folder"));
 }
 
 TEST_F(Outputs, PagesOfRoomsAreInFoldersOfTheirOwn) {
   options_.html_split = true;
-  add(cli::FormatKind::html, "büro.html");
-  add(cli::FormatKind::html, "bäro.html");
-  add(cli::FormatKind::html, "bäro.htm");
-  EXPECT_EQ(cli::check_outputs(options_), "");
+  add("html", "büro.html");
+  add("html", "bäro.html");
+  add("html", "bäro.htm");
+  EXPECT_EQ(cli::check_outputs(options_, inputs_), "");
   report::Document document;
   document.projects.resize(1);
   document.projects[0].spaces.resize(1);
@@ -95,26 +96,26 @@ TEST_F(Outputs, PagesOfRoomsAreInFoldersOfTheirOwn) {
 
 TEST_F(Outputs, PagesOfRoomsArePlannedFiles) {
   options_.html_split = true;
-  add(cli::FormatKind::html, "r.html");
-  add(cli::FormatKind::json, "r.html-rooms/p1s2-3.html");
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("written twice"));
+  add("html", "r.html");
+  add("json", "r.html-rooms/p1s2-3.html");
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("written twice"));
   options_.formats.back().file = path("r.html-rooms/result.json");
-  EXPECT_EQ(cli::check_outputs(options_), "");
-  options_.projects = {path("sub/../r.html-rooms/p1s1.html")};
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is an input"));
+  EXPECT_EQ(cli::check_outputs(options_, inputs_), "");
+  inputs_ = {path("sub/../r.html-rooms/p1s1.html")};
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("is an input"));
   options_.html_split = false;
-  EXPECT_EQ(cli::check_outputs(options_), "");
+  EXPECT_EQ(cli::check_outputs(options_, inputs_), "");
   options_.html_split = true;
-  options_.projects = {path("project.xml")};
+  inputs_ = {path("project.xml")};
   std::ofstream(path("r.html-rooms")) << "x";
   options_.formats.pop_back();
-  EXPECT_THAT(cli::check_outputs(options_), HasSubstr("is not a folder"));
+  EXPECT_THAT(cli::check_outputs(options_, inputs_), HasSubstr("is not a folder"));
 }
 
 // Nothing but pages is removed, and no input.
 TEST_F(Outputs, PagesOfAnEarlierRunAreRemoved) {
   options_.html_split = true;
-  add(cli::FormatKind::html, "r.html");
+  add("html", "r.html");
   fs::create_directories(path("r.html-rooms/p9s9.html"));
   for (const char* name : {"p1s1.html", "p1s2.html", "p12s3-4.html", "p2s1.html", "notes.html",
                            "p1s.html", "p1s2-.html", "p1s2.html.bak", "xp1s2.html"})
@@ -142,14 +143,16 @@ TEST_F(Outputs, ImageNamesAreSafeFileNames) {
 TEST_F(Outputs, LanguageIsForReadersAlone) {
   const report::Document document = report::sample_document();
   const report::Texts german(report::Language::german, true);
-  using enum cli::FormatKind;
-  for (const cli::FormatKind kind :
-       {csv, points_csv, json, junit, sarif, sarif_all, github, gitlab}) {
-    EXPECT_EQ(cli::render(kind, document, {}, german), cli::render(kind, document));
-  }
-  for (const cli::FormatKind kind : {html, markdown, text}) {
-    EXPECT_THAT(cli::render(kind, document, {}, german), HasSubstr("nicht bewertet"));
-    EXPECT_THAT(cli::render(kind, document), ::testing::Not(HasSubstr("nicht bewertet")));
+  const std::set<std::string_view> for_people = {"html", "markdown", "text"};
+  for (const report::Format& format : report::formats()) {
+    const std::string in_german = format.render(document, {{}, german});
+    const std::string in_english = format.render(document, {});
+    if (!for_people.contains(format.name)) {
+      EXPECT_EQ(in_german, in_english) << format.name;
+      continue;
+    }
+    EXPECT_THAT(in_german, HasSubstr("nicht bewertet"));
+    EXPECT_THAT(in_english, ::testing::Not(HasSubstr("nicht bewertet")));
   }
 }
 
@@ -159,12 +162,12 @@ TEST_F(Outputs, FilesAndSplitPagesAreInTheLanguageOfTheOptions) {
     std::ifstream file(path(name), std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
-  add(cli::FormatKind::html, "report.html");
-  add(cli::FormatKind::csv, "results.csv");
+  add("html", "report.html");
+  add("csv", "results.csv");
   const report::Document document = report::sample_document();
   EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
   EXPECT_THAT(file_text("report.html"), HasSubstr("<html lang=\"de\">"));
-  EXPECT_EQ(file_text("results.csv"), cli::render(cli::FormatKind::csv, document));
+  EXPECT_EQ(file_text("results.csv"), report::find_format("csv")->render(document, {}));
   options_.html_split = true;
   EXPECT_TRUE(cli::write_outputs(options_, document, {}).empty());
   EXPECT_THAT(file_text("report.html"), HasSubstr("Anforderungen"));

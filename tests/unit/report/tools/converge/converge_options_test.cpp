@@ -1,4 +1,8 @@
-#include "report/cli/options.h"
+#include "report/tools/converge/converge_options.h"
+
+#include "report/tools/check/check_options.h"
+#include "report/tools/vpl/vpl_options.h"
+#include "tests/support/command_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,25 +12,20 @@ namespace {
 
 using testing::HasSubstr;
 
-ParseResult parse(std::vector<const char*> words) {
-  words.insert(words.begin(), "luxgate");
-  return parse_options(static_cast<int>(words.size()), words.data(), "");
-}
-
 TEST(ConvergeOptions, AreRead) {
-  const ParseResult result =
-      parse({"converge",     "a.xml", "--methods",   "path-tracing,shadow-map:64,gpu",
-             "--reference",  "r.csv", "--part",      "indirect",
-             "--min-paths",  "32",    "--max-paths", "128",
-             "--replicates", "8",     "--seeds",     "3",
-             "--seed",       "7",     "--clamp",     "2.5",
-             "--space",      "s",     "--plane",     "p",
-             "--plane",      "q",     "--jobs",      "2",
-             "--gl-device",  "1",     "--format",    "html=x.html",
-             "--format",     "csv"});
-  ASSERT_TRUE(result.options) << result.err;
-  const ConvergeOptions& options = result.options->converge;
-  EXPECT_EQ(result.options->command, Command::converge);
+  ConvergeOptions options;
+  const TestLine result =
+      parse_words(converge_syntax, options,
+                  {"converge",     "a.xml", "--methods",   "path-tracing,shadow-map:64,gpu",
+                   "--reference",  "r.csv", "--part",      "indirect",
+                   "--min-paths",  "32",    "--max-paths", "128",
+                   "--replicates", "8",     "--seeds",     "3",
+                   "--seed",       "7",     "--clamp",     "2.5",
+                   "--space",      "s",     "--plane",     "p",
+                   "--plane",      "q",     "--jobs",      "2",
+                   "--gl-device",  "1",     "--format",    "html=x.html",
+                   "--format",     "csv"});
+  ASSERT_TRUE(result.is_good) << result.err;
   EXPECT_EQ(options.project, "a.xml");
   EXPECT_EQ(options.methods, (std::vector<std::string>{"path-tracing", "shadow-map:64", "gpu"}));
   EXPECT_EQ(options.reference, "r.csv");
@@ -49,8 +48,8 @@ TEST(ConvergeOptions, AreRead) {
 TEST(ConvergeOptions, BadOnesAreRefused) {
   const auto problem = [](std::vector<const char*> words) {
     words.insert(words.begin(), {"converge", "a.xml"});
-    const ParseResult result = parse(words);
-    EXPECT_FALSE(result.options);
+    const TestLine result = parse_words(words);
+    EXPECT_FALSE(result.is_good);
     EXPECT_EQ(result.exit_code, 2);
     return result.err;
   };
@@ -74,36 +73,43 @@ TEST(ConvergeOptions, BadOnesAreRefused) {
 }
 
 TEST(VplOptions, AreReadAndChecked) {
-  const ParseResult good = parse({"vpl", "a.xml", "-o", "x.ply", "--paths", "64", "--seed", "5",
-                                  "--replicates", "1", "--space", "hall"});
-  ASSERT_TRUE(good.options) << good.err;
-  EXPECT_EQ(good.options->command, Command::vpl);
-  EXPECT_EQ(good.options->vpl.output, "x.ply");
-  EXPECT_EQ(good.options->vpl.radiosity.max_paths, 64u);
-  EXPECT_EQ(good.options->vpl.radiosity.seed, 5u);
-  EXPECT_EQ(good.options->vpl.radiosity.replicates, 1);
-  EXPECT_EQ(good.options->vpl.space, "hall");
-  EXPECT_THAT(parse({"vpl", "a.xml"}).err, HasSubstr("-o FILE.ply is needed"));
-  EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--paths", "65"}).err, HasSubstr("power of two"));
-  EXPECT_FALSE(parse({"vpl"}).options);
-  const ParseResult view = parse({"vpl", "a.xml", "--view", "x.PNG", "--gl-device", "0"});
-  ASSERT_TRUE(view.options) << view.err;
-  EXPECT_EQ(view.options->vpl.view, "x.PNG");
-  EXPECT_EQ(view.options->vpl.gl_device, 0);
-  EXPECT_TRUE(parse({"vpl", "a.xml", "-o", "x.ply", "--view", "x.exr"}).options);
-  EXPECT_THAT(parse({"vpl", "a.xml", "--view", "x.jpg"}).err, HasSubstr(".png or .exr"));
-  EXPECT_THAT(parse({"vpl", "a.xml", "-o", "x", "--gl-device", "0"}).err, HasSubstr("for --view"));
+  VplOptions vpl;
+  const TestLine good = parse_words(vpl_syntax, vpl,
+                                    {"vpl", "a.xml", "-o", "x.ply", "--paths", "64", "--seed", "5",
+                                     "--replicates", "1", "--space", "hall"});
+  ASSERT_TRUE(good.is_good) << good.err;
+  EXPECT_EQ(vpl.output, "x.ply");
+  EXPECT_EQ(vpl.radiosity.max_paths, 64u);
+  EXPECT_EQ(vpl.radiosity.seed, 5u);
+  EXPECT_EQ(vpl.radiosity.replicates, 1);
+  EXPECT_EQ(vpl.space, "hall");
+  EXPECT_THAT(parse_words({"vpl", "a.xml"}).err, HasSubstr("-o FILE.ply is needed"));
+  EXPECT_THAT(parse_words({"vpl", "a.xml", "-o", "x", "--paths", "65"}).err,
+              HasSubstr("power of two"));
+  EXPECT_FALSE(parse_words({"vpl"}).is_good);
+  VplOptions view;
+  const TestLine drawn =
+      parse_words(vpl_syntax, view, {"vpl", "a.xml", "--view", "x.PNG", "--gl-device", "0"});
+  ASSERT_TRUE(drawn.is_good) << drawn.err;
+  EXPECT_EQ(view.view, "x.PNG");
+  EXPECT_EQ(view.gl_device, 0);
+  EXPECT_TRUE(parse_words({"vpl", "a.xml", "-o", "x.ply", "--view", "x.exr"}).is_good);
+  EXPECT_THAT(parse_words({"vpl", "a.xml", "--view", "x.jpg"}).err, HasSubstr(".png or .exr"));
+  EXPECT_THAT(parse_words({"vpl", "a.xml", "-o", "x", "--gl-device", "0"}).err,
+              HasSubstr("for --view"));
 }
 
 TEST(CheckOptions, AFileOfVerticesFixesSeedReplicatesAndPaths) {
-  EXPECT_EQ(parse({"check", "a.xml", "--vpl", "x.ply"}).options->vpl_file, "x.ply");
+  CheckOptions check;
+  EXPECT_TRUE(parse_words(check_syntax, check, {"check", "a.xml", "--vpl", "x.ply"}).is_good);
+  EXPECT_EQ(check.vpl_file, "x.ply");
   for (const char* name : {"--seed", "--replicates", "--max-paths"}) {
-    const ParseResult result = parse({"check", "a.xml", "--vpl", "x.ply", name, "16"});
-    EXPECT_FALSE(result.options) << name;
+    const TestLine result = parse_words({"check", "a.xml", "--vpl", "x.ply", name, "16"});
+    EXPECT_FALSE(result.is_good) << name;
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, HasSubstr(name));
   }
-  EXPECT_THAT(parse({"check", "a.xml", "b.xml", "--vpl", "x.ply"}).err,
+  EXPECT_THAT(parse_words({"check", "a.xml", "b.xml", "--vpl", "x.ply"}).err,
               HasSubstr("--vpl is for one project; found 2"));
 }
 

@@ -22,7 +22,7 @@ std::string cube(int size, int open = 0) {
 }
 
 GeometryReport examine(const std::string& bytes, const std::string& units = "m") {
-  Options options;
+  GeometryOptions options;
   options.mesh_units = units;
   options.mesh_up = "z";
   return examine_geometry("dir/a.obj", calc::MemoryFileReader({{"dir/a.obj", bytes}}), options);
@@ -67,7 +67,7 @@ TEST(Geometry, TheNotchOfAnLIsNotInside) {
       "<room id='r' footprint='0 0  4 0  4 2  2 2  2 4  0 4' height='2.5' ceiling='w' walls='w' "
       "floor='w'/></luxgate>";
   const GeometryReport report =
-      examine_geometry("p.xml", calc::MemoryFileReader({{"p.xml", project}}), Options());
+      examine_geometry("p.xml", calc::MemoryFileReader({{"p.xml", project}}), GeometryOptions());
   EXPECT_NEAR(report.surfaces.at(0).escape.inside_share, 0.75, 0.02);
   EXPECT_EQ(report.surfaces[0].escape.share.value, 0.0);
 }
@@ -88,7 +88,7 @@ TEST(Geometry, UnitsMustBeGivenForFilesThatDoNotSayThem) {
       examine_geometry("dir/t.gltf",
                        calc::MemoryFileReader({{"dir/t.gltf", calc::testing::kSquareGltf},
                                                {"dir/tile.bin", calc::testing::square_bytes()}}),
-                       Options());
+                       GeometryOptions());
   EXPECT_EQ(gltf.kind, "gltf");
   EXPECT_EQ(gltf.up, "y");
   EXPECT_DOUBLE_EQ(gltf.surfaces.at(0).findings.bounds_m.upper.z, 2.0);
@@ -106,7 +106,7 @@ TEST(Geometry, RoomsOfProjectsAreClosed) {
       "<room id='r' name='Hall' size='4 3 2.5' ceiling='w' walls='w' floor='w'>"
       "<box id='b' size='1 1 1' position='1 1 0.5' material='w'/></room></luxgate>";
   const GeometryReport report =
-      examine_geometry("p.xml", calc::MemoryFileReader({{"p.xml", project}}), Options());
+      examine_geometry("p.xml", calc::MemoryFileReader({{"p.xml", project}}), GeometryOptions());
   EXPECT_EQ(report.kind, "project");
   ASSERT_EQ(report.surfaces.size(), 1u);
   EXPECT_EQ(report.surfaces[0].id, "r");

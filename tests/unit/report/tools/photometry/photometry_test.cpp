@@ -63,10 +63,7 @@ class PhotometryCommand : public ::testing::Test {
   std::string content(const std::string& name) const {
     return calc::DiskFileReader().read(path(name)).bytes;
   }
-  cli::PhotometryRun run(const cli::PhotometryOptions& photometry, bool quiet = false) const {
-    cli::Options options;
-    options.command = cli::Command::photometry;
-    options.photometry = photometry;
+  cli::PhotometryRun run(cli::PhotometryOptions options, bool quiet = false) const {
     options.quiet = quiet;
     return cli::run_photometry(options, calc::DiskFileReader(), false);
   }

@@ -16,7 +16,7 @@ struct Room {
   calc::PreparedScene scene;
   calc::Space space;
   report::SpacePart part;
-  cli::Options options;
+  cli::PictureSettings settings;
 
   Room() {
     add_box(scene, {0, 0, 0}, {3, 2, 2.5}, 0.5);
@@ -24,8 +24,7 @@ struct Room {
     set_extent(scene);
     space.id = part.id = "room";
     space.shell = calc::RoomShell{{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, 0.0, 2.5};
-    options.images = true;
-    options.output_folder = "out";
+    settings.has_files = true;
     report::PlanePart& plane = part.planes.emplace_back();
     plane.is_computed = true;
     plane.grid.columns = plane.grid.rows = 2;
@@ -37,7 +36,8 @@ struct Room {
     }
   }
   void draw(gpu::Fault fault = gpu::Fault::none) {
-    cli::PictureMaker maker(options, fault, {});
+    settings.gl_fault = fault;
+    cli::PictureMaker maker(settings, {});
     maker.add_pictures("a.xml", space, scene, part);
   }
 };
@@ -45,8 +45,8 @@ struct Room {
 TEST(RoomPictures, AreTheSameBytesAgain) {
   LUXGATE_NEEDS_OPENGL();
   Room once, again;
-  once.options.radiosity.jobs = 1;
-  again.options.radiosity.jobs = 3;
+  once.settings.jobs = 1;
+  again.settings.jobs = 3;
   once.draw();
   again.draw();
   ASSERT_EQ(once.part.pictures.problem, "");
@@ -65,7 +65,7 @@ TEST(RoomPictures, AreTheSameBytesAgain) {
 TEST(RoomPictures, MakeImagesOnlyIfAskedFor) {
   LUXGATE_NEEDS_OPENGL();
   Room room;
-  room.options.images = false;
+  room.settings.has_files = false;
   room.draw();
   ASSERT_EQ(room.part.pictures.list.size(), 2u);
   EXPECT_EQ(room.part.pictures.list[0].labelled_png, "");
@@ -88,16 +88,14 @@ TEST(RoomPictures, SayWhyThereAreNone) {
 }
 
 TEST(RoomPictures, AreWantedWhereTheyCanBePut) {
-  cli::Options options;
+  cli::OutputOptions options;
   EXPECT_FALSE(cli::wants_pictures(options));
-  options.output_folder = "out";  // has report.html
+  options.folder = "out";  // has report.html
   EXPECT_TRUE(cli::wants_pictures(options));
-  options.pictures = false;
-  EXPECT_FALSE(cli::wants_pictures(options));
   options = {};
-  options.formats = {{cli::FormatKind::json, "a.json"}};
+  options.formats = {{report::find_format("json"), "a.json"}};
   EXPECT_FALSE(cli::wants_pictures(options));
-  options.formats = {{cli::FormatKind::html, ""}};
+  options.formats = {{report::find_format("html"), ""}};
   EXPECT_TRUE(cli::wants_pictures(options));
 }
 

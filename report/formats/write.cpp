@@ -1,9 +1,9 @@
-#include "report/shell/write.h"
+#include "report/formats/write.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <sys/stat.h>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>

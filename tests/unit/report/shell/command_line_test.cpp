@@ -1,76 +1,80 @@
-#include "report/cli/options.h"
+#include "report/shell/command_line.h"
+
+#include "report/tools/check/check_options.h"
+#include "report/tools/geometry/geometry.h"
+#include "report/tools/photometry/photometry_options.h"
+#include "report/tools/plan/plan.h"
+#include "report/tools/report/report.h"
+#include "tests/support/command_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <initializer_list>
 #include <string>
 #include <vector>
 
 namespace {
 
 using ::testing::HasSubstr;
+using Words = std::vector<const char*>;
 
-cli::ParseResult parse(std::initializer_list<const char*> arguments,
-                       const std::string& source_date_epoch = "") {
-  std::vector<const char*> argv = {"/somewhere/luxgate"};
-  argv.insert(argv.end(), arguments);
-  return cli::parse_options(static_cast<int>(argv.size()), argv.data(), source_date_epoch);
+template <class Options>
+Options parsed_by(cli::Command (*syntax)(Options&), const Words& words,
+                  const std::string& source_date_epoch = "") {
+  Options options;
+  const cli::TestLine line = cli::parse_words(syntax, options, words, source_date_epoch);
+  EXPECT_TRUE(line.is_good) << line.err;
+  return options;
 }
 
-cli::Options parsed(std::initializer_list<const char*> arguments) {
-  const cli::ParseResult result = parse(arguments);
-  EXPECT_TRUE(result.options.has_value()) << result.err;
-  return result.options.value_or(cli::Options{});
-}
+cli::CheckOptions parsed(const Words& words) { return parsed_by(cli::check_syntax, words); }
 
-void expect_usage_error(std::initializer_list<const char*> arguments, const std::string& part) {
-  const cli::ParseResult result = parse(arguments);
-  EXPECT_FALSE(result.options.has_value());
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.out, "");
-  EXPECT_THAT(result.err, HasSubstr("luxgate: error: "));
-  EXPECT_THAT(result.err, HasSubstr(part));
+void expect_usage_error(const Words& words, const std::string& part) {
+  const cli::TestLine line = cli::parse_words(words);
+  EXPECT_FALSE(line.is_good);
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_EQ(line.out, "");
+  EXPECT_THAT(line.err, HasSubstr("luxgate: error: "));
+  EXPECT_THAT(line.err, HasSubstr(part));
 }
 
 TEST(Options, HasTheDocumentedDefaults) {
-  const cli::Options options = parsed({"check", "a.xml", "b/c.xml"});
-  EXPECT_EQ(options.command, cli::Command::check);
-  EXPECT_THAT(options.projects, ::testing::ElementsAre("a.xml", "b/c.xml"));
-  EXPECT_TRUE(options.formats.empty());
-  EXPECT_EQ(options.goal, rules::Goal::verdict);
-  EXPECT_DOUBLE_EQ(options.tolerance, 0.02);
-  EXPECT_DOUBLE_EQ(options.confidence, 0.95);
-  EXPECT_EQ(options.radiosity.seed, 1u);
-  EXPECT_EQ(options.radiosity.replicates, 16);
-  EXPECT_EQ(options.radiosity.max_paths, 65536u);
-  EXPECT_EQ(options.backend, cli::Backend::automatic);
-  EXPECT_EQ(options.gl_device, -1);
+  const cli::CheckOptions options = parsed({"check", "a.xml", "b/c.xml"});
+  EXPECT_THAT(options.input.projects, ::testing::ElementsAre("a.xml", "b/c.xml"));
+  EXPECT_TRUE(options.output.formats.empty());
+  EXPECT_EQ(options.settings.goal, rules::Goal::verdict);
+  EXPECT_DOUBLE_EQ(options.settings.tolerance, 0.02);
+  EXPECT_DOUBLE_EQ(options.settings.confidence, 0.95);
+  EXPECT_EQ(options.settings.radiosity.seed, 1u);
+  EXPECT_EQ(options.settings.radiosity.replicates, 16);
+  EXPECT_EQ(options.settings.radiosity.max_paths, 65536u);
+  EXPECT_EQ(options.backend.backend, check::Backend::automatic);
+  EXPECT_EQ(options.backend.gl_device, -1);
   EXPECT_EQ(options.timestamp, "");
 }
 
 TEST(Options, ReadsEveryCalculationSetting) {
-  const cli::Options options =
+  const cli::CheckOptions options =
       parsed({"check", "a.xml", "--goal", "accuracy", "--tolerance", "5%", "--confidence=0.99",
               "--seed", "18446744073709551615", "--replicates", "32", "--max-paths", "1024",
               "--time-limit", "2.5", "--jobs", "3", "--backend", "gpu"});
-  EXPECT_EQ(options.goal, rules::Goal::accuracy);
-  EXPECT_DOUBLE_EQ(options.tolerance, 0.05);
-  EXPECT_DOUBLE_EQ(options.confidence, 0.99);
-  EXPECT_EQ(options.radiosity.seed, 18446744073709551615u);
-  EXPECT_EQ(options.radiosity.replicates, 32);
-  EXPECT_EQ(options.radiosity.max_paths, 1024u);
-  EXPECT_DOUBLE_EQ(options.radiosity.time_limit_s, 2.5);
-  EXPECT_EQ(options.radiosity.jobs, 3);
-  EXPECT_EQ(options.backend, cli::Backend::gpu);
+  EXPECT_EQ(options.settings.goal, rules::Goal::accuracy);
+  EXPECT_DOUBLE_EQ(options.settings.tolerance, 0.05);
+  EXPECT_DOUBLE_EQ(options.settings.confidence, 0.99);
+  EXPECT_EQ(options.settings.radiosity.seed, 18446744073709551615u);
+  EXPECT_EQ(options.settings.radiosity.replicates, 32);
+  EXPECT_EQ(options.settings.radiosity.max_paths, 1024u);
+  EXPECT_DOUBLE_EQ(options.settings.radiosity.time_limit_s, 2.5);
+  EXPECT_EQ(options.settings.radiosity.jobs, 3);
+  EXPECT_EQ(options.backend.backend, check::Backend::gpu);
 }
 
 TEST(Options, GpuStagesBelongToResults) {
   const auto stages = [](const char* list) {
     return parsed({"check", "a.xml", "--backend", "gpu", "--gpu-stages", list});
   };
-  const cli::Options two = stages("near-field,light-paths");
-  EXPECT_EQ(two.gpu_stages, (cli::GpuStages{true, false, true}));
+  const cli::CheckOptions two = stages("near-field,light-paths");
+  EXPECT_EQ(two.backend.stages, (check::GpuStages{true, false, true}));
   EXPECT_EQ(cli::reproducible_command(two),
             "luxgate check a.xml --backend gpu --gpu-stages light-paths,near-field");
   EXPECT_EQ(cli::reproducible_command(stages("connections,near-field,light-paths")),
@@ -87,34 +91,37 @@ TEST(Options, GpuStagesBelongToResults) {
 }
 
 TEST(Options, BackendsBelongToResults) {
-  for (const char* command : {"check", "plan"}) {
-    const cli::Options gpu = parsed({command, "a.xml", "--backend", "gpu", "--gl-device", "2"});
-    EXPECT_EQ(gpu.gl_device, 2);
-    EXPECT_EQ(cli::reproducible_command(gpu), "luxgate check a.xml --backend gpu");
-    EXPECT_EQ(cli::reproducible_command(parsed({command, "a.xml", "--backend", "cpu"})),
-              "luxgate check a.xml --backend cpu");
-  }
+  const cli::CheckOptions gpu = parsed({"check", "a.xml", "--backend", "gpu", "--gl-device", "2"});
+  EXPECT_EQ(gpu.backend.gl_device, 2);
+  EXPECT_EQ(cli::reproducible_command(gpu), "luxgate check a.xml --backend gpu");
+  EXPECT_EQ(cli::reproducible_command(parsed({"check", "a.xml", "--backend", "cpu"})),
+            "luxgate check a.xml --backend cpu");
+  const auto plan =
+      parsed_by(cli::plan_syntax, {"plan", "a.xml", "--backend", "gpu", "--gl-device", "2"});
+  EXPECT_EQ(plan.backend.backend, check::Backend::gpu);
+  EXPECT_EQ(plan.backend.gl_device, 2);
   expect_usage_error({"check", "a.xml", "--backend", "auto", "--gl-device", "0"},
                      "--gl-device needs --backend gpu");
   expect_usage_error({"check", "a.xml", "--gl-device", "-1"}, "a whole number from 0 to 1023");
 }
 
 TEST(Options, LowersTheFirstLookToTheMostPaths) {
-  const cli::Options options = parsed({"check", "a.xml", "--max-paths", "64"});
-  EXPECT_EQ(options.radiosity.first_paths, 64u);
-  EXPECT_EQ(calc::validate(options.radiosity), "");
+  const cli::CheckOptions options = parsed({"check", "a.xml", "--max-paths", "64"});
+  EXPECT_EQ(options.settings.radiosity.first_paths, 64u);
+  EXPECT_EQ(calc::validate(options.settings.radiosity), "");
 }
 
 TEST(Options, FormatsRepeatWithoutSwallowingProjects) {
-  const cli::Options options = parsed({"check", "--format", "json=out.json", "a.xml", "--format",
-                                       "csv", "b.xml", "--rules", "own.xml", "c.xml"});
-  ASSERT_EQ(options.formats.size(), 2u);
-  EXPECT_EQ(options.formats[0].kind, cli::FormatKind::json);
-  EXPECT_EQ(options.formats[0].file, "out.json");
-  EXPECT_EQ(options.formats[1].kind, cli::FormatKind::csv);
-  EXPECT_EQ(options.formats[1].file, "");
-  EXPECT_THAT(options.projects, ::testing::ElementsAre("a.xml", "b.xml", "c.xml"));
-  EXPECT_THAT(options.rule_files, ::testing::ElementsAre("own.xml"));
+  const cli::CheckOptions options =
+      parsed({"check", "--format", "json=out.json", "a.xml", "--format", "csv", "b.xml", "--rules",
+              "own.xml", "c.xml"});
+  ASSERT_EQ(options.output.formats.size(), 2u);
+  EXPECT_EQ(options.output.formats[0].format->name, "json");
+  EXPECT_EQ(options.output.formats[0].file, "out.json");
+  EXPECT_EQ(options.output.formats[1].format->name, "csv");
+  EXPECT_EQ(options.output.formats[1].file, "");
+  EXPECT_THAT(options.input.projects, ::testing::ElementsAre("a.xml", "b.xml", "c.xml"));
+  EXPECT_THAT(options.input.rule_files, ::testing::ElementsAre("own.xml"));
 }
 
 TEST(Options, RefusesNumbersThatCannotBeMeant) {
@@ -131,13 +138,12 @@ TEST(Options, RefusesNumbersThatCannotBeMeant) {
 }
 
 TEST(Options, GeometryTakesFilesUnitsAndAxis) {
-  const cli::Options options =
-      parsed({"geometry", "a.obj", "b.glb", "--units", "mm", "--up", "y", "--strict", "--json"});
-  EXPECT_EQ(options.command, cli::Command::geometry);
-  EXPECT_EQ(options.geometry_files, (std::vector<std::string>{"a.obj", "b.glb"}));
+  const auto options = parsed_by(cli::geometry_syntax, {"geometry", "a.obj", "b.glb", "--units",
+                                                        "mm", "--up", "y", "--strict", "--json"});
+  EXPECT_EQ(options.files, (std::vector<std::string>{"a.obj", "b.glb"}));
   EXPECT_EQ(options.mesh_units, "mm");
   EXPECT_EQ(options.mesh_up, "y");
-  EXPECT_TRUE(options.strict && options.geometry_as_json);
+  EXPECT_TRUE(options.strict && options.as_json);
   expect_usage_error({"geometry"}, "files");
   expect_usage_error({"geometry", "a.obj", "--units", "yd"}, "yd");
 }
@@ -158,23 +164,26 @@ TEST(Options, UnknownWordsGetTheChoicesAndASuggestion) {
 }
 
 TEST(Options, LanguageBringsItsDecimalSignUnlessOneIsGiven) {
-  const auto shown = [](std::initializer_list<const char*> arguments) {
-    const report::Texts t = cli::report_texts(parsed(arguments));
+  const auto words = [](const cli::OutputOptions& options) {
+    const report::Texts t = cli::report_texts(options);
     return std::string(t.language_tag()) + " " + t.number("0.5");
   };
+  const auto shown = [&](const Words& line) { return words(parsed(line).output); };
   EXPECT_EQ(shown({"check", "a.xml"}), "en 0.5");
   EXPECT_EQ(shown({"check", "a.xml", "--language", "en"}), "en 0.5");
   EXPECT_EQ(shown({"check", "a.xml", "--language", "de"}), "de 0,5");
   EXPECT_EQ(shown({"check", "a.xml", "--language", "de", "--decimal", "point"}), "de 0.5");
   EXPECT_EQ(shown({"check", "a.xml", "--decimal", "comma"}), "en 0,5");
-  EXPECT_EQ(shown({"report", "a.json", "--language=de"}), "de 0,5");
+  EXPECT_EQ(words(parsed_by(cli::report_syntax, {"report", "a.json", "--language=de"}).output),
+            "de 0,5");
   expect_usage_error({"check", "a.xml", "--language", "fr"}, "--language: 'fr'");
   expect_usage_error({"check", "a.xml", "--decimal", ","}, "--decimal: ','");
   expect_usage_error({"plan", "a.xml", "--language", "de"}, "--language");
 }
 
 TEST(Options, LanguageIsNotPartOfTheCommandThatMakesTheSameNumbers) {
-  const cli::Options options = parsed({"check", "a.xml", "--language", "de", "--decimal", "point"});
+  const cli::CheckOptions options =
+      parsed({"check", "a.xml", "--language", "de", "--decimal", "point"});
   EXPECT_EQ(cli::reproducible_command(options), "luxgate check a.xml");
 }
 
@@ -195,38 +204,35 @@ TEST(Options, AProjectMayFollowAnyOption) {
                                                  {"--jobs", "2"},
                                                  {"--method", "light-pool"},
                                                  {"--no-skip", "all"}}) {
-    const std::vector<const char*> argv = {"luxgate", "check",   "a.xml",
-                                           option[0], option[1], "b.xml"};
-    const cli::ParseResult result = cli::parse_options(6, argv.data(), "");
-    ASSERT_TRUE(result.options.has_value()) << result.err;
-    EXPECT_THAT(result.options->projects, ::testing::ElementsAre("a.xml", "b.xml")) << option[0];
+    const cli::CheckOptions options = parsed({"check", "a.xml", option[0], option[1], "b.xml"});
+    EXPECT_THAT(options.input.projects, ::testing::ElementsAre("a.xml", "b.xml")) << option[0];
   }
 }
 
 TEST(Options, PlanTakesWhatTheWorkDependsOn) {
-  const cli::Options options = parsed({"plan", "a.xml", "--jobs", "2", "--max-paths", "2048",
-                                       "--no-skip", "convex", "--format", "json", "b.xml"});
-  EXPECT_EQ(options.command, cli::Command::plan);
-  EXPECT_THAT(options.projects, ::testing::ElementsAre("a.xml", "b.xml"));
+  const auto options =
+      parsed_by(cli::plan_syntax, {"plan", "a.xml", "--jobs", "2", "--max-paths", "2048",
+                                   "--no-skip", "convex", "--format", "json", "b.xml"});
+  EXPECT_THAT(options.input.projects, ::testing::ElementsAre("a.xml", "b.xml"));
   EXPECT_EQ(options.radiosity.max_paths, 2048u);
-  EXPECT_TRUE(options.plan_as_json);
-  EXPECT_FALSE(parsed({"plan", "a.xml"}).plan_as_json);
+  EXPECT_TRUE(options.as_json);
+  EXPECT_FALSE(parsed_by(cli::plan_syntax, {"plan", "a.xml"}).as_json);
   expect_usage_error({"plan", "a.xml", "--format", "html"}, "text or json is needed");
 }
 
 TEST(Options, NoSkipForbidsOneOrAllAndNamesTheChoices) {
-  EXPECT_EQ(parsed({"check", "a.xml"}).radiosity.skips, calc::SkipSet());
-  const cli::Options options =
+  EXPECT_EQ(parsed({"check", "a.xml"}).settings.radiosity.skips, calc::SkipSet());
+  const cli::CheckOptions options =
       parsed({"check", "a.xml", "--no-skip", "convex", "--no-skip", "dark-pairs", "b.xml"});
   calc::SkipSet expected;
   expected.forbid(calc::Skip::convex);
   expected.forbid(calc::Skip::dark_pairs);
-  EXPECT_EQ(options.radiosity.skips, expected);
+  EXPECT_EQ(options.settings.radiosity.skips, expected);
   EXPECT_EQ(cli::reproducible_command(options),
             "luxgate check a.xml b.xml --no-skip dark-pairs --no-skip convex");
-  const cli::Options none = parsed({"check", "a.xml", "--no-skip", "all"});
+  const cli::CheckOptions none = parsed({"check", "a.xml", "--no-skip", "all"});
   expected.forbid_all();
-  EXPECT_EQ(none.radiosity.skips, expected);
+  EXPECT_EQ(none.settings.radiosity.skips, expected);
   EXPECT_EQ(cli::reproducible_command(none), "luxgate check a.xml --no-skip all");
   expect_usage_error({"check", "a.xml", "--no-skip", "convx"},
                      "no-reflection, behind-plane, unlit-surfaces, dark-pairs, convex, "
@@ -235,17 +241,17 @@ TEST(Options, NoSkipForbidsOneOrAllAndNamesTheChoices) {
 }
 
 TEST(Options, TheMethodIsPartOfTheReproducibleCommand) {
-  EXPECT_EQ(parsed({"check", "a.xml"}).radiosity.method, calc::Method::light_pool);
-  const cli::Options options = parsed({"check", "a.xml", "--method", "instant-radiosity"});
-  EXPECT_EQ(options.radiosity.method, calc::Method::instant_radiosity);
+  EXPECT_EQ(parsed({"check", "a.xml"}).settings.radiosity.method, calc::Method::light_pool);
+  const cli::CheckOptions options = parsed({"check", "a.xml", "--method", "instant-radiosity"});
+  EXPECT_EQ(options.settings.radiosity.method, calc::Method::instant_radiosity);
   EXPECT_EQ(cli::reproducible_command(options), "luxgate check a.xml --method instant-radiosity");
   expect_usage_error({"check", "a.xml", "--method", "radiance"},
                      "light-pool or instant-radiosity is needed");
 }
 
 TEST(Options, HelpIsNoErrorAndNamesTheExitCodes) {
-  const cli::ParseResult result = parse({"check", "--help"});
-  EXPECT_FALSE(result.options.has_value());
+  const cli::TestLine result = cli::parse_words({"check", "--help"});
+  EXPECT_FALSE(result.is_good);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, HasSubstr("undecided"));
@@ -254,16 +260,21 @@ TEST(Options, HelpIsNoErrorAndNamesTheExitCodes) {
 }
 
 TEST(Options, TakesTheDateFromTheEnvironmentUnlessGiven) {
-  EXPECT_EQ(parse({"check", "a.xml"}, "1714564800").options->timestamp, "2024-05-01T12:00:00Z");
-  EXPECT_EQ(parse({"check", "a.xml", "--timestamp", "0"}, "1714564800").options->timestamp,
-            "1970-01-01T00:00:00Z");
-  EXPECT_EQ(parse({"check", "a.xml"}, "yesterday").exit_code, 2);
-  EXPECT_EQ(parse({"check", "a.xml"}, "now").exit_code, 2);
+  const cli::CheckOptions noon = parsed_by(cli::check_syntax, {"check", "a.xml"}, "1714564800");
+  EXPECT_EQ(noon.timestamp, "2024-05-01T12:00:00Z");
+  EXPECT_EQ(noon.settings.today, "2024-05-01");
+  EXPECT_EQ(
+      parsed_by(cli::check_syntax, {"check", "a.xml", "--timestamp", "0"}, "1714564800").timestamp,
+      "1970-01-01T00:00:00Z");
+  EXPECT_EQ(parsed({"check", "a.xml"}).settings.today, "");
+  EXPECT_EQ(cli::parse_words({"check", "a.xml"}, "yesterday").exit_code, 2);
+  EXPECT_EQ(cli::parse_words({"check", "a.xml"}, "now").exit_code, 2);
 }
 
 TEST(Options, ReproducibleCommandHoldsWhatChangesResultsOnly) {
-  const cli::Options options = parsed({"check", "it's mine.xml", "--jobs", "4", "--quiet",
-                                       "--format", "json", "--seed", "7", "--tolerance", "1%"});
+  const cli::CheckOptions options =
+      parsed({"check", "it's mine.xml", "--jobs", "4", "--quiet", "--format", "json", "--seed", "7",
+              "--tolerance", "1%"});
   EXPECT_EQ(cli::reproducible_command(options),
             "luxgate check 'it'\\''s mine.xml' --seed 7 --tolerance 0.01");
   EXPECT_EQ(cli::reproducible_command(parsed({"check", "a.xml"})), "luxgate check a.xml");
@@ -274,16 +285,17 @@ TEST(Options, ReproducibleCommandHoldsWhatChangesResultsOnly) {
 }
 
 TEST(Options, ReadsThePhotometryCommand) {
-  const cli::Options options =
-      parsed({"photometry", "a.ies", "b.ldt", "--compare", "--json", "--strict", "-q"});
-  EXPECT_EQ(options.command, cli::Command::photometry);
-  EXPECT_THAT(options.photometry.files, ::testing::ElementsAre("a.ies", "b.ldt"));
-  EXPECT_EQ(options.photometry.format, cli::PhotometryFormat::json);
-  EXPECT_TRUE(options.photometry.compare && options.photometry.strict && options.quiet);
-  EXPECT_EQ(parsed({"photometry", "a.ies", "--convert", "b.LDT"}).photometry.convert_file, "b.LDT");
-  const cli::PhotometryOptions chosen =
-      parsed({"photometry", "--lamp-set", "2", "--variant", "v1", "--emitter", "e#2", "a.gldf"})
-          .photometry;
+  const auto options = parsed_by(cli::photometry_syntax, {"photometry", "a.ies", "b.ldt",
+                                                          "--compare", "--json", "--strict", "-q"});
+  EXPECT_THAT(options.files, ::testing::ElementsAre("a.ies", "b.ldt"));
+  EXPECT_EQ(options.format, cli::PhotometryFormat::json);
+  EXPECT_TRUE(options.compare && options.strict && options.quiet);
+  EXPECT_EQ(
+      parsed_by(cli::photometry_syntax, {"photometry", "a.ies", "--convert", "b.LDT"}).convert_file,
+      "b.LDT");
+  const auto chosen =
+      parsed_by(cli::photometry_syntax,
+                {"photometry", "--lamp-set", "2", "--variant", "v1", "--emitter", "e#2", "a.gldf"});
   EXPECT_EQ(chosen.lamp_set, 2);
   EXPECT_EQ(chosen.variant, "v1");
   EXPECT_EQ(chosen.emitter, "e#2");

@@ -1,4 +1,4 @@
-#include "report/shell/write.h"
+#include "report/formats/write.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,0 +1,32 @@
+#pragma once
+// Who watches a check: tells people, stops it, adds pictures. Nothing of it changes a value.
+
+#include "calc/radiosity/solve.h"
+#include "calc/scene/prepared_scene.h"
+#include "calc/scene/project.h"
+#include "report/document/document.h"
+
+#include <string>
+#include <vector>
+
+namespace check {
+
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  virtual void start_space(const std::string& /*id*/) {}
+  // Between two pieces of work. False stops the check: what it returns must then not be used.
+  virtual bool go_on(const calc::SolveProgress& /*progress*/) { return true; }
+  virtual bool is_stopped() const { return false; }
+  // The light of a space is known: of these tasks, in the order of solution.fields.
+  virtual void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
+                      const calc::PreparedScene& /*scene*/,
+                      const std::vector<calc::PlaneTask>& /*tasks*/,
+                      const calc::SpaceSolution& /*solution*/) {}
+  // Its verdicts too; pictures may be added to the part.
+  virtual void judged(const std::string& /*project_path*/, const calc::Space& /*space*/,
+                      const calc::PreparedScene& /*scene*/, report::SpacePart& /*part*/) {}
+};
+
+}  // namespace check

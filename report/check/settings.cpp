@@ -1,0 +1,15 @@
+#include "report/check/settings.h"
+
+namespace check {
+
+std::string problem_with(const Settings& settings) {
+  if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
+    return "the tolerance must be between 0 and 1";
+  }
+  if (!(settings.confidence > 0.5 && settings.confidence < 1.0)) {
+    return "the confidence must be between 0.5 and 1";
+  }
+  return calc::validate(settings.radiosity);
+}
+
+}  // namespace check

@@ -1,0 +1,24 @@
+#pragma once
+// What a check is asked for, beside the project itself.
+
+#include "calc/radiosity/settings.h"
+#include "rules/catalogue/goal.h"
+
+#include <string>
+
+namespace check {
+
+struct Settings {
+  rules::Goal goal = rules::Goal::verdict;
+  double tolerance = 0.02;   // relative half-width aimed at where nothing is decided, in (0, 1)
+  double confidence = 0.95;  // of the intervals, over all looks at a plane; in (0.5, 1)
+  calc::RadiositySettings radiosity;
+  bool by_luminaire = false;  // light of single luminaires is kept apart and reported
+  bool has_times = false;     // seconds of each phase go into the document
+  std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
+};
+
+// "" if all values are allowed, else what is wrong and what is allowed.
+std::string problem_with(const Settings& settings);
+
+}  // namespace check

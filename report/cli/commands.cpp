@@ -1,0 +1,30 @@
+#include "report/cli/commands.h"
+
+#include "report/tools/check/check.h"
+#include "report/tools/compare/compare.h"
+#include "report/tools/converge/converge.h"
+#include "report/tools/devices/devices.h"
+#include "report/tools/devices/version.h"
+#include "report/tools/export/export.h"
+#include "report/tools/geometry/geometry.h"
+#include "report/tools/init/init.h"
+#include "report/tools/photometry/photometry.h"
+#include "report/tools/plan/plan.h"
+#include "report/tools/report/report.h"
+#include "report/tools/rules/rules.h"
+#include "report/tools/schema/schema.h"
+#include "report/tools/selftest/selftest.h"
+#include "report/tools/validate/validate.h"
+#include "report/tools/vpl/vpl.h"
+
+namespace cli {
+
+std::vector<Command> all_commands() {
+  return {check_command(),   report_command(),     plan_command(),     validate_command(),
+          vpl_command(),     converge_command(),   selftest_command(), compare_command(),
+          export_command(),  photometry_command(), geometry_command(), rules_command(),
+          explain_command(), schema_command(),     init_command(),     devices_command(),
+          version_command()};
+}
+
+}  // namespace cli

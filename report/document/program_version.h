@@ -1,0 +1,10 @@
+#pragma once
+// Which luxgate made something.
+
+#include <string>
+
+namespace report {
+
+std::string program_version();  // "0.1.0"
+
+}  // namespace report

@@ -1,0 +1,34 @@
+#pragma once
+// Every format that a document can be written in. A new one is a row here, and a pair of files that
+// renders it.
+
+#include "report/document/document.h"
+#include "report/formats/console.h"
+#include "report/text/texts.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// What formats for people need besides the document.
+struct FormatStyle {
+  TextOptions terminal;  // of `text`
+  Texts texts;           // of `text`, `html` and `markdown`
+};
+
+struct Format {
+  std::string_view name;       // after --format
+  std::string_view remark;     // what the help says of it; "" = nothing
+  std::string_view file_name;  // in the folder of --output; "" = not there
+  std::string (*render)(const Document&, const FormatStyle&);
+  bool is_html = false;  // has pictures of rooms, and may be an index with pages
+};
+
+// In the order that the help names them; `text` is the first.
+std::span<const Format> formats();
+// Null if there is none of that name.
+const Format* find_format(std::string_view name);
+
+}  // namespace report

@@ -1,0 +1,125 @@
+#include "report/shell/command_line.h"
+
+#include "report/document/program_version.h"
+#include "report/shell/option_values.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace cli {
+namespace {
+
+void add_option(CLI::App& app, const Option& option) {
+  if (bool* const* flag = std::get_if<bool*>(&option.target)) {
+    app.add_flag(option.names, **flag, option.help);
+    return;
+  }
+  const auto& parser = std::get<ValueParser>(option.target);
+  CLI::Option* added = nullptr;
+  if (option.value_name.empty()) {
+    added = app.add_flag_callback(
+        option.names, [&parser] { parser(""); }, option.help);
+  } else {
+    const auto apply = [&option, &parser](const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) {
+        const std::string problem = parser(text);
+        if (problem.empty()) continue;
+        throw CLI::ValidationError(option.names, fmt::format("'{}': {}", text, problem));
+      }
+    };
+    added = app.add_option_function<std::vector<std::string>>(option.names, apply, option.help)
+                ->type_name(option.value_name)
+                ->expected(1, option.repeats ? CLI::detail::expected_max_vector_size : 1)
+                ->allow_extra_args(false);  // a project may follow
+  }
+  for (const std::string& other : option.excludes) added->excludes(app.get_option(other));
+}
+
+void add_place(CLI::App& app, const Place& place) {
+  std::visit(
+      [&](auto* target) {
+        app.add_option(place.name, *target, place.help)
+            ->required(place.is_required)
+            ->type_name(place.value_name);
+      },
+      place.target);
+}
+
+struct Added {
+  CLI::App* app;
+  const Command* command;
+};
+
+void add_command(CLI::App& parent, const Command& command, std::vector<Added>& added) {
+  CLI::App& app = *parent.add_subcommand(command.name, command.summary);
+  app.footer(command.footer);
+  for (const Place& place : command.places) add_place(app, place);
+  for (const Option& option : command.options) add_option(app, option);
+  if (!command.actions.empty()) app.require_subcommand(1);
+  for (const Command& action : command.actions) add_command(app, action, added);
+  if (command.actions.empty()) added.push_back({&app, &command});
+}
+
+ParsedLine usage_error(const std::string& message, const std::string& help_command) {
+  return {nullptr, kNotJudged, "",
+          fmt::format("luxgate: error: {}\nSee '{} --help'.\n", message, help_command)};
+}
+
+// CLI11 would only say that a subcommand is required. "" = `first` is a command or an option.
+std::string problem_with_command(const std::vector<Command>& commands, std::string_view first) {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  if (first.starts_with('-') || std::find(names.begin(), names.end(), first) != names.end()) {
+    return "";
+  }
+  const std::string needed = one_of_message(first, names);
+  return first.empty() ? "no command: " + needed : fmt::format("'{}': {}", first, needed);
+}
+
+std::string chosen_name(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? "luxgate" : "luxgate " + chosen.front()->get_name();
+}
+
+ParsedLine from_cli11(const CLI::App& app, const CLI::Error& error) {
+  if (error.get_exit_code() == 0) {  // --help, --version
+    std::ostringstream out, err;
+    app.exit(error, out, err);
+    return {nullptr, kAllMet, out.str(), ""};
+  }
+  return usage_error(error.what(), chosen_name(app));
+}
+
+}  // namespace
+
+ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
+                              const char* const* argv, const Environment& environment) {
+  CLI::App app{"luxgate checks calculated illuminance against lighting requirements.", "luxgate"};
+  app.set_version_flag("--version", "luxgate " + report::program_version());
+  app.require_subcommand(1);
+  app.footer("'luxgate COMMAND --help' explains a command.");
+  std::vector<Added> added;
+  for (const Command& command : commands) add_command(app, command, added);
+
+  const std::string no_command = problem_with_command(commands, argc < 2 ? "" : argv[1]);
+  if (!no_command.empty()) return usage_error(no_command, "luxgate");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Error& error) {
+    return from_cli11(app, error);
+  }
+  const auto chosen = std::find_if(added.begin(), added.end(),
+                                   [](const Added& candidate) { return candidate.app->parsed(); });
+  const std::string problem =
+      chosen->command->complete ? chosen->command->complete(environment) : "";
+  if (!problem.empty()) return usage_error(problem, chosen_name(app));
+  return {chosen->command, kAllMet, "", ""};
+}
+
+}  // namespace cli

@@ -1,0 +1,150 @@
+#include "report/shell/output_options.h"
+
+#include "report/shell/option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace cli {
+namespace {
+
+// "text, csv, ... or markdown", with what is said of them, in lines of at most `width` characters.
+std::string format_list(std::size_t width) {
+  const auto all = report::formats();
+  std::string text, line;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::string word(all[i].name);
+    if (!all[i].remark.empty()) word += fmt::format(" ({})", all[i].remark);
+    if (i + 2 < all.size()) word += ",";
+    if (i + 2 == all.size()) word += " or";
+    if (!line.empty() && line.size() + 1 + word.size() > width)
+      text += std::exchange(line, "") + "\n";
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return text + line;
+}
+
+std::string folder_files() {
+  std::vector<std::string_view> names;
+  for (const report::Format& format : report::formats()) {
+    if (!format.file_name.empty()) names.push_back(format.file_name);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + std::string(names[i]);
+  }
+  return text;
+}
+
+ValueParser format_item(std::vector<OutputFormat>& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    OutputFormat format{report::find_format(name), ""};
+    if (format.format == nullptr) {
+      std::vector<std::string_view> names;
+      for (const report::Format& known : report::formats()) names.push_back(known.name);
+      return one_of_message(name, names);
+    }
+    if (equals != std::string::npos) {
+      format.file = text.substr(equals + 1);
+      if (format.file.empty()) return "a file name is needed after '='";
+    }
+    target.push_back(std::move(format));
+    return "";
+  };
+}
+
+bool writes_html_file(const OutputOptions& options) {
+  return !options.folder.empty() ||
+         std::any_of(options.formats.begin(), options.formats.end(), [](const OutputFormat& item) {
+           return item.format->is_html && !item.file.empty();
+         });
+}
+
+}  // namespace
+
+std::vector<Option> output_options(OutputOptions& options) {
+  return {
+      {"--format", "KIND[=FILE]",
+       format_list(78) +
+           ",\nto FILE or (one kind only) to standard output, where text goes unless another kind\n"
+           "does; may be repeated; FILE's folder is made if needed",
+       format_item(options.formats), true},
+      {"--output", "FOLDER", fmt::format("Folder for {}; made if needed", folder_files()),
+       any_text(options.folder)},
+      {"--html-split", "",
+       "HTML files as an index with a page for each room, at most 24 planes on each, in\n"
+       "a folder '<name>-rooms' beside it: for hundreds of planes",
+       &options.html_split},
+      {"--language", "LANG",
+       "Words of html, markdown and text: en or de; default en. All other formats are\n"
+       "English, and so are messages, reasons and the texts of projects and rule packs",
+       choice<report::Language>(options.language, {{"en", report::Language::english},
+                                                   {"de", report::Language::german}})},
+      {"--decimal", "SIGN",
+       "Decimal sign of html, markdown and text: point or comma; default comma with\n"
+       "--language de, else point. All other formats have points",
+       choice<DecimalSign>(options.decimal,
+                           {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
+      {"--images", "",
+       "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
+       "picture too",
+       &options.images},
+      {"--redact", "",
+       "Reports without what tells of this machine: folders of files, also in the command\n"
+       "and in messages, and names of graphics devices. The project's own names stay, as do\n"
+       "versions and hashes. Reports say so",
+       &options.redact}};
+}
+
+Option color_option(ColorChoice& target) {
+  return {"--color", "WHEN",
+          "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",
+          choice<ColorChoice>(target, {{"auto", ColorChoice::automatic},
+                                       {"always", ColorChoice::always},
+                                       {"never", ColorChoice::never}})};
+}
+
+std::string output_contradiction(const OutputOptions& options) {
+  const auto to_stdout = std::count_if(options.formats.begin(), options.formats.end(),
+                                       [](const OutputFormat& item) { return item.file.empty(); });
+  if (to_stdout > 1) return kOnlyOneToStdout;
+  if (options.images && options.folder.empty()) return "--images needs --output FOLDER";
+  if (options.html_split && !writes_html_file(options)) {
+    return "--html-split needs --output FOLDER or --format html=FILE";
+  }
+  return "";
+}
+
+report::Texts report_texts(const OutputOptions& options) {
+  const bool has_comma = options.decimal == DecimalSign::of_language
+                             ? options.language == report::Language::german
+                             : options.decimal == DecimalSign::comma;
+  return {options.language, has_comma};
+}
+
+std::vector<OutputFormat> planned_files(const OutputOptions& options) {
+  std::vector<OutputFormat> files;
+  for (const OutputFormat& format : options.formats) {
+    if (!format.file.empty()) files.push_back(format);
+  }
+  if (options.folder.empty()) return files;
+  for (const report::Format& format : report::formats()) {
+    if (format.file_name.empty()) continue;
+    files.push_back({&format, (std::filesystem::path(options.folder) / format.file_name).string()});
+  }
+  return files;
+}
+
+const report::Format* stdout_format(const OutputOptions& options) {
+  for (const OutputFormat& format : options.formats) {
+    if (format.file.empty()) return format.format;
+  }
+  return options.quiet ? nullptr : &report::formats().front();
+}
+
+}  // namespace cli

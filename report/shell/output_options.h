@@ -1,0 +1,51 @@
+#pragma once
+// Options of commands that write a document: formats, files, wording.
+
+#include "report/formats/format.h"
+#include "report/shell/command.h"
+#include "report/text/texts.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+inline constexpr const char* kOnlyOneToStdout =
+    "--format: only one kind can go to standard output; give the others as KIND=FILE";
+
+struct OutputFormat {
+  const report::Format* format = nullptr;
+  std::string file;  // "" = standard output; at most one format goes there
+};
+
+enum class DecimalSign { of_language, point, comma };
+
+struct OutputOptions {
+  std::vector<OutputFormat> formats;
+  std::string folder;  // "" = none
+  bool images = false;
+  bool html_split = false;                                // HTML as an index and a page per room
+  report::Language language = report::Language::english;  // of HTML, Markdown and text
+  DecimalSign decimal = DecimalSign::of_language;         // of the same formats
+  bool redact = false;                                    // see report::redact()
+  bool quiet = false;                                     // no text unless asked for
+  ColorChoice color = ColorChoice::automatic;
+};
+
+std::vector<Option> output_options(OutputOptions& options);
+// --color
+Option color_option(ColorChoice& target);
+// "" = nothing is wrong.
+std::string output_contradiction(const OutputOptions& options);
+
+// How reports for people are worded.
+report::Texts report_texts(const OutputOptions& options);
+
+// --format items and the files of --output, in that order. Standard output has an empty file name
+// and is not here.
+std::vector<OutputFormat> planned_files(const OutputOptions& options);
+
+// The format for standard output: as asked for, else text; null with --quiet.
+const report::Format* stdout_format(const OutputOptions& options);
+
+}  // namespace cli

@@ -1,0 +1,32 @@
+#include "report/shell/print.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace cli {
+
+void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only) {
+  for (const calc::Diagnostic& diagnostic : diagnostics) {
+    if (errors_only && diagnostic.severity() != calc::Severity::error) continue;
+    fmt::print(stderr, "{}\n", calc::format_diagnostic(diagnostic));
+  }
+}
+
+void print_error(calc::DiagnosticId id, const std::string& a, const std::string& b) {
+  calc::Diagnostics diagnostics;
+  diagnostics.report(id, {}, a, b);
+  print_diagnostics(diagnostics.all(), true);
+}
+
+bool print_result(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  return std::fflush(stdout) == 0 && written;
+}
+
+ExitCode print_outcome(const CommandOutcome& outcome, bool quiet) {
+  print_diagnostics(outcome.diagnostics, quiet);
+  return print_result(outcome.text) ? outcome.code : kNotJudged;
+}
+
+}  // namespace cli

@@ -1,0 +1,27 @@
+#pragma once
+// What goes to which stream: results to standard output, everything else to standard error.
+
+#include "calc/base/diagnostics.h"
+#include "report/shell/exit_code.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only);
+void print_error(calc::DiagnosticId id, const std::string& a, const std::string& b = "");
+
+// To standard output. False if not all of it could be written, e.g. to a full disk.
+bool print_result(const std::string& text);
+
+// What a command has to say.
+struct CommandOutcome {
+  ExitCode code = kAllMet;
+  std::string text;  // for standard output
+  std::vector<calc::Diagnostic> diagnostics;
+};
+// Its code, or kNotJudged if it could not be written.
+ExitCode print_outcome(const CommandOutcome& outcome, bool quiet = false);
+
+}  // namespace cli

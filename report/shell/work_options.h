@@ -1,0 +1,37 @@
+#pragma once
+// Options of `check` and `plan`: what the amount of work depends on, and who does it.
+
+#include "calc/radiosity/settings.h"
+#include "report/check/backend.h"
+#include "report/shell/command.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// The projects, and --rules.
+struct ProjectOptions {
+  std::vector<std::string> projects;
+  std::vector<std::string> rule_files;
+};
+Place projects_place(ProjectOptions& options);
+Option rules_of_projects(ProjectOptions& options);
+// "" unless a project is given twice.
+std::string project_contradiction(const ProjectOptions& options);
+
+std::vector<Option> work_options(calc::RadiositySettings& settings);
+std::vector<Option> backend_options(check::BackendRequest& request);
+// What only all of them together show; "" = nothing is wrong. Lowers the first look to the most
+// paths.
+std::string complete_work(calc::RadiositySettings& settings, const check::BackendRequest& request);
+
+// " --seed 2 --backend cpu": options that change results and are not as by default, quoted for a
+// shell.
+std::string work_words(const calc::RadiositySettings& settings,
+                       const check::BackendRequest& request);
+
+// After --method; of results, too.
+std::string method_name(calc::Method method);
+
+}  // namespace cli

@@ -1,0 +1,201 @@
+#include "report/tools/check/check.h"
+
+#include "calc/base/numbers_version.h"
+#include "report/check/check_project.h"
+#include "report/check/load_rules.h"
+#include "report/check/plan.h"
+#include "report/document/program_version.h"
+#include "report/document/same_bits.h"
+#include "report/shell/interrupt.h"
+#include "report/shell/open_backend.h"
+#include "report/shell/outputs.h"
+#include "report/shell/print.h"
+#include "report/shell/progress.h"
+#include "report/shell/recording_reader.h"
+#include "report/text/redact.h"
+#include "report/tools/pictures/room_pictures.h"
+#include "report/tools/plan/plan.h"
+#include "rules/verdict/outcome.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace cli {
+namespace {
+
+report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
+                                 const std::string& description) {
+  const check::Settings& settings = options.settings;
+  report::Provenance provenance;
+  provenance.program_version = report::program_version();
+  CheckOptions used = options;  // what `auto` came to; its answer `cpu` is the usual one
+  if (backend == check::Backend::gpu) used.backend.backend = backend;
+  provenance.command_line = reproducible_command(used);
+  provenance.timestamp = options.timestamp;
+  provenance.seed = settings.radiosity.seed;
+  provenance.confidence = settings.confidence;
+  provenance.goal = settings.goal;
+  provenance.tolerance = settings.tolerance;
+  provenance.max_paths = settings.radiosity.max_paths;
+  provenance.replicates = settings.radiosity.replicates;
+  provenance.backend = description;
+  provenance.numbers_version = calc::kNumbersVersion;
+  return provenance;
+}
+
+report::ProjectPart failed_project(const std::string& path, calc::DiagnosticId id,
+                                   const std::string& reason) {
+  calc::Diagnostics diagnostics;
+  diagnostics.report(id, {path, 0, 0}, reason);
+  report::ProjectPart part;
+  part.path = path;
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+// Whatever goes wrong in one project must not stop the batch.
+report::ProjectPart check_safely(const std::string& path, const check::Context& context) {
+  try {
+    return check::check_project(path, context);
+  } catch (const calc::BackendFailure& failure) {
+    return failed_project(path, calc::DiagnosticId::backend_failed, failure.what());
+  } catch (const std::exception& error) {
+    return failed_project(path, calc::DiagnosticId::internal_error, error.what());
+  }
+}
+
+void print_timing(const report::ProjectPart& project) {
+  std::uint64_t rays = 0;
+  for (const report::SpacePart& space : project.spaces) {
+    for (const report::PlanePart& plane : space.planes) {
+      rays +=
+          plane.counters.direct_rays + plane.counters.connection_rays + plane.counters.near_rays;
+    }
+  }
+  const report::PhaseTimes& times = project.times;
+  const double rays_s =
+      times.direct_s + times.connect_s + times.near_s;  // light paths trace others
+  fmt::print(
+      stderr,
+      "{}: {:.3f} s: load {:.3f}, prepare {:.3f}, direct {:.3f}, light paths {:.3f}, "
+      "{}connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
+      project.path, times.total_s, times.load_s, times.prepare_s, times.direct_s, times.pool_s,
+      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "", times.connect_s,
+      times.near_s, times.judge_s, rays, rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
+}
+
+// Progress and Ctrl-C, pictures, and what --explain-cost prints.
+class CheckObserver : public check::Observer {
+ public:
+  CheckObserver(const CheckOptions& options, const RunContext& context)
+      : options_(options),
+        progress_(context.environment.stderr_is_terminal && !options.output.quiet) {
+    if (!options.pictures || !wants_pictures(options.output)) return;
+    const calc::RadiositySettings& radiosity = options.settings.radiosity;
+    pictures_.emplace(PictureSettings{options.output.images, radiosity.seed, radiosity.jobs,
+                                      options.backend.gl_device, context.gl_fault,
+                                      context.environment.program_folder},
+                      [] { return !interrupted(); });
+  }
+
+  Progress& progress() { return progress_; }
+  const std::string& cost_log() const { return cost_log_; }
+
+  void start_space(const std::string& id) override { progress_.start_space(id); }
+  bool go_on(const calc::SolveProgress& progress) override {
+    progress_.update(progress);
+    return !interrupted();
+  }
+  bool is_stopped() const override { return interrupted(); }
+  void solved(const std::string& project_path, const std::string& space_id,
+              const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
+              const calc::SpaceSolution& solution) override {
+    if (!options_.explain_cost) return;
+    cost_log_ +=
+        explain_cost(project_path, space_id, scene, tasks, options_.settings.radiosity, solution);
+  }
+  void judged(const std::string& project_path, const calc::Space& space,
+              const calc::PreparedScene& scene, report::SpacePart& part) override {
+    if (pictures_) pictures_->add_pictures(project_path, space, scene, part);
+  }
+
+ private:
+  const CheckOptions& options_;
+  Progress progress_;
+  std::optional<PictureMaker> pictures_;
+  std::string cost_log_;
+};
+
+}  // namespace
+
+ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
+  const calc::DiskFileReader disk;
+  const RecordingReader files(disk);
+  CheckOptions options = asked;
+  std::optional<check::VertexSource> vertices;
+  if (!options.vpl_file.empty()) {
+    calc::Diagnostics diagnostics;
+    vertices = check::read_vertex_source(options.vpl_file, files, diagnostics);
+    print_diagnostics(diagnostics.all(), true);
+    if (!vertices) return kNotJudged;
+    check::use_settings_of(vertices->cache, options.settings.radiosity);
+  }
+  std::vector<std::string> inputs = options.input.projects;
+  inputs.insert(inputs.end(), options.input.rule_files.begin(), options.input.rule_files.end());
+  if (const std::string problem = check_outputs(options.output, inputs); !problem.empty()) {
+    print_error(calc::DiagnosticId::output_not_possible, problem);
+    return kNotJudged;
+  }
+  const auto packs = load_packs_or_print(options.input.rule_files, files);
+  if (!packs) return kNotJudged;
+  const calc::RadiositySettings& radiosity = options.settings.radiosity;
+  const check::BackendChoice backend =
+      check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
+        return first_look_work(
+            check::plan_projects(options.input.projects, files, *packs, radiosity));
+      });
+  const std::optional<check::OpenBackend> opened = open_or_complain(
+      backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
+  if (!opened) return kNotJudged;
+
+  watch_for_interrupt();
+  const calc::Stages stages = opened->stages();
+  CheckObserver observer(options, context);
+  report::Document document;
+  document.provenance = provenance_of(options, backend.backend, opened->description);
+  for (const std::string& path : options.input.projects) {
+    observer.progress().start_project(path);
+    document.projects.push_back(check_safely(path, {options.settings, files, *packs, stages,
+                                                    observer, vertices ? &*vertices : nullptr}));
+    observer.progress().clear();
+    if (interrupted()) {
+      fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+      return kInterrupted;
+    }
+    const report::ProjectPart& project = document.projects.back();
+    print_diagnostics(project.diagnostics, options.output.quiet);
+    if (options.settings.has_times && project.is_judged) print_timing(project);
+  }
+  document.provenance.same_bits =
+      report::same_bits_of(document, backend.backend == check::Backend::gpu);
+  if (options.explain_cost) {
+    fmt::print(stderr, "{}{}", check::backend_line(backend), observer.cost_log());
+  }
+  if (options.output.redact) report::redact(document);
+  const bool is_written =
+      write_results(options.output, context.environment, document, files.paths());
+  return is_written ? exit_code_of(outcome_of(document)) : kNotJudged;
+}
+
+Command check_command() {
+  const auto options = std::make_shared<CheckOptions>();
+  Command command = check_syntax(*options);
+  command.run = [options](const RunContext& context) { return run_check(*options, context); };
+  return command;
+}
+
+}  // namespace cli

@@ -1,0 +1,137 @@
+#include "report/tools/check/check_options.h"
+
+#include "report/shell/option_values.h"
+#include "report/text/shell_words.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace cli {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes:\n"
+    "  0    every requirement is met or waived, or nothing was asked: a warning says so\n"
+    "  1    at least one requirement is not met\n"
+    "  2    usage, input or file error, or a plane or project that could not be judged\n"
+    "  3    nothing failed, but a result's interval holds its limit: undecided\n"
+    "  130  interrupted; nothing was written\n"
+    "The worst of all projects counts; worst first: 2, 1, 3, 0.";
+
+std::vector<Option> document_options(CheckOptions& options) {
+  return {
+      {"--pictures", "WHEN",
+       "Rooms in false colours, in HTML and with --images: auto (where OpenGL can draw) or\n"
+       "off; default auto. Their bytes depend on the machine's OpenGL",
+       choice<bool>(options.pictures, {{"auto", true}, {"off", false}})},
+      {"--timestamp", "WHEN",
+       "Put a date into reports: 'now' or seconds since 1970; default SOURCE_DATE_EPOCH if set,\n"
+       "else no date, so that equal inputs give equal files",
+       moment(options.timestamp)},
+      {"--timing", "", "Print times and counts of rays to standard error and put them into reports",
+       &options.settings.has_times},
+      {"--explain-cost", "",
+       "Print predicted beside true work to standard error: see 'luxgate plan'",
+       &options.explain_cost},
+      color_option(options.output.color)};
+}
+
+std::vector<Option> accuracy_options(check::Settings& settings) {
+  return {
+      {"--goal", "NAME",
+       "verdict: a plane is done once each of its requirements passes or fails;\n"
+       "accuracy: once every judged value is known to --tolerance; default verdict",
+       choice<rules::Goal>(settings.goal, {{"verdict", rules::Goal::verdict},
+                                           {"accuracy", rules::Goal::accuracy}})},
+      {"--tolerance", "SHARE",
+       "Relative half-width of the intervals to aim at, as 0.02 or 2%, with --goal accuracy\n"
+       "and for planes without requirements; default 0.02",
+       share_between(settings.tolerance, 0.0, 1.0)},
+      {"--confidence", "SHARE",
+       "Level of the intervals, as 0.95 or 95%, over all times that a plane is looked at;\n"
+       "default 0.95",
+       share_between(settings.confidence, 0.5, 1.0)},
+      {"--by-luminaire", "",
+       "Say in HTML and JSON what each luminaire gives to the average and at the minimum of a\n"
+       "plane, reflections included: the ten largest and the rest. Takes more time and memory,\n"
+       "and other random numbers are drawn",
+       &settings.by_luminaire},
+      seed_option(settings.radiosity.seed),
+      {"--time-limit", "SECONDS",
+       "Stop refining a project after this time; results then depend on the machine's speed",
+       seconds(settings.radiosity.time_limit_s)}};
+}
+
+std::string complete(CheckOptions& options, const Environment& environment) {
+  const std::string& epoch = environment.source_date_epoch;
+  if (options.timestamp.empty() && !epoch.empty()) {
+    if (epoch == "now" || !moment(options.timestamp)(epoch).empty()) {
+      return fmt::format("SOURCE_DATE_EPOCH is '{}': whole seconds since 1970 are needed", epoch);
+    }
+  }
+  constexpr std::size_t kDateLength = 10;
+  options.settings.today = options.timestamp.substr(0, kDateLength);
+  if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
+    return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
+  }
+  std::string problem = complete_work(options.settings.radiosity, options.backend);
+  if (problem.empty()) problem = output_contradiction(options.output);
+  return problem.empty() ? project_contradiction(options.input) : problem;
+}
+
+}  // namespace
+
+Command check_syntax(CheckOptions& options) {
+  Command command{"check", "Calculate projects and judge their requirements"};
+  command.places = {projects_place(options.input)};
+  command.options = {rules_of_projects(options.input)};
+  add(command.options, output_options(options.output));
+  add(command.options, document_options(options));
+  add(command.options, accuracy_options(options.settings));
+  add(command.options, work_options(options.settings.radiosity));
+  add(command.options, backend_options(options.backend));
+  add(command.options,
+      {{"--vpl",
+        "FILE",
+        "Take the light vertices of one space from a file of 'luxgate vpl' instead of tracing "
+        "them;\n"
+        "seed, replicates and the most paths are the file's. Results are the same to the bit",
+        some_text(options.vpl_file),
+        false,
+        {"--seed", "--replicates", "--max-paths", "--by-luminaire"}},
+       quiet_option(options.output.quiet)});
+  command.footer = kExitCodes;
+  command.complete = [&options](const Environment& environment) {
+    return complete(options, environment);
+  };
+  return command;
+}
+
+std::string reproducible_command(const CheckOptions& options) {
+  const check::Settings defaults;
+  const check::Settings& used = options.settings;
+  std::string command = "luxgate check";
+  for (const std::string& project : options.input.projects) {
+    command += " " + report::shell_quoted(project);
+  }
+  for (const std::string& file : options.input.rule_files) {
+    command += " --rules " + report::shell_quoted(file);
+  }
+  const auto add = [&command](const char* name, const auto& value, const auto& default_value) {
+    if (value != default_value) command += fmt::format(" {} {}", name, value);
+  };
+  add("--seed", used.radiosity.seed, defaults.radiosity.seed);
+  if (used.goal != defaults.goal) {
+    command += fmt::format(" --goal {}", rules::goal_name(used.goal));
+  }
+  add("--tolerance", used.tolerance, defaults.tolerance);
+  add("--confidence", used.confidence, defaults.confidence);
+  add("--replicates", used.radiosity.replicates, defaults.radiosity.replicates);
+  add("--max-paths", used.radiosity.max_paths, defaults.radiosity.max_paths);
+  add("--time-limit", used.radiosity.time_limit_s, defaults.radiosity.time_limit_s);
+  return command + (used.by_luminaire ? " --by-luminaire" : "") +
+         work_words(used.radiosity, options.backend);
+}
+
+}  // namespace cli

@@ -1,0 +1,31 @@
+#pragma once
+// The options of `luxgate check`.
+
+#include "report/check/settings.h"
+#include "report/shell/output_options.h"
+#include "report/shell/work_options.h"
+
+#include <string>
+
+namespace cli {
+
+struct CheckOptions {
+  ProjectOptions input;
+  OutputOptions output;
+  check::Settings settings;
+  check::BackendRequest backend;
+  std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
+  bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
+  bool explain_cost = false;
+  std::string vpl_file;  // light vertices to take instead of tracing; "" = none
+};
+
+// What may stand behind `luxgate check`; sets `options`.
+Command check_syntax(CheckOptions& options);
+
+// A command that makes the same numbers again: paths and every option that changes results, quoted
+// for a shell. Options that do not (--jobs, --format, ...) are left out, so that reports do not
+// depend on them.
+std::string reproducible_command(const CheckOptions& options);
+
+}  // namespace cli

@@ -1,0 +1,64 @@
+#include "report/tools/plan/plan.h"
+
+#include "calc/base/file_reader.h"
+#include "report/shell/open_backend.h"
+#include "report/shell/option_values.h"
+#include "report/shell/print.h"
+#include "rules/verdict/outcome.h"
+
+#include <memory>
+
+namespace cli {
+namespace {
+
+using rules::Outcome;
+
+ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
+  const calc::DiskFileReader files;
+  const auto packs = load_packs_or_print(options.input.rule_files, files);
+  if (!packs) return kNotJudged;
+  Outcome outcome = Outcome::nothing_asked;
+  const std::vector<check::ProjectPlan> plans =
+      check::plan_projects(options.input.projects, files, *packs, options.radiosity);
+  for (const check::ProjectPlan& plan : plans) {
+    print_diagnostics(plan.diagnostics, options.quiet);
+    if (!plan.is_planned) outcome = graver(outcome, Outcome::not_judged);
+  }
+  const check::BackendChoice backend =
+      check::choose_backend(options.backend, options.radiosity.shadow_map_texels, context.gl_fault,
+                            [&] { return first_look_work(plans); });
+  if (!open_or_complain(backend, context.gl_fault, "", options.quiet)) {
+    outcome = graver(outcome, Outcome::not_judged);
+  }
+  const std::string text = options.as_json ? render_plan_json(plans, options.radiosity, backend)
+                                           : render_plan_text(plans, options.radiosity, backend);
+  return print_outcome({exit_code_of(outcome), text, {}});
+}
+
+}  // namespace
+
+Command plan_syntax(PlanOptions& options) {
+  Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
+  command.places = {projects_place(options.input)};
+  command.options = {rules_of_projects(options.input)};
+  add(command.options, work_options(options.radiosity));
+  add(command.options, backend_options(options.backend));
+  add(command.options, {{"--format", "KIND", "text or json; default text",
+                         choice<bool>(options.as_json, {{"text", false}, {"json", true}})},
+                        quiet_option(options.quiet)});
+  command.footer = "Exit codes: 0 no error, 2 at least one error.";
+  command.complete = [&options](const Environment&) {
+    const std::string problem = complete_work(options.radiosity, options.backend);
+    return problem.empty() ? project_contradiction(options.input) : problem;
+  };
+  return command;
+}
+
+Command plan_command() {
+  const auto options = std::make_shared<PlanOptions>();
+  Command command = plan_syntax(*options);
+  command.run = [options](const RunContext& context) { return run_plan(*options, context); };
+  return command;
+}
+
+}  // namespace cli

@@ -1,0 +1,39 @@
+#pragma once
+// `luxgate plan`: what a check would do, in words and as JSON.
+
+#include "report/check/plan.h"
+#include "report/shell/command.h"
+#include "report/shell/work_options.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct PlanOptions {
+  ProjectOptions input;
+  calc::RadiositySettings radiosity;
+  check::BackendRequest backend;
+  bool as_json = false;
+  bool quiet = false;
+};
+
+Command plan_syntax(PlanOptions& options);
+Command plan_command();
+
+std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
+                             const calc::RadiositySettings& settings,
+                             const check::BackendChoice& backend);
+std::string render_plan_json(const std::vector<check::ProjectPlan>& projects,
+                             const calc::RadiositySettings& settings,
+                             const check::BackendChoice& backend);
+
+// For --explain-cost: the plan's prediction for the looks that were taken, and what they took.
+// solution: of these tasks.
+std::string explain_cost(const std::string& path, const std::string& space_id,
+                         const calc::PreparedScene& scene,
+                         const std::vector<calc::PlaneTask>& tasks,
+                         const calc::RadiositySettings& settings,
+                         const calc::SpaceSolution& solution);
+
+}  // namespace cli

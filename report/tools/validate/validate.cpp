@@ -1,0 +1,54 @@
+#include "report/tools/validate/validate.h"
+
+#include "calc/base/file_reader.h"
+#include "report/check/check_project.h"
+#include "report/shell/open_backend.h"
+#include "report/shell/option_values.h"
+#include "report/shell/print.h"
+#include "report/shell/work_options.h"
+#include "rules/verdict/outcome.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace cli {
+namespace {
+
+using rules::Outcome;
+
+struct ValidateOptions {
+  ProjectOptions input;
+  bool quiet = false;
+};
+
+ExitCode run_validate(const ValidateOptions& options) {
+  const calc::DiskFileReader files;
+  const auto packs = load_packs_or_print(options.input.rule_files, files);
+  if (!packs) return kNotJudged;
+  Outcome outcome = Outcome::nothing_asked;
+  for (const std::string& path : options.input.projects) {
+    const report::ProjectPart part = check::validate_project(path, files, *packs);
+    print_diagnostics(part.diagnostics, options.quiet);
+    if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
+    if (part.is_judged && !options.quiet) fmt::print("{}: no error\n", path);
+  }
+  return exit_code_of(outcome);
+}
+
+}  // namespace
+
+Command validate_command() {
+  const auto options = std::make_shared<ValidateOptions>();
+  Command command{"validate", "Check projects for errors without calculating"};
+  command.places = {projects_place(options->input)};
+  command.options = {rules_of_projects(options->input), quiet_option(options->quiet)};
+  command.footer = "Exit codes: 0 no error, 2 at least one error.";
+  command.complete = [options](const Environment&) {
+    return project_contradiction(options->input);
+  };
+  command.run = [options](const RunContext&) { return run_validate(*options); };
+  return command;
+}
+
+}  // namespace cli
