@@ -4,8 +4,8 @@
 //   UGR = 8 log10( 0.25 / Lb  sum L^2 w / p^2 ),  Lb = E_ind / pi     [CIE 117]
 //
 // Here: the sum, of the direct light, without noise. E_ind, the illuminance of the eye by reflected
-// light alone, is sampled like every other (DerivedQuantity::ugr); rules/derived_points.h joins
-// them.
+// light alone, is sampled like every other (DerivedQuantity::ugr);
+// rules/measure/derived_points.h joins them.
 //
 // L = I / A: luminous intensity towards the eye over the opening's area as seen from there; w = A /
 // r^2, r to the opening's centre; both as for an eye far away, of the whole opening. The index p is
