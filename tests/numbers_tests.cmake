@@ -34,3 +34,9 @@ add_test(NAME numbers.selftest COMMAND ${CMAKE_COMMAND}
 
 add_test(NAME tree.elementary_functions COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_elementary.cmake)
+add_test(NAME tree.citations COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_citations.cmake)
+add_test(NAME tree.citations_test_works COMMAND ${CMAKE_COMMAND}
+  -DSCRIPT=${CMAKE_CURRENT_SOURCE_DIR}/tools/check_citations.cmake
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/citations
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_citations_fails.cmake)

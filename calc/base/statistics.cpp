@@ -26,8 +26,8 @@ double inverse_beta_half(int v) {
 }
 
 // Continued fraction of the incomplete beta function: I_x(a, b) = x^a (1 - x)^b / (a B(a, b)) times
-// this. DLMF 8.17.22, evaluated by the modified Lentz method; converges fast for x < (a + 1) / (a +
-// b + 2).
+// this. [DLMF, 8.17.22], evaluated by the modified Lentz method; converges fast for x < (a + 1) /
+// (a + b + 2).
 double beta_fraction(double a, double b, double x) {
   constexpr double kTiny = 1e-300;  // stands in for a zero denominator
   const auto safe = [](double y) { return std::abs(y) < kTiny ? kTiny : y; };

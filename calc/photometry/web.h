@@ -66,8 +66,8 @@ struct PhotometrySource {
 };
 
 // Intensity table over full circles, symmetric files already expanded; bilinear between entries
-// [PHOTO: bilinear in angle]. Immutable after make(). Tables about another axis are kept as they
-// are, so that they are interpolated between the angles that were measured.
+// (calc/CONVENTIONS.md, "Light"). Immutable after make(). Tables about another axis are kept as
+// they are, so that they are interpolated between the angles that were measured.
 //
 // Frame (calc/CONVENTIONS.md): x = C0, y = C90, gamma = 0 is -z, gamma = pi is +z;
 // direction = (sin g cos C, sin g sin C, -cos g).

@@ -1,7 +1,7 @@
 #pragma once
 // What a scene provably does not need. Each predicate answers true only if leaving the thing out
 // changes nothing beyond what a ray's own blur, PreparedScene::ray_offset_m(), changes; false means
-// "not proved", never "disproved". None traces a ray. [method 03]
+// "not proved", never "disproved". None traces a ray. [METHOD, 8.3]
 
 #include "calc/proofs/beam.h"
 #include "calc/proofs/point_set.h"

@@ -1,6 +1,6 @@
 #pragma once
 // What the calculation may leave out, each only when a predicate proves that nothing changes.
-// [method 03]
+// [METHOD, 8.3]
 
 #include <bitset>
 #include <cstddef>

@@ -44,7 +44,7 @@ class Cut {
   // Opens the nodes with the largest expected error until there are about `size`. Nodes that are
   // wholly behind the receivers' common plane or face away are left out, exactly 0, if
   // leave_out_hidden. smallest_bound_per_m2: GeometryBound::smallest(); only shapes probabilities.
-  // [method 02, section 3; light cuts: Walter et al. 2005]
+  // [METHOD, 5.2; light cuts: Walter05]
   void build(const VertexTree& tree, const ReceiverTile& tile, std::size_t size,
              float smallest_bound_per_m2, bool leave_out_hidden);
 

@@ -22,7 +22,7 @@ struct Connection {
 // Draws of one receiver, `draws` of them, spaced evenly in cumulated probability from the shift u
 // in [0, 1): systematic sampling, by importance among nodes and by flux within them. Appends to
 // `connections`. Where there are several channels, half of the draws go evenly to all of them, so
-// that a weak group is known as well as a strong one. `scratch` is overwritten.
+// that a weak group is known as well as a strong one. `scratch` is overwritten. [METHOD, 5.4]
 void draw_connections(const VertexTree& tree, const Cut& cut, const Receiver& receiver,
                       std::uint32_t index, std::uint32_t draws, double u,
                       std::vector<float>& scratch, std::vector<Connection>& connections);

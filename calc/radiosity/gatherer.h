@@ -101,7 +101,7 @@ class Gatherer {
   virtual std::string description() const = 0;
 };
 
-// Embree ray packets.
+// Shadow rays of the tracer, sixteen at a time.
 std::unique_ptr<Gatherer> make_cpu_gatherer();
 
 }  // namespace calc

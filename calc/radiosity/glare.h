@@ -1,10 +1,11 @@
 #pragma once
 // The luminaires that an eye sees, as the unified glare rating weighs them.
 //
-//   UGR = 8 log10( 0.25 / Lb  sum L^2 w / p^2 ),  Lb = E_ind / pi     [CIE 117:1995]
+//   UGR = 8 log10( 0.25 / Lb  sum L^2 w / p^2 ),  Lb = E_ind / pi     [CIE 117]
 //
 // Here: the sum, of the direct light, without noise. E_ind, the illuminance of the eye by reflected
-// light alone, is sampled like every other (DerivedQuantity::ugr); rules/glare_rating.h joins them.
+// light alone, is sampled like every other (DerivedQuantity::ugr);
+// rules/measure/derived_points.h joins them.
 //
 // L = I / A: luminous intensity towards the eye over the opening's area as seen from there; w = A /
 // r^2, r to the opening's centre; both as for an eye far away, of the whole opening. The index p is
@@ -35,7 +36,7 @@ namespace calc {
 inline constexpr double kSmallestGlareSource_sr = 3.0e-4;
 inline constexpr double kLargestGlareSource_sr = 0.1;
 // The field that position indices are tabulated for: sideways and upwards from the line of sight,
-// as multiples of the distance along it.  [CIE 117:1995, table of position indices]
+// as multiples of the distance along it.  [CIE 117, table of position indices]
 inline constexpr double kWidestSource = 3.0, kHighestSource = 2.0;
 
 inline constexpr std::size_t kSightLines = 16;

@@ -67,7 +67,7 @@ ScrambledSobol path_samples(const PathBatch& batch);
 
 // Paths end by one random number each: after the first reflection a path lives until the product of
 // reflectances falls to that number. Exact in the mean, and path lengths come out stratified.
-// [method 02, section 3] Parallel inside; the result does not depend on the number of threads.
+// [METHOD, 3.3] Parallel inside; the result does not depend on the number of threads.
 TracedPaths trace_light_paths(const Tracer& tracer, const Emitter& emitter, const PathBatch& batch);
 
 // The luminaire that a path of a replicate starts from.

@@ -1,7 +1,7 @@
 #pragma once
 // The geometry term near surfaces: bounded for light vertices, the rest by short rays. Together
-// they are the whole: nothing is clamped away.  [method of Kollig and Keller 2004 with a bound that
-// follows the photon density]
+// they are the whole: nothing is clamped away.  [KK04, with a bound that follows the density of
+// light vertices: METHOD, 4.3]
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"

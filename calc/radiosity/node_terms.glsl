@@ -1,6 +1,7 @@
 // How likely a group of light vertices is drawn by a receiver: one text for C++ (node_terms.h) and
 // for GLSL (gpu/). Both must give the same bits, or they would draw different vertices: so there
 // are only operations that IEEE 754 rounds exactly, in the order written.
+// [METHOD, 5.3]
 // What it may use: REAL, EXACT (no contraction), QUOTIENT(a, b) and ROOT(a), rounded to nearest.
 
 TERM REAL node_larger(REAL a, REAL b) { return a > b ? a : b; }

@@ -14,7 +14,7 @@ struct CutArrays {
 };
 
 // For a planar receiver at p with normal n:
-//   out[c] = flux_c (min(cos_x cos_y / (d^2 + r^2), b) + e min(1 / gap^2, b))
+//   out[c] = flux_c (min(cos_x cos_y d^2 / (d^2 + r^2)^2, b) + e min(1 / gap^2, b))
 // of the node's vertex at distance d, with the node's radius r to soften the kernel, the gap
 // between p and the node's sphere, and e = 0.03, so that no contribution can be much larger than
 // its probability. b: about the bound of the geometry term.  [one vertex per node serves as well as

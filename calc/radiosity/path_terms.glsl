@@ -11,7 +11,7 @@ TERM UINT reverse_bits(UINT x) {
 
 // Flips each bit depending on the more significant ones only: a nested uniform scramble in base 2,
 // by hashing the reversed word with a permutation whose carries run upwards.  [Burley20; constants:
-// Vegdahl]
+// Vegdahl21]
 // reversed: of the word's bits.
 TERM UINT nested_scramble_reversed(UINT reversed, UINT seed) {
   UINT x = reversed;
@@ -29,7 +29,7 @@ TERM UINT nested_scramble(UINT x, UINT seed) {
 
 // Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
 TERM DVEC3 cosine_direction(IN_DVEC3 normal, double u0, double u1) {
-  // Frame without a branch at the poles [Duff et al. 2017].
+  // Frame without a branch at the poles [Duff17].
   const double sign = SIGN_OF(normal.z);
   const double a = DBL(-1.0) / (sign + normal.z);
   const double b = normal.x * normal.y * a;

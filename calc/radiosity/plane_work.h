@@ -41,7 +41,7 @@ struct VertexBatch {
 };
 
 // Connections that each point draws from a pool of so many paths: fewer for planes with many
-// points, where the pool is shared by more of them. A power of two.  [method 02, section 6]
+// points, where the pool is shared by more of them. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
 // Short rays of a point for one replicate and look, a power of two: as many as draws where a

@@ -8,8 +8,7 @@
 
 namespace calc {
 
-// Finaliser of splitmix64: a bijection of 64-bit words with full avalanche (Steele, Lea, Flood
-// 2014).
+// Finaliser of splitmix64: a bijection of 64-bit words with full avalanche [Steele14].
 constexpr std::uint64_t mix_bits(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -74,7 +74,7 @@ static_assert(SegmentPacket::kSize == TriangleTree::kRays &&
 //
 // Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points
 // along their normals; the query leaves out the last stretch of that length at either end as well,
-// so that a point in the plane of a wall does not hit the wall it lies in.  [method 02, section 7]
+// so that a point in the plane of a wall does not hit the wall it lies in.  [METHOD, 8.1]
 class Tracer {
  public:
   explicit Tracer(const PreparedScene& scene);

@@ -7,7 +7,7 @@
 namespace calc {
 namespace {
 
-// Closest point of a triangle.  [Ericson, Real-Time Collision Detection, 5.1.5]
+// Closest point of a triangle.  [Ericson05, 5.1.5]
 glm::dvec3 closest_on_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
                                const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;

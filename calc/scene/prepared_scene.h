@@ -39,7 +39,7 @@ struct PreparedScene {
   std::size_t degenerate_triangles = 0;  // left out
 
   // Distance by which ray ends are lifted off a surface along its normal: covers float rounding of
-  // local coordinates (32 ulp of the largest one) and 1e-6 of the extent.  [method 02, section 7]
+  // local coordinates (32 ulp of the largest one) and 1e-6 of the extent.  [METHOD, 8.1]
   double ray_offset_m() const;
 };
 

@@ -1,7 +1,7 @@
 // The half of a cube that a light vertex sees: a whole face straight ahead and the upper halves of
 // the four around it. Written to and read from with the same formulas.
 
-// A frame about a unit normal, its third axis. [Duff and others 2017]
+// A frame about a unit normal, its third axis. [Duff17]
 mat3 frame_about(vec3 n) {
   const float s = n.z >= 0.0 ? 1.0 : -1.0;
   const float a = -1.0 / (s + n.z);

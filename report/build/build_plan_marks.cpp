@@ -16,7 +16,7 @@ namespace {
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// Counter-clockwise, without the points on its sides.  [Andrew 1979, monotone chain]
+// Counter-clockwise, without the points on its sides.  [Andrew79, monotone chain]
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
   const auto is_before = [](const glm::dvec2& a, const glm::dvec2& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);

@@ -97,7 +97,7 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
     location["logicalLocations"] =
         Json::array({{{"fullyQualifiedName", entry.key}, {"kind", "object"}}});
   }
-  // Only what fails may have a level.  [SARIF 3.27.10]
+  // Only what fails may have a level.  [SARIF, 3.27.10]
   const char* level = !is_fail ? "none" : entry.counts || is_waived(entry) ? "error" : "note";
   Json result = {{"ruleId", entry.rule},
                  {"ruleIndex", rule_index},

@@ -16,7 +16,7 @@ enum class SarifContent {
 // or advice: level note); what is waived
 // is suppressed, with its reason; ruleId is the quantity, the location is the
 // requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
-// diagnostics are notifications of the invocation.  [OASIS SARIF 2.1.0]
+// diagnostics are notifications of the invocation.  [SARIF]
 std::string render_sarif(const Document& document, SarifContent content);
 
 }  // namespace report

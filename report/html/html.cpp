@@ -29,7 +29,7 @@ std::string page_title(const Texts& t, const Document& document) {
   return escape_html(title_of(document.projects[0].name, document.projects[0].path));
 }
 
-// 'sha256-...' of the only script that may run.  [CSP level 3, hash sources]
+// 'sha256-...' of the only script that may run.  [CSP, hash sources]
 std::string script_source(const std::string& script) {
   const std::string hex = calc::sha256_hex(script);
   std::string bytes;

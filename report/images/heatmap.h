@@ -14,8 +14,8 @@ struct Rgb {
 };
 
 // The map cividis at t in [0, 1] (t is limited to it): dark blue to yellow, lightness rises evenly,
-// made for all common forms of colour-vision deficiency and for grey print. [Nunez, Anderton,
-// Renslow 2018, doi:10.1371/journal.pone.0199239; ten anchors, linear between them]
+// made for all common forms of colour-vision deficiency and for grey print. [Nunez18; ten
+// anchors, linear between them]
 Rgb cividis(double t);
 std::string hex_colour(Rgb colour);  // "#00204d"
 // Whether black text reads better than white on this colour (relative luminance, WCAG 2.2).

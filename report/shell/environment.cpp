@@ -16,7 +16,7 @@ std::string variable(const char* name) {
 std::string program_folder() {
   const std::string own = variable("LUXGATE_PROGRAM_CACHE");
   if (!own.empty()) return own == "off" ? "" : own;
-  // Relative paths are not allowed there. [XDG Base Directory Specification]
+  // Relative paths are not allowed there. [XDG]
   const std::string cache = variable("XDG_CACHE_HOME");
   if (cache.starts_with('/')) return cache + "/luxgate/programs";
   const std::string home = variable("HOME");

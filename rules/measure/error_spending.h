@@ -7,7 +7,7 @@ namespace rules {
 // first look), such that all its looks together hold at `confidence` in (0, 1): every look may be
 // wrong with probability (1 - confidence) / planned, and probabilities of error add up at most.
 // Whenever a plane stops, its last intervals, its verdicts and what is printed have this level.
-// [Bonferroni's inequality]
+// [METHOD, 7.9; Bonferroni's inequality: Miller81]
 constexpr double look_confidence(double confidence, int planned) {
   return 1.0 - (1.0 - confidence) / planned;
 }

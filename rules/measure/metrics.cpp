@@ -107,7 +107,7 @@ MetricEstimate maximum(const PointValues& values, double alpha) {
 
 // Uo >= u if and only if every D_i(u) = E_i - u * mean(E) is >= 0. D_i is linear, so that each has
 // a t-limit, and "every lower limit is >= 0" needs no share for multiplicity (intersection-union
-// test). The interval's low end is the largest u that passes this test.  [method 02, section 5]
+// test). The interval's low end is the largest u that passes this test.  [METHOD, 7.3]
 std::optional<MetricEstimate> uniformity_min_avg(const PointValues& values, double alpha) {
   if (!(calc::replicate_mean(plane_means(values)).mean > 0.0)) return std::nullopt;
   return smallest(values, ratio_limits, alpha);

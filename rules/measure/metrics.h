@@ -54,7 +54,7 @@ PointValues select_points(const PointValues& values, const std::vector<std::size
 // correlated in any way. Limits outside the range of the quantity (below 0 lx, above a ratio of 1)
 // are moved onto its end, which no true value lies beyond.
 
-// Student-t interval of each point.  [method 02, section 5]
+// Student-t interval of each point.  [METHOD, 7.1]
 std::vector<calc::Estimate> point_estimates(const PointValues& values, double confidence);
 
 // A statistic with its interval, and the point that attains it: of the minimum, the maximum, the

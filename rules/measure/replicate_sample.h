@@ -50,8 +50,8 @@ struct MeanPair {
 //   too);
 //         negative if there is none
 //   high: the largest u that the upper limit does not refute; infinite if b itself may be 0
-// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller, JRSS B 16 (1954)
-// 175] b > 0, except that `high` is also right (infinite) for b = 0.
+// so that low >= u exactly when the lower limit of a - u b is >= 0.  [Fieller54;
+// METHOD, 7.3] b > 0, except that `high` is also right (infinite) for b = 0.
 Limits fieller_limits(const MeanPair& means, double t);
 
 // The same of the point's mean to the plane's mean.

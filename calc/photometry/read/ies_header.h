@@ -21,7 +21,7 @@ struct Lm63Header {
   int tilt_line = 0;
   std::string_view numbers;  // the text after the TILT= line
 
-  // Text of the first such keyword, [MORE] lines joined with blanks; "" if there is none.
+  // Text of the first such keyword, "[MORE]" lines joined with blanks; "" if there is none.
   std::string keyword(std::string_view name) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 // The free stream of numbers after the TILT= line of an LM-63 file: separated by blanks, tabs,
-// commas and line ends in any mixture; records may be broken anywhere [LM-63-2002, 3].
+// commas and line ends in any mixture; records may be broken anywhere [LM-63, edition of 2002, 3].
 
 #include <cstddef>
 #include <optional>

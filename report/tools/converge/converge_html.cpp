@@ -12,7 +12,7 @@
 namespace report {
 namespace {
 
-// Colours that stay apart for all kinds of colour vision, by luminance too. [Okabe and Ito]
+// Colours that stay apart for all kinds of colour vision, by luminance too. [Okabe08]
 constexpr const char* kStyle = R"css(
 :root { --m0: #0b62b0; --m1: #c8500a; --m2: #0a8765; --m3: #8d3c99; --m4: #7a6300; --m5: #3a7ca5; --m6: #a33a55; --m7: #555e66; }
 @media (prefers-color-scheme: dark) {

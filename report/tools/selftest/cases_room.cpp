@@ -83,8 +83,8 @@ CaseResult l_shape(const Effort& effort) {
   return result;
 }
 
-// A sphere of 320 facets; six points per facet are exact for polynomials of degree 4. [Dunavant
-// 1985] On facets that meet at such blunt edges light hardly varies.
+// A sphere of 320 facets; six points per facet are exact for polynomials of degree 4. [Dunavant85]
+// On facets that meet at such blunt edges light hardly varies.
 CaseResult integrating_sphere(const Effort& effort) {
   constexpr double kWeight[2] = {0.223381589678011, 0.109951743655322};
   constexpr double kApex[2] = {0.108103018168070, 0.816847572980459};
