@@ -66,3 +66,14 @@ add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}
   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/layering
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering_fails.cmake)
 include(tools/check_headers.cmake)
+add_executable(check_includes tools/check_includes.cpp)
+target_link_libraries(check_includes PRIVATE fmt::fmt)
+add_test(NAME tree.includes COMMAND check_includes ${PROJECT_SOURCE_DIR} ${LUXGATE_PRECOMPILED})
+add_test(NAME tree.includes_test_works COMMAND ${CMAKE_COMMAND} -DCHECK=$<TARGET_FILE:check_includes>
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/includes -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_includes_fails.cmake)
+
+# A program of its own, compiled against what `cmake --install` puts into an empty folder.
+add_test(NAME install.embedding COMMAND ${CMAKE_COMMAND}
+  -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DGENERATOR=${CMAKE_GENERATOR}
+  -DCXX_FLAGS=${CMAKE_CXX_FLAGS} -DSANITIZE=${LUXGATE_SANITIZE} -DCOMPILER=${CMAKE_CXX_COMPILER}
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/embedding -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_embedding.cmake)

@@ -28,7 +28,6 @@ endforeach()
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/numbers_projects.txt "${numbers_list}")
 
 add_executable(libm_bits tools/libm_bits.cpp)
-target_link_libraries(libm_bits PRIVATE luxgate_options)
 add_test(NAME numbers.selftest COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DLIBM_BITS=$<TARGET_FILE:libm_bits> -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_numbers_selftest.cmake)
 

@@ -102,6 +102,39 @@ struct PlaneField {
   double seconds = 0.0;
 
   bool is_exact() const { return direct_sampled_lx.empty() && indirect_lx.empty(); }
+
+  // The parts at one point; 0 where a part is empty. replicate < replicates, channel <
+  // channels.size(), point < points; not checked.
+  double direct_exact_at(std::size_t channel, std::size_t point) const {
+    return direct_exact_lx[channel * points + point];
+  }
+  double direct_sampled_at(std::size_t replicate, std::size_t channel, std::size_t point) const {
+    return direct_sampled_lx.empty() ? 0.0 : direct_sampled_lx[index(replicate, channel, point)];
+  }
+  double indirect_at(std::size_t replicate, std::size_t channel, std::size_t point) const {
+    return indirect_lx.empty() ? 0.0 : indirect_lx[index(replicate, channel, point)];
+  }
+  // All parts and channels: new, at full output.
+  double total_lx(std::size_t replicate, std::size_t point) const {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      sum += direct_exact_at(c, point);
+      sum += direct_sampled_at(replicate, c, point);
+      sum += indirect_at(replicate, c, point);
+    }
+    return sum;
+  }
+  // The estimate itself: the mean over all replicates.
+  double mean_lx(std::size_t point) const {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < replicates; ++r) sum += total_lx(r, point);
+    return sum / static_cast<double>(replicates);
+  }
+
+ private:
+  std::size_t index(std::size_t replicate, std::size_t channel, std::size_t point) const {
+    return (replicate * channels.size() + channel) * points + point;
+  }
 };
 
 // Light budget of one space, all luminaires at full output, new: emitted = untraced + absorbed +

@@ -1,12 +1,14 @@
 #include "calc/base/file_reader.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace calc {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "calc/scene/polygon.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

@@ -267,13 +267,11 @@ class CornerLight {
 
   static PartsOfLight maintained_lx(const PlaneField& field, std::size_t r, std::size_t i) {
     PartsOfLight sum;
-    const std::size_t channels = field.channels.size();
-    for (std::size_t c = 0; c < channels; ++c) {
-      const std::size_t k = (r * channels + c) * field.points + i;
+    for (std::size_t c = 0; c < field.channels.size(); ++c) {
       const double factor = field.channels[c].maintenance_factor;
-      sum.direct_lx += factor * field.direct_exact_lx[c * field.points + i];
-      if (!field.direct_sampled_lx.empty()) sum.direct_lx += factor * field.direct_sampled_lx[k];
-      if (!field.indirect_lx.empty()) sum.indirect_lx += factor * field.indirect_lx[k];
+      sum.direct_lx += factor * field.direct_exact_at(c, i);
+      sum.direct_lx += factor * field.direct_sampled_at(r, c, i);
+      sum.indirect_lx += factor * field.indirect_at(r, c, i);
     }
     return sum;
   }

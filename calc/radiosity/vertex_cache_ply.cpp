@@ -1,9 +1,11 @@
 // The file form of a light-vertex cache.
+
 #include "calc/radiosity/scene_fingerprint.h"
 #include "calc/radiosity/vertex_cache.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>

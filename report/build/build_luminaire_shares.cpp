@@ -64,20 +64,14 @@ class FieldReader {
     Parts sum{0.0, 0.0};
     for (std::size_t kind = first; kind < kinds; ++kind) {
       const std::size_t receiver = kind * points_ + point;
-      const double direct_lx = value(field_.direct_exact_lx, channel, 0, receiver) +
-                               value(field_.direct_sampled_lx, channel, replicate, receiver);
+      const double direct_lx = field_.direct_exact_at(channel, receiver) +
+                               field_.direct_sampled_at(replicate, channel, receiver);
       sum.direct_lx += direct_lx;
-      sum.all_lx += direct_lx + value(field_.indirect_lx, channel, replicate, receiver);
+      sum.all_lx += direct_lx + field_.indirect_at(replicate, channel, receiver);
     }
     const double scale =
         field_.channels[channel].maintenance_factor / static_cast<double>(kinds - first);
     return {scale * sum.all_lx, scale * sum.direct_lx};
-  }
-
-  double value(const std::vector<double>& values, std::size_t channel, std::size_t replicate,
-               std::size_t receiver) const {
-    if (values.empty()) return 0.0;
-    return values[(replicate * field_.channels.size() + channel) * field_.points + receiver];
   }
 
   const calc::PlaneField& field_;

@@ -2,6 +2,8 @@
 
 #include "calc/base/text.h"
 
+#include <cstddef>
+
 namespace cli {
 
 std::vector<std::string> csv_cells(std::string_view line) {

@@ -1,6 +1,7 @@
 #include "report/text/shell_words.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace report {
 namespace {

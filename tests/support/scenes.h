@@ -149,15 +149,7 @@ inline calc::SpaceSolution solve_with_paths(const calc::PreparedScene& scene,
 
 // Total illuminance of replicate r at point i, all channels.
 inline double total_lx(const calc::PlaneField& field, std::size_t r, std::size_t i) {
-  double sum = 0.0;
-  const std::size_t channels = field.channels.size();
-  for (std::size_t c = 0; c < channels; ++c) {
-    const std::size_t k = (r * channels + c) * field.points + i;
-    sum += field.direct_exact_lx[c * field.points + i];
-    if (!field.direct_sampled_lx.empty()) sum += field.direct_sampled_lx[k];
-    if (!field.indirect_lx.empty()) sum += field.indirect_lx[k];
-  }
-  return sum;
+  return field.total_lx(r, i);
 }
 
 inline std::vector<double> replicates_at(const calc::PlaneField& field, std::size_t i) {

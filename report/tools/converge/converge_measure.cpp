@@ -110,15 +110,13 @@ void fit(const std::vector<report::ConvergeStep>& steps, report::ConvergeCurve& 
 
 std::vector<std::vector<double>> replicates_of(const calc::PlaneField& field, bool is_indirect) {
   std::vector<std::vector<double>> lx(field.replicates, std::vector<double>(field.points, 0.0));
-  const std::size_t channels = field.channels.size();
   for (std::size_t r = 0; r < field.replicates; ++r) {
-    for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < field.channels.size(); ++c) {
       for (std::size_t i = 0; i < field.points; ++i) {
-        const std::size_t k = (r * channels + c) * field.points + i;
-        if (!field.indirect_lx.empty()) lx[r][i] += field.indirect_lx[k];
+        lx[r][i] += field.indirect_at(r, c, i);
         if (is_indirect) continue;
-        lx[r][i] += field.direct_exact_lx[c * field.points + i];
-        if (!field.direct_sampled_lx.empty()) lx[r][i] += field.direct_sampled_lx[k];
+        lx[r][i] += field.direct_exact_at(c, i);
+        lx[r][i] += field.direct_sampled_at(r, c, i);
       }
     }
   }

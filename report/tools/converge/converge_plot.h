@@ -1,6 +1,7 @@
 #pragma once
 // Log-log plots of errors as SVG. Colours come from the page: classes m0 to m7.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 

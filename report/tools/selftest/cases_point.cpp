@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "report/tools/selftest/case.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli::selftest {

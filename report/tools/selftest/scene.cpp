@@ -14,14 +14,12 @@ namespace {
 // The replicate's illuminance of one channel; all scenes here have maintenance factors of 1.
 double value_lx(const calc::PlaneField& field, std::size_t r, std::size_t i, Part part) {
   double sum = 0.0;
-  const std::size_t channels = field.channels.size();
-  for (std::size_t c = 0; c < channels; ++c) {
-    const std::size_t exact = c * field.points + i, k = r * channels * field.points + exact;
+  for (std::size_t c = 0; c < field.channels.size(); ++c) {
     if (part != Part::indirect) {
-      sum += field.direct_exact_lx[exact];
-      if (!field.direct_sampled_lx.empty()) sum += field.direct_sampled_lx[k];
+      sum += field.direct_exact_at(c, i);
+      sum += field.direct_sampled_at(r, c, i);
     }
-    if (part != Part::direct && !field.indirect_lx.empty()) sum += field.indirect_lx[k];
+    if (part != Part::direct) sum += field.indirect_at(r, c, i);
   }
   return sum;
 }
