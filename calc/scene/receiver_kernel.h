@@ -34,50 +34,54 @@ enum class DerivedQuantity {
   four_planes
 };
 
-// Of one point: how many receivers its quantity is made of. Their order is that of receivers_of().
-constexpr std::size_t receivers_per_point(DerivedQuantity derived) {
-  switch (derived) {
-    case DerivedQuantity::modelling:
-      return 2;
-    case DerivedQuantity::four_planes:
-      return 5;
-    default:
-      return 1;
-  }
-}
-
-// Without a unit; all else is in lx.
-constexpr bool is_plain_number(DerivedQuantity derived) {
-  return derived == DerivedQuantity::ugr || derived == DerivedQuantity::modelling;
-}
-
-// The points look somewhere: a horizontal direction of their own, whatever the plane's normal is.
-constexpr bool has_look(ReceiverKernel kernel, DerivedQuantity derived) {
-  return kernel == ReceiverKernel::semicylindrical || derived == DerivedQuantity::ugr;
-}
-
-// As project files and results write them.
+// One row for each quantity, as project files and results write it.
 struct PlaneQuantity {
   std::string_view name;
   ReceiverKernel kernel;  // of the point's first receiver
   DerivedQuantity derived;
+  std::size_t receivers;  // that one point's value is made of, in the order of receivers_of()
+  bool is_plain_number;   // without a unit; all else is in lx
+  bool has_look;  // its points look in a horizontal direction, whatever the plane's normal is
 };
 inline constexpr std::array<PlaneQuantity, 8> kPlaneQuantities{{
-    {"planar", ReceiverKernel::planar, DerivedQuantity::none},
-    {"cylindrical", ReceiverKernel::cylindrical, DerivedQuantity::none},
-    {"semicylindrical", ReceiverKernel::semicylindrical, DerivedQuantity::none},
-    {"hemispherical", ReceiverKernel::hemispherical, DerivedQuantity::none},
-    {"scalar", ReceiverKernel::scalar, DerivedQuantity::none},
-    {"ugr", ReceiverKernel::planar, DerivedQuantity::ugr},
-    {"modelling", ReceiverKernel::cylindrical, DerivedQuantity::modelling},
-    {"cylindrical-4", ReceiverKernel::cylindrical, DerivedQuantity::four_planes},
+    {"planar", ReceiverKernel::planar, DerivedQuantity::none, 1, false, false},
+    {"cylindrical", ReceiverKernel::cylindrical, DerivedQuantity::none, 1, false, false},
+    {"semicylindrical", ReceiverKernel::semicylindrical, DerivedQuantity::none, 1, false, true},
+    {"hemispherical", ReceiverKernel::hemispherical, DerivedQuantity::none, 1, false, false},
+    {"scalar", ReceiverKernel::scalar, DerivedQuantity::none, 1, false, false},
+    {"ugr", ReceiverKernel::planar, DerivedQuantity::ugr, 1, true, true},
+    {"modelling", ReceiverKernel::cylindrical, DerivedQuantity::modelling, 2, true, false},
+    {"cylindrical-4", ReceiverKernel::cylindrical, DerivedQuantity::four_planes, 5, false, false},
 }};
 
-constexpr std::string_view quantity_name(ReceiverKernel kernel, DerivedQuantity derived) {
+// Null of pairs that no plane has.
+constexpr const PlaneQuantity* find_quantity(ReceiverKernel kernel, DerivedQuantity derived) {
   for (const PlaneQuantity& quantity : kPlaneQuantities) {
-    if (quantity.kernel == kernel && quantity.derived == derived) return quantity.name;
+    if (quantity.kernel == kernel && quantity.derived == derived) return &quantity;
   }
-  return "";
+  return nullptr;
 }
+
+constexpr std::string_view quantity_name(ReceiverKernel kernel, DerivedQuantity derived) {
+  const PlaneQuantity* found = find_quantity(kernel, derived);
+  return found == nullptr ? "" : found->name;
+}
+
+constexpr bool has_look(ReceiverKernel kernel, DerivedQuantity derived) {
+  const PlaneQuantity* found = find_quantity(kernel, derived);
+  return found != nullptr && found->has_look;
+}
+
+// The first row with it: what all of them share.
+constexpr const PlaneQuantity& row_of(DerivedQuantity derived) {
+  for (const PlaneQuantity& quantity : kPlaneQuantities) {
+    if (quantity.derived == derived) return quantity;
+  }
+  return kPlaneQuantities.front();
+}
+constexpr std::size_t receivers_per_point(DerivedQuantity derived) {
+  return row_of(derived).receivers;
+}
+constexpr bool is_plain_number(DerivedQuantity derived) { return row_of(derived).is_plain_number; }
 
 }  // namespace calc

@@ -4,17 +4,10 @@
 #include "report/text/text_numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace report {
 namespace {
-
-bool is_linear(rules::Metric metric) {
-  using enum rules::Metric;
-  constexpr std::array kLinear{average, minimum, maximum, percentile, value_at_point};
-  return std::find(kLinear.begin(), kLinear.end(), metric) != kLinear.end();
-}
 
 bool is_strict(rules::Comparison comparison) {
   return comparison == rules::Comparison::more_than || comparison == rules::Comparison::less_than;
@@ -46,7 +39,7 @@ std::optional<calc::Estimate> pass_factor(const rules::Finding& finding) {
   // Ratings and ratios do not grow with the light.
   if (calc::is_plain_number(requirement.derived)) return std::nullopt;
   if (finding.verdict != rules::Verdict::fail || is_strict(requirement.comparison) ||
-      !is_linear(requirement.metric) || !requirement.policy.is_default() ||
+      !rules::metric_row(requirement.metric).is_linear || !requirement.policy.is_default() ||
       !(requirement.limit > 0.0) || !(measured.low > 0.0) || !std::isfinite(measured.high)) {
     return std::nullopt;
   }

@@ -14,14 +14,6 @@ using enum AttributeKind;
 
 constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
-calc::Names quantity_names() {
-  calc::Names names = metric_names();
-  for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx, Metric::leni}) {
-    names.emplace_back(metric_name(metric));
-  }
-  return names;
-}
-
 std::vector<RequirementAttribute> make_attributes() {
   return {
       {"id", own, id, "id",
@@ -31,7 +23,7 @@ std::vector<RequirementAttribute> make_attributes() {
        .kind = words,
        .schema_type = "requiredQuantity",
        .meaning = "Statistic of the plane's points, or power or energy of the plane's room.",
-       .words = quantity_names()},
+       .words = all_metric_names()},
       {"at-least", own, number, "nonNegative", "Lower limit; exactly one of at-least and at-most."},
       {"at-most", own, number, "nonNegative", "Upper limit; exactly one of at-least and at-most."},
       {.name = "percent",

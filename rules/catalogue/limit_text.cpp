@@ -8,8 +8,6 @@ namespace {
 constexpr calc::NumberRange kLuxLimit{0.0, 1.0e9, false, "a limit in lx from 0 to 1e9"};
 constexpr calc::NumberRange kFootcandleLimit{0.0, 1.0e9, false, "a limit in fc from 0 to 1e9"};
 constexpr calc::NumberRange kPlainLimit{0.0, 1.0e9, false, "a number from 0 to 1e9"};
-constexpr calc::NumberRange kRatioLimit{0.0, 1.0, false, "a ratio from 0 to 1"};
-constexpr calc::NumberRange kGradientLimit{1.0, 1.0e9, false, "a ratio from 1 to 1e9"};
 
 }  // namespace
 
@@ -22,8 +20,7 @@ std::optional<Metric> read_metric(calc::ElementReader& reader, const calc::Names
 
 double read_limit(calc::ElementReader& reader, std::string_view name, Metric metric,
                   LimitUnit unit) {
-  if (metric == Metric::gradient) return reader.number(name, kGradientLimit);
-  if (is_ratio(metric)) return reader.number(name, kRatioLimit);
+  if (is_ratio(metric)) return reader.number(name, metric_row(metric).ratio_limit);
   if (unit == LimitUnit::plain) return reader.number(name, kPlainLimit);
   if (unit == LimitUnit::lux) return reader.number(name, kLuxLimit);
   return reader.number(name, kFootcandleLimit) * calc::kLuxPerFootcandle;

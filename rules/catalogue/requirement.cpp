@@ -1,61 +1,6 @@
 #include "rules/catalogue/requirement.h"
 
-#include <array>
-
 namespace rules {
-namespace {
-
-struct MetricEntry {
-  Metric metric;
-  const char* name;
-  bool is_ratio;
-};
-
-constexpr std::array kMetrics{
-    MetricEntry{Metric::average, "average", false},
-    MetricEntry{Metric::minimum, "minimum", false},
-    MetricEntry{Metric::maximum, "maximum", false},
-    MetricEntry{Metric::uniformity_min_avg, "Uo", true},
-    MetricEntry{Metric::uniformity_min_max, "Ud", true},
-    MetricEntry{Metric::percentile, "percentile", false},
-    MetricEntry{Metric::value_at_point, "value", false},
-    MetricEntry{Metric::share, "share", true},
-    MetricEntry{Metric::power_density, "power-density", false},
-    MetricEntry{Metric::power_per_100_lx, "power-per-100-lx", false},
-    MetricEntry{Metric::leni, "LENI", false},
-    MetricEntry{Metric::gradient, "gradient", true},
-};
-
-const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
-
-static_assert(
-    [] {
-      for (std::size_t i = 0; i < kMetrics.size(); ++i) {
-        if (static_cast<std::size_t>(kMetrics[i].metric) != i) return false;
-      }
-      return true;
-    }(),
-    "kMetrics is in the order of the enum");
-
-}  // namespace
-
-const char* metric_name(Metric metric) { return entry(metric).name; }
-
-std::optional<Metric> metric_from_name(std::string_view name) {
-  for (const MetricEntry& candidate : kMetrics) {
-    if (name == candidate.name) return candidate.metric;
-  }
-  return std::nullopt;
-}
-
-std::vector<std::string_view> metric_names() {
-  std::vector<std::string_view> names;
-  names.reserve(kMetrics.size());
-  for (const MetricEntry& candidate : kMetrics) {
-    if (!is_about_power(candidate.metric)) names.emplace_back(candidate.name);
-  }
-  return names;
-}
 
 const char* comparison_name(Comparison comparison) {
   switch (comparison) {
@@ -81,23 +26,6 @@ const char* state_name(LightState state) {
       return "end-of-duration";
   }
   return "";
-}
-
-bool is_ratio(Metric metric) { return entry(metric).is_ratio; }
-
-bool is_about_power(Metric metric) {
-  return is_of_space(metric) || metric == Metric::power_per_100_lx;
-}
-
-bool is_of_space(Metric metric) {
-  return metric == Metric::power_density || metric == Metric::leni;
-}
-
-const char* metric_unit(Metric metric) {
-  if (metric == Metric::power_density) return "W/m2";
-  if (metric == Metric::power_per_100_lx) return "W/m2/100lx";
-  if (metric == Metric::leni) return "kWh/m2/a";
-  return is_ratio(metric) ? "" : "lx";
 }
 
 bool is_in_lux(const Requirement& requirement) {

@@ -4,6 +4,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/mask.h"
+#include "rules/catalogue/metric.h"
 #include "rules/catalogue/policy.h"
 
 #include <glm/glm.hpp>
@@ -16,21 +17,6 @@
 #include <vector>
 
 namespace rules {
-
-enum class Metric {
-  average,             // mean illuminance, lx
-  minimum,             // lx
-  maximum,             // lx
-  uniformity_min_avg,  // Uo = minimum / average
-  uniformity_min_max,  // Ud = minimum / maximum
-  percentile,          // illuminance that the given share of points does not exceed, lx
-  value_at_point,      // lx
-  share,               // of the points whose value lies in a range
-  power_density,       // installed power of the plane's space / its floor area, W/m2
-  power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
-  leni,                // lighting energy of the plane's space in a year / its floor area, kWh/m2
-  gradient,            // largest ratio between neighbouring points of the grid, >= 1
-};
 
 // Both ends belong to it.
 struct ValueRange {
@@ -88,13 +74,6 @@ struct Requirement {
   calc::SourceLocation where;
 };
 
-// Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI", "gradient".
-// metric_names(): without those about power, which are no statistics of points.
-const char* metric_name(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
-std::vector<std::string_view> metric_names();
-
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {
   return comparison == Comparison::at_least || comparison == Comparison::more_than;
@@ -104,12 +83,6 @@ const char* comparison_name(Comparison comparison);
 // "maintained", "initial", "end-of-duration"
 const char* state_name(LightState state);
 
-bool is_ratio(Metric metric);
-bool is_about_power(Metric metric);  // or energy
-// Of the plane's space, whatever its light: known beforehand.
-bool is_of_space(Metric metric);
-// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
-const char* metric_unit(Metric metric);
 // Of what is required: "" also for ratings and ratios of single points.
 const char* unit_of(const Requirement& requirement);
 bool is_in_lux(const Requirement& requirement);

@@ -140,17 +140,13 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
     }
     case Metric::uniformity_min_max:
       return same_for_both(extreme_points(values, alpha));
-    case Metric::share:  // see share.h
-    case Metric::power_density:
-    case Metric::power_per_100_lx:
-    case Metric::leni:
-    case Metric::gradient:  // see measure.cpp
-      break;
     case Metric::value_at_point: {
       Marks marks(values.points, 0);
       marks[point.value()] = 1;
       return same_for_both(marks);
     }
+    default:  // not from values alone, see MetricSource and measure.cpp
+      break;
   }
   return same_for_both(Marks(values.points, 1));
 }

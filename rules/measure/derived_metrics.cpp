@@ -119,20 +119,4 @@ std::unique_ptr<DerivedPoints> make_derived_points(calc::DerivedQuantity derived
   return std::make_unique<GlarePoints>(receivers, field.glare, channel_weights, points);
 }
 
-bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
-  switch (metric) {
-    case Metric::maximum:
-    case Metric::value_at_point:
-    case Metric::share:
-    case Metric::power_density:
-    case Metric::leni:
-      return true;
-    case Metric::minimum:
-    case Metric::percentile:
-      return derived != calc::DerivedQuantity::ugr;
-    default:  // an average of ratios or of glare ratings means nothing
-      return !calc::is_plain_number(derived);
-  }
-}
-
 }  // namespace rules

@@ -40,7 +40,4 @@ std::unique_ptr<DerivedPoints> make_derived_points(calc::DerivedQuantity derived
                                                    const std::vector<double>& channel_weights,
                                                    const std::vector<std::size_t>& points);
 
-// What may be required of such a plane.
-bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
-
 }  // namespace rules

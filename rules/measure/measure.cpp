@@ -254,11 +254,11 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                     double confidence, Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
   if (is_of_space(requirement.metric)) return known_density(requirement, grid);
-  if (requirement.metric == Metric::power_per_100_lx) {
+  if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
     return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
   }
   if (requirement.any_one_unit_out) {
-    if (requirement.metric == Metric::gradient) {
+    if (metric_row(requirement.metric).source == MetricSource::neighbours) {
       return nothing_to_measure("ratios between neighbours are not judged with one luminaire out");
     }
     return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
@@ -316,14 +316,15 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   Measurement result;
   result.points_used = values.points;
   const Metric metric = requirement.metric;
-  if (metric == Metric::share) {
+  const MetricSource source = metric_row(metric).source;
+  if (source == MetricSource::counted_values) {
     const ShareEstimate share = compute_share(values, requirement.range, confidence);
     result.metric = MetricEstimate{share.estimate, std::nullopt};
     result.active =
         repeated(spread_marks(share.open, masked.points, grid.position_m.size()), parts);
     return result;
   }
-  if (metric == Metric::gradient) {
+  if (source == MetricSource::neighbours) {
     result = measure_gradient(values, masked, grid,
                               {requirement, std::nullopt, confidence, goal, grid.derived});
     result.active = repeated(result.active, parts);

@@ -184,11 +184,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
       return MetricEstimate{percentile(values, percent, alpha), std::nullopt};
     case Metric::value_at_point:
       return MetricEstimate{value_at(values, point.value(), confidence), point};
-    case Metric::share:          // see share.h
-    case Metric::power_density:  // see measure.cpp, as the next
-    case Metric::power_per_100_lx:
-    case Metric::leni:
-    case Metric::gradient:
+    default:  // not from values alone, see MetricSource and measure.cpp
       break;
   }
   return std::nullopt;

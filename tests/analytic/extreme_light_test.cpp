@@ -287,4 +287,25 @@ TEST(ExtremeLuminaire, AMillionLumensAmongAThousandLuminaires) {
   }
 }
 
+// A channel so weak that its weights vanish in single precision takes no light from the others.
+TEST(ExtremeLuminaire, AChannelOfNextToNothingLeavesTheOthersAlone) {
+  const calc::PhotometricWeb web = isotropic_web(1000.0 / (4.0 * calc::kPi));
+  for (const double weak : {1e-20, 1e-36, 1e-38, 1e-41}) {
+    calc::PreparedScene scene;
+    add_quad(scene, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 0.5);
+    add_luminaire(scene, web, {1, 2, 3});
+    add_luminaire(scene, web, {3, 2, 3});
+    scene.channels = {{"usual", 1.0}, {"weak", 1.0}};
+    scene.luminaires[1].channel = 1;
+    scene.luminaires[1].flux_scale = weak;
+    set_extent(scene);
+    const calc::SensorGrid grid = points_of({{2, 2, 2}}, {kDown});
+    const calc::PlaneField field = solve_with_paths(scene, grid, 1, 4096).fields[0];
+    const OneReflection floor(scene, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, kUp, 0.5);
+    std::vector<double> lx;
+    for (std::size_t r = 0; r < field.replicates; ++r) lx.push_back(field.indirect_at(r, 0, 0));
+    expect_right(lx, {floor.lx(grid.position_m[0], kDown, 0), 0.0}, 0.25);
+  }
+}
+
 }  // namespace

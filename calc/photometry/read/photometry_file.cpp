@@ -11,8 +11,11 @@
 #include "calc/photometry/read/tm33_xml.h"
 #include "calc/photometry/read/zip_archive.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace calc {
 namespace {
@@ -49,6 +52,12 @@ bool is_surely_eulumdat(std::string_view text) {
   return !header || header->tilt_line != 1 || (header->tilt != "NONE" && header->tilt != "INCLUDE");
 }
 
+// The first line of EULUMDAT may be any name, also one that looks like LM-63.
+bool is_lm63(std::string_view text) {
+  return (read_lm63_header(text) && !is_surely_eulumdat(text)) ||
+         (trim(text.substr(0, 200)).starts_with("IES") && !looks_like_eulumdat(text));
+}
+
 std::string what_it_is(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return "the file is empty";
   if (looks_like_zip(text)) return "it is a ZIP archive inside another one";
@@ -62,12 +71,63 @@ bool looks_like_xml(std::string_view text) {
   return next == '?' || next == '!' || (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');
 }
 
+using Parser = std::optional<PhotometricWeb> (*)(std::string_view text, const std::string& name,
+                                                 const PhotometryOptions& options,
+                                                 Diagnostics& diagnostics);
+
+std::optional<PhotometricWeb> parse_lm63_file(std::string_view text, const std::string& name,
+                                              const PhotometryOptions& options,
+                                              Diagnostics& diagnostics) {
+  return parse_lm63(text, name, diagnostics, options.read_companion);
+}
+
+struct FormatReader {
+  PhotometryFormatInfo info;
+  KnownOptions known;
+  bool (*is_it)(std::string_view text);
+  Parser parse;
+  bool is_container = false;  // of photometry files: asked of the bytes themselves, never nested
+};
+
+// The first that says "it is" reads. A new format is a row here, and a pair of files that reads it.
+constexpr FormatReader kReaders[] = {
+    {{"LM-63", "an LM-63 file", ".ies"}, {}, is_lm63, parse_lm63_file},
+    {{"EULUMDAT", "an EULUMDAT file", ".ldt"},
+     {.lamp_set = true},
+     looks_like_eulumdat,
+     parse_eulumdat},
+    {{"TM-33", "a TM-33 file", ".xml"}, {.emitter = true}, looks_like_xml, parse_tm33},
+    {{"GLDF", "a GLDF file", ".gldf"},
+     {.lamp_set = true, .variant = true, .emitter = true},
+     looks_like_zip,
+     parse_gldf,
+     true}};
+
+std::optional<PhotometricWeb> read_as(const FormatReader& reader, std::string_view text,
+                                      const std::string& name, const PhotometryOptions& options,
+                                      Diagnostics& diagnostics) {
+  if (!check_options(options, reader.known, reader.info.as_a_file, name, diagnostics)) {
+    return std::nullopt;
+  }
+  return reader.parse(text, name, options, diagnostics);
+}
+
 }  // namespace
+
+std::vector<PhotometryFormatInfo> photometry_formats() {
+  std::vector<PhotometryFormatInfo> list;
+  for (const FormatReader& reader : kReaders) list.push_back(reader.info);
+  return list;
+}
 
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
                                                Diagnostics& diagnostics,
                                                const PhotometryOptions& options) {
-  if (looks_like_zip(bytes)) return parse_gldf(bytes, name, options, diagnostics);
+  for (const FormatReader& reader : kReaders) {
+    if (reader.is_container && reader.is_it(bytes)) {
+      return read_as(reader, bytes, name, options, diagnostics);
+    }
+  }
   return parse_text_photometry(bytes, name, diagnostics, options);
 }
 
@@ -85,19 +145,18 @@ std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, cons
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
-  const bool may_be_eulumdat = looks_like_eulumdat(text);  // whose first line may be any name
-  const bool has_lm63_tag = trim(text.substr(0, 200)).starts_with("IES");
-  if ((read_lm63_header(text) && !is_surely_eulumdat(text)) || (has_lm63_tag && !may_be_eulumdat)) {
-    if (!check_options(options, {}, "an LM-63 file", name, diagnostics)) return std::nullopt;
-    return parse_lm63(text, name, diagnostics, options.read_companion);
+  for (const FormatReader& reader : kReaders) {
+    if (!reader.is_container && reader.is_it(text)) {
+      return read_as(reader, text, name, options, diagnostics);
+    }
   }
-  if (may_be_eulumdat) {
-    if (!check_options(options, {.lamp_set = true}, "an EULUMDAT file", name, diagnostics))
-      return std::nullopt;
-    return parse_eulumdat(text, name, options, diagnostics);
+  std::string readable;
+  for (const FormatReader& reader : kReaders) {
+    const bool is_last = &reader == std::end(kReaders) - 1;
+    readable += readable.empty() ? "" : is_last ? " and " : ", ";
+    readable += fmt::format("{} ({})", reader.info.name, reader.info.extension);
   }
-  if (looks_like_xml(text)) return parse_tm33(text, name, options, diagnostics);
-  diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text));
+  diagnostics.report(DiagnosticId::photometry_format, file, what_it_is(text), readable);
   return std::nullopt;
 }
 

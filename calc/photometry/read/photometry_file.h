@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace calc {
 
@@ -17,6 +18,14 @@ namespace calc {
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
                                                Diagnostics& diagnostics,
                                                const PhotometryOptions& options = {});
+
+// A format that can be read, in words.
+struct PhotometryFormatInfo {
+  std::string_view name;       // "LM-63"
+  std::string_view as_a_file;  // "an LM-63 file"
+  std::string_view extension;  // ".ies", as it usually is
+};
+std::vector<PhotometryFormatInfo> photometry_formats();
 
 // The same without GLDF, for the files inside a container.
 std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, const std::string& name,

@@ -232,8 +232,6 @@ std::optional<PhotometricWeb> parse_tm33(std::string_view text, const std::strin
                        join_choices({kRoots.begin(), kRoots.end()}));
     return std::nullopt;
   }
-  if (!check_options(options, {.emitter = true}, "a TM-33 file", name, diagnostics))
-    return std::nullopt;
   return Tm33Reader(*root, name, options, diagnostics).read();
 }
 

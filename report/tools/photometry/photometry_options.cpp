@@ -1,6 +1,7 @@
 #include "report/tools/photometry/photometry_options.h"
 
 #include "calc/base/text.h"
+#include "calc/photometry/read/photometry_file.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
 
@@ -48,9 +49,13 @@ ValueParser chosen(PhotometryFormat& target, PhotometryFormat format) {
 }  // namespace
 
 Command photometry_syntax(PhotometryOptions& options) {
+  std::string formats;
+  for (const calc::PhotometryFormatInfo& format : calc::photometry_formats()) {
+    formats += (formats.empty() ? "" : ", ") + std::string(format.name);
+  }
   Command command{"photometry", "Show, check, convert, draw and compare photometry files"};
   command.places = {
-      {"files", "FILE", "Photometry files (LM-63, EULUMDAT, TM-33, GLDF)", &options.files}};
+      {"files", "FILE", fmt::format("Photometry files ({})", formats), &options.files}};
   command.options = {
       {"--json", "", "As JSON", chosen(options.format, PhotometryFormat::json)},
       {"--csv",
