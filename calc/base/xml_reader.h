@@ -3,6 +3,7 @@
 // or out of range is reported with its place and with what is allowed.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/base/xml_document.h"
 
 #include <cstddef>
@@ -64,6 +65,11 @@ class ElementReader {
   int integer(std::string_view name, int low);
   // Index into `choices`.
   std::size_t choice(std::string_view name, const Names& choices);
+  // One of the names of an enum's values, see names.h.
+  template <class Enum>
+  Enum value(std::string_view name) {
+    return EnumNames<Enum>::list[choice(name, names_of<Enum>())].value;
+  }
   // Exactly `count` numbers; words name them: "3 numbers (x y z)".
   std::vector<double> numbers(std::string_view name, std::size_t count, std::string_view words,
                               const NumberRange& range = kCoordinate);
@@ -81,6 +87,10 @@ class ElementReader {
   double number_or(std::string_view name, const NumberRange& range, double fallback);
   std::optional<double> optional_number(std::string_view name, const NumberRange& range);
   std::size_t choice_or(std::string_view name, const Names& choices, std::size_t fallback);
+  template <class Enum>
+  Enum value_or(std::string_view name, Enum fallback) {
+    return has(name) ? value<Enum>(name) : fallback;
+  }
 
   template <class... Args>
   void report(DiagnosticId what, const SourceLocation& place, const Args&... args) {

@@ -91,7 +91,7 @@ class Planner {
       plan_.skips.push_back({skip, SkipState::not_proved, "", {}, 0, std::nullopt});
       if (settings.skips.allows(skip)) continue;
       decision(skip).state = SkipState::forbidden;
-      decision(skip).why = "forbidden by --no-skip " + std::string(skip_name(skip));
+      decision(skip).why = "forbidden by --no-skip " + std::string(name_of(skip));
     }
   }
 
@@ -305,22 +305,6 @@ class Planner {
 };
 
 }  // namespace
-
-std::string_view skip_state_name(SkipState state) {
-  switch (state) {
-    case SkipState::applies:
-      return "applies";
-    case SkipState::not_proved:
-      return "not proved";
-    case SkipState::while_calculating:
-      return "while calculating";
-    case SkipState::not_needed:
-      return "not needed";
-    case SkipState::forbidden:
-      break;
-  }
-  return "forbidden";
-}
 
 ScenePlan make_scene_plan(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                           const RadiositySettings& settings) {

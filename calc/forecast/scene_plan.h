@@ -1,6 +1,7 @@
 #pragma once
 // What the calculation of a space will do, what it may leave out, and why.
 
+#include "calc/base/names.h"
 #include "calc/forecast/cost_model.h"
 #include "calc/proofs/skips.h"
 #include "calc/radiosity/settings.h"
@@ -18,7 +19,16 @@ namespace calc {
 // applies: proved, at least for a part; while_calculating: the proof is sought point by point as
 // the work goes on; not_needed: another skip leaves nothing to skip; forbidden: by the settings.
 enum class SkipState { applies, not_proved, while_calculating, not_needed, forbidden };
-std::string_view skip_state_name(SkipState state);  // "applies", "not proved", ...
+
+template <>
+struct EnumNames<SkipState> {
+  static constexpr EnumName<SkipState> list[] = {
+      {SkipState::applies, "applies"},
+      {SkipState::not_proved, "not proved"},
+      {SkipState::while_calculating, "while calculating"},
+      {SkipState::not_needed, "not needed"},
+      {SkipState::forbidden, "forbidden"}};
+};
 
 struct SkipDecision {
   Skip skip;

@@ -15,15 +15,6 @@ constexpr double kMaxCornerPairs = 2.0e9;  // of all faces together: about two m
 
 }  // namespace
 
-const std::vector<std::string_view>& mesh_format_names() {
-  static const std::vector<std::string_view> kNames{"obj", "gltf", "stl", "ply"};
-  return kNames;
-}
-
-std::string_view mesh_format_name(MeshFormat format) {
-  return mesh_format_names().at(static_cast<std::size_t>(format));
-}
-
 std::uint32_t NameList::index_of(std::string_view name) {
   if (const auto found = index_.find(name); found != index_.end()) return found->second;
   const auto index = static_cast<std::uint32_t>(names_.size());

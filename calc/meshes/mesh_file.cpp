@@ -22,7 +22,7 @@ std::optional<TriangleMesh> parse_mesh_file(std::string_view bytes, const std::s
   const std::optional<MeshFormat> found = detect_mesh_format(bytes);
   if (format && found && format != found) {
     diagnostics.report(DiagnosticId::mesh_other_format, SourceLocation{name, 0, 0},
-                       mesh_format_name(*format), mesh_format_name(*found));
+                       name_of(*format), name_of(*found));
     return std::nullopt;
   }
   // A cut-off binary STL looks like nothing, but its reader says what is missing.

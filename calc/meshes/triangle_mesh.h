@@ -1,6 +1,8 @@
 #pragma once
 // What every reader of mesh files gives.
 
+#include "calc/base/names.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
@@ -13,9 +15,13 @@ namespace calc {
 
 enum class MeshFormat { obj, gltf, stl, ply };
 
-// As in projects and messages: "obj", "gltf", "stl", "ply"; indexed by MeshFormat.
-const std::vector<std::string_view>& mesh_format_names();
-std::string_view mesh_format_name(MeshFormat format);
+template <>
+struct EnumNames<MeshFormat> {
+  static constexpr EnumName<MeshFormat> list[] = {{MeshFormat::obj, "obj"},
+                                                  {MeshFormat::gltf, "gltf"},
+                                                  {MeshFormat::stl, "stl"},
+                                                  {MeshFormat::ply, "ply"}};
+};
 
 // glTF is in metres with y up by its standard; the other formats do not say.
 constexpr bool has_fixed_units(MeshFormat format) { return format == MeshFormat::gltf; }

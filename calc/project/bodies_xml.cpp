@@ -81,7 +81,7 @@ MeshAxes read_mesh_axes(ElementReader& reader, const TriangleMesh* mesh) {
     if (wanted("up")) axes.y_is_up = reader.choice("up", up_names) == 1;
     return axes;
   }
-  const std::string_view format = mesh_format_name(mesh->format);
+  const std::string_view format = name_of(mesh->format);
   if (reader.choice_or("units", unit_names(), 0) != 0) {
     reader.report(DiagnosticId::mesh_units_fixed, reader.where("units"), "units", format, "m");
   }
@@ -94,7 +94,7 @@ MeshAxes read_mesh_axes(ElementReader& reader, const TriangleMesh* mesh) {
 const TriangleMesh* read_mesh_file(ProjectContext& context, ElementReader& reader) {
   std::optional<MeshFormat> format;
   if (reader.has("format")) {
-    format = static_cast<MeshFormat>(reader.choice("format", mesh_format_names()));
+    format = reader.value<MeshFormat>("format");
   }
   const std::string file = reader.text("file");
   if (file.empty()) return nullptr;

@@ -32,8 +32,7 @@ GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
                   reader.element().name, "rounding", name);
   }
   GridByRule by_rule;
-  by_rule.rounding =
-      static_cast<GridRounding>(reader.choice_or("rounding", {"nearest", "up", "odd-up"}, 0));
+  by_rule.rounding = reader.value_or("rounding", GridRounding::nearest);
   if (!reader.exclude("count", "spacing")) return by_rule;
   if (reader.has("count")) {
     const std::vector<int> count =

@@ -114,8 +114,8 @@ const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<Me
   }
   if (!entry->second) return nullptr;
   if (format && *format != entry->second->format) {  // the file is used twice
-    diagnostics_.report(DiagnosticId::mesh_other_format, named_at, mesh_format_name(*format),
-                        mesh_format_name(entry->second->format));
+    diagnostics_.report(DiagnosticId::mesh_other_format, named_at, name_of(*format),
+                        name_of(entry->second->format));
     return nullptr;
   }
   return &*entry->second;

@@ -2,10 +2,11 @@
 // What the calculation may leave out, each only when a predicate proves that nothing changes.
 // [METHOD, 8.3]
 
+#include "calc/base/names.h"
+
 #include <bitset>
 #include <cstddef>
-#include <optional>
-#include <string_view>
+#include <iterator>
 
 namespace calc {
 
@@ -19,11 +20,20 @@ enum class Skip : std::size_t {
   clear_distance,  // no surface near enough for the near-field part: no short rays
   decided_points,  // points that no open verdict needs take no further samples
 };
-inline constexpr std::size_t kSkips = 8;
 
-// "no-reflection", ... as --no-skip and the plan name them.
-std::string_view skip_name(Skip skip);
-std::optional<Skip> find_skip(std::string_view name);
+// As --no-skip and the plan name them.
+template <>
+struct EnumNames<Skip> {
+  static constexpr EnumName<Skip> list[] = {{Skip::no_reflection, "no-reflection"},
+                                            {Skip::behind_plane, "behind-plane"},
+                                            {Skip::unlit_surfaces, "unlit-surfaces"},
+                                            {Skip::dark_pairs, "dark-pairs"},
+                                            {Skip::convex, "convex"},
+                                            {Skip::hidden_nodes, "hidden-nodes"},
+                                            {Skip::clear_distance, "clear-distance"},
+                                            {Skip::decided_points, "decided-points"}};
+};
+inline constexpr std::size_t kSkips = std::size(EnumNames<Skip>::list);
 
 // The skips that are allowed.
 class SkipSet {

@@ -2,6 +2,7 @@
 // A project as read: plain data, world coordinates, metres, radians. Made by load_project().
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/base/xml_document.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
@@ -78,6 +79,13 @@ struct LightScene {
 // How side / spacing becomes a number of cells: the nearest number, the next one up, or the next
 // odd one up. Never below 1.
 enum class GridRounding { nearest, up, odd_up };
+
+template <>
+struct EnumNames<GridRounding> {
+  static constexpr EnumName<GridRounding> list[] = {{GridRounding::nearest, "nearest"},
+                                                    {GridRounding::up, "up"},
+                                                    {GridRounding::odd_up, "odd-up"}};
+};
 
 // The largest spacing is p = factor * base^log10(d), at most `max_spacing_m`; d is the longer side,
 // or the shorter one if longer / shorter >= shorter_from_ratio. As it stands: EN 12464-1.

@@ -396,11 +396,6 @@ class GridMaker {
 
 }  // namespace
 
-const char* rounding_name(GridRounding rounding) {
-  constexpr std::array kNames{"nearest", "up", "odd-up"};
-  return kNames[static_cast<std::size_t>(rounding)];
-}
-
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
   constexpr std::array kRounded{"rounded to the nearest number", "rounded up",
                                 "rounded up to an odd number"};

@@ -56,9 +56,6 @@ struct GridCounts {
 };
 GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m);
 
-// "nearest", "up", "odd-up"
-const char* rounding_name(GridRounding rounding);
-
 // What a report prints: the rule, the side it went by, the spacing, both quotients, the rounding
 // and the counts.
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m);

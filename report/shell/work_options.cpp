@@ -19,21 +19,18 @@ const std::vector<std::pair<std::string_view, calc::Method>> kMethods = {
     {"light-pool", calc::Method::light_pool},
     {"instant-radiosity", calc::Method::instant_radiosity}};
 
-// A name of calc::skip_name(), or "all"; forbidden besides those that are already.
+// A name of calc::name_of(), or "all"; forbidden besides those that are already.
 ValueParser forbidden_skip(calc::SkipSet& target) {
   return [&target](const std::string& text) -> std::string {
     if (text == "all") {
       target.forbid_all();
       return "";
     }
-    if (const std::optional<calc::Skip> skip = calc::find_skip(text)) {
+    if (const std::optional<calc::Skip> skip = calc::find_value<calc::Skip>(text)) {
       target.forbid(*skip);
       return "";
     }
-    std::vector<std::string_view> names;
-    for (std::size_t s = 0; s < calc::kSkips; ++s) {
-      names.push_back(calc::skip_name(static_cast<calc::Skip>(s)));
-    }
+    std::vector<std::string_view> names = calc::names_of<calc::Skip>();
     names.push_back("all");
     return one_of_message(text, names);
   };
@@ -62,9 +59,8 @@ std::string no_skip_words(const calc::SkipSet& skips) {
   none.forbid_all();
   if (skips == none) return " --no-skip all";
   std::string text;
-  for (std::size_t s = 0; s < calc::kSkips; ++s) {
-    const auto skip = static_cast<calc::Skip>(s);
-    if (!skips.allows(skip)) text += fmt::format(" --no-skip {}", calc::skip_name(skip));
+  for (const auto& [skip, name] : calc::EnumNames<calc::Skip>::list) {
+    if (!skips.allows(skip)) text += fmt::format(" --no-skip {}", name);
   }
   return text;
 }

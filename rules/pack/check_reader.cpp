@@ -129,8 +129,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.mask = read_mask_name(reader, pack);
   check.state = static_cast<LightState>(
       reader.choice_or("state", {"maintained", "initial", "end-of-duration"}, 0));
-  check.sources = static_cast<LightSources>(
-      reader.choice_or("sources", {"all", "electric", "emergency", "daylight"}, 0));
+  check.sources = reader.value_or("sources", LightSources::all);
   check.direct_only = reader.choice_or("light", {"all", "direct"}, 0) == 1;
   check.any_one_unit_out = reader.choice_or("outage", {"none", "any-one-unit"}, 0) == 1;
   check.trust = read_trust(reader);

@@ -37,7 +37,7 @@ Limit row_value(const Expression& expression, const LimitScope& scope) {
   if (value == nullptr || !value->required) {
     const NoValue why = value == nullptr ? NoValue::not_specified : value->why;
     const std::string reason =
-        fmt::format("row {}: {} is {}", scope.row->ref, expression.name, no_value_name(why));
+        fmt::format("row {}: {} is {}", scope.row->ref, expression.name, calc::name_of(why));
     return missing(why == NoValue::unknown ? LimitStatus::unknown : LimitStatus::not_applicable,
                    reason);
   }

@@ -40,8 +40,7 @@ RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const 
   const double factor = parameter == nullptr ? 1.0 : parameter->unit.factor;
   if (!reader.exclude("required", "none")) return value;
   if (reader.has("none")) {
-    value.why =
-        static_cast<NoValue>(reader.choice("none", {"not-specified", "not-applicable", "unknown"}));
+    value.why = reader.value<NoValue>("none");
     if (reader.has("modified")) {
       reader.report(DiagnosticId::attribute_without_meaning, reader.where("modified"), "value",
                     "modified", "none");
@@ -200,8 +199,7 @@ RuleTable read_table(const calc::XmlElement& element, calc::Diagnostics& diagnos
   table.id = reader.id();
   table.key_unit = read_unit(reader, "key-unit");
   table.value_unit = read_unit(reader, "value-unit");
-  table.match = static_cast<TableMatch>(
-      reader.choice("match", {"exact", "next-lower", "next-higher", "linear"}));
+  table.match = reader.value<TableMatch>("match");
   table.trust = read_trust(reader);
   table.has_trust = reader.has("trust");
   for (const calc::XmlElement& child : element.children) {

@@ -65,18 +65,6 @@ const char* trust_remark(Trust trust) {
   return "";
 }
 
-const char* no_value_name(NoValue why) {
-  switch (why) {
-    case NoValue::not_specified:
-      return "not-specified";
-    case NoValue::not_applicable:
-      return "not-applicable";
-    case NoValue::unknown:
-      return "unknown";
-  }
-  return "";
-}
-
 const Quantity* quantity_from_name(std::string_view name) {
   for (const Quantity& quantity : kQuantities) {
     if (name == quantity.name) return &quantity;
@@ -143,7 +131,7 @@ std::string grid_text(const RuleGrid& grid) {
           "p = {:g} * {:g}^log10 d m, at most {:g} m; d the longer side, the shorter one from a "
           "ratio of {:g} on; counts rounded: {}",
           formula->factor_m, formula->base, formula->max_spacing_m, formula->shorter_from_ratio,
-          calc::rounding_name(formula->rounding));
+          calc::name_of(formula->rounding));
     } else if (const auto* spacing = std::get_if<calc::GridBySpacing>(&*grid.rule)) {
       text = fmt::format("at most {:g} m along the longer and {:g} m along the shorter side",
                          spacing->along_u_m, spacing->along_v_m);

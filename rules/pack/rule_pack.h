@@ -3,6 +3,7 @@
 // everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/aggregate.h"
@@ -37,7 +38,20 @@ enum class NoValue {
   not_applicable,  // it makes no sense there
   unknown,         // the standard has a value, this pack does not
 };
-const char* no_value_name(NoValue why);  // "not-specified", "not-applicable", "unknown"
+
+}  // namespace rules
+
+namespace calc {
+template <>
+struct EnumNames<rules::NoValue> {
+  static constexpr EnumName<rules::NoValue> list[] = {
+      {rules::NoValue::not_specified, "not-specified"},
+      {rules::NoValue::not_applicable, "not-applicable"},
+      {rules::NoValue::unknown, "unknown"}};
+};
+}  // namespace calc
+
+namespace rules {
 
 // A place where numbers were found.
 struct RuleSource {
@@ -78,6 +92,21 @@ struct RuleRow {
 };
 
 enum class TableMatch { exact, next_lower, next_higher, linear };
+
+}  // namespace rules
+
+namespace calc {
+template <>
+struct EnumNames<rules::TableMatch> {
+  static constexpr EnumName<rules::TableMatch> list[] = {
+      {rules::TableMatch::exact, "exact"},
+      {rules::TableMatch::next_lower, "next-lower"},
+      {rules::TableMatch::next_higher, "next-higher"},
+      {rules::TableMatch::linear, "linear"}};
+};
+}  // namespace calc
+
+namespace rules {
 struct RuleTable {
   struct Entry {
     double key = 0.0;
@@ -111,6 +140,21 @@ const Quantity* quantity_from_name(std::string_view name);  // nullptr if there 
 calc::Names quantity_names();
 
 enum class LightSources { all, electric, emergency, daylight };
+
+}  // namespace rules
+
+namespace calc {
+template <>
+struct EnumNames<rules::LightSources> {
+  static constexpr EnumName<rules::LightSources> list[] = {
+      {rules::LightSources::all, "all"},
+      {rules::LightSources::electric, "electric"},
+      {rules::LightSources::emergency, "emergency"},
+      {rules::LightSources::daylight, "daylight"}};
+};
+}  // namespace calc
+
+namespace rules {
 
 struct RuleCheck {
   std::string id;      // unique in the pack

@@ -54,7 +54,7 @@ struct Axes {
 std::optional<Axes> axes_for(calc::MeshFormat format, const GeometryOptions& options,
                              const std::string& path, calc::Diagnostics& diagnostics) {
   if (calc::has_fixed_units(format)) return Axes{"m", "y"};
-  const std::string_view name = calc::mesh_format_name(format);
+  const std::string_view name = calc::name_of(format);
   const calc::SourceLocation where{path, 0, 0};
   if (options.mesh_units.empty()) {
     diagnostics.report(calc::DiagnosticId::geometry_needs, where, name, "their unit",
@@ -89,7 +89,7 @@ void examine_mesh(const std::string& bytes, const calc::FileReader& files,
   if (!mesh) return;
   const std::optional<Axes> axes = axes_for(mesh->format, options, report.path, diagnostics);
   if (!axes) return;
-  report.kind = calc::mesh_format_name(mesh->format);
+  report.kind = calc::name_of(mesh->format);
   report.units = axes->units;
   report.up = axes->up;
   const calc::SourceLocation where{report.path, 0, 0};

@@ -49,8 +49,8 @@ Json space_json(const check::SpacePlan& space, const calc::RadiositySettings& se
                               {"exact", plane.is_exact}});
   }
   for (const calc::SkipDecision& decision : space.plan.skips) {
-    Json skip = {{"name", calc::skip_name(decision.skip)},
-                 {"state", calc::skip_state_name(decision.state)},
+    Json skip = {{"name", calc::name_of(decision.skip)},
+                 {"state", calc::name_of(decision.state)},
                  {"why", decision.why},
                  {"planes", decision.planes}};
     if (decision.body) skip["body"] = space.obstacle;

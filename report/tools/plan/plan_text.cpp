@@ -52,7 +52,7 @@ std::string decision_line(const calc::SkipDecision& decision, const check::Space
     }
     why += ")";
   }
-  return fmt::format("      {:<15} {}\n", calc::skip_name(decision.skip), why);
+  return fmt::format("      {:<15} {}\n", calc::name_of(decision.skip), why);
 }
 
 std::string decisions(const check::SpacePlan& space, calc::SkipState state, const char* heading) {

@@ -24,7 +24,7 @@ std::string with_unit(double value, const char* unit) {
 std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
   const rules::Unit unit = pack.find_parameter(value.parameter)->unit;
   const char* name = unit.dimension == rules::Dimension::plain ? "" : unit.name.data();
-  if (!value.required) return fmt::format("{} {}", value.parameter, no_value_name(value.why));
+  if (!value.required) return fmt::format("{} {}", value.parameter, calc::name_of(value.why));
   std::string text =
       fmt::format("{} {}", value.parameter, with_unit(*value.required / unit.factor, name));
   if (value.modified) {

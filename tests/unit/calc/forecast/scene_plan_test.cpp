@@ -1,5 +1,4 @@
 #include "calc/forecast/scene_plan.h"
-
 #include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gmock/gmock.h>
@@ -82,7 +81,7 @@ TEST_F(APlan, HonoursForbiddenSkips) {
   settings.skips.forbid_all();
   std::fill(scene.reflectance.begin(), scene.reflectance.end(), 0.0);
   for (const calc::SkipDecision& d : plan().skips) {
-    EXPECT_EQ(d.state, calc::SkipState::forbidden) << calc::skip_name(d.skip);
+    EXPECT_EQ(d.state, calc::SkipState::forbidden) << calc::name_of(d.skip);
   }
   EXPECT_GT(plan().last_look.work.pool_rays, 0.0);
 }
