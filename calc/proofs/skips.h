@@ -34,6 +34,8 @@ struct EnumNames<Skip> {
                                             {Skip::decided_points, "decided-points"}};
 };
 inline constexpr std::size_t kSkips = std::size(EnumNames<Skip>::list);
+static_assert(static_cast<std::size_t>(EnumNames<Skip>::list[kSkips - 1].value) == kSkips - 1,
+              "every skip has a name: SkipSet counts on it");
 
 // The skips that are allowed.
 class SkipSet {
