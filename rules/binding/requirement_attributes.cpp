@@ -17,7 +17,7 @@ constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"
 calc::Names quantity_names() {
   calc::Names names = metric_names();
   for (const Metric metric : {Metric::power_density, Metric::power_per_100_lx, Metric::leni}) {
-    names.emplace_back(metric_name(metric));
+    names.emplace_back(calc::name_of(metric));
   }
   return names;
 }
@@ -47,7 +47,7 @@ std::vector<RequirementAttribute> make_attributes() {
        .schema_type = "lightState",
        .meaning =
            "With the maintenance factor or as new; maintained if not given, initial for ugr.",
-       .words = {state_name(LightState::maintained), state_name(LightState::initial)}},
+       .words = {calc::name_of(LightState::maintained), calc::name_of(LightState::initial)}},
       {.name = "scene",
        .form = either,
        .kind = id,

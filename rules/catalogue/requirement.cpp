@@ -7,23 +7,22 @@ namespace {
 
 struct MetricEntry {
   Metric metric;
-  const char* name;
   bool is_ratio;
 };
 
 constexpr std::array kMetrics{
-    MetricEntry{Metric::average, "average", false},
-    MetricEntry{Metric::minimum, "minimum", false},
-    MetricEntry{Metric::maximum, "maximum", false},
-    MetricEntry{Metric::uniformity_min_avg, "Uo", true},
-    MetricEntry{Metric::uniformity_min_max, "Ud", true},
-    MetricEntry{Metric::percentile, "percentile", false},
-    MetricEntry{Metric::value_at_point, "value", false},
-    MetricEntry{Metric::share, "share", true},
-    MetricEntry{Metric::power_density, "power-density", false},
-    MetricEntry{Metric::power_per_100_lx, "power-per-100-lx", false},
-    MetricEntry{Metric::leni, "LENI", false},
-    MetricEntry{Metric::gradient, "gradient", true},
+    MetricEntry{Metric::average, false},
+    MetricEntry{Metric::minimum, false},
+    MetricEntry{Metric::maximum, false},
+    MetricEntry{Metric::uniformity_min_avg, true},
+    MetricEntry{Metric::uniformity_min_max, true},
+    MetricEntry{Metric::percentile, false},
+    MetricEntry{Metric::value_at_point, false},
+    MetricEntry{Metric::share, true},
+    MetricEntry{Metric::power_density, false},
+    MetricEntry{Metric::power_per_100_lx, false},
+    MetricEntry{Metric::leni, false},
+    MetricEntry{Metric::gradient, true},
 };
 
 const MetricEntry& entry(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
@@ -39,20 +38,11 @@ static_assert(
 
 }  // namespace
 
-const char* metric_name(Metric metric) { return entry(metric).name; }
-
-std::optional<Metric> metric_from_name(std::string_view name) {
-  for (const MetricEntry& candidate : kMetrics) {
-    if (name == candidate.name) return candidate.metric;
-  }
-  return std::nullopt;
-}
-
 std::vector<std::string_view> metric_names() {
   std::vector<std::string_view> names;
   names.reserve(kMetrics.size());
   for (const MetricEntry& candidate : kMetrics) {
-    if (!is_about_power(candidate.metric)) names.emplace_back(candidate.name);
+    if (!is_about_power(candidate.metric)) names.push_back(calc::name_of(candidate.metric));
   }
   return names;
 }
@@ -67,18 +57,6 @@ const char* comparison_name(Comparison comparison) {
       return "more-than";
     case Comparison::less_than:
       return "less-than";
-  }
-  return "";
-}
-
-const char* state_name(LightState state) {
-  switch (state) {
-    case LightState::maintained:
-      return "maintained";
-    case LightState::initial:
-      return "initial";
-    case LightState::end_of_duration:
-      return "end-of-duration";
   }
   return "";
 }

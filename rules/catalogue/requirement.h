@@ -2,6 +2,7 @@
 // What a plane must meet: plain data.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/policy.h"
@@ -88,21 +89,16 @@ struct Requirement {
   calc::SourceLocation where;
 };
 
-// Names as written in project files and shown in reports: "average", "minimum", "maximum", "Uo",
-// "Ud", "percentile", "value", "share", "power-density", "power-per-100-lx", "LENI", "gradient".
-// metric_names(): without those about power, which are no statistics of points.
-const char* metric_name(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
+// Of all statistics of points: without those about power.
 std::vector<std::string_view> metric_names();
 
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {
   return comparison == Comparison::at_least || comparison == Comparison::more_than;
 }
-// As written in projects and packs: "at-least", "at-most", "more-than", "less-than".
+// As attributes in projects and packs: "at-least", "at-most", "more-than", "less-than". In results
+// calc::name_of().
 const char* comparison_name(Comparison comparison);
-// "maintained", "initial", "end-of-duration"
-const char* state_name(LightState state);
 
 bool is_ratio(Metric metric);
 bool is_about_power(Metric metric);  // or energy
@@ -115,3 +111,51 @@ const char* unit_of(const Requirement& requirement);
 bool is_in_lux(const Requirement& requirement);
 
 }  // namespace rules
+
+namespace calc {
+
+// As written in project files and shown in reports.
+template <>
+struct EnumNames<rules::Metric> {
+  static constexpr EnumName<rules::Metric> list[] = {
+      {rules::Metric::average, "average"},
+      {rules::Metric::minimum, "minimum"},
+      {rules::Metric::maximum, "maximum"},
+      {rules::Metric::uniformity_min_avg, "Uo"},
+      {rules::Metric::uniformity_min_max, "Ud"},
+      {rules::Metric::percentile, "percentile"},
+      {rules::Metric::value_at_point, "value"},
+      {rules::Metric::share, "share"},
+      {rules::Metric::power_density, "power-density"},
+      {rules::Metric::power_per_100_lx, "power-per-100-lx"},
+      {rules::Metric::leni, "LENI"},
+      {rules::Metric::gradient, "gradient"}};
+};
+
+// In results.
+template <>
+struct EnumNames<rules::Comparison> {
+  static constexpr EnumName<rules::Comparison> list[] = {
+      {rules::Comparison::at_least, "at_least"},
+      {rules::Comparison::at_most, "at_most"},
+      {rules::Comparison::more_than, "more_than"},
+      {rules::Comparison::less_than, "less_than"}};
+};
+
+template <>
+struct EnumNames<rules::LightState> {
+  static constexpr EnumName<rules::LightState> list[] = {
+      {rules::LightState::maintained, "maintained"},
+      {rules::LightState::initial, "initial"},
+      {rules::LightState::end_of_duration, "end-of-duration"}};
+};
+
+template <>
+struct EnumNames<rules::Severity> {
+  static constexpr EnumName<rules::Severity> list[] = {
+      {rules::Severity::shall, "shall"},
+      {rules::Severity::advice, "advice"},
+      {rules::Severity::in_aggregate, "in-aggregate"}};
+};
+
+}  // namespace calc

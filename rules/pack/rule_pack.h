@@ -3,6 +3,7 @@
 // everything here is as written there, with numbers in base units (lx, m, W/m2, ...).
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/aggregate.h"
@@ -27,7 +28,6 @@ enum class Trust {
   single_source,  // one public source
   unverified,     // from memory, or doubtful
 };
-const char* trust_name(Trust trust);  // "confirmed", "single-source", "unverified"
 const char* trust_remark(
     Trust trust);  // for reports: "" , "one public source", "unverified requirement"
 
@@ -240,3 +240,14 @@ std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string&
 std::vector<RulePack> builtin_rule_packs();
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Trust> {
+  static constexpr EnumName<rules::Trust> list[] = {{rules::Trust::confirmed, "confirmed"},
+                                                    {rules::Trust::single_source, "single-source"},
+                                                    {rules::Trust::unverified, "unverified"}};
+};
+
+}  // namespace calc
