@@ -20,12 +20,14 @@ luxgate_test(report_tests
     unit/report/images/png_test.cpp
     unit/report/images/polar_diagram_test.cpp
     unit/report/result_file/read_json_test.cpp
-    unit/report/text/redact_test.cpp
+    unit/report/result_file/redact_test.cpp
+    unit/report/result_file/result_schema_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
     unit/report/formats/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)
-target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats")
+target_compile_definitions(report_tests PRIVATE LUXGATE_FORMAT_SAMPLES="${CMAKE_CURRENT_SOURCE_DIR}/unit/report/formats"
+  LUXGATE_RESULT_SCHEMA="${PROJECT_SOURCE_DIR}/report/result_file/result.schema.json")
 
 luxgate_test(luminaire_shares_tests SOURCES unit/report/build/build_luminaire_shares_test.cpp LIBRARIES report)
 

@@ -48,7 +48,7 @@ std::string format_diagnostic(const Diagnostic& diagnostic) {
   if (diagnostic.where.line > 0) text += fmt::format(":{}", diagnostic.where.line);
   if (diagnostic.where.column > 0) text += fmt::format(":{}", diagnostic.where.column);
   if (!text.empty()) text += ": ";
-  text += diagnostic.severity() == Severity::error ? "error" : "warning";
+  text += name_of(diagnostic.severity());
   return text + "[" + diagnostic_name(diagnostic.id) + "]: " + diagnostic.message;
 }
 

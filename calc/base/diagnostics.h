@@ -3,6 +3,8 @@
 // (diagnostics.def), one collector, one text form. Libraries report here; only the command line
 // prints.
 
+#include "calc/base/names.h"
+
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -21,6 +23,12 @@ struct SourceLocation {
 };
 
 enum class Severity { warning, error };
+
+template <>
+struct EnumNames<Severity> {
+  static constexpr EnumName<Severity> list[] = {{Severity::error, "error"},
+                                                {Severity::warning, "warning"}};
+};
 
 enum class DiagnosticId {
 #define LUXGATE_DIAGNOSTIC(id, severity, text) id,

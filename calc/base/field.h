@@ -1,6 +1,8 @@
 #pragma once
 // What the calculation hands to rules and report: illuminance per replicate, channel and point.
 
+#include "calc/base/names.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +40,18 @@ enum class StopReason {
   memory_limit,
   endless_path,
   interrupted
+};
+
+template <>
+struct EnumNames<StopReason> {
+  static constexpr EnumName<StopReason> list[] = {{StopReason::exact, "exact"},
+                                                  {StopReason::decided, "decided"},
+                                                  {StopReason::accurate, "accurate"},
+                                                  {StopReason::path_limit, "path-limit"},
+                                                  {StopReason::time_limit, "time-limit"},
+                                                  {StopReason::memory_limit, "memory-limit"},
+                                                  {StopReason::endless_path, "endless-path"},
+                                                  {StopReason::interrupted, "interrupted"}};
 };
 
 // Counts of what was done for one plane; for reports and benchmarks.

@@ -2,6 +2,7 @@
 // Calculation points of a plane, and an account of how they were chosen.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 
@@ -14,6 +15,14 @@
 namespace calc {
 
 enum class DropReason { outside_area, within_margin, outside_room, inside_solid };
+
+template <>
+struct EnumNames<DropReason> {
+  static constexpr EnumName<DropReason> list[] = {{DropReason::outside_area, "outside-area"},
+                                                  {DropReason::within_margin, "within-margin"},
+                                                  {DropReason::outside_room, "outside-room"},
+                                                  {DropReason::inside_solid, "inside-solid"}};
+};
 
 struct DroppedPoint {
   glm::dvec3 position_m;

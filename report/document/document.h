@@ -4,6 +4,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/field.h"
+#include "calc/base/names.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
@@ -234,3 +235,15 @@ rules::Outcome outcome_of(const Document& document);
 rules::Outcome outcome_of(const ProjectPart& project);
 
 }  // namespace report
+
+namespace calc {
+
+template <>
+struct EnumNames<report::SameBits> {
+  static constexpr EnumName<report::SameBits> list[] = {
+      {report::SameBits::any_processor, "any-processor"},
+      {report::SameBits::same_device, "same-device"},
+      {report::SameBits::nowhere, "nowhere"}};
+};
+
+}  // namespace calc

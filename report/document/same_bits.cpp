@@ -20,18 +20,6 @@ bool is_cut_short(const Document& document) {
 
 }  // namespace
 
-const char* same_bits_name(SameBits same_bits) {
-  switch (same_bits) {
-    case SameBits::any_processor:
-      return "any-processor";
-    case SameBits::same_device:
-      return "same-device";
-    case SameBits::nowhere:
-      return "nowhere";
-  }
-  return "";
-}
-
 SameBits same_bits_of(const Document& document, bool uses_graphics_device) {
   if (is_cut_short(document)) return SameBits::nowhere;
   return uses_graphics_device ? SameBits::same_device : SameBits::any_processor;

@@ -5,9 +5,6 @@
 
 namespace report {
 
-// "any-processor", "same-device", "nowhere"
-const char* same_bits_name(SameBits same_bits);
-
 // Of a document whose projects are all there.
 SameBits same_bits_of(const Document& document, bool uses_graphics_device);
 

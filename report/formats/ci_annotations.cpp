@@ -4,7 +4,6 @@
 #include "report/formats/ci_finding.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
-#include "report/text/redact.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

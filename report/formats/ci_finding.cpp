@@ -24,7 +24,7 @@ std::string finding_message(const PlanePart& plane, const rules::Finding& findin
   if (is_judged) text += " " + format_measured(finding.measured, unit, threshold);
   text += ", required " + format_required(threshold, unit);
   if (requirement.state != rules::LightState::maintained) {
-    text += fmt::format(" ({})", rules::state_name(requirement.state));
+    text += fmt::format(" ({})", calc::name_of(requirement.state));
   }
   if (!requirement.scene.empty()) text += " in scene " + requirement.scene;
   if (is_judged) text += ", margin " + format_margin(finding.margin);
@@ -73,7 +73,7 @@ CiFinding of_finding(CiFinding entry, const rules::Finding& finding) {
   entry.finding = &finding;
   entry.verdict = finding.verdict;
   entry.counts = rules::counts(outcome_of(finding));
-  entry.rule = rules::metric_name(finding.requirement.metric);
+  entry.rule = calc::name_of(finding.requirement.metric);
   entry.key += "/" + printable(finding.requirement.id);
   if (!finding.requirement.where.file.empty()) entry.where = finding.requirement.where;
   entry.message = finding_message(*entry.plane, finding);
@@ -101,7 +101,7 @@ CiFinding of_aggregate(const ProjectPart& project, const rules::AggregateFinding
   entry.aggregate = &finding;
   entry.verdict = finding.verdict;
   entry.counts = rules::counts(outcome_of(finding));
-  entry.rule = rules::kind_name(finding.kind);
+  entry.rule = calc::name_of(finding.kind);
   entry.key = printable(
       fmt::format("{}:{}/{}/{}", entry.rule, finding.space_id, finding.plane_id, finding.id));
   if (number > 1) entry.key += fmt::format("-{}", number);

@@ -2,7 +2,6 @@
 
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
-#include "report/text/redact.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 

@@ -42,10 +42,10 @@ void add_finding(const std::string& place, const rules::Finding& finding, std::s
     return is_judged && finding.place_m ? number((*finding.place_m)[axis]) : std::string();
   };
   const bool has_percent = requirement.metric == rules::Metric::percentile;
-  add_row({place, field(requirement.id), rules::metric_name(requirement.metric),
+  add_row({place, field(requirement.id), std::string(calc::name_of(requirement.metric)),
            has_percent ? number(requirement.percent) : "", rules::unit_of(requirement),
-           field(requirement.scene), state_name(requirement.state), field(requirement.clause),
-           comparison_key(requirement.comparison),
+           field(requirement.scene), std::string(calc::name_of(requirement.state)),
+           field(requirement.clause), std::string(calc::name_of(requirement.comparison)),
            std::isnan(requirement.limit) ? "" : number(requirement.limit),
            measured(finding.measured.value), measured(finding.measured.low),
            measured(finding.measured.high), measured(finding.margin),
@@ -88,7 +88,7 @@ void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& fi
            field(finding.space_id),
            field(finding.plane_id),
            field(finding.id),
-           rules::kind_name(finding.kind),
+           std::string(calc::name_of(finding.kind)),
            "",
            "",
            "",

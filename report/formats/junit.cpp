@@ -2,7 +2,6 @@
 
 #include "report/formats/ci_finding.h"
 #include "report/text/plain_text.h"
-#include "report/text/redact.h"
 #include "report/text/words.h"
 
 #include <pugixml.hpp>
@@ -74,7 +73,7 @@ void add_case(pugi::xml_node suite, const CiFinding& entry) {
     return;
   }
   pugi::xml_node problem = test.append_child(result == CaseResult::error ? "error" : "failure");
-  set(problem, "type", verdict_key(entry.verdict));
+  set(problem, "type", calc::name_of(entry.verdict).data());
   set(problem, "message", words);
   problem.text() = words.c_str();
 }

@@ -151,7 +151,7 @@ std::string curve_svg(const Frame& frame, const Curve& curve) {
     path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(frame.x(place.paths)),
                         svg_number(frame.y(place.width)));
   }
-  const char* tone = verdict_key(curve.verdict);
+  const std::string_view tone = calc::name_of(curve.verdict);
   std::string svg = fmt::format("<g class=\"{}\"><path class=\"curve\" d=\"{}\"/>", tone, path);
   const std::size_t mark = curve.decided.value_or(curve.places.size() - 1);
   svg += fmt::format("<circle{} cx=\"{}\" cy=\"{}\" r=\"3.2\"><title>{}</title></circle></g>",

@@ -54,7 +54,7 @@ std::string gauge(const rules::Finding& finding) {
       "aria-hidden=\"true\">"
       "<path class=\"axis\" d=\"M0 7h{1}\"/><path class=\"span\" d=\"M{2} 7H{3}\"/>"
       "<path class=\"limit\" d=\"M{4} 1v12\"/>{5}</svg>",
-      verdict_key(finding.verdict), kGaugeWidth, svg_number(std::min(low, high)),
+      calc::name_of(finding.verdict), kGaugeWidth, svg_number(std::min(low, high)),
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
@@ -192,7 +192,7 @@ std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
   std::string html;
   for (const rules::Finding& finding : plane.findings) {
     const bool is_first = &finding == &plane.findings.front();
-    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", verdict_key(finding.verdict),
+    html += fmt::format("<tr class=\"finding {}{}\">{}{}</tr>\n", calc::name_of(finding.verdict),
                         is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
                         finding_cells(t, plane, finding));
   }
@@ -281,7 +281,7 @@ std::string tools(const Texts& t) {
   std::string choices = fmt::format("<option value=\"\">{}</option>", t[Text::all]);
   for (const rules::Verdict verdict : {rules::Verdict::fail, rules::Verdict::undecided,
                                        rules::Verdict::not_judged, rules::Verdict::pass}) {
-    choices += fmt::format("<option value=\"{}\">{}</option>", verdict_key(verdict),
+    choices += fmt::format("<option value=\"{}\">{}</option>", calc::name_of(verdict),
                            verdict_words(t, verdict));
   }
   return fmt::format(
@@ -313,7 +313,7 @@ Text banner_sentence(rules::Outcome outcome, const VerdictCounts& counts) {
 // asked there is no verdict: grey is set here, so that the style of all other pages stays as it is.
 std::string banner_attributes(rules::Outcome outcome) {
   const auto like = [](rules::Verdict verdict) {
-    return fmt::format("class=\"banner {}\"", verdict_key(verdict));
+    return fmt::format("class=\"banner {}\"", calc::name_of(verdict));
   };
   switch (outcome) {
     case rules::Outcome::not_judged:
@@ -340,7 +340,7 @@ std::string html_verdict_banner(const Texts& t, const Document& document) {
   std::string chips;
   for (const rules::Verdict verdict : rules::kGravestFirst) {
     const int count = counts.of(verdict);
-    chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", verdict_key(verdict),
+    chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", calc::name_of(verdict),
                          count == 0 ? " none" : "", count, verdict_words(t, verdict));
   }
   return fmt::format(
@@ -397,7 +397,7 @@ std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
   if (plane.findings.empty()) return {};
   std::string rows, notes;
   for (const rules::Finding& finding : plane.findings) {
-    rows += fmt::format("<tr class=\"{}\">{}</tr>\n", verdict_key(finding.verdict),
+    rows += fmt::format("<tr class=\"{}\">{}</tr>\n", calc::name_of(finding.verdict),
                         finding_cells(t, plane, finding));
     const std::string remark = remarks(t, finding);
     if (remark.empty()) continue;

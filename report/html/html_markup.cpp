@@ -38,7 +38,7 @@ std::string base64(std::string_view bytes) {
 std::string badge(const Texts& t, rules::Verdict verdict) {
   return fmt::format(
       "<span class=\"badge {}\"><span class=\"sign\" aria-hidden=\"true\">{}</span>{}</span>",
-      verdict_key(verdict), verdict_symbol(verdict), verdict_words(t, verdict));
+      calc::name_of(verdict), verdict_symbol(verdict), verdict_words(t, verdict));
 }
 
 std::string plane_anchor(PlaneIndex index) {

@@ -4,7 +4,6 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_polar.h"
 #include "report/text/markup.h"
-#include "report/text/redact.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

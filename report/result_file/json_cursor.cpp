@@ -48,11 +48,6 @@ bool JsonCursor::flag() const {
   return json_->get<bool>();
 }
 
-double JsonCursor::number() const {
-  if (json_->is_null()) return std::numeric_limits<double>::quiet_NaN();
-  return finite();
-}
-
 double JsonCursor::finite() const {
   if (!json_->is_number()) refuse("a number is needed");
   const double value = json_->get<double>();
@@ -73,8 +68,10 @@ std::int64_t JsonCursor::whole(std::int64_t low, std::int64_t high) const {
   return value;
 }
 
-std::uint64_t JsonCursor::count() const {
-  if (!json_->is_number_unsigned()) refuse("a whole number of at least 0 is needed");
+std::uint64_t JsonCursor::count(std::uint64_t least) const {
+  if (!json_->is_number_unsigned() || json_->get<std::uint64_t>() < least) {
+    refuse(fmt::format("a whole number of at least {} is needed", least));
+  }
   return json_->get<std::uint64_t>();
 }
 

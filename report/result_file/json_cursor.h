@@ -34,34 +34,12 @@ class JsonCursor {
 
   std::string text() const;
   bool flag() const;
-  // Finite, or NaN for null: "what is not a finite number is null".
-  double number() const;
   double finite() const;
   // Whole, low <= value <= high.
   std::int64_t whole(std::int64_t low, std::int64_t high) const;
-  std::uint64_t count() const;
+  std::uint64_t count(std::uint64_t least = 0) const;  // whole
   std::vector<JsonCursor> items() const;
   std::vector<JsonCursor> items(std::size_t count) const;  // exactly so many
-
-  // The value among `values` whose name is this text.
-  template <class Values, class NameOf>
-  auto one_of(const Values& values, const NameOf& name_of) const {
-    const std::string found = text();
-    std::string names;
-    for (const auto& value : values) {
-      if (found == name_of(value)) return value;
-      names += (names.empty() ? "'" : ", '") + std::string(name_of(value)) + "'";
-    }
-    refuse("one of " + names + " is needed");
-  }
-
-  // Calls convert on each item.
-  template <class Convert>
-  auto list_of(const Convert& convert) const {
-    std::vector<decltype(convert(*this))> list;
-    for (const JsonCursor& item : items()) list.push_back(convert(item));
-    return list;
-  }
 
  private:
   const nlohmann::json* json_;

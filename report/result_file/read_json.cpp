@@ -1,76 +1,187 @@
 #include "report/result_file/read_json.h"
 
-#include "report/document/same_bits.h"
+#include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
-#include "report/result_file/read_json_parts.h"
+#include "report/result_file/result_fields.h"
 
-#include <array>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace report {
 namespace {
 
-Provenance provenance(const JsonCursor& at) {
-  Provenance p;
-  p.program_version = at["program_version"].text();
-  p.command_line = at["command_line"].text();
-  p.seed = at["seed"].count();
-  p.confidence = at["confidence"].finite();
-  p.goal =
-      at["goal"].one_of(std::array{rules::Goal::verdict, rules::Goal::accuracy}, rules::goal_name);
-  p.tolerance = at["tolerance"].finite();
-  p.max_paths = at["max_paths"].count();
-  p.replicates = read_whole(at["replicates"]);
-  p.backend = at["backend"].text();
-  p.numbers_version = read_whole(at["numbers_version"]);
-  p.same_bits = at["same_bits_on"].one_of(
-      std::array{SameBits::any_processor, SameBits::same_device, SameBits::nowhere},
-      same_bits_name);
-  if (const auto timestamp = at.find("timestamp")) p.timestamp = timestamp->text();
-  if (const auto redacted = at.find("redacted")) p.is_redacted = redacted->flag();
-  return p;
+template <class T>
+void read(const JsonCursor& at, T& value, const About& about);
+
+std::string choices_text(const std::vector<std::string_view>& choices) {
+  std::string text;
+  for (const std::string_view choice : choices)
+    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", choice);
+  return "one of " + text + " is needed";
 }
 
-calc::Diagnostic diagnostic(const JsonCursor& at) {
-  const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(at["id"].text());
-  if (!id) at["id"].refuse("no message of this program has that id");
-  return {*id, read_location(at["where"]), at["message"].text()};
+[[noreturn]] void refuse_name(const JsonCursor& at, const About& about,
+                              const std::vector<std::string_view>& choices) {
+  at.refuse(*about.unknown != '\0' ? about.unknown : choices_text(choices));
 }
 
-PhaseTimes times(const JsonCursor& at) {
-  PhaseTimes t;
-  t.load_s = at["load_s"].finite();
-  t.prepare_s = at["prepare_s"].finite();
-  t.direct_s = at["direct_s"].finite();
-  t.pool_s = at["pool_s"].finite();
-  t.connect_s = at["connect_s"].finite();
-  t.near_s = at["near_s"].finite();
-  if (const auto maps = at.find("maps_s")) t.maps_s = maps->finite();
-  t.judge_s = at["judge_s"].finite();
-  t.total_s = at["total_s"].finite();
-  return t;
+// One object of the file, key by key. Throws BadJson.
+class Reader : public Visitor {
+ public:
+  explicit Reader(const JsonCursor& at) : at_(at) {}
+
+  void refuse_if(bool is_bad, const char* key, const char* words) {
+    if (is_bad) at_[key].refuse(words);
+  }
+
+  void constant(const char* key, const char* value) {
+    if (at_[key].text() != value) at_[key].refuse(fmt::format("'{}' is needed", value));
+  }
+  void constant(const char* key, int value) { at_[key].whole(value, value); }
+
+  template <class T>
+  void field(const char* key, T&& value, const About& about = {}) {
+    const std::optional<JsonCursor> found = find(key, about);
+    if (found && !about.null_if.value_or(false)) read(*found, value, about);
+  }
+  template <class Item, class Start>
+  void items(const char* key, std::vector<Item>& items, const Start& start) {
+    for (const JsonCursor& at : at_[key].items()) {
+      start(items.emplace_back());
+      read(at, items.back(), {});
+    }
+  }
+  template <class Part, class Name, class Take>
+  void coded(const char* key, Part& part, const Name& /*name*/, const Take& take,
+             const std::vector<std::string_view>& choices, const About& about = {}) {
+    const JsonCursor at = at_[key];
+    if (!take(part, at.text())) refuse_name(at, about, choices);
+  }
+  template <class Fields>
+  void object(const char* key, const Fields& fields, const About& about = {}) {
+    if (const std::optional<JsonCursor> found = find(key, about)) {
+      Reader reader(*found);
+      fields(reader);
+    }
+  }
+  template <class Fields>
+  void if_true(const char* /*key*/, bool flag, const Fields& fields) {
+    if (flag) fields();
+  }
+  template <class First, class Second>
+  void either(bool is_first, const First& first, const Second& second) {
+    is_first ? first() : second();
+  }
+  template <class Item, class Cells>
+  void rows(const char* key, std::vector<Item>& items, const Cells& cells) {
+    for (const JsonCursor& at : at_[key].items()) {
+      Row row{at};
+      cells(row, items.emplace_back());
+    }
+  }
+  template <class T>
+  T& made(std::optional<T>& value) {
+    return value.emplace();
+  }
+
+ private:
+  struct Row {
+    template <class... Cell>
+    void operator()(Cell&&... cell) {
+      const std::vector<JsonCursor> cells = at.items(sizeof...(cell));
+      std::size_t next = 0;
+      (read(cells[next++], cell, {}), ...);
+    }
+    void refuse_if(bool is_bad, const char* words) const {
+      if (is_bad) at.refuse(words);
+    }
+
+    const JsonCursor& at;
+  };
+
+  std::optional<JsonCursor> find(const char* key, const About& about) const {
+    return about.presence.may_lack ? at_.find(key) : at_[key];
+  }
+
+  const JsonCursor& at_;
+};
+
+double number_within(const JsonCursor& at, const About& about) {
+  const double value = at.finite();
+  if (value < about.least.value_or(value) || value > about.most.value_or(value)) {
+    at.refuse(fmt::format("a number from {:g} to {:g} is needed", *about.least, *about.most));
+  }
+  if ((about.above && value <= *about.above) || (about.below && value >= *about.below)) {
+    at.refuse(
+        fmt::format("a number above {:g} and below {:g} is needed", *about.above, *about.below));
+  }
+  return value;
 }
 
-ProjectPart project(const JsonCursor& at) {
-  ProjectPart p;
-  p.path = at["path"].text();
-  p.name = at["name"].text();
-  p.is_judged = at["is_judged"].flag();
-  p.diagnostics = at["diagnostics"].list_of(diagnostic);
-  p.luminaires = at["luminaires"].list_of(read_luminaire);
-  p.spaces = at["spaces"].list_of(read_space);
-  p.inputs = at["inputs"].list_of([](const JsonCursor& input) {
-    return calc::InputFile{input["path"].text(), input["sha256"].text()};
-  });
-  if (const auto found = at.find("aggregates")) p.aggregates = found->list_of(read_aggregate);
-  if (const auto found = at.find("times")) p.times = times(*found);
-  return p;
+void read_line(const JsonCursor& at, Line& line) {
+  const std::vector<JsonCursor> ends = at.items(4);
+  line = {glm::dvec2(ends[0].finite(), ends[1].finite()),
+          glm::dvec2(ends[2].finite(), ends[3].finite())};
 }
 
-Document document(const JsonCursor& at) {
-  if (at["format"].text() != "luxgate-result") at["format"].refuse("'luxgate-result' is needed");
-  at["format_version"].whole(1, 1);
-  return {provenance(at["provenance"]), at["projects"].list_of(project)};
+template <class T>
+void read(const JsonCursor& at, T& value, const About& about) {
+  if constexpr (kIsOrNull<T>) {
+    value.value = at.is_null() ? value.none : at.finite();
+  } else if constexpr (kIsOptional<T>) {
+    value.reset();
+    if (!at.is_null()) read(at, value.emplace(), about);
+  } else if constexpr (Vector<T>) {
+    const std::vector<JsonCursor> items = at.items(T::length());
+    for (glm::length_t i = 0; i < T::length(); ++i)
+      value[i] = items[static_cast<std::size_t>(i)].finite();
+  } else if constexpr (std::is_same_v<T, Line>) {
+    read_line(at, value);
+  } else if constexpr (kIsList<T>) {
+    value.clear();
+    for (const JsonCursor& item : at.items()) read(item, value.emplace_back(), about);
+  } else if constexpr (Named<T>) {
+    const std::string name = at.text();
+    const std::vector<std::string_view> choices = names_of<T>(about);
+    const auto found = std::find(choices.begin(), choices.end(), name);
+    if (found == choices.end()) refuse_name(at, about, choices);
+    value = *calc::find_value<T>(name);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    value = at.text();
+  } else if constexpr (std::is_same_v<T, bool>) {
+    value = at.flag();
+  } else if constexpr (std::is_same_v<T, double>) {
+    value = number_within(at, about);
+  } else if constexpr (std::is_same_v<T, int>) {
+    const auto least = static_cast<std::int64_t>(about.least.value_or(0.0));
+    value = static_cast<int>(at.whole(least, std::numeric_limits<int>::max()));
+  } else if constexpr (std::is_unsigned_v<T>) {
+    value = at.count(static_cast<std::uint64_t>(about.least.value_or(0.0)));
+  } else {
+    Reader reader(at);
+    describe(reader, value);
+    if constexpr (std::is_same_v<T, calc::Estimate>) value = settled(value);
+  }
+}
+
+// What follows from the values that a file has.
+void complete(PlanePart& plane) {
+  calc::SensorGrid& grid = plane.grid;
+  grid.kernel = plane.kernel;
+  grid.derived = plane.derived;
+  for (const PointRow& point : plane.points) {
+    grid.position_m.push_back(point.position_m);
+    grid.normal.push_back(point.normal);
+    grid.column.push_back(point.column);
+    grid.row.push_back(point.row);
+  }
+  if (calc::is_plain_number(plane.derived)) {
+    plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  }
+  settle_estimates(plane);
 }
 
 }  // namespace
@@ -78,7 +189,16 @@ Document document(const JsonCursor& at) {
 std::optional<Document> read_json(std::string_view bytes, std::string& problem) {
   try {
     const nlohmann::json json = nlohmann::json::parse(bytes);
-    return document(JsonCursor(json));
+    Document document;
+    read(JsonCursor(json), document, {});
+    for (ProjectPart& project : document.projects) {
+      for (SpacePart& space : project.spaces) {
+        for (PlanePart& plane : space.planes) {
+          if (plane.is_computed) complete(plane);
+        }
+      }
+    }
+    return document;
   } catch (const BadJson& bad) {
     problem = bad.what();
   } catch (const nlohmann::json::exception& error) {

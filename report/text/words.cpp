@@ -79,10 +79,6 @@ const char* verdict_symbol(rules::Verdict verdict) {
   return outcome_symbol(rules::outcome_of(verdict));
 }
 
-const char* verdict_key(rules::Verdict verdict) {
-  return verdict == rules::Verdict::not_judged ? "not-judged" : rules::verdict_name(verdict);
-}
-
 const char* outcome_words(const Texts& t, rules::Outcome outcome) {
   switch (outcome) {
     case rules::Outcome::not_judged:
@@ -140,9 +136,9 @@ const char* state_words(const Texts& t, const PlanePart& plane) {
   return t[plane.derived == calc::DerivedQuantity::ugr ? Text::initial : Text::maintained];
 }
 
-const char* value_key(const PlanePart& plane) {
-  if (plane.derived == calc::DerivedQuantity::ugr) return "ugr";
-  return plane.derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";
+const char* value_key(calc::DerivedQuantity derived) {
+  if (derived == calc::DerivedQuantity::ugr) return "ugr";
+  return derived == calc::DerivedQuantity::modelling ? "modelling" : "illuminance_lx";
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement) {
@@ -187,20 +183,6 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
   return words + " " + t[quantity_texts(kernel, requirement.derived).of];
 }
 
-const char* comparison_key(rules::Comparison comparison) {
-  switch (comparison) {
-    case rules::Comparison::at_least:
-      return "at_least";
-    case rules::Comparison::at_most:
-      return "at_most";
-    case rules::Comparison::more_than:
-      return "more_than";
-    case rules::Comparison::less_than:
-      return "less_than";
-  }
-  return "";
-}
-
 const char* comparison_sign(rules::Comparison comparison) {
   switch (comparison) {
     case rules::Comparison::at_least:
@@ -213,11 +195,6 @@ const char* comparison_sign(rules::Comparison comparison) {
       return "<";
   }
   return "";
-}
-
-const char* severity_key(rules::Severity severity) {
-  if (severity == rules::Severity::in_aggregate) return "in-aggregate";
-  return severity == rules::Severity::shall ? "shall" : "advice";
 }
 
 std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
@@ -259,28 +236,6 @@ std::string_view title_of(std::string_view name, std::string_view id) {
   return name.empty() ? id : name;
 }
 
-const char* stop_key(calc::StopReason stop) {
-  switch (stop) {
-    case calc::StopReason::exact:
-      return "exact";
-    case calc::StopReason::decided:
-      return "decided";
-    case calc::StopReason::accurate:
-      return "accurate";
-    case calc::StopReason::path_limit:
-      return "path-limit";
-    case calc::StopReason::time_limit:
-      return "time-limit";
-    case calc::StopReason::memory_limit:
-      return "memory-limit";
-    case calc::StopReason::endless_path:
-      return "endless-path";
-    case calc::StopReason::interrupted:
-      break;
-  }
-  return "interrupted";
-}
-
 const char* stop_words(const Texts& t, calc::StopReason stop) {
   switch (stop) {
     case calc::StopReason::exact:
@@ -301,20 +256,6 @@ const char* stop_words(const Texts& t, calc::StopReason stop) {
       break;
   }
   return t[Text::stop_interrupted];
-}
-
-const char* drop_key(calc::DropReason reason) {
-  switch (reason) {
-    case calc::DropReason::outside_area:
-      return "outside-area";
-    case calc::DropReason::within_margin:
-      return "within-margin";
-    case calc::DropReason::outside_room:
-      return "outside-room";
-    case calc::DropReason::inside_solid:
-      break;
-  }
-  return "inside-solid";
 }
 
 const char* drop_words(const Texts& t, calc::DropReason reason) {
@@ -364,6 +305,10 @@ std::string close_words(const Texts& t, const rules::Finding& finding) {
   if (!finding.is_close) return {};
   return t[finding.requirement.policy.compares_rounded ? Text::close_unrounded
                                                        : Text::close_rounded];
+}
+
+std::string redaction_words(const Document& document, const Texts& t) {
+  return document.provenance.is_redacted ? t[Text::paths_left_out] : "";
 }
 
 std::string looks_words(const Texts& t, const PlanePart& plane) {

@@ -15,9 +15,6 @@ namespace report {
 const char* outcome_symbol(rules::Outcome outcome);
 const char* verdict_symbol(rules::Verdict verdict);
 
-// Name without blanks for class names and data: "pass", "fail", "undecided", "not-judged".
-const char* verdict_key(rules::Verdict verdict);
-
 // "pass", "fail", ..., "waived", "nothing was asked" for people.
 const char* outcome_words(const Texts& t, rules::Outcome outcome);
 inline const char* outcome_words(rules::Outcome outcome) { return outcome_words({}, outcome); }
@@ -58,7 +55,7 @@ const char* state_plane_words(const Texts& t, const PlanePart& plane);
 // With the unit: "Maintained illuminance in lx".
 std::string values_words(const Texts& t, const PlanePart& plane);
 // What a point's value is called in data: "illuminance_lx", "ugr", "modelling".
-const char* value_key(const PlanePart& plane);
+const char* value_key(calc::DerivedQuantity derived);
 
 // What a requirement looks at: "average", "minimum", "Uo (min/avg)", "5 % percentile", "value at
 // (1.00, 2.00, 0.80)".
@@ -75,12 +72,8 @@ inline std::string quantity_words(const rules::Requirement& requirement,
   return quantity_words({}, requirement, kernel);
 }
 
-// "at_least", "at_most", "more_than" or "less_than".
-const char* comparison_key(rules::Comparison comparison);
 // "≥", "≤", ">" or "<".
 const char* comparison_sign(rules::Comparison comparison);
-// "shall" or "advice".
-const char* severity_key(rules::Severity severity);
 // What must be read with a finding: trust in the requirement, its mask, its decision policy; empty
 // if there is nothing to say.
 struct NotePart {
@@ -101,16 +94,17 @@ inline std::string close_words(const rules::Finding& finding) { return close_wor
 // Name as given, else the id.
 std::string_view title_of(std::string_view name, std::string_view id);
 
-// Stable kebab-case key for data, and a sentence part for people.
-const char* stop_key(calc::StopReason stop);
+// A sentence part for people.
 const char* stop_words(const Texts& t, calc::StopReason stop);
-const char* drop_key(calc::DropReason reason);
 const char* drop_words(const Texts& t, calc::DropReason reason);
 
 // "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged", "0 requirements: nothing was
 // asked".
 std::string summary_words(const Texts& t, const Document& document);
 inline std::string summary_words(const Document& document) { return summary_words({}, document); }
+
+// That paths were left out (redact.h), a sentence; "" where nothing was.
+std::string redaction_words(const Document& document, const Texts& t = {});
 
 // "3 of 9 planned"; "" where nothing was sampled.
 std::string looks_words(const Texts& t, const PlanePart& plane);

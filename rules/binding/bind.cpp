@@ -32,9 +32,9 @@ class PlaneIds {
   }
 
   std::string next_for(Metric metric) {
-    std::string id = metric_name(metric);
+    std::string id(calc::name_of(metric));
     for (int repeat = 2; line_of_given_.contains(id) || !made_.insert(id).second; ++repeat) {
-      id = fmt::format("{}-{}", metric_name(metric), repeat);
+      id = fmt::format("{}-{}", calc::name_of(metric), repeat);
     }
     return id;
   }

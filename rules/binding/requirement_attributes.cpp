@@ -39,7 +39,7 @@ std::vector<RequirementAttribute> make_attributes() {
        .schema_type = "lightState",
        .meaning =
            "With the maintenance factor or as new; maintained if not given, initial for ugr.",
-       .words = {state_name(LightState::maintained), state_name(LightState::initial)}},
+       .words = {calc::name_of(LightState::maintained), calc::name_of(LightState::initial)}},
       {.name = "scene",
        .form = either,
        .kind = id,

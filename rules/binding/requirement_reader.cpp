@@ -57,7 +57,7 @@ void report_unknown(ElementReader& reader, std::string_view attribute, std::stri
 bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owner, Metric metric) {
   if (owner == metric) return true;
   if (reader.has(attribute)) {
-    report_unfit(reader, attribute, fmt::format("quantity=\"{}\"", metric_name(metric)));
+    report_unfit(reader, attribute, fmt::format("quantity=\"{}\"", calc::name_of(metric)));
   }
   return false;
 }
@@ -65,7 +65,7 @@ bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owne
 LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity derived) {
   if (is_ratio(metric) || is_about_power(metric) || calc::is_plain_number(derived)) {
     if (reader.has("unit")) {
-      report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", metric_name(metric)));
+      report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", calc::name_of(metric)));
     }
     return is_ratio(metric) ? LimitUnit::lux : LimitUnit::plain;
   }
@@ -108,10 +108,10 @@ bool check_metric(ElementReader& reader, Metric metric, const RequirementContext
   if (!context.is_quantity_known || is_metric_of(metric, context.derived)) return true;
   Names allowed;
   for (const std::string_view name : requirement_attribute("quantity").words) {
-    if (is_metric_of(*metric_from_name(name), context.derived)) allowed.push_back(name);
+    if (is_metric_of(*calc::find_value<Metric>(name), context.derived)) allowed.push_back(name);
   }
   reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
-                metric_name(metric), calc::quantity_name(context.kernel, context.derived),
+                calc::name_of(metric), calc::quantity_name(context.kernel, context.derived),
                 calc::join_choices(allowed));
   return false;
 }
@@ -148,7 +148,7 @@ bool read_light(ElementReader& reader, const Requirement& requirement) {
   const bool is_free = !is_known && requirement.derived != calc::DerivedQuantity::ugr;
   if (!is_free && reader.has("light")) {
     report_unfit(reader, "light",
-                 is_known ? fmt::format("quantity=\"{}\"", metric_name(requirement.metric))
+                 is_known ? fmt::format("quantity=\"{}\"", calc::name_of(requirement.metric))
                           : std::string("ugr points"));
     return false;
   }
@@ -168,7 +168,7 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   // Installed power is that of full output.
   for (const char* name : {"state", "scene"}) {
     if (is_of_space(requirement.metric) && reader.has(name)) {
-      report_unfit(reader, name, fmt::format("quantity=\"{}\"", metric_name(requirement.metric)));
+      report_unfit(reader, name, fmt::format("quantity=\"{}\"", calc::name_of(requirement.metric)));
     }
   }
   requirement.scene = read_scene(reader, context.scenes);

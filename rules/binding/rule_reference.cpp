@@ -92,7 +92,7 @@ std::string uncalculated_light(const RuleCheck& check) {
   if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
   if (!is_metric_of(check.metric, check.quantity->derived)) {
     return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
-                       metric_name(check.metric), check.quantity->name);
+                       calc::name_of(check.metric), check.quantity->name);
   }
   if (check.metric == Metric::value_at_point && !is_power(check)) {
     return fmt::format("check '{}' is about a single value, not about a plane", check.id);

@@ -3,6 +3,7 @@
 // data; judge_aggregates.h makes it.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "rules/catalogue/compare.h"
 #include "rules/catalogue/requirement.h"
 
@@ -13,7 +14,6 @@
 namespace rules {
 
 enum class AggregateRule { all, any, at_least, share };
-const char* rule_name(AggregateRule rule);  // "all", "any", "at-least", "share"
 
 // What the members of an aggregate are.
 enum class AggregateOver {
@@ -21,10 +21,8 @@ enum class AggregateOver {
   planes,  // of the project
   rooms,   // of the project
 };
-const char* over_name(AggregateOver over);  // "checks", "planes", "rooms"
 
 enum class AggregateKind { aggregate, row_class };
-const char* kind_name(AggregateKind kind);  // "aggregate", "class"
 
 struct AggregateMember {
   std::string name;                       // id of the check, the plane or the room
@@ -57,3 +55,30 @@ struct AggregateFinding {
 };
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::AggregateRule> {
+  static constexpr EnumName<rules::AggregateRule> list[] = {
+      {rules::AggregateRule::all, "all"},
+      {rules::AggregateRule::any, "any"},
+      {rules::AggregateRule::at_least, "at-least"},
+      {rules::AggregateRule::share, "share"}};
+};
+
+template <>
+struct EnumNames<rules::AggregateOver> {
+  static constexpr EnumName<rules::AggregateOver> list[] = {
+      {rules::AggregateOver::checks, "checks"},
+      {rules::AggregateOver::planes, "planes"},
+      {rules::AggregateOver::rooms, "rooms"}};
+};
+
+template <>
+struct EnumNames<rules::AggregateKind> {
+  static constexpr EnumName<rules::AggregateKind> list[] = {
+      {rules::AggregateKind::aggregate, "aggregate"}, {rules::AggregateKind::row_class, "class"}};
+};
+
+}  // namespace calc

@@ -4,6 +4,7 @@
 // sampled value passes or fails only with its whole interval.
 
 #include "calc/base/field.h"
+#include "calc/base/names.h"
 #include "rules/catalogue/policy.h"
 #include "rules/catalogue/requirement.h"
 
@@ -11,7 +12,8 @@ namespace rules {
 
 enum class Verdict { pass, fail, undecided, not_judged };
 
-const char* verdict_name(Verdict verdict);  // "pass", "fail", "undecided", "not judged"
+// For people: "pass", "fail", "undecided", "not judged". In data: calc::name_of().
+const char* verdict_name(Verdict verdict);
 
 // The comparison without rounding or tolerance; a miss by less than 1e-9 of the limit is binary
 // noise and meets an inclusive limit, and an exclusive one is met only by more than that.
@@ -45,3 +47,15 @@ double margin(double value, Comparison comparison, double limit);
 double round_to(double value, int digits, Rounding rounding);
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Verdict> {
+  static constexpr EnumName<rules::Verdict> list[] = {{rules::Verdict::pass, "pass"},
+                                                      {rules::Verdict::fail, "fail"},
+                                                      {rules::Verdict::undecided, "undecided"},
+                                                      {rules::Verdict::not_judged, "not-judged"}};
+};
+
+}  // namespace calc

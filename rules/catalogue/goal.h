@@ -1,15 +1,23 @@
 #pragma once
 // What the calculation of a plane is done for.
 
+#include "calc/base/names.h"
+
 namespace rules {
 
 // verdict: every requirement passes or fails; the intervals may stay wide.
 // accuracy: every judged quantity is known to a relative half-width.
 enum class Goal { verdict, accuracy };
 
-// "verdict" or "accuracy", as written on the command line and in reports.
-constexpr const char* goal_name(Goal goal) {
-  return goal == Goal::verdict ? "verdict" : "accuracy";
-}
-
 }  // namespace rules
+
+namespace calc {
+
+// As written on the command line and in reports.
+template <>
+struct EnumNames<rules::Goal> {
+  static constexpr EnumName<rules::Goal> list[] = {{rules::Goal::verdict, "verdict"},
+                                                   {rules::Goal::accuracy, "accuracy"}};
+};
+
+}  // namespace calc

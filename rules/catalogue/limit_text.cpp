@@ -15,7 +15,7 @@ std::optional<Metric> read_metric(calc::ElementReader& reader, const calc::Names
   const std::size_t errors_before = reader.diagnostics().error_count();
   const std::size_t index = reader.choice("quantity", allowed);
   if (reader.diagnostics().error_count() > errors_before) return std::nullopt;
-  return metric_from_name(allowed[index]);
+  return calc::find_value<Metric>(allowed[index]);
 }
 
 double read_limit(calc::ElementReader& reader, std::string_view name, Metric metric,

@@ -14,19 +14,18 @@ constexpr calc::NumberRange kGradient{1.0, 1.0e9, false, "a ratio from 1 to 1e9"
 
 // In the order of the enumeration.
 constexpr std::array kMetrics{
-    MetricRow{Metric::average, "average", "lx", values, illuminances, true, ""},
-    MetricRow{Metric::minimum, "minimum", "lx", values, no_ratings, true, ""},
-    MetricRow{Metric::maximum, "maximum", "lx", values, all, true, ""},
-    MetricRow{Metric::uniformity_min_avg, "Uo", "", values, illuminances, false, "", kShare},
-    MetricRow{Metric::uniformity_min_max, "Ud", "", values, illuminances, false, "", kShare},
-    MetricRow{Metric::percentile, "percentile", "lx", values, no_ratings, true, "percent"},
-    MetricRow{Metric::value_at_point, "value", "lx", values, all, true, "at"},
-    MetricRow{Metric::share, "share", "", counted_values, all, false, "from", kShare},
-    MetricRow{Metric::power_density, "power-density", "W/m2", space, all, false, ""},
-    MetricRow{Metric::power_per_100_lx, "power-per-100-lx", "W/m2/100lx", space_and_light,
-              illuminances, false, ""},
-    MetricRow{Metric::leni, "LENI", "kWh/m2/a", space, all, false, ""},
-    MetricRow{Metric::gradient, "gradient", "", neighbours, illuminances, false, "", kGradient},
+    MetricRow{Metric::average, "lx", values, illuminances, true},
+    MetricRow{Metric::minimum, "lx", values, no_ratings, true},
+    MetricRow{Metric::maximum, "lx", values, all, true},
+    MetricRow{Metric::uniformity_min_avg, "", values, illuminances, false, kShare},
+    MetricRow{Metric::uniformity_min_max, "", values, illuminances, false, kShare},
+    MetricRow{Metric::percentile, "lx", values, no_ratings, true},
+    MetricRow{Metric::value_at_point, "lx", values, all, true},
+    MetricRow{Metric::share, "", counted_values, all, false, kShare},
+    MetricRow{Metric::power_density, "W/m2", space, all, false},
+    MetricRow{Metric::power_per_100_lx, "W/m2/100lx", space_and_light, illuminances, false},
+    MetricRow{Metric::leni, "kWh/m2/a", space, all, false},
+    MetricRow{Metric::gradient, "", neighbours, illuminances, false, kGradient},
 };
 
 static_assert(
@@ -42,17 +41,10 @@ static_assert(
 
 const MetricRow& metric_row(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
 
-std::optional<Metric> metric_from_name(std::string_view name) {
-  for (const MetricRow& row : kMetrics) {
-    if (name == row.name) return row.metric;
-  }
-  return std::nullopt;
-}
-
 std::vector<std::string_view> metric_names() {
   std::vector<std::string_view> names;
   for (const MetricRow& row : kMetrics) {
-    if (!is_about_power(row.metric)) names.push_back(row.name);
+    if (!is_about_power(row.metric)) names.push_back(calc::name_of(row.metric));
   }
   return names;
 }
@@ -60,7 +52,7 @@ std::vector<std::string_view> metric_names() {
 std::vector<std::string_view> all_metric_names() {
   std::vector<std::string_view> names = metric_names();
   for (const MetricRow& row : kMetrics) {
-    if (is_about_power(row.metric)) names.push_back(row.name);
+    if (is_about_power(row.metric)) names.push_back(calc::name_of(row.metric));
   }
   return names;
 }

@@ -2,10 +2,10 @@
 // What may be required of a plane: one row for each statistic. Readers, judging, reports and
 // schemas ask the row; only what a statistic is made of stands elsewhere (rules/measure).
 
+#include "calc/base/names.h"
 #include "calc/base/xml_reader.h"
 #include "calc/scene/receiver_kernel.h"
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +26,32 @@ enum class Metric {
   gradient,            // largest ratio between neighbouring points of the grid, >= 1
 };
 
+}  // namespace rules
+
+namespace calc {
+
+// As written in projects and packs and shown in reports.
+template <>
+struct EnumNames<rules::Metric> {
+  static constexpr EnumName<rules::Metric> list[] = {
+      {rules::Metric::average, "average"},
+      {rules::Metric::minimum, "minimum"},
+      {rules::Metric::maximum, "maximum"},
+      {rules::Metric::uniformity_min_avg, "Uo"},
+      {rules::Metric::uniformity_min_max, "Ud"},
+      {rules::Metric::percentile, "percentile"},
+      {rules::Metric::value_at_point, "value"},
+      {rules::Metric::share, "share"},
+      {rules::Metric::power_density, "power-density"},
+      {rules::Metric::power_per_100_lx, "power-per-100-lx"},
+      {rules::Metric::leni, "LENI"},
+      {rules::Metric::gradient, "gradient"}};
+};
+
+}  // namespace calc
+
+namespace rules {
+
 // What it is computed from.
 enum class MetricSource {
   values,           // of the plane's points
@@ -44,23 +70,19 @@ enum class MetricDomain {
 
 struct MetricRow {
   Metric metric;
-  const char* name;  // as written in projects and packs and shown in reports
   const char* unit;  // of illuminances; "" of ratios
   MetricSource source;
   MetricDomain domain;
   bool is_linear;                   // grows in proportion with the light
-  std::string_view attribute;       // of <require> that it needs, and nothing else has; "" = none
   calc::NumberRange ratio_limit{};  // of ratios: what may be required
 };
 
 const MetricRow& metric_row(Metric metric);
-std::optional<Metric> metric_from_name(std::string_view name);  // exact spelling
 // Without those about power, which are no statistics of points: as packs have them.
 std::vector<std::string_view> metric_names();
 // All: as projects have them; those about power at the end.
 std::vector<std::string_view> all_metric_names();
 
-inline const char* metric_name(Metric metric) { return metric_row(metric).name; }
 // "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);

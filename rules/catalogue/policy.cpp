@@ -8,23 +8,11 @@ bool DecisionPolicy::is_default() const {
   return !compares_rounded && tolerance == 0.0 && guard == 0.0;
 }
 
-const char* rounding_name(Rounding rounding) {
-  switch (rounding) {
-    case Rounding::half_up:
-      return "half-up";
-    case Rounding::half_even:
-      return "half-even";
-    case Rounding::down:
-      return "down";
-  }
-  return "";
-}
-
 std::string policy_text(const DecisionPolicy& policy) {
   std::string text =
       policy.compares_rounded
           ? fmt::format("values rounded ({}; {} digits of lx, {} of ratios, {} of others)",
-                        rounding_name(policy.rounding), policy.illuminance_digits,
+                        calc::name_of(policy.rounding), policy.illuminance_digits,
                         policy.ratio_digits, policy.other_digits)
           : "unrounded values";
   if (policy.tolerance == 0.0) {

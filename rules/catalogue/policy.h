@@ -1,6 +1,7 @@
 #pragma once
 // How numbers are compared with limits, as data: part of every rule pack. Applied in compare.h.
 
+#include "calc/base/names.h"
 #include "rules/catalogue/unit.h"
 
 #include <string>
@@ -31,9 +32,18 @@ struct DecisionPolicy {
   bool is_default() const;
 };
 
-const char* rounding_name(Rounding rounding);  // "half-up", "half-even", "down"
-
 // One line for reports: "unrounded values, no tolerance".
 std::string policy_text(const DecisionPolicy& policy);
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Rounding> {
+  static constexpr EnumName<rules::Rounding> list[] = {{rules::Rounding::half_up, "half-up"},
+                                                       {rules::Rounding::half_even, "half-even"},
+                                                       {rules::Rounding::down, "down"}};
+};
+
+}  // namespace calc

@@ -16,18 +16,6 @@ const char* comparison_name(Comparison comparison) {
   return "";
 }
 
-const char* state_name(LightState state) {
-  switch (state) {
-    case LightState::maintained:
-      return "maintained";
-    case LightState::initial:
-      return "initial";
-    case LightState::end_of_duration:
-      return "end-of-duration";
-  }
-  return "";
-}
-
 bool is_in_lux(const Requirement& requirement) {
   return !is_ratio(requirement.metric) && !is_about_power(requirement.metric) &&
          !calc::is_plain_number(requirement.derived);

@@ -2,6 +2,7 @@
 // What a plane must meet: plain data.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/metric.h"
@@ -78,13 +79,42 @@ struct Requirement {
 constexpr bool is_lower_limit(Comparison comparison) {
   return comparison == Comparison::at_least || comparison == Comparison::more_than;
 }
-// As written in projects and packs: "at-least", "at-most", "more-than", "less-than".
+// As attributes in projects and packs: "at-least", "at-most", "more-than", "less-than". In results
+// calc::name_of().
 const char* comparison_name(Comparison comparison);
-// "maintained", "initial", "end-of-duration"
-const char* state_name(LightState state);
 
 // Of what is required: "" also for ratings and ratios of single points.
 const char* unit_of(const Requirement& requirement);
 bool is_in_lux(const Requirement& requirement);
 
 }  // namespace rules
+
+namespace calc {
+
+// In results.
+template <>
+struct EnumNames<rules::Comparison> {
+  static constexpr EnumName<rules::Comparison> list[] = {
+      {rules::Comparison::at_least, "at_least"},
+      {rules::Comparison::at_most, "at_most"},
+      {rules::Comparison::more_than, "more_than"},
+      {rules::Comparison::less_than, "less_than"}};
+};
+
+template <>
+struct EnumNames<rules::LightState> {
+  static constexpr EnumName<rules::LightState> list[] = {
+      {rules::LightState::maintained, "maintained"},
+      {rules::LightState::initial, "initial"},
+      {rules::LightState::end_of_duration, "end-of-duration"}};
+};
+
+template <>
+struct EnumNames<rules::Severity> {
+  static constexpr EnumName<rules::Severity> list[] = {
+      {rules::Severity::shall, "shall"},
+      {rules::Severity::advice, "advice"},
+      {rules::Severity::in_aggregate, "in-aggregate"}};
+};
+
+}  // namespace calc

@@ -110,12 +110,13 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
       reader.choice_or("severity", {"shall", "should", "may", "info", "in-aggregate"}, 0));
   check.quantity =
       quantity_from_name(quantity_names()[reader.choice("quantity", quantity_names())]);
-  check.metric = *metric_from_name(metric_names()[reader.choice("statistic", metric_names())]);
+  check.metric =
+      *calc::find_value<Metric>(metric_names()[reader.choice("statistic", metric_names())]);
   if (check.metric == Metric::percentile) {
     check.percent = reader.number("percent", kPercent);
   } else if (reader.has("percent")) {
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("percent"), "check",
-                  "percent", fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+                  "percent", fmt::format("statistic=\"{}\"", calc::name_of(check.metric)));
   }
   if (check.metric == Metric::share) {
     read_range(reader, check);
@@ -123,12 +124,11 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
     for (const char* end : {"from", "to"}) {
       if (!reader.has(end)) continue;
       reader.report(DiagnosticId::attribute_without_meaning, reader.where(end), "check", end,
-                    fmt::format("statistic=\"{}\"", metric_name(check.metric)));
+                    fmt::format("statistic=\"{}\"", calc::name_of(check.metric)));
     }
   }
   check.mask = read_mask_name(reader, pack);
-  check.state = static_cast<LightState>(
-      reader.choice_or("state", {"maintained", "initial", "end-of-duration"}, 0));
+  check.state = reader.value_or("state", LightState::maintained);
   check.sources = reader.value_or("sources", LightSources::all);
   check.direct_only = reader.choice_or("light", {"all", "direct"}, 0) == 1;
   check.any_one_unit_out = reader.choice_or("outage", {"none", "any-one-unit"}, 0) == 1;

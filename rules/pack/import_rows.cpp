@@ -168,9 +168,9 @@ class Importer {
 
   std::string row_trust(const CsvRecord& record) const {
     const std::string mark = field(record, "trust");
-    if (mark == "A") return trust_name(Trust::confirmed);
-    if (mark == "A-part" || mark.starts_with('B')) return trust_name(Trust::single_source);
-    return trust_name(Trust::unverified);
+    const bool is_single = mark == "A-part" || mark.starts_with('B');
+    const Trust trust = is_single ? Trust::single_source : Trust::unverified;
+    return std::string(calc::name_of(mark == "A" ? Trust::confirmed : trust));
   }
 
   bool is_confirmed(const CsvRecord& record, std::string_view name) const {
@@ -196,7 +196,7 @@ class Importer {
     const bool is_better = field(record, "trust") == "A-part" &&
                            is_confirmed(record, column.confirmed) &&
                            (modified.empty() || is_confirmed(record, column.confirmed_modified));
-    const std::string own = is_better ? trust_name(Trust::confirmed) : trust;
+    const std::string own = is_better ? std::string(calc::name_of(Trust::confirmed)) : trust;
     return element_of("value", {{"of", column.parameter},
                                 {"required", required},
                                 {"modified", modified},

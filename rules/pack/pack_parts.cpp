@@ -92,10 +92,7 @@ Unit read_unit(ElementReader& reader, std::string_view attribute) {
   return *unit_from_name(unit_names()[reader.choice(attribute, unit_names())]);
 }
 
-Trust read_trust(ElementReader& reader) {
-  return static_cast<Trust>(
-      reader.choice_or("trust", {"confirmed", "single-source", "unverified"}, 0));
-}
+Trust read_trust(ElementReader& reader) { return reader.value_or("trust", Trust::confirmed); }
 
 std::vector<std::string> read_ids(ElementReader& reader, std::string_view attribute) {
   std::vector<std::string> ids;
@@ -145,7 +142,7 @@ DecisionPolicy read_policy(const calc::XmlElement& element, calc::Diagnostics& d
   DecisionPolicy policy;
   policy.compares_rounded = reader.choice_or("compare", {"raw", "rounded"}, 0) == 1;
   policy.rounding =
-      static_cast<Rounding>(reader.choice_or("rounding", {"half-up", "half-even", "down"}, 0));
+      static_cast<Rounding>(reader.choice_or("rounding", calc::names_of<Rounding>(), 0));
   policy.illuminance_digits = read_digits(reader, "digits-illuminance", policy.illuminance_digits);
   policy.ratio_digits = read_digits(reader, "digits-ratio", policy.ratio_digits);
   policy.other_digits = read_digits(reader, "digits-other", policy.other_digits);
@@ -272,7 +269,7 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   aggregate.where = element.where;
   aggregate.id = reader.id();
   aggregate.rule =
-      static_cast<AggregateRule>(reader.choice("rule", {"all", "any", "at-least", "share"}));
+      static_cast<AggregateRule>(reader.choice("rule", calc::names_of<AggregateRule>()));
   const auto read_for = [&](std::string_view attribute, AggregateRule owner, const auto& read) {
     if (aggregate.rule == owner) {
       read();
@@ -285,7 +282,7 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   read_for("share", AggregateRule::share,
            [&] { aggregate.share = reader.number("share", calc::kPositiveFraction); });
   aggregate.over =
-      static_cast<AggregateOver>(reader.choice_or("over", {"checks", "planes", "rooms"}, 0));
+      static_cast<AggregateOver>(reader.choice_or("over", calc::names_of<AggregateOver>(), 0));
   aggregate.by_area = reader.choice_or("by", {"count", "area"}, 0) == 1;
   const bool has_areas =
       aggregate.rule == AggregateRule::share && aggregate.over != AggregateOver::checks;

@@ -41,18 +41,6 @@ const Item* find_item(const std::vector<Item>& items, std::string_view wanted, K
 
 }  // namespace
 
-const char* trust_name(Trust trust) {
-  switch (trust) {
-    case Trust::confirmed:
-      return "confirmed";
-    case Trust::single_source:
-      return "single-source";
-    case Trust::unverified:
-      return "unverified";
-  }
-  return "";
-}
-
 const char* trust_remark(Trust trust) {
   switch (trust) {
     case Trust::confirmed:

@@ -28,7 +28,6 @@ enum class Trust {
   single_source,  // one public source
   unverified,     // from memory, or doubtful
 };
-const char* trust_name(Trust trust);  // "confirmed", "single-source", "unverified"
 const char* trust_remark(
     Trust trust);  // for reports: "" , "one public source", "unverified requirement"
 
@@ -284,3 +283,14 @@ std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string&
 std::vector<RulePack> builtin_rule_packs();
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Trust> {
+  static constexpr EnumName<rules::Trust> list[] = {{rules::Trust::confirmed, "confirmed"},
+                                                    {rules::Trust::single_source, "single-source"},
+                                                    {rules::Trust::unverified, "unverified"}};
+};
+
+}  // namespace calc

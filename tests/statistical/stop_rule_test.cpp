@@ -183,7 +183,7 @@ TEST_P(WrongVerdicts, AreRarerThanTheRiskAtAnyDistanceFromTheLimit) {
     if (std::abs(offset) >= 0.01) {
       EXPECT_EQ(counts.wrong, 0) << offset;
     }
-    const std::string name = std::string(metric_name(GetParam())) + std::to_string(offset);
+    const std::string name = std::string(calc::name_of(GetParam())) + std::to_string(offset);
     RecordProperty(name, std::to_string(counts.wrong) + " wrong, " +
                              std::to_string(counts.undecided) + " undecided");
   }
@@ -192,7 +192,9 @@ TEST_P(WrongVerdicts, AreRarerThanTheRiskAtAnyDistanceFromTheLimit) {
 INSTANTIATE_TEST_SUITE_P(Quantities, WrongVerdicts,
                          ::testing::Values(Metric::average, Metric::minimum,
                                            Metric::uniformity_min_avg),
-                         [](const auto& tested) { return metric_name(tested.param); });
+                         [](const auto& tested) {
+                           return std::string(calc::name_of(tested.param));
+                         });
 
 // What the share of the risk per look is for: the limit is next to the truth, and a look that
 // spends the whole risk comes six times. Measured: 21 wrong of 1000, and 106.
@@ -219,9 +221,9 @@ TEST(WrongVerdictsOfAPlane, AreRareWhereSeveralQuantitiesShareTheSamples) {
 TEST(Undecided, ShrinksWithTheLooks) {
   for (const Metric metric : {Metric::average, Metric::minimum, Metric::uniformity_min_avg}) {
     const Counts counts = count({off_by(metric, -0.02)}, -0.02);
-    EXPECT_GT(counts.open_after.front(), kPlanes / 4) << metric_name(metric);
-    EXPECT_LT(counts.open_after[4], counts.open_after[1]) << metric_name(metric);
-    EXPECT_LT(counts.open_after.back(), kPlanes / 10) << metric_name(metric);
+    EXPECT_GT(counts.open_after.front(), kPlanes / 4) << calc::name_of(metric);
+    EXPECT_LT(counts.open_after[4], counts.open_after[1]) << calc::name_of(metric);
+    EXPECT_LT(counts.open_after.back(), kPlanes / 10) << calc::name_of(metric);
   }
 }
 

@@ -23,7 +23,7 @@ inline calc::Estimate estimate(double value, double half_width) {
 inline rules::Finding sample_finding(rules::Metric metric, double limit,
                                      const calc::Estimate& measured, std::string clause = {}) {
   rules::Finding finding;
-  finding.requirement.id = rules::metric_name(metric);
+  finding.requirement.id = calc::name_of(metric);
   finding.requirement.metric = metric;
   finding.requirement.limit = limit;
   finding.requirement.clause = std::move(clause);

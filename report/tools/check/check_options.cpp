@@ -123,7 +123,7 @@ std::string reproducible_command(const CheckOptions& options) {
   };
   add("--seed", used.radiosity.seed, defaults.radiosity.seed);
   if (used.goal != defaults.goal) {
-    command += fmt::format(" --goal {}", rules::goal_name(used.goal));
+    command += fmt::format(" --goal {}", calc::name_of(used.goal));
   }
   add("--tolerance", used.tolerance, defaults.tolerance);
   add("--confidence", used.confidence, defaults.confidence);

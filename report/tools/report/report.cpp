@@ -2,10 +2,10 @@
 
 #include "calc/base/file_reader.h"
 #include "report/result_file/read_json.h"
+#include "report/result_file/redact.h"
 #include "report/shell/option_values.h"
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
-#include "report/text/redact.h"
 
 #include <memory>
 #include <optional>

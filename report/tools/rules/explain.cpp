@@ -37,7 +37,7 @@ std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
 }
 
 std::string row_text(const RulePack& pack, const RuleRow& row) {
-  std::string text = fmt::format("{}  {} ({})\n    ", row.ref, row.name, trust_name(row.trust));
+  std::string text = fmt::format("{}  {} ({})\n    ", row.ref, row.name, calc::name_of(row.trust));
   for (const rules::RuleValue& value : row.values) {
     text += (&value == &row.values.front() ? "" : ", ") + value_text(pack, value);
   }
@@ -53,7 +53,7 @@ std::string row_text(const RulePack& pack, const RuleRow& row) {
 std::string light_text(const RuleCheck& check) {
   constexpr std::array kSources{"", ", electric light", ", emergency luminaires alone",
                                 ", daylight"};
-  std::string text = state_name(check.state);
+  std::string text(calc::name_of(check.state));
   text += kSources[static_cast<std::size_t>(check.sources)];
   if (check.direct_only) text += ", direct light only";
   if (check.any_one_unit_out) text += ", any one unit out";
@@ -79,7 +79,7 @@ std::string measured_on(const rules::Quantity& quantity) {
 
 std::string check_text(const RulePack& pack, const RuleCheck& check) {
   std::string text =
-      fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, metric_name(check.metric),
+      fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, calc::name_of(check.metric),
                   check.quantity->name, check.role, comparison_name(check.comparison),
                   check.limit_text, light_text(check));
   if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
@@ -217,7 +217,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string aggregate_text(const rules::RuleAggregate& aggregate) {
   std::string text = fmt::format("aggregate {}: ", aggregate.id);
-  const std::string members = fmt::format("the {}", over_name(aggregate.over));
+  const std::string members = fmt::format("the {}", calc::name_of(aggregate.over));
   switch (aggregate.rule) {
     case rules::AggregateRule::all:
       text += "all of " + members;

@@ -15,7 +15,7 @@ Command schema_command() {
       {"--result", "", "Print the JSON schema of 'check --format json' instead", of_results.get()}};
   command.run = [of_results](const RunContext&) {
     return print_outcome(
-        {kAllMet, std::string(*of_results ? report::result_schema() : calc::project_schema()), {}});
+        {kAllMet, *of_results ? report::result_schema() : std::string(calc::project_schema()), {}});
   };
   return command;
 }

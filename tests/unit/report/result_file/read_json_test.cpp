@@ -240,9 +240,32 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
                  {{"reason", "r"}, {"owner", "o"}, {"until", "2030-01-01"}, {"applies", true}}),
             "/projects/0/spaces/0/planes/0/findings/0/waiver/applies: only 'fail' and 'undecided' "
             "can be waived");
+  EXPECT_EQ(with("/provenance/confidence", 1),
+            "/provenance/confidence: a number above 0 and below 1 is needed");
+  EXPECT_EQ(with("/provenance/numbers_version", 0),
+            "/provenance/numbers_version: a whole number from 1 to 2147483647 is needed");
   json without = good;
   without["provenance"].erase("seed");
   EXPECT_EQ(problem_with(without), "/provenance: the key 'seed' is missing");
+}
+
+TEST(ReadJson, EveryLookIsOfEveryFinding) {
+  json changed = json::parse(render_json(rich_document()));
+  json& look = changed["projects"][0]["spaces"][0]["planes"][0]["look_results"][1];
+  look["findings"].erase(0);
+  EXPECT_EQ(problem_with(changed),
+            "/projects/0/spaces/0/planes/0/look_results: each look needs as many findings as the "
+            "plane has");
+}
+
+// A class or an aggregate is in no other one.
+TEST(ReadJson, AggregatesCountByThemselvesOrNotAtAll) {
+  Document document = small_document();
+  document.projects[0].aggregates.resize(1);
+  json changed = json::parse(render_json(document));
+  changed["projects"][0]["aggregates"][0]["severity"] = "in-aggregate";
+  EXPECT_EQ(problem_with(changed),
+            "/projects/0/aggregates/0/severity: one of 'shall', 'advice' is needed");
 }
 
 TEST(ReadJson, RefusesWhatIsNoJson) {

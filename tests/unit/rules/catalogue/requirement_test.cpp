@@ -11,21 +11,21 @@ TEST(MetricNames, AreThoseOfProjectFiles) {
   const std::vector<std::string_view> expected{"average",    "minimum", "maximum", "Uo",      "Ud",
                                                "percentile", "value",   "share",   "gradient"};
   EXPECT_EQ(metric_names(), expected);
-  EXPECT_STREQ(metric_name(Metric::uniformity_min_max), "Ud");
+  EXPECT_EQ(calc::name_of(Metric::uniformity_min_max), "Ud");
 }
 
 TEST(MetricNames, AreReadBack) {
   for (const std::string_view name : metric_names()) {
-    ASSERT_TRUE(metric_from_name(name).has_value());
-    EXPECT_EQ(metric_name(*metric_from_name(name)), name);
+    ASSERT_TRUE(calc::find_value<Metric>(name).has_value());
+    EXPECT_EQ(calc::name_of(*calc::find_value<Metric>(name)), name);
   }
-  EXPECT_FALSE(metric_from_name("uo").has_value());
-  EXPECT_FALSE(metric_from_name("").has_value());
+  EXPECT_FALSE(calc::find_value<Metric>("uo").has_value());
+  EXPECT_FALSE(calc::find_value<Metric>("").has_value());
 }
 
 TEST(MetricUnits, AreLuxExceptForRatios) {
   for (const std::string_view name : metric_names()) {
-    const Metric metric = *metric_from_name(name);
+    const Metric metric = *calc::find_value<Metric>(name);
     const bool is_plain = name == "Uo" || name == "Ud" || name == "share" || name == "gradient";
     EXPECT_EQ(is_ratio(metric), is_plain) << name;
     EXPECT_STREQ(metric_unit(metric), is_plain ? "" : "lx") << name;

@@ -76,8 +76,8 @@ TEST(Metric, OfAnExactFieldHasEqualBits) {
        {Metric::average, Metric::minimum, Metric::maximum, Metric::uniformity_min_avg,
         Metric::uniformity_min_max, Metric::percentile}) {
     const calc::Estimate estimate = metric_of(values, metric, 40);
-    EXPECT_EQ(estimate.low, estimate.value) << metric_name(metric);
-    EXPECT_EQ(estimate.high, estimate.value) << metric_name(metric);
+    EXPECT_EQ(estimate.low, estimate.value) << calc::name_of(metric);
+    EXPECT_EQ(estimate.high, estimate.value) << calc::name_of(metric);
   }
 }
 
@@ -313,7 +313,7 @@ TEST(Confidence, WidensEveryInterval) {
         Metric::uniformity_min_max, Metric::percentile}) {
     const auto wide = compute_metric(values, metric, 50, {}, 0.9)->estimate;
     const auto narrow = compute_metric(values, metric, 50, {}, 0.8)->estimate;
-    EXPECT_LT(narrow.high - narrow.low, wide.high - wide.low) << metric_name(metric);
+    EXPECT_LT(narrow.high - narrow.low, wide.high - wide.low) << calc::name_of(metric);
   }
 }
 

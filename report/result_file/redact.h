@@ -3,9 +3,6 @@
 // tells of the design and of the calculation stays.
 
 #include "report/document/document.h"
-#include "report/text/texts.h"
-
-#include <string>
 
 namespace report {
 
@@ -18,8 +15,5 @@ namespace report {
 // Names that the project itself gives (rooms, planes, luminaires, who waived) are the design and
 // stay, as do versions, seeds and hashes. A second time changes nothing.
 void redact(Document& document);
-
-// What the report has to say of it, a sentence; "" where nothing was left out.
-std::string redaction_words(const Document& document, const Texts& t = {});
 
 }  // namespace report

@@ -1,5 +1,7 @@
-#include "report/text/redact.h"
+#include "report/result_file/redact.h"
 
+#include "report/result_file/describe.h"
+#include "report/result_file/result_fields.h"
 #include "report/text/shell_words.h"
 
 #include <algorithm>
@@ -168,45 +170,84 @@ std::string redacted_backend(const std::string& backend) {
   return "gpu" + backend.substr(end);
 }
 
-void redact_plane(const FileNames& names, PlanePart& plane) {
-  plane.where.file = names.of(plane.where.file);
-  for (std::string* text : {&plane.reason, &plane.made_by, &plane.changed})
-    *text = names.within(*text);
-  for (std::string& remark : plane.remarks) remark = names.within(remark);
-  for (rules::Finding& finding : plane.findings) {
-    rules::Requirement& requirement = finding.requirement;
-    requirement.where.file = names.of(requirement.where.file);
-    for (std::string* text :
-         {&finding.reason, &requirement.note, &requirement.policy.tolerance_reason}) {
-      *text = names.within(*text);
+// Goes through a project: texts that tell of the machine are marked in result_fields.h. What is
+// there on some condition alone is redacted wherever it is.
+class Redactor : public Visitor {
+ public:
+  Redactor(const FileNames& names, std::string project_path)
+      : names_(names), project_path_(std::move(project_path)) {}
+
+  template <class Part, class Name, class Take>
+  void coded(const char* /*key*/, const Part& /*part*/, const Name& /*name*/, const Take& /*take*/,
+             const std::vector<std::string_view>& /*choices*/, const About& /*about*/ = {}) {}
+  template <class Items, class Cells>
+  void rows(const char* /*key*/, const Items& /*items*/, const Cells& /*cells*/) {}
+
+  template <class T>
+  void field(const char* /*key*/, T&& value, const About& about = {}) {
+    walk(value, about.holds);
+  }
+  template <class Items, class Start>
+  void items(const char* /*key*/, Items& items, const Start& /*start*/) {
+    walk(items, Holds::text);
+  }
+  template <class Fields>
+  void object(const char* /*key*/, const Fields& fields, const About& about = {}) {
+    if (about.presence.is_there) fields(*this);
+  }
+  template <class Fields>
+  void if_true(const char* /*key*/, bool /*flag*/, const Fields& fields) {
+    fields();
+  }
+  template <class First, class Second>
+  void either(bool /*is_first*/, const First& first, const Second& second) {
+    first();
+    second();
+  }
+  template <class T>
+  T& made(std::optional<T>& value) {
+    return *value;
+  }
+
+ private:
+  std::string redacted(const std::string& text, Holds holds) const {
+    switch (holds) {
+      case Holds::text:
+        return text;
+      case Holds::file:
+        return names_.of(text);
+      case Holds::own_file:
+        return text == project_path_ ? names_.of(text) : names_.of_input(text);
+      case Holds::prose:
+        break;
+    }
+    return names_.within(text);
+  }
+
+  template <class T>
+  void walk(T& value, Holds holds) {
+    if constexpr (std::is_same_v<T, std::string>) {
+      value = redacted(value, holds);
+    } else if constexpr (kIsList<T>) {
+      for (auto& item : value) walk(item, holds);
+    } else if constexpr (std::is_class_v<T> && !kIsOptional<T> && !kIsOrNull<T> && !Vector<T> &&
+                         !std::is_same_v<T, Line>) {
+      describe(*this, value);
     }
   }
-}
 
-void redact_aggregate(const FileNames& names, rules::AggregateFinding& finding) {
-  finding.where.file = names.of(finding.where.file);
-  for (std::string* text : {&finding.reason, &finding.note}) *text = names.within(*text);
-  for (rules::AggregateMember& member : finding.members)
-    member.reason = names.within(member.reason);
-}
+  const FileNames& names_;
+  std::string project_path_;  // as it was
+};
 
 void redact_project(const FileNames& names, ProjectPart& project) {
-  for (calc::Diagnostic& diagnostic : project.diagnostics) {
-    diagnostic.where.file = names.of(diagnostic.where.file);
-    diagnostic.message = names.within(diagnostic.message);
-  }
-  for (LuminaireRow& row : project.luminaires)
-    row.photometry_file = names.of_input(row.photometry_file);
-  for (calc::InputFile& input : project.inputs)
-    input.path = input.path == project.path ? names.of(input.path) : names.of_input(input.path);
+  Redactor redactor(names, project.path);
+  describe(redactor, project);
+  // The result file has no pictures.
   for (SpacePart& space : project.spaces) {
-    for (std::string& note : space.notes) note = names.within(note);
     space.pictures.problem = names.within(space.pictures.problem);
     if (!space.pictures.device.empty()) space.pictures.device = "OpenGL";
-    for (PlanePart& plane : space.planes) redact_plane(names, plane);
   }
-  for (rules::AggregateFinding& finding : project.aggregates) redact_aggregate(names, finding);
-  project.path = names.of(project.path);
 }
 
 }  // namespace
@@ -218,10 +259,6 @@ void redact(Document& document) {
   provenance.backend = redacted_backend(provenance.backend);
   for (std::size_t p = 0; p < names.size(); ++p) redact_project(names[p], document.projects[p]);
   provenance.is_redacted = true;
-}
-
-std::string redaction_words(const Document& document, const Texts& t) {
-  return document.provenance.is_redacted ? t[Text::paths_left_out] : "";
 }
 
 }  // namespace report

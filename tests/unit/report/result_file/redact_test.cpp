@@ -1,6 +1,7 @@
-#include "report/text/redact.h"
+#include "report/result_file/redact.h"
 
 #include "report/result_file/json.h"
+#include "report/text/words.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
