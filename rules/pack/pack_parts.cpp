@@ -141,8 +141,7 @@ DecisionPolicy read_policy(const calc::XmlElement& element, calc::Diagnostics& d
   reader.allow_children({});
   DecisionPolicy policy;
   policy.compares_rounded = reader.choice_or("compare", {"raw", "rounded"}, 0) == 1;
-  policy.rounding =
-      static_cast<Rounding>(reader.choice_or("rounding", calc::names_of<Rounding>(), 0));
+  policy.rounding = reader.value_or("rounding", Rounding::half_up);
   policy.illuminance_digits = read_digits(reader, "digits-illuminance", policy.illuminance_digits);
   policy.ratio_digits = read_digits(reader, "digits-ratio", policy.ratio_digits);
   policy.other_digits = read_digits(reader, "digits-other", policy.other_digits);
@@ -268,8 +267,7 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   RuleAggregate aggregate;
   aggregate.where = element.where;
   aggregate.id = reader.id();
-  aggregate.rule =
-      static_cast<AggregateRule>(reader.choice("rule", calc::names_of<AggregateRule>()));
+  aggregate.rule = reader.value<AggregateRule>("rule");
   const auto read_for = [&](std::string_view attribute, AggregateRule owner, const auto& read) {
     if (aggregate.rule == owner) {
       read();
@@ -281,8 +279,7 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   read_for("count", AggregateRule::at_least, [&] { aggregate.count = reader.integer("count", 1); });
   read_for("share", AggregateRule::share,
            [&] { aggregate.share = reader.number("share", calc::kPositiveFraction); });
-  aggregate.over =
-      static_cast<AggregateOver>(reader.choice_or("over", calc::names_of<AggregateOver>(), 0));
+  aggregate.over = reader.value_or("over", AggregateOver::checks);
   aggregate.by_area = reader.choice_or("by", {"count", "area"}, 0) == 1;
   const bool has_areas =
       aggregate.rule == AggregateRule::share && aggregate.over != AggregateOver::checks;
