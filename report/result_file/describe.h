@@ -1,31 +1,23 @@
 #pragma once
 // How result_fields.h describes the result file, and to whom.
 //
-// describe(v, part) tells the visitor v what the part holds. A visitor has, besides the members of
-// Visitor,
-//
-//   constant(key, value): a text or number that is always the same.
+// describe(v, part) tells the visitor v what the part holds. A visitor has, besides what Visitor
+// has,
+//   constant(key, value): a text or number that is always the same;
 //   field(key, value, about): a value that is written and read again: a text, a flag, a number, an
-//     enum with names, a vector, a part that is described itself, a list of all these.
-//   items(key, list, start): a list; start(item) prepares a new item before it is read.
-//   coded(key, part, name, take, choices, about): a name; name(part) is written, take(part, text)
-//     reads it and is false if nothing has that name. Without choices the schema takes any text.
-//   object(key, fields, about): fields(v) describes the keys of an object that is no part by
-//   itself. if_true(key, flag, fields): keys that are there only if the flag above, `key`, is true.
-//   either(is_first, first, second): two sets of keys of which an object has one.
+//     enum with names, a vector, a part that is described itself, a list of all these;
+//   object(key, fields, about): an object that is no part, whose keys fields(v) describes;
 //   rows(key, list, cells): a table; cells(row, item) calls row(cell, cell, ...) once.
-//   made(optional): its value; where it is read there is one afterwards.
 //
-// What hangs on more than one value stays code: conditions are plain C++ beside the keys.
+// What hangs on more than one value stays code: conditions are plain C++ beside the keys, and what
+// is no member of a part is a local value that is described and then assigned.
 
 #include "calc/base/names.h"
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -55,9 +47,9 @@ struct About {
   Holds holds = Holds::text;
   // Range of a number: least and most, or above and below. Of whole numbers `least` alone, else 0.
   std::optional<double> least = {}, most = {}, above = {}, below = {};
-  bool is_mark = false;      // a flag that is written only where it is true
-  std::size_t names = 99;    // so many of an enum's names, from the first
-  const char* unknown = "";  // how a name that is none is refused; "": with the choices
+  bool is_mark = false;                        // a flag that is written only where it is true
+  std::vector<std::string_view> choices = {};  // of a text or an enum; empty: any text, any name
+  const char* unknown = "";  // how what is no choice is refused; "": with the choices
 };
 
 // What visitors have in common; those that do something there hide it.
@@ -71,11 +63,27 @@ struct Visitor {
   template <class Make, class Choices = int>
   void written(const char* /*key*/, const Make& /*make*/, const About& /*about*/ = {},
                const Choices& /*choices*/ = {}) {}
+  // Keys that are there only if the flag `key`, described before, is true.
+  template <class Fields>
+  void if_true(const char* /*key*/, bool flag, const Fields& fields) {
+    if (flag) fields();
+  }
+  // Two sets of keys of which an object has one.
+  template <class First, class Second>
+  void either(bool is_first, const First& first, const Second& second) {
+    is_first ? first() : second();
+  }
 };
 
 // A part that a visitor may change, or only look at.
 template <class T, class Part>
 concept Is = std::same_as<std::remove_const_t<T>, Part>;
+
+// Of what was described as a local value; a visitor that only looks at parts changes nothing.
+template <class T>
+void assign(T& to, const std::remove_const_t<T>& value) {
+  if constexpr (!std::is_const_v<T>) to = value;
+}
 
 // A number that is null in the file where it is `none` or not finite.
 template <class Double>
@@ -118,10 +126,8 @@ concept Named = std::is_enum_v<T> && requires {
 
 // Those that are allowed.
 template <Named T>
-std::vector<std::string_view> names_of(const About& about) {
-  std::vector<std::string_view> names = calc::names_of<T>();
-  names.resize(std::min(names.size(), about.names));
-  return names;
+std::vector<std::string_view> choices_of(const About& about) {
+  return about.choices.empty() ? calc::names_of<T>() : about.choices;
 }
 
 }  // namespace report

@@ -30,15 +30,6 @@ class Writer : public Visitor {
     if (!about.presence.is_there) return;
     json_[key] = about.null_if.value_or(false) ? Json() : json_of(value);
   }
-  template <class Items, class Start>
-  void items(const char* key, const Items& items, const Start& /*start*/) {
-    field(key, items);
-  }
-  template <class Part, class Name, class Take>
-  void coded(const char* key, const Part& part, const Name& name, const Take& /*take*/,
-             const std::vector<std::string_view>& /*choices*/, const About& /*about*/ = {}) {
-    json_[key] = name(part);
-  }
   template <class Make, class Choices = int>
   void written(const char* key, const Make& make, const About& /*about*/ = {},
                const Choices& /*choices*/ = {}) {
@@ -52,14 +43,6 @@ class Writer : public Visitor {
     fields(writer);
     json_[key] = std::move(json);
   }
-  template <class Fields>
-  void if_true(const char* /*key*/, bool flag, const Fields& fields) {
-    if (flag) fields();
-  }
-  template <class First, class Second>
-  void either(bool is_first, const First& first, const Second& second) {
-    is_first ? first() : second();
-  }
   template <class Items, class Cells>
   void rows(const char* key, const Items& items, const Cells& cells) {
     Json rows = Json::array();
@@ -69,10 +52,6 @@ class Writer : public Visitor {
       rows.push_back(std::move(row.json));
     }
     json_[key] = std::move(rows);
-  }
-  template <class T>
-  const T& made(const std::optional<T>& value) {
-    return *value;
   }
 
  private:

@@ -16,16 +16,14 @@ namespace {
 template <class T>
 void read(const JsonCursor& at, T& value, const About& about);
 
-std::string choices_text(const std::vector<std::string_view>& choices) {
-  std::string text;
-  for (const std::string_view choice : choices)
-    text += fmt::format("{}'{}'", text.empty() ? "" : ", ", choice);
-  return "one of " + text + " is needed";
-}
-
-[[noreturn]] void refuse_name(const JsonCursor& at, const About& about,
-                              const std::vector<std::string_view>& choices) {
-  at.refuse(*about.unknown != '\0' ? about.unknown : choices_text(choices));
+// The text at this place, one of the choices if there are any.
+std::string read_text(const JsonCursor& at, const About& about,
+                      const std::vector<std::string_view>& choices) {
+  std::string text = at.text();
+  if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end())
+    return text;
+  if (*about.unknown != '\0') at.refuse(about.unknown);
+  at.refuse(fmt::format("one of '{}' is needed", fmt::join(choices, "', '")));
 }
 
 // One object of the file, key by key. Throws BadJson.
@@ -47,19 +45,6 @@ class Reader : public Visitor {
     const std::optional<JsonCursor> found = find(key, about);
     if (found && !about.null_if.value_or(false)) read(*found, value, about);
   }
-  template <class Item, class Start>
-  void items(const char* key, std::vector<Item>& items, const Start& start) {
-    for (const JsonCursor& at : at_[key].items()) {
-      start(items.emplace_back());
-      read(at, items.back(), {});
-    }
-  }
-  template <class Part, class Name, class Take>
-  void coded(const char* key, Part& part, const Name& /*name*/, const Take& take,
-             const std::vector<std::string_view>& choices, const About& about = {}) {
-    const JsonCursor at = at_[key];
-    if (!take(part, at.text())) refuse_name(at, about, choices);
-  }
   template <class Fields>
   void object(const char* key, const Fields& fields, const About& about = {}) {
     if (const std::optional<JsonCursor> found = find(key, about)) {
@@ -67,24 +52,12 @@ class Reader : public Visitor {
       fields(reader);
     }
   }
-  template <class Fields>
-  void if_true(const char* /*key*/, bool flag, const Fields& fields) {
-    if (flag) fields();
-  }
-  template <class First, class Second>
-  void either(bool is_first, const First& first, const Second& second) {
-    is_first ? first() : second();
-  }
   template <class Item, class Cells>
   void rows(const char* key, std::vector<Item>& items, const Cells& cells) {
     for (const JsonCursor& at : at_[key].items()) {
       Row row{at};
       cells(row, items.emplace_back());
     }
-  }
-  template <class T>
-  T& made(std::optional<T>& value) {
-    return value.emplace();
   }
 
  private:
@@ -144,13 +117,9 @@ void read(const JsonCursor& at, T& value, const About& about) {
     value.clear();
     for (const JsonCursor& item : at.items()) read(item, value.emplace_back(), about);
   } else if constexpr (Named<T>) {
-    const std::string name = at.text();
-    const std::vector<std::string_view> choices = names_of<T>(about);
-    const auto found = std::find(choices.begin(), choices.end(), name);
-    if (found == choices.end()) refuse_name(at, about, choices);
-    value = *calc::find_value<T>(name);
+    value = *calc::find_value<T>(read_text(at, about, choices_of<T>(about)));
   } else if constexpr (std::is_same_v<T, std::string>) {
-    value = at.text();
+    value = read_text(at, about, about.choices);
   } else if constexpr (std::is_same_v<T, bool>) {
     value = at.flag();
   } else if constexpr (std::is_same_v<T, double>) {
@@ -168,7 +137,13 @@ void read(const JsonCursor& at, T& value, const About& about) {
 }
 
 // What follows from the values that a file has.
-void complete(PlanePart& plane) {
+void complete(const SpacePart& space, PlanePart& plane) {
+  plane.space_id = space.id;
+  for (rules::Finding& finding : plane.findings) {
+    finding.requirement.plane_id = plane.id;
+    finding.requirement.derived = plane.derived;
+  }
+  if (!plane.is_computed) return;
   calc::SensorGrid& grid = plane.grid;
   grid.kernel = plane.kernel;
   grid.derived = plane.derived;
@@ -193,9 +168,7 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem) 
     read(JsonCursor(json), document, {});
     for (ProjectPart& project : document.projects) {
       for (SpacePart& space : project.spaces) {
-        for (PlanePart& plane : space.planes) {
-          if (plane.is_computed) complete(plane);
-        }
+        for (PlanePart& plane : space.planes) complete(space, plane);
       }
     }
     return document;

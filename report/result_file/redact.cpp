@@ -177,19 +177,12 @@ class Redactor : public Visitor {
   Redactor(const FileNames& names, std::string project_path)
       : names_(names), project_path_(std::move(project_path)) {}
 
-  template <class Part, class Name, class Take>
-  void coded(const char* /*key*/, const Part& /*part*/, const Name& /*name*/, const Take& /*take*/,
-             const std::vector<std::string_view>& /*choices*/, const About& /*about*/ = {}) {}
   template <class Items, class Cells>
   void rows(const char* /*key*/, const Items& /*items*/, const Cells& /*cells*/) {}
 
   template <class T>
   void field(const char* /*key*/, T&& value, const About& about = {}) {
     walk(value, about.holds);
-  }
-  template <class Items, class Start>
-  void items(const char* /*key*/, Items& items, const Start& /*start*/) {
-    walk(items, Holds::text);
   }
   template <class Fields>
   void object(const char* /*key*/, const Fields& fields, const About& about = {}) {
@@ -203,10 +196,6 @@ class Redactor : public Visitor {
   void either(bool /*is_first*/, const First& first, const Second& second) {
     first();
     second();
-  }
-  template <class T>
-  T& made(std::optional<T>& value) {
-    return *value;
   }
 
  private:

@@ -77,16 +77,11 @@ void describe(auto& v, Is<Provenance> auto& p) {
 void describe(auto& v, Is<calc::Diagnostic> auto& diagnostic) {
   v.is("diagnostic");
   v.written("severity", [&] { return diagnostic.severity(); });
-  v.coded(
-      "id", diagnostic, [](const auto& d) { return calc::diagnostic_name(d.id); },
-      [](auto& d, std::string_view name) {
-        const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(name);
-        if (id) d.id = *id;
-        return id.has_value();
-      },
-      {},
-      {.words = "Stable name of the message.",
-       .unknown = "no message of this program has that id"});
+  std::string name = calc::diagnostic_name(diagnostic.id);
+  v.field("id", name, {.words = "Stable name of the message."});
+  const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(name);
+  v.refuse_if(!id, "id", "no message of this program has that id");
+  assign(diagnostic.id, id.value_or(diagnostic.id));
   v.field("where", diagnostic.where);
   v.field("message", diagnostic.message, {.holds = Holds::prose});
 }
@@ -153,15 +148,13 @@ inline std::vector<std::string_view> requirement_units() {
   return units;
 }
 
-// Its plane, and so what its points measure, is known already.
 void describe(auto& v, Is<rules::Finding> auto& finding) {
   auto& requirement = finding.requirement;
   v.is("finding");
   v.field("requirement", requirement.id, {.words = "Its id, unique within the plane."});
   v.field("quantity", requirement.metric, {.unknown = "no quantity has that name"});
-  v.written(
-      "unit", [&] { return std::string_view(rules::unit_of(requirement)); }, {},
-      requirement_units());
+  v.written("unit", [&] { return std::string_view(rules::unit_of(requirement)); },
+            {.choices = requirement_units()});
   v.field("comparison", requirement.comparison);
   v.field("limit", or_null(requirement.limit));
   v.field("state", requirement.state);
@@ -188,10 +181,11 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("direct_only", requirement.direct_only);
   v.field("by_tolerance", finding.by_tolerance);
   const auto waiver = [&](auto& o) {
-    auto& of = o.made(requirement.waiver);
+    rules::Waiver of = requirement.waiver.value_or(rules::Waiver{});
     o.field("reason", of.reason);
     o.field("owner", of.owner);
     o.field("until", of.until);
+    assign(requirement.waiver, of);
     o.field("applies", finding.is_waived);
     const bool may_be_waived =
         finding.verdict == rules::Verdict::fail || finding.verdict == rules::Verdict::undecided;
@@ -391,33 +385,28 @@ void describe_results(auto& v, Is<PlanePart> auto& plane) {
   v.object("points", [&](auto& o) { describe_points(o, plane); });
 }
 
-// Its space is known already.
+inline std::vector<std::string_view> plane_quantities() {
+  std::vector<std::string_view> names;
+  for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) names.push_back(known.name);
+  return names;
+}
+
 void describe(auto& v, Is<PlanePart> auto& plane) {
   v.is("plane");
   v.field("id", plane.id);
   v.field("name", plane.name);
   v.field("where", plane.where);
-  std::vector<std::string_view> quantities;
-  for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) quantities.push_back(known.name);
-  v.coded(
-      "quantity", plane,
-      [](const auto& p) { return std::string(calc::quantity_name(p.kernel, p.derived)); },
-      [](auto& p, std::string_view name) {
-        for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) {
-          if (known.name != name) continue;
-          p.kernel = known.kernel;
-          p.derived = known.derived;
-          return true;
-        }
-        return false;
-      },
-      quantities, {.unknown = "no kind of point has that name"});
+  std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
+  v.field("quantity", quantity,
+          {.choices = plane_quantities(), .unknown = "no kind of point has that name"});
+  for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) {
+    if (known.name != quantity) continue;
+    assign(plane.kernel, known.kernel);
+    assign(plane.derived, known.derived);
+  }
   v.field("is_computed", plane.is_computed);
   v.field("reason", plane.reason, {.words = "Why it was not computed.", .holds = Holds::prose});
-  v.items("findings", plane.findings, [&](rules::Finding& finding) {
-    finding.requirement.plane_id = plane.id;
-    finding.requirement.derived = plane.derived;
-  });
+  v.field("findings", plane.findings);
   const auto zone = [&](auto& o) {
     o.field("made_by", plane.made_by, {.holds = Holds::prose});
     o.field("changed", plane.changed, {.holds = Holds::prose});
@@ -479,7 +468,7 @@ void describe(auto& v, Is<SpacePart> auto& space) {
   v.field("bodies_left_out", space.bodies_left_out,
           {.words = "Furniture that is too much to draw.", .presence = kSinceLater});
   v.field("flux_balance", space.balance);
-  v.items("planes", space.planes, [&](PlanePart& plane) { plane.space_id = space.id; });
+  v.field("planes", space.planes);
   v.field("notes", space.notes,
           {.words = "Zones of workplaces that were not made, and why.",
            .presence = only_if(!space.notes.empty()),
@@ -513,7 +502,7 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
   v.field("share", finding.share, {.words = "Of share.", .least = 0.0, .most = 1.0});
   v.field("by_area", finding.by_area);
   // An aggregate counts by itself or not at all, never in another one.
-  v.field("severity", finding.severity, {.names = 2});
+  v.field("severity", finding.severity, {.choices = {"shall", "advice"}});
   v.field("verdict", finding.verdict);
   v.field("is_waived", finding.is_waived);
   v.refuse_if(finding.is_waived && finding.verdict == rules::Verdict::pass, "is_waived",

@@ -65,15 +65,6 @@ class SchemaMaker : public Visitor {
       json = {{"oneOf", {std::move(json), {{"type", "null"}}}}};
     add(key, std::move(json), about);
   }
-  template <class Items, class Start>
-  void items(const char* key, const Items& items, const Start& /*start*/) {
-    field(key, items);
-  }
-  template <class Part, class Name, class Take>
-  void coded(const char* key, const Part& /*part*/, const Name& /*name*/, const Take& /*take*/,
-             const std::vector<std::string_view>& choices, const About& about = {}) {
-    add(key, choices.empty() ? Json{{"type", "string"}} : Json{{"enum", choices}}, about);
-  }
   template <class Make, class Choices = std::vector<int>>
   void written(const char* key, const Make& /*make*/, const About& about = {},
                const Choices& choices = {}) {
@@ -107,10 +98,6 @@ class SchemaMaker : public Visitor {
     Row row;
     cells(row, item);
     add(key, list_of(numbers(row.count, number_or_null())), {});
-  }
-  template <class T>
-  T& made(std::optional<T>& value) {
-    return value.emplace();
   }
 
  private:
@@ -184,9 +171,9 @@ Json schema_of(const About& about, Json& definitions) {
   } else if constexpr (kIsList<T>) {
     return list_of(schema_of<typename T::value_type>({}, definitions));
   } else if constexpr (Named<T>) {
-    return {{"enum", names_of<T>(about)}};
+    return {{"enum", choices_of<T>(about)}};
   } else if constexpr (std::is_convertible_v<T, std::string_view>) {
-    return {{"type", "string"}};
+    return about.choices.empty() ? Json{{"type", "string"}} : Json{{"enum", about.choices}};
   } else if constexpr (std::is_same_v<T, bool>) {
     return about.is_mark ? Json{{"const", true}} : Json{{"type", "boolean"}};
   } else if constexpr (std::is_arithmetic_v<T>) {
