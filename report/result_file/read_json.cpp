@@ -105,8 +105,9 @@ void read(const JsonCursor& at, T& value, const About& about) {
   if constexpr (kIsOrNull<T>) {
     value.value = at.is_null() ? value.none : at.finite();
   } else if constexpr (kIsOptional<T>) {
+    // A key that may be missing is missing, not null.
     value.reset();
-    if (!at.is_null()) read(at, value.emplace(), about);
+    if (about.presence.may_lack || !at.is_null()) read(at, value.emplace(), about);
   } else if constexpr (Vector<T>) {
     const std::vector<JsonCursor> items = at.items(T::length());
     for (glm::length_t i = 0; i < T::length(); ++i)

@@ -396,6 +396,7 @@ void describe(auto& v, Is<PlanePart> auto& plane) {
   v.field("id", plane.id);
   v.field("name", plane.name);
   v.field("where", plane.where);
+  // Two members have one name.
   std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
   v.field("quantity", quantity,
           {.choices = plane_quantities(), .unknown = "no kind of point has that name"});

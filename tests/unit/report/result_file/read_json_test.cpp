@@ -240,6 +240,8 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
                  {{"reason", "r"}, {"owner", "o"}, {"until", "2030-01-01"}, {"applies", true}}),
             "/projects/0/spaces/0/planes/0/findings/0/waiver/applies: only 'fail' and 'undecided' "
             "can be waived");
+  EXPECT_EQ(with("/projects/0/spaces/0/planes/0/findings/0/point_m", nullptr),
+            "/projects/0/spaces/0/planes/0/findings/0/point_m: an array is needed");
   EXPECT_EQ(with("/provenance/confidence", 1),
             "/provenance/confidence: a number above 0 and below 1 is needed");
   EXPECT_EQ(with("/provenance/numbers_version", 0),
