@@ -16,6 +16,28 @@ add_test(NAME cli.selftest_is_right COMMAND ${CMAKE_COMMAND}
   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/selftest
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_selftest.cmake)
 set_tests_properties(cli.selftest_is_right PROPERTIES TIMEOUT 900)
+
+# The rest of validation/: tables that are not part of the tree, and curves, which take minutes and are no test.
+add_executable(validation_report
+  validation/open_cases.cpp
+  validation/open_grid.cpp
+  validation/open_places.cpp
+  validation/open_report.cpp
+  validation/open_scalars.cpp
+  validation/open_scene.cpp
+  validation/open_sphere.cpp
+  validation/open_tables.cpp
+  validation/sweep.cpp
+  validation/sweep_render.cpp
+  validation/validation_report.cpp)
+target_link_libraries(validation_report PRIVATE luxgate_cli)
+add_test(NAME validation.open_cases_are_kept COMMAND ${CMAKE_COMMAND}
+  -DVALIDATION_REPORT=$<TARGET_FILE:validation_report> -DCOMPARE_REPORT=$<TARGET_FILE:compare_report>
+  -DKEPT=${CMAKE_CURRENT_SOURCE_DIR}/validation/open-cases.md
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/open_cases
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_open_cases.cmake)
+set_tests_properties(validation.open_cases_are_kept PROPERTIES TIMEOUT 900 SKIP_REGULAR_EXPRESSION "skipped:")
+
 add_test(NAME cli.compare_says_what_differs COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DEXAMPLE=${PROJECT_SOURCE_DIR}/examples/03-cornell-box
   -DRATINGS=${CMAKE_CURRENT_SOURCE_DIR}/golden/ratings-and-power

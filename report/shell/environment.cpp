@@ -37,7 +37,6 @@ Environment read_environment() {
   environment.clicolor_force = variable("CLICOLOR_FORCE");
   environment.term = variable("TERM");
   environment.gl_fault = variable("LUXGATE_GL_FAULT");
-  environment.shared_data = variable("LUXGATE_SHARED_DATA");
   environment.program_folder = program_folder();
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;

@@ -12,7 +12,6 @@ struct Environment {
   // or
   // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
   std::string program_folder;
-  std::string shared_data;  // LUXGATE_SHARED_DATA: where `selftest` finds open validation cases
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known

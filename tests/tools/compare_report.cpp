@@ -72,6 +72,6 @@ int main(int argc, char** argv) {
                    kept[k].c_str());
     }
   }
-  if (differences > 0) std::fprintf(stderr, "'luxgate selftest --report FOLDER' writes it anew\n");
+  if (differences > 0) std::fprintf(stderr, "the program that it names writes it anew\n");
   return differences > 0 ? 1 : 0;
 }

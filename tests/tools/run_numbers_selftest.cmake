@@ -11,7 +11,7 @@ foreach(isa IN LISTS instruction_sets)
   if(NOT chosen STREQUAL isa)
     message(SEND_ERROR "asked for ${isa}, the program chose ${chosen}")
   endif()
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${as_${isa}} LUXGATE_SHARED_DATA= ${LUXGATE} selftest --json
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${as_${isa}} ${LUXGATE} selftest --json
     RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${isa}: exit code ${code}\n${err}")

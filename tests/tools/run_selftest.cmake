@@ -4,7 +4,6 @@ cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-set(ENV{LUXGATE_SHARED_DATA} "")
 
 function(run expected_exit)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK}
@@ -27,8 +26,8 @@ function(expect_noticed from to)
 endfunction()
 expect_noticed("([0-9]+) numbers, seed" "1\\1 numbers, seed")
 expect_noticed("All are right" "All are wrong")
-if(NOT EXISTS ${WORK}/out/validation.html OR EXISTS ${WORK}/out/open-cases.md)
-  message(SEND_ERROR "the files of the report are not those expected")
+if(NOT EXISTS ${WORK}/out/validation.html)
+  message(SEND_ERROR "validation.html was not written")
 endif()
 
 # The same bytes for any number of threads; a case alone gives the same numbers.

@@ -5,7 +5,6 @@
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace cli::selftest {
@@ -157,7 +156,6 @@ std::vector<double> Solution::replicates(const std::vector<double>& weights, Par
 
 Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort,
                calc::ReceiverKernel kernel) {
-  const auto begin = std::chrono::steady_clock::now();
   calc::SensorGrid grid;
   grid.kernel = kernel;
   for (const Point& point : points) {
@@ -182,8 +180,6 @@ Solution solve(const Scene& scene, const std::vector<Point>& points, const Effor
   const calc::SolveCounters& counters = solution.field.counters;
   solution.rays =
       solved.pool_rays + counters.direct_rays + counters.connection_rays + counters.near_rays;
-  solution.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
 }
 

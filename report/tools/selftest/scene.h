@@ -74,7 +74,6 @@ struct Solution {
   calc::PlaneField field;
   calc::FluxBalance balance;
   std::uint64_t rays = 0;
-  double seconds = 0.0;
 
   // One value if nothing was sampled.
   std::vector<double> replicates(std::size_t point, Part part = Part::total) const;

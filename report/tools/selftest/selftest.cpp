@@ -1,13 +1,11 @@
 #include "report/tools/selftest/selftest.h"
 
 #include "calc/base/diagnostics.h"
-#include "calc/base/file_reader.h"
 #include "calc/rays/triangle_tree.h"
 #include "report/document/program_version.h"
 #include "report/formats/write.h"
 #include "report/shell/interrupt.h"
 #include "report/tools/selftest/report.h"
-#include "report/tools/selftest/sweep.h"
 
 #include <fmt/format.h>
 
@@ -81,69 +79,32 @@ std::vector<selftest::JudgedCase> run_cases(std::vector<SelftestCase> cases,
   return judged;
 }
 
-struct ReportFile {
-  std::string name, text;
-};
-
-void write_files(const std::string& folder, const std::vector<ReportFile>& files,
-                 CommandOutcome& outcome) {
-  calc::Diagnostics diagnostics;
-  for (const ReportFile& file : files) {
-    const std::string path = (std::filesystem::path(folder) / file.name).string();
-    const std::string problem = report::write_file_atomically(path, file.text);
-    if (problem.empty()) continue;
-    diagnostics.report(calc::DiagnosticId::output_not_possible, {},
-                       fmt::format("cannot write '{}': {}", path, problem));
-  }
-  if (diagnostics.has_errors()) outcome.code = kNotJudged;
-  outcome.diagnostics = diagnostics.all();
-}
-
 CommandOutcome interrupted_outcome() {
   fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
   return {kInterrupted, "", {}};
 }
 
-CommandOutcome sweep(const SelftestOptions& options, const Announcer& announce) {
-  const std::vector<selftest::Sweep> sweeps = selftest::run_sweeps(effort_of(options), announce);
-  announce.clear();
-  if (interrupted()) return interrupted_outcome();
-  CommandOutcome outcome;
-  outcome.text = selftest::render_sweeps_markdown(sweeps);
-  write_files(options.sweep_folder,
-              {{"sweeps.csv", selftest::render_sweeps_csv(sweeps, options.has_timing)},
-               {"sweeps.html", selftest::render_sweeps_html(sweeps)},
-               {"sweeps.md", outcome.text}},
-              outcome);
-  return outcome;
-}
-
-// The open cases count for the report, not for the exit code: some ask for what luxgate is not.
-void write_report(const SelftestOptions& options, const std::string& shared_data,
-                  const selftest::RunResult& result, const Announcer& announce,
+void write_report(const SelftestOptions& options, const selftest::RunResult& result,
                   CommandOutcome& outcome) {
-  selftest::OpenCases open;
-  if (!shared_data.empty()) {
-    open = selftest::run_open_cases(shared_data + "/validation", calc::DiskFileReader(),
-                                    effort_of(options), announce);
-    announce.clear();
-    if (interrupted()) return;
-    if (!open.problem.empty()) outcome.text += "Open cases: " + open.problem + "\n";
-  }
-  std::vector<ReportFile> files = {
-      {"validation.md", selftest::render_report_markdown(result, options.has_timing)},
-      {"validation.html", selftest::render_report_html(result, open, options.has_timing)}};
-  if (!open.cases.empty()) {
-    files.push_back({"open-cases.md", selftest::render_open_markdown(open)});
-  }
-  write_files(options.report_folder, files, outcome);
+  calc::Diagnostics diagnostics;
+  const std::filesystem::path folder = options.report_folder;
+  const auto write = [&](const char* name, const std::string& text) {
+    const std::string path = (folder / name).string();
+    const std::string problem = report::write_file_atomically(path, text);
+    if (problem.empty()) return;
+    diagnostics.report(calc::DiagnosticId::output_not_possible, {},
+                       fmt::format("cannot write '{}': {}", path, problem));
+  };
+  write("validation.md", selftest::render_report_markdown(result, options.has_timing));
+  write("validation.html", selftest::render_report_html(result, options.has_timing));
+  if (diagnostics.has_errors()) outcome.code = kNotJudged;
+  outcome.diagnostics = diagnostics.all();
 }
 
 }  // namespace
 
 CommandOutcome run_selftest(const SelftestOptions& options, const Environment& environment) {
   const Announcer announce(environment.stderr_is_terminal);
-  if (!options.sweep_folder.empty()) return sweep(options, announce);
   CommandOutcome outcome;
   std::vector<SelftestCase> cases = chosen_cases(options);
   if (options.lists) {
@@ -165,10 +126,7 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
                                   use_color(ColorChoice::automatic, environment)};
   outcome.text = options.as_json ? selftest::render_json(result, options.has_timing)
                                  : selftest::render_text(result, style);
-  if (!options.report_folder.empty()) {
-    write_report(options, environment.shared_data, result, announce, outcome);
-    if (interrupted()) return interrupted_outcome();
-  }
+  if (!options.report_folder.empty()) write_report(options, result, outcome);
   return outcome;
 }
 

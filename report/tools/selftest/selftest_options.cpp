@@ -26,10 +26,6 @@ ValueParser case_or_kind(std::vector<std::string>& target) {
 
 // "" = nothing is wrong.
 std::string selftest_contradiction(const SelftestOptions& options) {
-  if (!options.sweep_folder.empty() && (!options.only.empty() || !options.report_folder.empty() ||
-                                        options.as_json || options.lists || options.shows_all)) {
-    return "--sweep goes with --seed, --jobs and --timing only";
-  }
   if (options.lists && (options.shows_all || options.has_timing || options.as_json ||
                         !options.report_folder.empty())) {
     return "--list goes with --only only";
@@ -53,13 +49,9 @@ Command selftest_syntax(SelftestOptions& options) {
       {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
        true},
       {"--report", "FOLDER",
-       "Write validation.html and validation.md there: every case with its numbers, and the open\n"
-       "cases of $LUXGATE_SHARED_DATA/validation where that is set. Made if needed",
+       "Write validation.html and validation.md there: every case with its\n"
+       "numbers. Made if needed",
        some_text(options.report_folder)},
-      {"--sweep", "FOLDER",
-       "Instead: error over ranges of reflectance, distance, offset, intensity and aspect, as\n"
-       "sweeps.csv, sweeps.html and sweeps.md. Takes minutes",
-       some_text(options.sweep_folder)},
       seed_option(options.seed),
       jobs_option(options.jobs)};
   command.footer =

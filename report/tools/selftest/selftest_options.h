@@ -12,10 +12,10 @@ namespace cli {
 struct SelftestOptions {
   std::vector<std::string> only;  // names of cases or kinds; empty = all
   bool as_json = false;
-  bool lists = false;                       // names the cases, runs nothing
-  bool shows_all = false;                   // a line for every number
-  bool has_timing = false;                  // results are the same bytes without
-  std::string report_folder, sweep_folder;  // "" = none
+  bool lists = false;         // names the cases, runs nothing
+  bool shows_all = false;     // a line for every number
+  bool has_timing = false;    // results are the same bytes without
+  std::string report_folder;  // "" = none
   std::uint64_t seed = 1;
   int jobs = 0;
 };

@@ -1,17 +1,20 @@
 #include "report/html/html_markup.h"
-#include "report/html/html_style.h"
 #include "report/text/csv_field.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
 #include "report/tools/converge/converge_plot.h"
-#include "report/tools/selftest/sweep.h"
+#include "report/tools/selftest/report.h"
+#include "tests/validation/sweep.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 std::string value_of(const Sweep& sweep, const SweepStep& step) {
@@ -65,9 +68,8 @@ std::string plot(const Sweep& sweep) {
 
 }  // namespace
 
-std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing) {
-  std::string csv = "sweep,value,unit,deviation,half_width_95,known_to,rays";
-  csv += has_timing ? ",seconds,said\n" : ",said\n";
+std::string render_sweeps_csv(const std::vector<Sweep>& sweeps) {
+  std::string csv = "sweep,value,unit,deviation,half_width_95,known_to,rays,said\n";
   for (const Sweep& sweep : sweeps) {
     for (const SweepStep& step : sweep.steps) {
       csv +=
@@ -75,7 +77,6 @@ std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing)
                       report::csv_field(sweep.unit), report::format_shortest(step.deviation),
                       report::format_shortest(step.half_width),
                       report::format_shortest(step.known_to), report::format_shortest(step.rays));
-      if (has_timing) csv += "," + report::format_shortest(step.seconds);
       csv += "," + report::csv_field(step.said) + "\n";
     }
   }
@@ -84,7 +85,7 @@ std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing)
 
 std::string render_sweeps_markdown(const std::vector<Sweep>& sweeps) {
   std::string text =
-      "# Numerical stability\n\nWritten by `luxgate selftest --sweep FOLDER`, never by hand: how "
+      "# Numerical stability\n\nWritten by `validation_report sweeps FOLDER`, never by hand: how "
       "far "
       "the mean is off the truth, and the half-width of\nthe 95 % interval, towards the ends of "
       "what can be asked for.\n";
@@ -106,28 +107,23 @@ std::string render_sweeps_markdown(const std::vector<Sweep>& sweeps) {
 }
 
 std::string render_sweeps_html(const std::vector<Sweep>& sweeps) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta "
-      "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta "
-      "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'\"/>\n<title>Numerical stability</title>\n<style>\n" +
-      report::html_style() + kPlotStyle +
-      "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate selftest --sweep</p>\n<h1>Numerical "
-      "stability</h1>\n<p>How far the mean is off the truth (<span class=\"m1\" style=\"color:"
-      "var(--c)\">red</span>, at least 0.0001 %), and the half-width of the 95 % interval (<span "
-      "class=\"m0\" style=\"color:var(--c)\">blue</span>).</p>\n";
+  std::string body =
+      "<p class=\"eyebrow\">validation_report sweeps</p>\n<h1>Numerical stability</h1>\n<p>How far "
+      "the mean is off the truth (<span class=\"m1\" style=\"color:var(--c)\">red</span>, at least "
+      "0.0001 %), and the half-width of the 95 % interval (<span class=\"m0\" "
+      "style=\"color:var(--c)\">blue</span>).</p>\n";
   for (const Sweep& sweep : sweeps) {
-    html +=
+    body +=
         fmt::format("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n{}", report::escape_html(sweep.title),
                     report::escape_html(sweep.what), plot(sweep));
     for (const SweepStep& step : sweep.steps) {
       if (step.said.empty()) continue;
-      html +=
+      body +=
           fmt::format("<p class=\"message\">{}: {}</p>\n",
                       report::escape_html(value_of(sweep, step)), report::escape_html(step.said));
     }
   }
-  return html + "</body>\n</html>\n";
+  return html_page("Numerical stability", kPlotStyle, body);
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

@@ -1,16 +1,19 @@
-#include "report/tools/selftest/open_cases.h"
+#include "tests/validation/open_cases.h"
 
 #include "calc/base/text.h"
 #include "calc/scene/receiver_kernel.h"
-#include "report/tools/selftest/open_scalars.h"
-#include "report/tools/selftest/open_scene.h"
-#include "report/tools/selftest/open_tables.h"
+#include "tests/validation/open_scalars.h"
+#include "tests/validation/open_scene.h"
+#include "tests/validation/open_tables.h"
 
 #include <exception>
 #include <optional>
 #include <utility>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 constexpr std::uint64_t kPaths = 4096;
@@ -133,12 +136,12 @@ OpenCase run_case(const Row& row, const Tables& tables, const Effort& effort) {
 
 OpenCases run_open_cases(const std::string& folder, const calc::FileReader& files,
                          const Effort& effort,
-                         const std::function<bool(const std::string&)>& go_on) {
+                         const std::function<void(const std::string&)>& announce) {
   OpenCases open;
   try {
     const Tables tables = read_tables(folder, files);
     for (const Row& row : tables.cases) {
-      if (!go_on(row.at("case_id"))) return open;
+      announce(row.at("case_id"));
       open.cases.push_back(run_case(row, tables, effort));
     }
   } catch (const std::exception& error) {  // BadTable, or a column that is not there
@@ -147,4 +150,4 @@ OpenCases run_open_cases(const std::string& folder, const calc::FileReader& file
   return open;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

@@ -1,4 +1,4 @@
-#include "report/tools/selftest/open_grid.h"
+#include "tests/validation/open_grid.h"
 
 #include "rules/measure/metrics.h"
 
@@ -8,7 +8,10 @@
 #include <cstdio>
 #include <string>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 constexpr double kTableKnownTo = 1e-6;  // of grids under lamps whose table is the truth
@@ -134,4 +137,4 @@ Measured grid_statistic(const Row& scalar, const GridCase& grid, const Solution&
   return m;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

@@ -1,4 +1,4 @@
-#include "report/tools/selftest/sweep.h"
+#include "tests/validation/sweep.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/statistics.h"
@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 constexpr double kCd = 100.0;
@@ -21,7 +24,6 @@ SweepStep step_of(double value, const Solution& solution, const std::vector<doub
   step.value = value;
   step.known_to = known_to;
   step.rays = static_cast<double>(solution.rays);
-  step.seconds = solution.seconds;
   step.said = solution.problem;
   if (!step.said.empty()) return step;
   const calc::Estimate e = calc::t_interval(replicates, 0.95);
@@ -180,11 +182,11 @@ std::vector<Plan> plans(const Effort& effort) {
 }  // namespace
 
 std::vector<Sweep> run_sweeps(const Effort& effort,
-                              const std::function<bool(const std::string&)>& go_on) {
+                              const std::function<void(const std::string&)>& announce) {
   std::vector<Sweep> sweeps;
   for (Plan& plan : plans(effort)) {
     for (const double value : plan.values) {
-      if (!go_on(fmt::format("{} {:g} {}", plan.sweep.name, value, plan.sweep.unit))) return sweeps;
+      announce(fmt::format("{} {:g} {}", plan.sweep.name, value, plan.sweep.unit));
       plan.sweep.steps.push_back(plan.make(value));
     }
     sweeps.push_back(std::move(plan.sweep));
@@ -192,4 +194,4 @@ std::vector<Sweep> run_sweeps(const Effort& effort,
   return sweeps;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

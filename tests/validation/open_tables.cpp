@@ -1,4 +1,4 @@
-#include "report/tools/selftest/open_tables.h"
+#include "tests/validation/open_tables.h"
 
 #include "calc/base/text.h"
 #include "report/shell/csv_cells.h"
@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <optional>
 
-namespace cli::selftest {
+namespace validation {
+
 namespace {
 
 std::vector<Row> read_table(const std::string& path, const calc::FileReader& files) {
@@ -21,7 +22,7 @@ std::vector<Row> read_table(const std::string& path, const calc::FileReader& fil
   std::string_view text = content.bytes;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::vector<std::string> cells = csv_cells(calc::trim(text.substr(0, end)));
+    const std::vector<std::string> cells = cli::csv_cells(calc::trim(text.substr(0, end)));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (cells.size() == 1 && cells[0].empty()) continue;
     if (names.empty()) {
@@ -98,4 +99,4 @@ std::string part_named(const std::string& text, const std::string& name) {
   throw BadTable("no '" + name + "' in: " + text);
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

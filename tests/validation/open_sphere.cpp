@@ -1,4 +1,4 @@
-#include "report/tools/selftest/open_sphere.h"
+#include "tests/validation/open_sphere.h"
 
 #include "calc/base/text.h"
 #include "calc/base/units.h"
@@ -10,7 +10,10 @@
 #include <cstdio>
 #include <vector>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 constexpr double kFlux_lm = 1000.0;
@@ -106,4 +109,4 @@ std::optional<SphereCase> sphere_case(const std::string& name, const std::string
   return sphere;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

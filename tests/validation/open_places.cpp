@@ -1,4 +1,4 @@
-#include "report/tools/selftest/open_places.h"
+#include "tests/validation/open_places.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
@@ -8,7 +8,10 @@
 #include <limits>
 #include <numeric>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 constexpr int kGauss = 4;
@@ -132,4 +135,4 @@ Places places_on_disc(const glm::dvec3& centre_m, double radius_m, const glm::dv
   return places;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

@@ -1,10 +1,10 @@
-#include "report/tools/selftest/open_scene.h"
+#include "tests/validation/open_scene.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/photometry/read/photometry_file.h"
-#include "report/tools/selftest/open_places.h"
+#include "tests/validation/open_places.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,10 @@
 #include <cmath>
 #include <cstdio>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 // An evenly shining plate that is no rectangle: as many diffuse point sources of the same flux.
@@ -200,4 +203,4 @@ std::vector<glm::dvec3> lamps_of(const std::string& id, const Tables& tables) {
   return lamps;
 }
 
-}  // namespace cli::selftest
+}  // namespace validation

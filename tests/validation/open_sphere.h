@@ -1,17 +1,17 @@
 #pragma once
 // Integrating spheres of triangles, with a lamp of 1000 lm in the middle.
 
-#include "report/tools/selftest/open_places.h"
-#include "report/tools/selftest/open_tables.h"
 #include "report/tools/selftest/scene.h"
+#include "tests/validation/open_places.h"
+#include "tests/validation/open_tables.h"
 
 #include <optional>
 #include <string>
 
-namespace cli::selftest {
+namespace validation {
 
 struct SphereCase {
-  Scene scene;
+  cli::selftest::Scene scene;
   Places places;
   double largest_rho = 0.0;
   double known_to = 0.0;  // relative: quadrature, and what triangles lack to the sphere
@@ -23,4 +23,4 @@ struct SphereCase {
 std::optional<SphereCase> sphere_case(const std::string& name, const std::string& quantity,
                                       const Tables& tables);
 
-}  // namespace cli::selftest
+}  // namespace validation

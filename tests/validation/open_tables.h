@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cli::selftest {
+namespace validation {
 
 using Row = std::map<std::string, std::string>;
 
@@ -42,4 +42,4 @@ std::vector<std::string> split(const std::string& text, char at);  // parts, tri
 // Of the words after `name` in "name words; name words".
 std::string part_named(const std::string& text, const std::string& name);
 
-}  // namespace cli::selftest
+}  // namespace validation

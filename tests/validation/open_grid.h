@@ -2,12 +2,12 @@
 // Grids of open validation cases, and their statistics.
 
 #include "report/tools/selftest/case.h"
-#include "report/tools/selftest/open_places.h"
-#include "report/tools/selftest/open_tables.h"
+#include "tests/validation/open_places.h"
+#include "tests/validation/open_tables.h"
 
 #include <optional>
 
-namespace cli::selftest {
+namespace validation {
 
 struct GridCase {
   Places places;             // its points, all of the same area
@@ -19,6 +19,7 @@ struct GridCase {
 std::optional<GridCase> grid_case(const Row& item, const Row& scalar, const Tables& tables);
 
 // Average, minimum, maximum, U0 or Ud, with the program's own interval.
-Measured grid_statistic(const Row& scalar, const GridCase& grid, const Solution& solution);
+cli::selftest::Measured grid_statistic(const Row& scalar, const GridCase& grid,
+                                       const cli::selftest::Solution& solution);
 
-}  // namespace cli::selftest
+}  // namespace validation

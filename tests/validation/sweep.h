@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-namespace cli::selftest {
+namespace validation {
 
 struct SweepStep {
   double value = 0.0;       // of what is swept
   double deviation = 0.0;   // of the mean, relative to the truth
   double half_width = 0.0;  // of the 95 % interval, relative; 0 = exact
   double known_to = 0.0;    // the truth, relative
-  double rays = 0.0, seconds = 0.0;
+  double rays = 0.0;
   std::string said;  // what the program says instead of a number; "" = a number
 };
 
@@ -23,12 +23,12 @@ struct Sweep {
   std::vector<SweepStep> steps;
 };
 
-// go_on: asked before every step with words for it; false ends early.
-std::vector<Sweep> run_sweeps(const Effort& effort,
-                              const std::function<bool(const std::string&)>& go_on);
+// announce: told every step before it is calculated.
+std::vector<Sweep> run_sweeps(const cli::selftest::Effort& effort,
+                              const std::function<void(const std::string&)>& announce);
 
-std::string render_sweeps_csv(const std::vector<Sweep>& sweeps, bool has_timing);
+std::string render_sweeps_csv(const std::vector<Sweep>& sweeps);
 std::string render_sweeps_markdown(const std::vector<Sweep>& sweeps);
 std::string render_sweeps_html(const std::vector<Sweep>& sweeps);
 
-}  // namespace cli::selftest
+}  // namespace validation

@@ -1,12 +1,12 @@
-#include "report/tools/selftest/open_scalars.h"
+#include "tests/validation/open_scalars.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/scene/prepared_scene.h"
-#include "report/tools/selftest/open_grid.h"
-#include "report/tools/selftest/open_places.h"
-#include "report/tools/selftest/open_scene.h"
-#include "report/tools/selftest/open_sphere.h"
+#include "tests/validation/open_grid.h"
+#include "tests/validation/open_places.h"
+#include "tests/validation/open_scene.h"
+#include "tests/validation/open_sphere.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,10 @@
 #include <cstdio>
 #include <optional>
 
-namespace cli::selftest {
+namespace validation {
+
+using namespace cli::selftest;
+
 namespace {
 
 // Relative: quadrature over points, and interpolation in photometric tables.
@@ -289,4 +292,4 @@ ScalarResult run_scalars(const Row& row, const Tables& tables, const Effort& eff
   return Scalars(row, tables, effort).run();
 }
 
-}  // namespace cli::selftest
+}  // namespace validation
