@@ -8,9 +8,7 @@
 namespace calc {
 
 CsvReader::CsvReader(std::string_view bytes, CsvComments comments)
-    : rest_(bytes), comments_(comments) {
-  if (rest_.starts_with(kUtf8ByteOrderMark)) rest_.remove_prefix(kUtf8ByteOrderMark.size());
-}
+    : rest_(without_byte_order_mark(bytes)), comments_(comments) {}
 
 void CsvReader::take() {
   if (is_at_line_end()) {
