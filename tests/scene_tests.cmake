@@ -11,6 +11,7 @@ luxgate_test(scene_tests
     unit/calc/scene/prepared_scene_test.cpp
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
+    unit/calc/base/csv_test.cpp
     unit/calc/base/file_hash_test.cpp
     unit/calc/base/names_test.cpp
     unit/calc/project/energy_xml_test.cpp

@@ -10,8 +10,6 @@ namespace calc {
 
 // Splits at blanks, tabs and line ends; no empty parts.
 std::vector<std::string_view> split_words(std::string_view text);
-// The parts between commas, trimmed; quotes mean nothing.
-std::vector<std::string_view> split_at_commas(std::string_view line);
 std::string_view trim(std::string_view text);
 
 // A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing

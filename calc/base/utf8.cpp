@@ -3,36 +3,47 @@
 namespace calc {
 namespace {
 
-// Length of the valid character at the beginning of `text`; 0 if there is none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!is_utf8_continuation(text[i])) return 0;
-  }
-  const bool is_overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
-  const bool is_surrogate = lead == 0xED && byte(1) > 0x9F;
-  const bool is_too_large = lead == 0xF4 && byte(1) > 0x8F;
-  return is_overlong || is_surrogate || is_too_large ? 0 : length;
-}
+constexpr std::string_view kUtf8ByteOrderMark = "\xEF\xBB\xBF";
 
-char byte_of(std::uint32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); }
+char byte_of(char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); }
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view bytes) {
+  if (bytes.starts_with(kUtf8ByteOrderMark)) bytes.remove_prefix(kUtf8ByteOrderMark.size());
+  return bytes;
+}
+
+bool has_utf16_mark(std::string_view bytes) {
+  return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+Utf8Character first_character(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {};
+  char32_t code = lead & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!is_utf8_continuation(text[i])) return {};
+    code = (code << 6u) | (static_cast<unsigned char>(text[i]) & 0x3Fu);
+  }
+  const bool is_overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+  if (is_overlong || is_surrogate || code > 0x10FFFF) return {};
+  return {code, length};
+}
+
 std::optional<std::size_t> first_invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text.substr(i));
+    const std::size_t length = first_character(text.substr(i)).length;
     if (length == 0) return i;
     i += length;
   }
   return std::nullopt;
 }
 
-std::string utf8_from_code_point(std::uint32_t code) {
+std::string utf8_from_code_point(char32_t code) {
   const auto tail = [&](unsigned shift) { return byte_of(0x80u | ((code >> shift) & 0x3Fu)); };
   if (code < 0x80u) return {byte_of(code)};
   if (code < 0x800u) return {byte_of(0xC0u | (code >> 6u)), tail(0)};

@@ -1,27 +1,36 @@
 #pragma once
-// The little of UTF-8 that readers need.
+// The little of UTF-8 that readers and writers need, and byte order marks.
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace calc {
 
-inline constexpr std::string_view kUtf8ByteOrderMark = "\xEF\xBB\xBF";
+// What follows the mark of UTF-8, where there is one.
+std::string_view without_byte_order_mark(std::string_view bytes);
+// Whether a mark of UTF-16 begins the bytes, in either order.
+bool has_utf16_mark(std::string_view bytes);
 
 // True for the second and later bytes of a character.
 constexpr bool is_utf8_continuation(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u;
 }
 
+// The character that begins a text, which is not empty. length: in bytes; 0 = it is not valid.
+struct Utf8Character {
+  char32_t code = 0;
+  std::size_t length = 0;
+};
+Utf8Character first_character(std::string_view text);
+
 // Offset of the first byte that breaks the encoding (overlong forms, surrogates and codes above
 // U+10FFFF included).
 std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 
 // code: up to 0x10FFFF.
-std::string utf8_from_code_point(std::uint32_t code);
+std::string utf8_from_code_point(char32_t code);
 
 // The text with a blank for each control character (line ends, tabs, terminal escapes, U+0080 to
 // U+009F). Bytes that are not UTF-8 stay.

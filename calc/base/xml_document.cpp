@@ -28,7 +28,7 @@ constexpr unsigned int kParseFlags = pugi::parse_cdata | pugi::parse_comments |
 class Locator {
  public:
   Locator(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-    line_start_.push_back(bytes.starts_with(kUtf8ByteOrderMark) ? kUtf8ByteOrderMark.size() : 0);
+    line_start_.push_back(bytes.size() - without_byte_order_mark(bytes).size());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       if (bytes[i] == '\n') line_start_.push_back(i + 1);
     }
@@ -263,8 +263,8 @@ bool check_characters(std::string_view bytes, Locator& locator, Diagnostics& dia
 
 // pugixml skips most of what a declaration says.
 bool check_beginning(std::string_view bytes, Locator& locator, Diagnostics& diagnostics) {
-  const std::size_t begin = bytes.starts_with(kUtf8ByteOrderMark) ? kUtf8ByteOrderMark.size() : 0;
-  const std::string_view content = bytes.substr(begin);
+  const std::string_view content = without_byte_order_mark(bytes);
+  const std::size_t begin = bytes.size() - content.size();
   if (!content.starts_with("<?xml") || content.find_first_of(" \t\r\n?", 5) != 5) return true;
   static const std::regex kDeclaration(
       R"re(<\?xml\s+version\s*=\s*["']1\.[0-9]["'](\s+encoding\s*=\s*["']([\w.-]+)["'])?)re"

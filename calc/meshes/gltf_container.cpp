@@ -129,8 +129,7 @@ bool leaves_triangles(std::string_view extension) {
 
 bool is_gltf(std::string_view bytes) {
   if (bytes.starts_with(kMagic)) return true;
-  if (bytes.starts_with(kUtf8ByteOrderMark)) bytes.remove_prefix(kUtf8ByteOrderMark.size());
-  return trim(bytes.substr(0, 200)).starts_with('{');
+  return trim(without_byte_order_mark(bytes).substr(0, 200)).starts_with('{');
 }
 
 std::optional<GltfContainer> open_gltf(std::string_view bytes, const std::string& name,

@@ -1,6 +1,6 @@
 #include "calc/project/luminaire_list_csv.h"
 
-#include "calc/base/line_cursor.h"
+#include "calc/base/csv.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
@@ -46,24 +46,21 @@ struct BadLine {
 class ListReader {
  public:
   // Throws BadLine.
-  void read_header(std::string_view line) {
-    position_.fill(kAbsent);
-    const std::vector<std::string_view> words = split_at_commas(line);
-    columns_ = words.size();
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      const auto known = std::find(kNames.begin(), kNames.end(), words[i]);
-      if (known == kNames.end()) throw BadLine{"found '" + shorten_utf8(words[i], 40) + "'"};
-      std::size_t& place = position_[static_cast<std::size_t>(known - kNames.begin())];
-      if (place != kAbsent) throw BadLine{fmt::format("'{}' is there twice", words[i])};
-      place = i;
+  void read_header(const CsvRecord& header) {
+    columns_ = CsvColumns(header, kNames);
+    if (!columns_.unknown().empty()) {
+      const std::string found = shorten_utf8(columns_.unknown()[0], 40);
+      throw BadLine{"found '" + found + "'" + suggestion(found, {kNames.begin(), kNames.end()})};
+    }
+    if (!columns_.doubled().empty()) {
+      throw BadLine{fmt::format("'{}' is there twice", columns_.doubled())};
     }
     for (std::size_t c = 0; c < kRequired; ++c) {
-      if (position_[c] == kAbsent) throw BadLine{fmt::format("'{}' is missing", kNames[c])};
+      if (!columns_.has(c)) throw BadLine{fmt::format("'{}' is missing", kNames[c])};
     }
     for (const Column first : {kAxisX, kAimX}) {
-      const bool has = position_[first] != kAbsent;
       for (std::size_t c = first; c < first + 3u; ++c) {
-        if ((position_[c] != kAbsent) != has) {
+        if (columns_.has(c) != columns_.has(first)) {
           throw BadLine{fmt::format("of {}, {} and {} only some are there", kNames[first],
                                     kNames[first + 1u], kNames[first + 2u])};
         }
@@ -71,15 +68,14 @@ class ListReader {
     }
   }
 
-  LuminaireEntry read_line(std::string_view line, int number) {
-    if (line.find('"') != std::string_view::npos) throw BadLine{"quotes are not read"};
-    cells_ = split_at_commas(line);
-    if (cells_.size() != columns_) {
-      throw BadLine{fmt::format("expected {} values as in the first line, found {}", columns_,
-                                cells_.size())};
+  LuminaireEntry read_line(const CsvRecord& record) {
+    if (record.cells.size() != columns_.width()) {
+      throw BadLine{fmt::format("expected {} values as in the first line, found {}",
+                                columns_.width(), record.cells.size())};
     }
+    record_ = &record;
     LuminaireEntry entry;
-    entry.line = number;
+    entry.line = record.line;
     entry.name = cell(kName);
     entry.type = cell(kType);
     entry.group = cell(kGroup);
@@ -100,7 +96,7 @@ class ListReader {
       throw BadLine{"the aim is the luminaire's own position"};
     }
     if (!cell(kRotation).empty()) entry.rotation_rad = radians_from_degrees(number_in(kRotation));
-    const auto [first, is_new] = line_of_name_.try_emplace(entry.name, number);
+    const auto [first, is_new] = line_of_name_.try_emplace(entry.name, entry.line);
     if (!is_new) {
       throw BadLine{fmt::format("the name '{}' is also in line {}", entry.name, first->second)};
     }
@@ -108,14 +104,10 @@ class ListReader {
   }
 
  private:
-  static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
-
-  std::string_view cell(Column column) const {
-    return position_[column] == kAbsent ? std::string_view() : cells_[position_[column]];
-  }
+  const std::string& cell(Column column) const { return columns_.cell(*record_, column); }
 
   double number_in(Column column) const {
-    const std::string_view text = cell(column);
+    const std::string& text = cell(column);
     const std::optional<double> number = parse_number(text);
     if (number && std::abs(*number) <= kCoordinate.high) return *number;
     throw BadLine{fmt::format("{} '{}' is not a number from -1e9 to 1e9", kNames[column],
@@ -128,9 +120,8 @@ class ListReader {
     return glm::dvec3(number_in(first), number_in(y), number_in(z));
   }
 
-  std::array<std::size_t, kColumns> position_{};
-  std::size_t columns_ = 0;
-  std::vector<std::string_view> cells_;
+  CsvColumns columns_;
+  const CsvRecord* record_ = nullptr;  // that is being read
   std::map<std::string, int> line_of_name_;
 };
 
@@ -138,23 +129,24 @@ class ListReader {
 
 std::optional<LuminaireList> parse_luminaire_list(std::string_view bytes, const std::string& name,
                                                   Diagnostics& diagnostics) {
-  if (bytes.starts_with(kUtf8ByteOrderMark)) bytes.remove_prefix(kUtf8ByteOrderMark.size());
   LuminaireList list;
   list.file = name;
   ListReader reader;
-  LineCursor lines(bytes);
+  CsvReader table(bytes);
+  const std::optional<CsvRecord> header = table.next();
+  if (report_csv_problem(table, name, diagnostics)) return std::nullopt;
   try {
-    reader.read_header(lines.next().value_or(""));
+    reader.read_header(header.value_or(CsvRecord{1, "", {CsvCell{}}}));
   } catch (const BadLine& bad) {
     diagnostics.report(DiagnosticId::luminaire_list_header, SourceLocation{name, 1, 0}, bad.what);
     return std::nullopt;
   }
   std::size_t bad_lines = 0;
-  while (const std::optional<std::string_view> line = lines.next()) {
-    if (trim(*line).empty()) continue;
-    const SourceLocation where{name, lines.line(), 0};
+  while (const std::optional<CsvRecord> record = table.next()) {
+    if (record->is_blank()) continue;
+    const SourceLocation where{name, record->line, 0};
     try {
-      list.entry.push_back(reader.read_line(*line, lines.line()));
+      list.entry.push_back(reader.read_line(*record));
     } catch (const BadLine& bad) {
       if (++bad_lines > kBadLineLimit) {
         diagnostics.report(DiagnosticId::luminaire_list_gives_up, where, kBadLineLimit);
@@ -163,7 +155,7 @@ std::optional<LuminaireList> parse_luminaire_list(std::string_view bytes, const 
       diagnostics.report(DiagnosticId::luminaire_list_line, where, bad.what);
     }
   }
-  if (bad_lines > 0) return std::nullopt;
+  if (report_csv_problem(table, name, diagnostics) || bad_lines > 0) return std::nullopt;
   if (!list.entry.empty()) return list;
   diagnostics.report(DiagnosticId::luminaire_list_empty, SourceLocation{name, 0, 0});
   return std::nullopt;

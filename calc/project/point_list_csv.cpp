@@ -1,6 +1,6 @@
 #include "calc/project/point_list_csv.h"
 
-#include "calc/base/line_cursor.h"
+#include "calc/base/csv.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 
@@ -10,29 +10,33 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace calc {
 namespace {
 
-constexpr std::string_view kHeader = "x,y,z,nx,ny,nz";
+constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
 constexpr std::size_t kBadLineLimit = 10;
 constexpr double kLargestCoordinate = 1.0e9;
 constexpr double kSmallestNormal = 1.0e-9;
 
+bool is_header(const CsvRecord& record) {
+  return std::equal(record.cells.begin(), record.cells.end(), kNames.begin(), kNames.end(),
+                    [](const CsvCell& cell, std::string_view name) { return cell.text == name; });
+}
+
 // False if something was reported.
-bool parse_line(std::string_view line, const SourceLocation& where, PointList& list,
+bool parse_line(const CsvRecord& record, const SourceLocation& where, PointList& list,
                 Diagnostics& diagnostics) {
-  const std::vector<std::string_view> parts = split_at_commas(line);
-  std::array<double, 6> value{};
-  if (parts.size() != value.size()) {
-    diagnostics.report(DiagnosticId::point_list_line, where, parts.size());
+  std::array<double, kNames.size()> value{};
+  if (record.cells.size() != value.size()) {
+    diagnostics.report(DiagnosticId::point_list_line, where, record.cells.size());
     return false;
   }
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::optional<double> number = parse_number(parts[i]);
+    const std::string& text = record.cells[i].text;
+    const std::optional<double> number = parse_number(text);
     if (!number || std::abs(*number) > kLargestCoordinate) {
-      diagnostics.report(DiagnosticId::point_list_number, where, shorten_utf8(parts[i], 30));
+      diagnostics.report(DiagnosticId::point_list_number, where, shorten_utf8(text, 30));
       return false;
     }
     value[i] = *number;
@@ -52,29 +56,27 @@ bool parse_line(std::string_view line, const SourceLocation& where, PointList& l
 
 std::optional<PointList> parse_point_list(std::string_view bytes, const std::string& name,
                                           Diagnostics& diagnostics) {
-  if (bytes.starts_with(kUtf8ByteOrderMark)) bytes.remove_prefix(kUtf8ByteOrderMark.size());
   PointList list;
   list.file = name;
   SourceLocation where{name, 0, 0};
   bool has_header = false;
   std::size_t bad_lines = 0;
-  LineCursor lines(bytes);
-  while (const std::optional<std::string_view> text = lines.next()) {
-    const std::string_view line = trim(*text);
-    where.line = lines.line();
+  CsvReader table(bytes);
+  while (const std::optional<CsvRecord> record = table.next()) {
+    where.line = record->line;
     if (!has_header) {
-      if (line != kHeader) {
-        diagnostics.report(DiagnosticId::point_list_header, where, shorten_utf8(line, 60));
+      if (!is_header(*record)) {
+        diagnostics.report(DiagnosticId::point_list_header, where, shorten_utf8(record->text, 60));
         return std::nullopt;
       }
       has_header = true;
-    } else if (!line.empty() && !parse_line(line, where, list, diagnostics) &&
+    } else if (!record->is_blank() && !parse_line(*record, where, list, diagnostics) &&
                ++bad_lines == kBadLineLimit) {
       diagnostics.report(DiagnosticId::point_list_gives_up, where, kBadLineLimit - 1);
       return std::nullopt;
     }
   }
-  if (bad_lines > 0) return std::nullopt;
+  if (report_csv_problem(table, name, diagnostics) || bad_lines > 0) return std::nullopt;
   if (list.position_m.empty()) {
     diagnostics.report(DiagnosticId::point_list_empty, where);
     return std::nullopt;

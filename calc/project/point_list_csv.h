@@ -10,10 +10,10 @@
 
 namespace calc {
 
-// First line "x,y,z,nx,ny,nz", then six numbers per line; empty lines are skipped. Positions keep
-// the unit of the file (PointList::position_m is to be scaled by the caller), normals are made unit
-// vectors. name: path used in messages and in PointList::file. Empty if and only if an error was
-// reported.
+// First line "x,y,z,nx,ny,nz", then six numbers per line (csv.h); empty lines are skipped.
+// Positions keep the unit of the file (PointList::position_m is to be scaled by the caller),
+// normals are made unit vectors. name: path used in messages and in PointList::file. Empty if and
+// only if an error was reported.
 std::optional<PointList> parse_point_list(std::string_view bytes, const std::string& name,
                                           Diagnostics& diagnostics);
 

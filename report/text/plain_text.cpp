@@ -1,5 +1,7 @@
 #include "report/text/plain_text.h"
 
+#include "calc/base/utf8.h"
+
 #include <algorithm>
 #include <array>
 
@@ -7,35 +9,6 @@ namespace report {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t length = 0;  // bytes; 0: not valid UTF-8
-};
-
-std::size_t sequence_length(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  if (lead >= 0xF0 && lead < 0xF5) return 4;
-  return 0;
-}
-
-CodePoint decode(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = sequence_length(lead);
-  if (length == 0 || length > text.size()) return {};
-  char32_t value = length == 1 ? lead : lead & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xC0U) != 0x80U) return {};
-    value = (value << 6U) | (byte & 0x3FU);
-  }
-  const bool is_overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
-  const bool is_surrogate = value >= 0xD800 && value < 0xE000;
-  if (is_overlong || is_surrogate || value > 0x10FFFF) return {};
-  return {value, length};
-}
 
 // Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
 // the two code points XML does not allow.
@@ -78,10 +51,10 @@ std::string printable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const CodePoint point = decode(text);
+    const calc::Utf8Character point = calc::first_character(text);
     if (point.length == 0) {
       result += kReplacement;
-    } else if (is_control(point.value)) {
+    } else if (is_control(point.code)) {
       result += ' ';
     } else {
       result += text.substr(0, point.length);
@@ -94,8 +67,8 @@ std::string printable(std::string_view text) {
 std::size_t display_width(std::string_view utf8) {
   std::size_t width = 0;
   while (!utf8.empty()) {
-    const CodePoint point = decode(utf8);
-    width += point.length == 0 ? 1 : width_of(point.value);
+    const calc::Utf8Character point = calc::first_character(utf8);
+    width += point.length == 0 ? 1 : width_of(point.code);
     utf8.remove_prefix(std::max<std::size_t>(point.length, 1));
   }
   return width;
@@ -105,8 +78,8 @@ std::string shorten_start(std::string_view utf8, std::size_t columns) {
   std::size_t width = display_width(utf8);
   if (width <= columns) return std::string(utf8);
   while (!utf8.empty() && width + 1 > columns) {  // + 1: the ellipsis
-    const CodePoint point = decode(utf8);
-    width -= point.length == 0 ? 1 : width_of(point.value);
+    const calc::Utf8Character point = calc::first_character(utf8);
+    width -= point.length == 0 ? 1 : width_of(point.code);
     utf8.remove_prefix(std::max<std::size_t>(point.length, 1));
   }
   return "…" + std::string(utf8);

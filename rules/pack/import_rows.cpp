@@ -1,41 +1,78 @@
 #include "rules/pack/import_rows.h"
 
+#include "calc/base/csv.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
-#include "rules/pack/csv_table.h"
 #include "rules/pack/rule_pack.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace rules {
 namespace {
 
+using calc::CsvRecord;
 using calc::DiagnosticId;
 using calc::XmlElement;
 
-// A parameter of the pack and where its numbers are.
-struct Column {
-  const char* parameter;
-  const char* required;
-  const char* modified;   // "" = one level only
-  const char* confirmed;  // as the column confirmed_fields names it
-  const char* confirmed_modified;
+enum Column : std::size_t {
+  kRef,
+  kActivity,
+  kTrust,
+  kConfirmed,
+  kEm,
+  kEmModified,
+  kUo,
+  kRa,
+  kRugl,
+  kEz,
+  kEwall,
+  kEceiling,
+  kRefConfidence,
+  kGroup,
+  kNotes,
+  kSources,
+  kColumns
 };
-constexpr std::array kColumns{
-    Column{"Em", "Em_required_lx", "Em_modified_lx", "Em_required", "Em_modified"},
-    Column{"Uo", "Uo_min", "", "Uo", ""},
-    Column{"Ra", "Ra_min", "", "Ra", ""},
-    Column{"RUGL", "RUGL_max", "", "RUGL", ""},
-    Column{"Ez", "Ez_m_lx", "", "Ez", ""},
-    Column{"Ewall", "Em_wall_lx", "", "Em_wall", ""},
-    Column{"Eceiling", "Em_ceiling_lx", "", "Em_ceiling", ""},
+constexpr std::array<std::string_view, kColumns> kNames{"final_ref",
+                                                        "activity",
+                                                        "trust",
+                                                        "confirmed_fields",
+                                                        "Em_required_lx",
+                                                        "Em_modified_lx",
+                                                        "Uo_min",
+                                                        "Ra_min",
+                                                        "RUGL_max",
+                                                        "Ez_m_lx",
+                                                        "Em_wall_lx",
+                                                        "Em_ceiling_lx",
+                                                        "final_ref_confidence",
+                                                        "group",
+                                                        "notes",
+                                                        "sources"};
+constexpr std::size_t kNeeded = kRefConfidence;  // the first that may be missing
+
+// A parameter of the pack and where its numbers are.
+struct Parameter {
+  const char* name;
+  Column required;
+  std::optional<Column> modified;  // none: one level only
+  std::string_view confirmed;      // as the column confirmed_fields names it
+  std::string_view confirmed_modified;
+};
+constexpr std::array kParameters{
+    Parameter{"Em", kEm, kEmModified, "Em_required", "Em_modified"},
+    Parameter{"Uo", kUo, {}, "Uo", ""},
+    Parameter{"Ra", kRa, {}, "Ra", ""},
+    Parameter{"RUGL", kRugl, {}, "RUGL", ""},
+    Parameter{"Ez", kEz, {}, "Ez", ""},
+    Parameter{"Ewall", kEwall, {}, "Em_wall", ""},
+    Parameter{"Eceiling", kEceiling, {}, "Em_ceiling", ""},
 };
 
 std::string escaped(std::string_view text) {
@@ -109,95 +146,83 @@ class Importer {
 
   // False after an error.
   bool read_header(const CsvRecord& header) {
-    for (std::size_t i = 0; i < header.fields.size(); ++i) {
-      column_.emplace(calc::trim(header.fields[i]), i);
+    columns_ = calc::CsvColumns(header, kNames);
+    for (std::size_t c = 0; c < kNeeded; ++c) {
+      if (!columns_.has(c)) report(header, fmt::format("there is no column '{}'", kNames[c]));
     }
-    for (const char* name : {"final_ref", "activity", "trust", "confirmed_fields"}) need(name);
-    for (const Column& column : kColumns) {
-      need(column.required);
-      if (*column.modified != '\0') need(column.modified);
+    if (!columns_.doubled().empty()) {
+      report(header, fmt::format("the column '{}' is there twice", columns_.doubled()));
     }
-    width_ = header.fields.size();
     return !diagnostics_.has_errors();
   }
 
   // Empty for a row that is left out, and after an error.
   std::optional<XmlElement> read_row(const CsvRecord& record) {
-    if (record.fields.size() != width_) {
-      report(record,
-             fmt::format("{} fields, but the first line has {}", record.fields.size(), width_));
+    if (record.cells.size() != columns_.width()) {
+      report(record, fmt::format("{} fields, but the first line has {}", record.cells.size(),
+                                 columns_.width()));
       return std::nullopt;
     }
-    const std::string ref = field(record, "final_ref");
-    if (ref.empty() || field(record, "final_ref_confidence") == "dropped_in_final") {
+    const std::string ref = columns_.cell(record, kRef);
+    if (ref.empty() || columns_.cell(record, kRefConfidence) == "dropped_in_final") {
       diagnostics_.report(
           DiagnosticId::rule_import_skipped, {file_, record.line, 0},
-          ref.empty() ? field(record, "activity") : ref,
+          ref.empty() ? columns_.cell(record, kActivity) : ref,
           ref.empty() ? "it has no final_ref" : "it is not in the published edition");
       return std::nullopt;
     }
-    std::string name = field(record, "group");
-    name += (name.empty() ? "" : ": ") + field(record, "activity");
-    std::string note = field(record, "notes");
-    if (const std::string sources = field(record, "sources"); !sources.empty()) {
+    std::string name = columns_.cell(record, kGroup);
+    name += (name.empty() ? "" : ": ") + columns_.cell(record, kActivity);
+    std::string note = columns_.cell(record, kNotes);
+    if (const std::string sources = columns_.cell(record, kSources); !sources.empty()) {
       note += (note.empty() ? "sources: " : "; sources: ") + sources;
     }
     const std::string trust = row_trust(record);
     XmlElement row = element_of(
         "row",
         {{"ref", ref}, {"name", name}, {"trust", trust}, {"sources", "table"}, {"note", note}});
-    for (const Column& column : kColumns) row.children.push_back(value(record, column, trust));
+    for (const Parameter& parameter : kParameters) {
+      row.children.push_back(value(record, parameter, trust));
+    }
     return row;
   }
 
  private:
-  void need(const std::string& name) {
-    if (column_.contains(name)) return;
-    diagnostics_.report(DiagnosticId::rule_import, {file_, 1, 0},
-                        fmt::format("there is no column '{}'", name));
-  }
-
   void report(const CsvRecord& record, const std::string& problem) {
     diagnostics_.report(DiagnosticId::rule_import, {file_, record.line, 0}, problem);
   }
 
-  std::string field(const CsvRecord& record, const std::string& name) const {
-    const auto found = column_.find(name);
-    return found == column_.end() ? "" : std::string(calc::trim(record.fields[found->second]));
-  }
-
   std::string row_trust(const CsvRecord& record) const {
-    const std::string mark = field(record, "trust");
+    const std::string mark = columns_.cell(record, kTrust);
     const bool is_single = mark == "A-part" || mark.starts_with('B');
     const Trust trust = is_single ? Trust::single_source : Trust::unverified;
     return std::string(calc::name_of(mark == "A" ? Trust::confirmed : trust));
   }
 
   bool is_confirmed(const CsvRecord& record, std::string_view name) const {
-    const std::string all = ";" + field(record, "confirmed_fields") + ";";
+    const std::string all = ";" + columns_.cell(record, kConfirmed) + ";";
     return name.empty() || all.find(fmt::format(";{};", name)) != std::string::npos;
   }
 
-  std::string number(const CsvRecord& record, const char* name) {
-    if (*name == '\0') return {};
-    std::string text = field(record, name);
+  std::string number(const CsvRecord& record, Column column) {
+    const std::string& text = columns_.cell(record, column);
     if (!text.empty() && !calc::parse_number(text)) {
-      report(record, fmt::format("{}: '{}' is not a number", name, text));
+      report(record, fmt::format("{}: '{}' is not a number", kNames[column], text));
     }
     return text;
   }
 
-  XmlElement value(const CsvRecord& record, const Column& column, const std::string& trust) {
-    const std::string required = number(record, column.required);
+  XmlElement value(const CsvRecord& record, const Parameter& parameter, const std::string& trust) {
+    const std::string required = number(record, parameter.required);
     if (required.empty()) {
-      return element_of("value", {{"of", column.parameter}, {"none", "not-specified"}});
+      return element_of("value", {{"of", parameter.name}, {"none", "not-specified"}});
     }
-    const std::string modified = number(record, column.modified);
-    const bool is_better = field(record, "trust") == "A-part" &&
-                           is_confirmed(record, column.confirmed) &&
-                           (modified.empty() || is_confirmed(record, column.confirmed_modified));
+    const std::string modified = parameter.modified ? number(record, *parameter.modified) : "";
+    const bool is_better = columns_.cell(record, kTrust) == "A-part" &&
+                           is_confirmed(record, parameter.confirmed) &&
+                           (modified.empty() || is_confirmed(record, parameter.confirmed_modified));
     const std::string own = is_better ? std::string(calc::name_of(Trust::confirmed)) : trust;
-    return element_of("value", {{"of", column.parameter},
+    return element_of("value", {{"of", parameter.name},
                                 {"required", required},
                                 {"modified", modified},
                                 {"trust", own == trust ? "" : own}});
@@ -205,8 +230,7 @@ class Importer {
 
   const std::string& file_;
   calc::Diagnostics& diagnostics_;
-  std::map<std::string, std::size_t, std::less<>> column_;
-  std::size_t width_ = 0;
+  calc::CsvColumns columns_;
 };
 
 struct ImportedRow {
@@ -259,19 +283,27 @@ std::optional<std::string> import_rows(std::string_view csv, const std::string& 
                                        std::string_view like_xml, const std::string& pack_id,
                                        calc::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  const std::optional<std::vector<CsvRecord>> records = read_csv(csv);
-  if (!records || records->size() < 2) {
+  std::vector<CsvRecord> records;
+  calc::CsvReader table(csv);
+  while (std::optional<CsvRecord> record = table.next()) {
+    if (!record->is_blank()) records.push_back(std::move(*record));
+  }
+  if (const std::optional<calc::CsvProblem>& problem = table.problem()) {
+    diagnostics.report(DiagnosticId::rule_import,
+                       {csv_file, problem->place.line, problem->place.column}, problem->what);
+    return std::nullopt;
+  }
+  if (records.size() < 2) {
     diagnostics.report(DiagnosticId::rule_import, {csv_file, 0, 0},
-                       records ? "a line with names of columns and at least one row are needed"
-                               : "a quote is not closed");
+                       "a line with names of columns and at least one row are needed");
     return std::nullopt;
   }
   Importer importer(csv_file, diagnostics);
-  if (!importer.read_header(records->front())) return std::nullopt;
+  if (!importer.read_header(records.front())) return std::nullopt;
   std::vector<ImportedRow> rows;
-  for (std::size_t i = 1; i < records->size(); ++i) {
-    if (std::optional<XmlElement> row = importer.read_row((*records)[i])) {
-      rows.push_back({std::move(*row), (*records)[i].line});
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    if (std::optional<XmlElement> row = importer.read_row(records[i])) {
+      rows.push_back({std::move(*row), records[i].line});
     }
   }
   const std::optional<XmlElement> like =

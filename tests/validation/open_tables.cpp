@@ -1,7 +1,7 @@
 #include "tests/validation/open_tables.h"
 
+#include "calc/base/csv.h"
 #include "calc/base/text.h"
-#include "report/shell/csv_cells.h"
 
 #include <fmt/format.h>
 
@@ -17,25 +17,21 @@ namespace {
 std::vector<Row> read_table(const std::string& path, const calc::FileReader& files) {
   const calc::FileContent content = files.read(path);
   if (!content.ok()) throw BadTable(fmt::format("cannot read '{}': {}", path, content.error));
-  std::vector<std::string> names;
+  calc::CsvReader table(content.bytes);
+  const std::optional<calc::CsvRecord> header = table.next();
   std::vector<Row> rows;
-  std::string_view text = content.bytes;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::vector<std::string> cells = cli::csv_cells(calc::trim(text.substr(0, end)));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (cells.size() == 1 && cells[0].empty()) continue;
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    if (cells.size() != names.size()) {
-      throw BadTable(fmt::format("'{}': line {} has {} values for {} names", path, rows.size() + 2,
-                                 cells.size(), names.size()));
+  while (const std::optional<calc::CsvRecord> record = table.next()) {
+    if (record->is_blank()) continue;
+    if (record->cells.size() != header->cells.size()) {
+      throw BadTable(fmt::format("'{}': line {} has {} values for {} names", path, record->line,
+                                 record->cells.size(), header->cells.size()));
     }
     Row& row = rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c) row[names[c]] = cells[c];
+    for (std::size_t c = 0; c < record->cells.size(); ++c) {
+      row[header->cells[c].text] = record->cells[c].text;
+    }
   }
+  if (table.problem()) throw BadTable(fmt::format("'{}': {}", path, table.problem()->what));
   return rows;
 }
 

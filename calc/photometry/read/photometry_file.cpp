@@ -2,6 +2,7 @@
 
 #include "calc/base/line_cursor.h"
 #include "calc/base/text.h"
+#include "calc/base/utf8.h"
 #include "calc/photometry/read/eulumdat.h"
 #include "calc/photometry/read/gldf.h"
 #include "calc/photometry/read/ies_header.h"
@@ -20,7 +21,6 @@
 namespace calc {
 namespace {
 
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr char kDosEndOfFile = '\x1A';
 
 // Type, symmetry and number of planes: three lines of one whole number each, at lines 2 to 4.
@@ -139,8 +139,7 @@ std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, cons
     diagnostics.report(DiagnosticId::photometry_encoding, file);
     return std::nullopt;
   }
-  std::string_view text = bytes;
-  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
+  std::string_view text = without_byte_order_mark(bytes);
   if (const std::size_t end = text.find(kDosEndOfFile); end != std::string_view::npos) {
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);

@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/base/utf8.h"
 #include "calc/photometry/web_measures.h"
 #include "calc/photometry/web_resample.h"
 
@@ -185,13 +186,10 @@ std::string decimal_text(double value, int digits, int decimals) {
 std::string file_line(std::string_view utf8, bool& lost) {
   std::string text;
   for (std::size_t i = 0; i < utf8.size();) {
-    const auto lead = static_cast<unsigned char>(utf8[i]);
-    const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    const auto second = i + 1 < utf8.size() ? static_cast<unsigned char>(utf8[i + 1]) : 0U;
-    const unsigned code = length == 2 ? ((lead & 0x1FU) << 6U) | (second & 0x3FU) : 0U;
-    i += length;
+    const auto [code, length] = first_character(utf8.substr(i));
+    i += std::max<std::size_t>(length, 1);
     if (length == 1) {
-      text += lead < 0x20 || lead == 0x7F ? ' ' : static_cast<char>(lead);
+      text += code < 0x20 || code == 0x7F ? ' ' : static_cast<char>(code);
     } else if (code >= 0xA0 && code <= 0xFF) {
       text += static_cast<char>(code);
     } else {

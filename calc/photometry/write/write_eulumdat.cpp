@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "calc/base/units.h"
+#include "calc/base/utf8.h"
 #include "calc/photometry/read/ies_opening.h"
 #include "calc/photometry/web_measures.h"
 #include "calc/photometry/write/stored_table.h"
@@ -51,8 +52,8 @@ class EulumdatWriter {
 
   // Readers tell formats and encodings by how a line begins.
   static bool begins_misleadingly(std::string_view line) {
-    return trim(line).starts_with("TILT=") || line.starts_with("\xFF\xFE") ||
-           line.starts_with("\xFE\xFF") || line.starts_with("\xEF\xBB\xBF");
+    return trim(line).starts_with("TILT=") || has_utf16_mark(line) ||
+           without_byte_order_mark(line) != line;
   }
 
   void text_line(const std::string& utf8) {

@@ -1,11 +1,10 @@
 #include "report/tools/compare/value_table.h"
 
+#include "calc/base/csv.h"
 #include "calc/base/statistics.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
-#include "calc/base/utf8.h"
 #include "calc/scene/receiver_kernel.h"
-#include "report/shell/csv_cells.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@
 namespace cli {
 namespace {
 
-enum Column {
+enum Column : std::size_t {
   kPlane,
   kColumn,
   kRow,
@@ -46,29 +45,29 @@ std::string_view plain_name(std::string_view name) {
 class TableReader {
  public:
   TableReader(const std::string& path, double confidence, calc::Diagnostics& diagnostics)
-      : path_(path),
+      : place_{path, 0, 0},
         widening_(calc::student_t_quantile(0.5 + 0.5 * confidence, kLargeFreedom)),
-        diagnostics_(diagnostics) {
-    at_.fill(-1);
-  }
+        diagnostics_(diagnostics) {}
 
   std::optional<ValueTable> read(std::string_view text) {
-    if (text.starts_with(calc::kUtf8ByteOrderMark)) {
-      text.remove_prefix(calc::kUtf8ByteOrderMark.size());
-    }
-    while (!text.empty() && is_good_) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      ++line_;
-      const std::string_view line = calc::trim(text.substr(0, end));
-      text.remove_prefix(std::min(end + 1, text.size()));
-      if (line.empty() || line.front() == '#') continue;
-      if (width_ == 0) {
-        read_names(csv_cells(line));
+    calc::CsvReader table(text, calc::CsvComments::hash);
+    while (is_good_) {
+      const std::optional<calc::CsvRecord> record = table.next();
+      if (!record) break;
+      place_.line = record->line;
+      if (record->is_blank()) continue;
+      if (columns_.width() == 0) {
+        read_names(*record);
       } else {
-        read_row(csv_cells(line));
+        read_row(*record);
       }
     }
-    if (is_good_ && width_ == 0) fail("it has no line of column names");
+    if (const std::optional<calc::CsvProblem>& problem = table.problem()) {
+      place_.line = problem->place.line;
+      place_.column = problem->place.column;
+      fail(problem->what);
+    }
+    if (is_good_ && columns_.width() == 0) fail("it has no line of column names");
     if (is_good_ && table_.rows.empty()) fail("it has no values of illuminance");
     if (!is_good_) return std::nullopt;
     return std::move(table_);
@@ -76,22 +75,16 @@ class TableReader {
 
  private:
   void fail(const std::string& problem) {
-    diagnostics_.report(calc::DiagnosticId::reference_unreadable, {path_, line_, 0}, problem);
+    diagnostics_.report(calc::DiagnosticId::reference_unreadable, place_, problem);
     is_good_ = false;
   }
-  bool has(Column column) const { return at_[column] >= 0; }
+  bool has(Column column) const { return columns_.has(column); }
 
-  void read_names(const std::vector<std::string>& cells) {
-    width_ = cells.size();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto name = std::find(kNames.begin(), kNames.end(), plain_name(cells[i]));
-      if (name == kNames.end()) {
-        table_.unused_columns.push_back(cells[i]);
-        continue;
-      }
-      int& at = at_[static_cast<std::size_t>(name - kNames.begin())];
-      if (at >= 0) return fail(fmt::format("the column '{}' is there twice", cells[i]));
-      at = static_cast<int>(i);
+  void read_names(const calc::CsvRecord& header) {
+    columns_ = calc::CsvColumns(header, kNames, plain_name);
+    table_.unused_columns = columns_.unknown();
+    if (!columns_.doubled().empty()) {
+      return fail(fmt::format("the column '{}' is there twice", columns_.doubled()));
     }
     const bool by_cell = has(kPlane) && has(kColumn) && has(kRow);
     const bool by_place = has(kX) && has(kY) && has(kZ);
@@ -106,8 +99,8 @@ class TableReader {
     }
   }
 
-  double number(const std::vector<std::string>& cells, Column column) {
-    const std::string& text = cells[static_cast<std::size_t>(at_[column])];
+  double number(const calc::CsvRecord& record, Column column) {
+    const std::string& text = columns_.cell(record, column);
     const std::optional<double> value = calc::parse_number(text);
     if (!value && is_good_) {
       fail(fmt::format("'{}' in column '{}' is no number", text, kNames[column]));
@@ -115,14 +108,15 @@ class TableReader {
     return value.value_or(0.0);
   }
 
-  void read_row(const std::vector<std::string>& cells) {
-    if (cells.size() != width_) {
-      return fail(fmt::format("{} values in this line, {} names of columns", cells.size(), width_));
+  void read_row(const calc::CsvRecord& record) {
+    if (record.cells.size() != columns_.width()) {
+      return fail(fmt::format("{} values in this line, {} names of columns", record.cells.size(),
+                              columns_.width()));
     }
     TableRow row;
-    row.line = line_;
+    row.line = record.line;
     if (has(kQuantity)) {
-      row.quantity = cells[static_cast<std::size_t>(at_[kQuantity])];
+      row.quantity = columns_.cell(record, kQuantity);
       const auto known =
           std::find_if(calc::kPlaneQuantities.begin(), calc::kPlaneQuantities.end(),
                        [&](const auto& candidate) { return candidate.name == row.quantity; });
@@ -134,12 +128,12 @@ class TableReader {
         return;
       }
     }
-    if (has(kPlane)) row.plane = cells[static_cast<std::size_t>(at_[kPlane])];
+    if (has(kPlane)) row.plane = columns_.cell(record, kPlane);
     if (has(kX) && has(kY) && has(kZ)) {
-      row.position_m = glm::dvec3(number(cells, kX), number(cells, kY), number(cells, kZ));
+      row.position_m = glm::dvec3(number(record, kX), number(record, kY), number(record, kZ));
     }
     if (has(kColumn) && has(kRow)) {
-      const double column = number(cells, kColumn), of_row = number(cells, kRow);
+      const double column = number(record, kColumn), of_row = number(record, kRow);
       const auto is_cell = [](double v) { return v >= 0.0 && v < 1e7 && v == std::floor(v); };
       if (is_good_ && (!is_cell(column) || !is_cell(of_row))) {
         return fail("'column' and 'row' must be whole numbers from 0");
@@ -147,12 +141,12 @@ class TableReader {
       row.cell = glm::ivec2(static_cast<int>(column), static_cast<int>(of_row));
     }
     const double unit = has(kFc) ? calc::kLuxPerFootcandle : 1.0;
-    row.value.lx = unit * number(cells, has(kFc) ? kFc : kLx);
-    if (has(kErrorLx)) row.value.half_width_lx = widening_ * number(cells, kErrorLx);
+    row.value.lx = unit * number(record, has(kFc) ? kFc : kLx);
+    if (has(kErrorLx)) row.value.half_width_lx = widening_ * number(record, kErrorLx);
     if (has(kErrorFc)) {
-      row.value.half_width_lx = widening_ * calc::kLuxPerFootcandle * number(cells, kErrorFc);
+      row.value.half_width_lx = widening_ * calc::kLuxPerFootcandle * number(record, kErrorFc);
     }
-    if (has(kLow)) row.value.half_width_lx = 0.5 * (number(cells, kHigh) - number(cells, kLow));
+    if (has(kLow)) row.value.half_width_lx = 0.5 * (number(record, kHigh) - number(record, kLow));
     if (!is_good_) return;
     if (row.value.lx < 0.0 || row.value.half_width_lx < 0.0) {
       return fail("illuminances and their errors must be 0 or more");
@@ -160,12 +154,10 @@ class TableReader {
     table_.rows.push_back(std::move(row));
   }
 
-  const std::string& path_;
+  calc::SourceLocation place_;  // of what is being read
   double widening_;
   calc::Diagnostics& diagnostics_;
-  std::array<int, kCount> at_{};
-  std::size_t width_ = 0;
-  int line_ = 0;
+  calc::CsvColumns columns_;
   bool is_good_ = true;
   ValueTable table_;
 };

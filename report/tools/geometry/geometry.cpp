@@ -43,8 +43,7 @@ void warn_about_leaks(const SurfaceReport& surface, const std::string& name,
 }
 
 bool is_xml(std::string_view bytes) {
-  if (bytes.starts_with(calc::kUtf8ByteOrderMark)) bytes.remove_prefix(3);
-  return calc::trim(bytes.substr(0, 1000)).starts_with('<');
+  return calc::trim(calc::without_byte_order_mark(bytes).substr(0, 1000)).starts_with('<');
 }
 
 // "" for those that are fixed by the file's format; empty, with an error, if they are not known.

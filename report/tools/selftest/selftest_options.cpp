@@ -49,8 +49,8 @@ Command selftest_syntax(SelftestOptions& options) {
       {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
        true},
       {"--report", "FOLDER",
-       "Write validation.html and validation.md there: every case with its numbers. Made if\n"
-       "needed",
+       "Write validation.html and validation.md there: every case with its\n"
+       "numbers. Made if needed",
        some_text(options.report_folder)},
       seed_option(options.seed),
       jobs_option(options.jobs)};

@@ -21,6 +21,24 @@ TEST(Utf8, FindsTheFirstBadByte) {
   EXPECT_EQ(first_invalid_utf8("\xF4\x90\x80\x80"), 0u);  // above U+10FFFF
 }
 
+TEST(Utf8, DecodesWhatItEncodes) {
+  for (const char32_t code : {0x41u, 0x7Fu, 0x80u, 0x7FFu, 0x800u, 0xFFFDu, 0x10000u, 0x10FFFFu}) {
+    const std::string text = utf8_from_code_point(code);
+    const Utf8Character first = first_character(text + "x");
+    EXPECT_EQ(first.code, code);
+    EXPECT_EQ(first.length, text.size());
+  }
+  EXPECT_EQ(first_character("\xC3").length, 0u);
+}
+
+TEST(Utf8, ByteOrderMarks) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBFx"), "x");
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBBx"), "\xEF\xBBx");
+  EXPECT_TRUE(has_utf16_mark("\xFF\xFEx"));
+  EXPECT_TRUE(has_utf16_mark("\xFE\xFF"));
+  EXPECT_FALSE(has_utf16_mark("\xFF"));
+}
+
 TEST(Utf8, EncodesCodePointsOfAllLengths) {
   EXPECT_EQ(utf8_from_code_point('A'), "A");
   EXPECT_EQ(utf8_from_code_point(0xFC), "\xC3\xBC");

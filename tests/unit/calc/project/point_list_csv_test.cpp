@@ -22,6 +22,31 @@ TEST(PointListCsv, ReadsByteOrderMarkCarriageReturnsBlanksAndEmptyLines) {
   EXPECT_EQ(list->line, (std::vector<int>{2, 4}));
 }
 
+TEST(PointListCsv, ReadsQuotedCells) {
+  Diagnostics diagnostics;
+  const auto list =
+      parse_point_list("\"x\",y,z,nx,ny,nz\n\"1\",\" 2\",3,0,0,\"1\"\n", "f.csv", diagnostics);
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->position_m[0], glm::dvec3(1, 2, 3));
+}
+
+TEST(PointListCsv, ATextWithACommaIsOneCell) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_point_list("x,y,z,nx,ny,nz\n\"1,2\",3,0,0,1\n", "f.csv", diagnostics));
+  EXPECT_EQ(format_diagnostic(diagnostics.all().at(0)),
+            "f.csv:2: error[point-list-line]: expected 6 numbers separated by commas "
+            "(x,y,z,nx,ny,nz), found 5");
+}
+
+TEST(PointListCsv, SaysWhereAQuoteBeganThatIsNeverClosed) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(parse_point_list("x,y,z,nx,ny,nz\n1,2,3,0,0,1\n1,\"2,3,0,0,1\n1,2,3,0,0,1\n",
+                                "f.csv", diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(format_diagnostic(diagnostics.all()[0]),
+            "f.csv:3:3: error[csv-quotes]: a quote is not closed");
+}
+
 TEST(PointListCsv, GivesUpAfterTenBadLines) {
   std::string text = "x,y,z,nx,ny,nz\n";
   for (int i = 0; i < 1000; ++i) text += "1;2;3;0;0;1\n";

@@ -88,7 +88,9 @@ TEST(ImportRowsMessage, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(imported(kHeader + "1,d,G,a,5oo,,0.6,80,19,,,,,A,,\n").messages,
               ElementsAre("rows.csv:2: error[rule-import]: Em_required_lx: '5oo' is not a number"));
   EXPECT_THAT(imported(kHeader + "1,d,G,\"a\n").messages,
-              ElementsAre("rows.csv: error[rule-import]: a quote is not closed"));
+              ElementsAre("rows.csv:2:7: error[rule-import]: a quote is not closed"));
+  EXPECT_THAT(imported("trust," + kHeader + "A,1,d,G,a,500,,0.6,80,19,,,,,A,,\n").messages,
+              ElementsAre("rows.csv:1: error[rule-import]: the column 'trust' is there twice"));
   const Imported twice =
       imported(kHeader + "1,d,G,a,5,,0.6,80,19,,,,,A,,\n1,d,G,b,5,,0.6,80,19,,,,,A,,\n");
   EXPECT_FALSE(twice.text.has_value());

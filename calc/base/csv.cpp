@@ -1,0 +1,111 @@
+#include "calc/base/csv.h"
+
+#include "calc/base/text.h"
+#include "calc/base/utf8.h"
+
+#include <algorithm>
+
+namespace calc {
+
+CsvReader::CsvReader(std::string_view bytes, CsvComments comments)
+    : rest_(without_byte_order_mark(bytes)), comments_(comments) {}
+
+void CsvReader::take() {
+  if (is_at_line_end()) {
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
+    here_ = {here_.line + 1, 1};
+    return;
+  }
+  rest_.remove_prefix(1);
+  // The next byte begins a character, or goes on with this one.
+  if (rest_.empty() || !is_utf8_continuation(rest_.front())) ++here_.column;
+}
+
+std::optional<CsvRecord> CsvReader::next() {
+  if (rest_.empty() || problem_) return std::nullopt;
+  const std::string_view begin = rest_;
+  CsvRecord record;
+  record.line = here_.line;
+  while (is_at_blank()) take();
+  if (comments_ == CsvComments::hash && is_at('#')) {
+    while (!is_at_line_end()) take();
+  }
+  record.cells.push_back(read_cell());
+  while (!problem_ && is_at(',')) {
+    take();
+    record.cells.push_back(read_cell());
+  }
+  if (problem_) return std::nullopt;
+  record.text = trim(begin.substr(0, begin.size() - rest_.size()));
+  if (!rest_.empty()) take();
+  return record;
+}
+
+// Up to the comma or line end after it.
+CsvCell CsvReader::read_cell() {
+  while (is_at_blank()) take();
+  CsvCell cell;
+  cell.place = here_;
+  const bool is_quoted = is_at('"');
+  if (is_quoted) cell.text = read_quoted();
+  const std::string_view begin = rest_;
+  for (; !is_at_line_end() && !is_at(',') && !problem_; take()) {
+    if (is_at('"') || (is_quoted && !is_at_blank())) {
+      problem_ = {is_quoted ? cell.place : here_,
+                  "quotes enclose a whole cell, and a quote in it is doubled"};
+    }
+  }
+  cell.text += begin.substr(0, begin.size() - rest_.size());
+  cell.text = std::string(trim(cell.text));
+  return cell;
+}
+
+std::string CsvReader::read_quoted() {
+  const CsvPlace opened = here_;
+  std::string text;
+  for (take(); !rest_.empty(); take()) {
+    if (rest_.starts_with("\"\"")) {
+      take();
+    } else if (is_at('"')) {
+      take();
+      return text;
+    }
+    text += is_at_line_end() ? ' ' : rest_.front();
+  }
+  problem_ = {opened, "a quote is not closed"};
+  return text;
+}
+
+bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics) {
+  if (!table.problem()) return false;
+  const auto& [place, what] = *table.problem();
+  diagnostics.report(DiagnosticId::csv_quotes, {name, place.line, place.column}, what);
+  return true;
+}
+
+CsvColumns::CsvColumns(const CsvRecord& header, std::span<const std::string_view> names,
+                       PlainName plain_name)
+    : at_(names.size(), kAbsent), width_(header.cells.size()) {
+  for (std::size_t i = 0; i < header.cells.size(); ++i) {
+    const std::string& written = header.cells[i].text;
+    const std::string_view name = plain_name == nullptr ? written : plain_name(written);
+    const auto known = std::find(names.begin(), names.end(), name);
+    if (known == names.end()) {
+      unknown_.push_back(written);
+      continue;
+    }
+    std::size_t& at = at_[static_cast<std::size_t>(known - names.begin())];
+    if (at == kAbsent) {
+      at = i;
+    } else if (doubled_.empty()) {
+      doubled_ = written;
+    }
+  }
+}
+
+const std::string& CsvColumns::cell(const CsvRecord& record, std::size_t name) const {
+  static const std::string kNone;
+  return has(name) ? record.cells[at_[name]].text : kNone;
+}
+
+}  // namespace calc

@@ -1,0 +1,100 @@
+#pragma once
+// Tables of comma-separated values, as every reader of such a file sees them. [RFC 4180]
+
+#include "calc/base/diagnostics.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+// Line and column (in characters) of a file, from 1.
+struct CsvPlace {
+  int line = 1, column = 1;
+};
+
+struct CsvCell {
+  std::string text;  // without its quotes, trimmed; a line end within quotes is a blank
+  CsvPlace place;    // of its first character: the quote of a quoted one
+};
+
+struct CsvRecord {
+  int line = 1;                // where it begins; quotes may stretch it over several
+  std::string_view text;       // as it is written, trimmed
+  std::vector<CsvCell> cells;  // at least one
+
+  bool is_blank() const { return cells.size() == 1 && cells[0].text.empty(); }
+};
+
+// A mistake with quotes: nobody knows where the cells after it end.
+struct CsvProblem {
+  CsvPlace place;  // of the quote
+  std::string what;
+};
+
+enum class CsvComments { none, hash };  // hash: a line that begins with # is a blank one
+
+// Cells are separated by commas only. Quotes may enclose a cell; a comma or a line end between them
+// is text, and a doubled quote is one. A quote anywhere else, or one that is never closed, is a
+// problem. Lines end with CR LF, LF or CR; a byte order mark is passed over. How many cells a
+// record must have is the caller's to say.
+class CsvReader {
+ public:
+  // bytes must outlive the reader and its records.
+  explicit CsvReader(std::string_view bytes, CsvComments comments = CsvComments::none);
+
+  // The next record, blank ones included. Empty after the last, and from a problem on.
+  std::optional<CsvRecord> next();
+  const std::optional<CsvProblem>& problem() const { return problem_; }
+
+ private:
+  bool is_at(char c) const { return !rest_.empty() && rest_.front() == c; }
+  bool is_at_blank() const { return is_at(' ') || is_at('\t'); }
+  bool is_at_line_end() const { return rest_.empty() || is_at('\n') || is_at('\r'); }
+  void take();  // a byte, or a line end
+  CsvCell read_cell();
+  std::string read_quoted();
+
+  std::string_view rest_;
+  CsvComments comments_;
+  CsvPlace here_;  // of rest_
+  std::optional<CsvProblem> problem_;
+};
+
+// Reports the problem of the file `name`; false if it has none.
+bool report_csv_problem(const CsvReader& table, const std::string& name, Diagnostics& diagnostics);
+
+// Where the columns that a reader knows are in its table.
+class CsvColumns {
+ public:
+  using PlainName = std::string_view (*)(std::string_view);
+
+  CsvColumns() = default;
+  // names: all that are known. plain_name: the one that a written name stands for, where there are
+  // several words for one column.
+  CsvColumns(const CsvRecord& header, std::span<const std::string_view> names,
+             PlainName plain_name = nullptr);
+
+  std::size_t width() const { return width_; }  // cells of the header; 0 = it was not read yet
+  bool has(std::size_t name) const { return at_[name] != kAbsent; }
+  // Of a record with width() cells; "" if there is no such column.
+  const std::string& cell(const CsvRecord& record, std::size_t name) const;
+
+  const std::vector<std::string>& unknown() const { return unknown_; }  // as they are written
+  // The first that is there twice, as it is written; "" = none.
+  const std::string& doubled() const { return doubled_; }
+
+ private:
+  static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
+
+  std::vector<std::size_t> at_;  // of each name
+  std::size_t width_ = 0;
+  std::vector<std::string> unknown_;
+  std::string doubled_;
+};
+
+}  // namespace calc
