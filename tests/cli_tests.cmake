@@ -3,6 +3,7 @@ luxgate_test(cli_tests
   SOURCES
     unit/report/build/build_test.cpp
     unit/report/check/backend_test.cpp
+    unit/report/check/check_project_test.cpp
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp

@@ -8,12 +8,8 @@
 namespace calc {
 namespace {
 
-constexpr int kFewestReplicates = 4;
-constexpr int kMostReplicates = 64;
-constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;  // Sobol' indices are 32-bit
-
 bool is_path_count(std::uint64_t paths) {
-  return std::has_single_bit(paths) && paths >= 16 && paths <= kMostPaths;
+  return std::has_single_bit(paths) && paths >= kFewestPaths && paths <= kMostPaths;
 }
 
 }  // namespace
@@ -24,8 +20,8 @@ std::string validate(const RadiositySettings& settings) {
                        kFewestReplicates, kMostReplicates);
   }
   if (!is_path_count(settings.first_paths)) {
-    return fmt::format("first paths is {}; allowed: a power of two, 16 to {}", settings.first_paths,
-                       kMostPaths);
+    return fmt::format("first paths is {}; allowed: a power of two, {} to {}", settings.first_paths,
+                       kFewestPaths, kMostPaths);
   }
   if (!is_path_count(settings.max_paths) || settings.max_paths < settings.first_paths) {
     return fmt::format("max paths is {}; allowed: a power of two, {} to {}", settings.max_paths,

@@ -33,6 +33,11 @@ struct RadiositySettings {
   int jobs = 0;  // threads; 0 = one per core. Never changes a result
 };
 
+// What is allowed, for validate() and for whoever reads settings.
+inline constexpr int kFewestReplicates = 4;
+inline constexpr int kMostReplicates = 64;
+inline constexpr std::uint64_t kFewestPaths = 1;
+inline constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;  // Sobol' indices are 32-bit
 inline constexpr std::uint32_t kFewestShadowMapTexels = 16;
 inline constexpr std::uint32_t kMostShadowMapTexels = 2048;
 

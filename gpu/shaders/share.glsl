@@ -47,7 +47,8 @@ double share_among_channels(uint row, Tile tile) {
     const uint begin = tile_word[at], end = tile_word[at + 1u];
     const double own = double(scaled_sum(row, begin, end, 1.0));
     precise double even = total / double(tile.ranges);
-    precise double share = 0.5LF + 0.5LF * even / own;
+    if (!(own > 0.0LF)) continue;  // next to no flux: its weights are 0 in single precision
+    precise double share = min(0.5LF + 0.5LF * even / own, double(3.402823466e38));
     shared_total = shared_total + double(scaled_sum(row, begin, end, float(share)));
   }
   return shared_total;

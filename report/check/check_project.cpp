@@ -234,8 +234,8 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   }
   const calc::VertexCache* cache = is_traced ? nullptr : &context.vertices->cache;
   calc::SpaceSolution solution;
-  if (!tasks.list.empty()) solution = solve(loaded.project, solved, tasks, context, watch, cache);
   if (!tasks.list.empty()) {
+    solution = solve(loaded.project, solved, tasks, context, watch, cache);
     context.observer.solved(loaded.project.path, space.id, solved, tasks.list, solution);
   }
   add_times(solution, times);
@@ -265,6 +265,14 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   part.power = calc::installed_power(loaded.project, space);
   context.observer.judged(loaded.project.path, space, scene, part);
   return part;
+}
+
+// Half a project must not look like one that passes.
+bool is_cut_short(const report::SpacePart& space, const Observer& observer) {
+  return observer.is_stopped() ||
+         std::any_of(space.planes.begin(), space.planes.end(), [](const report::PlanePart& plane) {
+           return plane.stop == calc::StopReason::interrupted;
+         });
 }
 
 std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
@@ -302,7 +310,9 @@ report::ProjectPart check_project(const std::string& path, const Context& contex
   for (const calc::Space& space : loaded->project.spaces) {
     context.observer.start_space(space.id);
     part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
-    if (context.observer.is_stopped()) break;
+    if (is_cut_short(part.spaces.back(), context.observer)) {
+      return unreadable_project(path, diagnostics);
+    }
   }
   const bool is_refused =
       std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [](const auto& diagnostic) {

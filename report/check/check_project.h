@@ -26,7 +26,8 @@ struct Context {
 };
 
 // Calculates and judges. Input errors end up in the part's diagnostics and leave it not judged; a
-// plane without points is not judged, the others are. Throws calc::BackendFailure, and
+// plane without points is not judged, the others are. A check that its observer stops has judged
+// nothing. Throws calc::BackendFailure, and
 // std::invalid_argument for settings that problem_with() refuses.
 report::ProjectPart check_project(const std::string& path, const Context& context);
 

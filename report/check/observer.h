@@ -16,8 +16,9 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void start_space(const std::string& /*id*/) {}
-  // Between two pieces of work. False stops the check: what it returns must then not be used.
+  // Between two pieces of work of a space. False stops the check: the project is not judged.
   virtual bool go_on(const calc::SolveProgress& /*progress*/) { return true; }
+  // Asked between two spaces; true stops it as well.
   virtual bool is_stopped() const { return false; }
   // The light of a space is known: of these tasks, in the order of solution.fields.
   virtual void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,

@@ -10,11 +10,6 @@
 #include <utility>
 
 namespace check {
-namespace {
-
-constexpr int kFewestReplicates = 4;
-
-}  // namespace
 
 std::string vertex_maker() {
   return fmt::format("luxgate {} ({})", report::program_version(), calc::tree_builder_version());
@@ -32,9 +27,9 @@ std::optional<VertexSource> read_vertex_source(const std::string& path,
   if (parsed.cache && parsed.cache->made_by != vertex_maker()) {
     parsed.problem =
         fmt::format("it was made by {}, this is {}", parsed.cache->made_by, vertex_maker());
-  } else if (parsed.cache && parsed.cache->replicates < kFewestReplicates) {
+  } else if (parsed.cache && parsed.cache->replicates < calc::kFewestReplicates) {
     parsed.problem = fmt::format("it has {} replicates; intervals need {} or more",
-                                 parsed.cache->replicates, kFewestReplicates);
+                                 parsed.cache->replicates, calc::kFewestReplicates);
   }
   if (parsed.problem.empty()) return VertexSource{path, std::move(*parsed.cache)};
   diagnostics.report(calc::DiagnosticId::vertex_cache_unreadable, {path, 0, 0}, parsed.problem);

@@ -116,6 +116,7 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
   }
   const auto chosen = std::find_if(added.begin(), added.end(),
                                    [](const Added& candidate) { return candidate.app->parsed(); });
+  if (chosen == added.end()) return usage_error("no action is given", chosen_name(app));
   const std::string problem =
       chosen->command->complete ? chosen->command->complete(environment) : "";
   if (!problem.empty()) return usage_error(problem, chosen_name(app));

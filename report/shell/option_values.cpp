@@ -132,7 +132,9 @@ ValueParser any_text(std::string& target) {
 ValueParser seconds(double& target) {
   return [&target](const std::string& text) -> std::string {
     const std::optional<double> value = calc::parse_number(text);
-    if (!value || *value <= 0.0) return "a number of seconds above 0 is needed";
+    if (!value || !(*value > 0.0) || !std::isfinite(*value)) {
+      return "a number of seconds above 0 is needed";
+    }
     target = *value;
     return "";
   };

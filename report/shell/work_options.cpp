@@ -65,6 +65,13 @@ std::string no_skip_words(const calc::SkipSet& skips) {
   return text;
 }
 
+std::string method_name(calc::Method method) {
+  for (const auto& [name, known] : kMethods) {
+    if (known == method) return std::string(name);
+  }
+  return "";
+}
+
 }  // namespace
 
 Place projects_place(ProjectOptions& options) {
@@ -85,12 +92,11 @@ std::string project_contradiction(const ProjectOptions& options) {
 }
 
 std::vector<Option> work_options(calc::RadiositySettings& settings) {
-  constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
   return {{"--replicates", "N", "Independent repetitions behind each interval, 4 to 64; default 16",
-           whole_number(settings.replicates, 4, 64)},
+           whole_number(settings.replicates, calc::kFewestReplicates, calc::kMostReplicates)},
           {"--max-paths", "N",
            "At most so many light paths per replicate and plane, a power of two; default 65536",
-           power_of_two(settings.max_paths, 1, kMostPaths)},
+           power_of_two(settings.max_paths, calc::kFewestPaths, calc::kMostPaths)},
           jobs_option(settings.jobs),
           {"--method", "NAME",
            "light-pool, or instant-radiosity for comparison: every point is connected to every\n"
@@ -144,13 +150,6 @@ std::string complete_work(calc::RadiositySettings& settings, const check::Backen
   }
   if (settings.clamp_per_m2 > 0.0 && !is_instant) return "--clamp needs --method instant-radiosity";
   settings.first_paths = std::min(settings.first_paths, settings.max_paths);
-  return "";
-}
-
-std::string method_name(calc::Method method) {
-  for (const auto& [name, known] : kMethods) {
-    if (known == method) return std::string(name);
-  }
   return "";
 }
 

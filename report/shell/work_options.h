@@ -31,7 +31,4 @@ std::string complete_work(calc::RadiositySettings& settings, const check::Backen
 std::string work_words(const calc::RadiositySettings& settings,
                        const check::BackendRequest& request);
 
-// After --method; of results, too.
-std::string method_name(calc::Method method);
-
 }  // namespace cli

@@ -1,5 +1,6 @@
 #include "report/tools/converge/converge_options.h"
 
+#include "calc/radiosity/settings.h"
 #include "report/shell/option_values.h"
 #include "report/tools/converge/converge_estimators.h"
 
@@ -57,7 +58,6 @@ std::string converge_contradiction(const ConvergeOptions& options) {
 }  // namespace
 
 Command converge_syntax(ConvergeOptions& options) {
-  constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30;
   Command command{"converge", "Measure error against run time and rays, for several methods"};
   command.places = {project_place(options.project)};
   command.options = {
@@ -75,15 +75,15 @@ Command converge_syntax(ConvergeOptions& options) {
        some_text(options.reference)},
       {"--reference-paths", "N",
        "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
-       power_of_two(options.reference_paths, 16, kMostPaths)},
+       power_of_two(options.reference_paths, 16, calc::kMostPaths)},
       {"--part", "NAME", "total, or indirect: errors of the reflected light alone; default total",
        choice<bool>(options.is_indirect, {{"total", false}, {"indirect", true}})},
       {"--min-paths", "N", "First step of the ladder, per replicate, a power of two; default 64",
-       power_of_two(options.min_paths, 16, kMostPaths)},
+       power_of_two(options.min_paths, 16, calc::kMostPaths)},
       {"--max-paths", "N", "Last step; every step takes twice as many; default 8192",
-       power_of_two(options.max_paths, 16, kMostPaths)},
+       power_of_two(options.max_paths, 16, calc::kMostPaths)},
       {"--replicates", "N", "Replicates of a run, which is their mean, 4 to 64; default 16",
-       whole_number(options.replicates, 4, 64)},
+       whole_number(options.replicates, calc::kFewestReplicates, calc::kMostReplicates)},
       {"--seeds", "N", "Runs at every step, with different random numbers; default 5",
        whole_number(options.seeds, 1, 1000)},
       {"--seed", "N", "Seed of the first of them; default 1",

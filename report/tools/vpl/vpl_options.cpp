@@ -48,7 +48,7 @@ Command vpl_syntax(VplOptions& options) {
        "before software",
        whole_number(options.gl_device, 0, 1000)},
       {"--paths", "N", "Light paths of each replicate, a power of two; default 4096",
-       power_of_two(settings.max_paths, 16, std::uint64_t{1} << 30)},
+       power_of_two(settings.max_paths, 16, calc::kMostPaths)},
       {"--replicates", "N",
        "Independent repetitions, 1 to 64; 'check --vpl' needs 4 for its intervals; default 16",
        whole_number(settings.replicates, 1, 64)},

@@ -25,7 +25,10 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
   settings = {};
   settings.first_paths = 0;
   EXPECT_EQ(calc::validate(settings),
-            "first paths is 0; allowed: a power of two, 16 to 1073741824");
+            "first paths is 0; allowed: a power of two, 1 to 1073741824");
+  settings = {};
+  settings.first_paths = settings.max_paths = calc::kFewestPaths;
+  EXPECT_EQ(calc::validate(settings), "");
   settings = {};
   settings.time_limit_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(calc::validate(settings), "");

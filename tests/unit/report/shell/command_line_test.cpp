@@ -111,6 +111,20 @@ TEST(Options, LowersTheFirstLookToTheMostPaths) {
   EXPECT_EQ(calc::validate(options.settings.radiosity), "");
 }
 
+// Whatever the command line takes, the check takes.
+TEST(Options, EndsOfRangesAreSettingsOfACheck) {
+  for (const Words& ends :
+       {Words{"check", "a.xml", "--max-paths", "1", "--replicates", "4", "--jobs", "1"},
+        Words{"check", "a.xml", "--max-paths", "1073741824", "--replicates", "64", "--jobs",
+              "1024"},
+        Words{"check", "a.xml", "--max-paths", "2", "--method", "instant-radiosity", "--visibility",
+              "shadow-map:16", "--clamp", "1e-300"},
+        Words{"check", "a.xml", "--tolerance", "1e-300", "--confidence", "0.5000001",
+              "--time-limit", "1e-300"}}) {
+    EXPECT_EQ(check::problem_with(parsed(ends).settings), "") << ends[3];
+  }
+}
+
 TEST(Options, FormatsRepeatWithoutSwallowingProjects) {
   const cli::CheckOptions options =
       parsed({"check", "--format", "json=out.json", "a.xml", "--format", "csv", "b.xml", "--rules",
@@ -134,6 +148,8 @@ TEST(Options, RefusesNumbersThatCannotBeMeant) {
   expect_usage_error({"check", "a.xml", "--max-paths", "1000"}, "power of two");
   expect_usage_error({"check", "a.xml", "--replicates", "2"}, "from 4 to 64");
   expect_usage_error({"check", "a.xml", "--time-limit", "0"}, "above 0");
+  expect_usage_error({"check", "a.xml", "--time-limit", "inf"}, "above 0");
+  expect_usage_error({"check", "a.xml", "--time-limit", "nan"}, "above 0");
   expect_usage_error({"check", "a.xml", "--jobs", "0"}, "from 1 to");
 }
 
