@@ -20,8 +20,10 @@ luxgate_test(rules_tests
     unit/rules/verdict/outcome_test.cpp
     unit/rules/measure/metrics_test.cpp
     unit/rules/measure/replicate_sample_test.cpp
+    unit/rules/binding/project_schema_test.cpp
     unit/rules/binding/requirement_attributes_test.cpp
     unit/rules/catalogue/requirement_test.cpp
+    unit/rules/pack/pack_elements_test.cpp
     unit/rules/pack/rule_corpus_test.cpp
     unit/rules/pack/rule_pack_test.cpp
     unit/rules/measure/share_test.cpp

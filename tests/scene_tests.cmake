@@ -12,6 +12,7 @@ luxgate_test(scene_tests
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
     unit/calc/base/csv_test.cpp
+    unit/calc/base/element_table_test.cpp
     unit/calc/base/file_hash_test.cpp
     unit/calc/base/names_test.cpp
     unit/calc/project/energy_xml_test.cpp
@@ -26,7 +27,6 @@ luxgate_test(scene_tests
     unit/calc/project/point_list_csv_test.cpp
     unit/calc/project/project_files_test.cpp
     unit/calc/project/project_photometry_test.cpp
-    unit/calc/project/project_schema_test.cpp
     unit/calc/project/project_xml_file_messages_test.cpp
     unit/calc/project/project_xml_library_messages_test.cpp
     unit/calc/project/project_xml_object_messages_test.cpp

@@ -43,7 +43,14 @@ const SourceLocation& ElementReader::where(std::string_view name) const {
   return attribute != nullptr ? attribute->where : element_.where;
 }
 
-void ElementReader::allow_attributes(const Names& names) {
+void ElementReader::allow(const ElementRow& row) {
+  allow_attributes(row);
+  allow_children(row);
+}
+
+void ElementReader::allow_attributes(const ElementRow& row, const Names& besides) {
+  Names names = attribute_names(row);
+  names.insert(names.end(), besides.begin(), besides.end());
   for (const XmlAttribute& attribute : element_.attributes) {
     if (contains(names, attribute.name)) continue;
     report(DiagnosticId::unknown_attribute, attribute.where, attribute.name, element_.name,
@@ -51,7 +58,8 @@ void ElementReader::allow_attributes(const Names& names) {
   }
 }
 
-void ElementReader::allow_children(const Names& names) {
+void ElementReader::allow_children(const ElementRow& row) {
+  const Names names = child_names(row);
   for (const XmlElement& child : element_.children) {
     if (contains(names, child.name)) continue;
     report(DiagnosticId::unknown_element, child.where, child.name, element_.name,

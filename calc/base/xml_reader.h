@@ -3,6 +3,7 @@
 // or out of range is reported with its place and with what is allowed.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/element_table.h"
 #include "calc/base/names.h"
 #include "calc/base/xml_document.h"
 
@@ -13,23 +14,6 @@
 #include <vector>
 
 namespace calc {
-
-// Numbers from low (left out if is_open) to high; words complete "expected ...".
-struct NumberRange {
-  double low;
-  double high;
-  bool is_open;
-  std::string_view words;
-};
-
-// Beyond 1e9 nothing is meant seriously, and squares or differences would lose their meaning.
-inline constexpr NumberRange kCoordinate{-1.0e9, 1.0e9, false, "a number from -1e9 to 1e9"};
-inline constexpr NumberRange kPositive{0.0, 1.0e9, true, "a number above 0, up to 1e9"};
-inline constexpr NumberRange kNonNegative{0.0, 1.0e9, false, "a number from 0 to 1e9"};
-inline constexpr NumberRange kFraction{0.0, 1.0, false, "a number from 0 to 1"};
-inline constexpr NumberRange kPositiveFraction{0.0, 1.0, true, "a number above 0, up to 1"};
-
-using Names = std::vector<std::string_view>;
 
 // True for a non-empty text of A-Z, a-z, digits and _ . : -
 bool is_id(std::string_view text);
@@ -48,9 +32,10 @@ class ElementReader {
   // No error was reported, by anyone, since this reader was made.
   bool ok() const { return diagnostics_.error_count() == errors_before_; }
 
-  // Reports every attribute, or child element, not named here.
-  void allow_attributes(const Names& names);
-  void allow_children(const Names& names);
+  // Reports every attribute and every child element that the row has not; `besides` may also be.
+  void allow(const ElementRow& row);
+  void allow_attributes(const ElementRow& row, const Names& besides = {});
+  void allow_children(const ElementRow& row);
 
   bool has(std::string_view name) const { return element_.find(name) != nullptr; }
   // True if at most one of the two is there.

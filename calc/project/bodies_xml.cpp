@@ -2,6 +2,7 @@
 
 #include "calc/project/frame.h"
 #include "calc/project/material_map.h"
+#include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
 
@@ -71,18 +72,18 @@ struct MeshAxes {
 
 // Files that fix both may be told the same again, nothing else; all others must be told.
 MeshAxes read_mesh_axes(ElementReader& reader, const TriangleMesh* mesh) {
-  const Names up_names{"z", "y"};
+  const Names& up_names = kUpAxisType.words;
   if (mesh == nullptr || !has_fixed_units(mesh->format)) {
     // Without the file nothing is known that would be missing.
     const auto wanted = [&](std::string_view name) { return mesh != nullptr || reader.has(name); };
     MeshAxes axes;
     if (wanted("units"))
-      axes.metres_per_unit = metres_per_unit(reader.choice("units", unit_names()));
+      axes.metres_per_unit = metres_per_unit(reader.choice("units", kUnitsType.words));
     if (wanted("up")) axes.y_is_up = reader.choice("up", up_names) == 1;
     return axes;
   }
   const std::string_view format = name_of(mesh->format);
-  if (reader.choice_or("units", unit_names(), 0) != 0) {
+  if (reader.choice_or("units", kUnitsType.words, 0) != 0) {
     reader.report(DiagnosticId::mesh_units_fixed, reader.where("units"), "units", format, "m");
   }
   if (reader.choice_or("up", up_names, 1) != 1) {
@@ -104,8 +105,7 @@ const TriangleMesh* read_mesh_file(ProjectContext& context, ElementReader& reade
 }  // namespace
 
 ObjectSet read_box(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "size", "position", "rotation", "material", "repeat", "step"});
-  reader.allow_children({});
+  reader.allow(kBoxElement);
   const glm::dvec3 size = read_size_m(context, reader, "size");
   const Placement placement{rotation_about_z(read_angle_rad(reader, "rotation")),
                             read_point_m_or_zero(context, reader, "position")};
@@ -125,8 +125,7 @@ ObjectSet read_box(ProjectContext& context, ElementReader& reader) {
 }
 
 ObjectSet read_quad(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "origin", "u", "v", "material", "repeat", "step"});
-  reader.allow_children({});
+  reader.allow(kQuadElement);
   const glm::dvec3 origin = read_point_m(context, reader, "origin");
   const glm::dvec3 u = read_point_m(context, reader, "u");
   const glm::dvec3 v = read_point_m(context, reader, "v");
@@ -141,8 +140,7 @@ ObjectSet read_quad(ProjectContext& context, ElementReader& reader) {
 }
 
 ObjectSet read_polygon(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "points", "material", "repeat", "step"});
-  reader.allow_children({});
+  reader.allow(kPolygonElement);
   std::vector<glm::dvec3> corners = read_corners_m(context, reader, "points");
   const std::uint32_t material = read_material(context, reader);
   if (!reader.ok()) return {};
@@ -157,9 +155,7 @@ ObjectSet read_polygon(ProjectContext& context, ElementReader& reader) {
 }
 
 ObjectSet read_mesh(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "file", "format", "position", "rotation", "scale", "up", "units",
-                           "material", "repeat", "step"});
-  reader.allow_children({"map"});
+  reader.allow(kMeshElement);
   const Placement placement{rotation_about_z(read_angle_rad(reader, "rotation")),
                             read_point_m_or_zero(context, reader, "position")};
   const double scale = reader.number_or("scale", kPositive, 1.0);

@@ -1,5 +1,7 @@
 #include "calc/project/energy_xml.h"
 
+#include "calc/project/project_elements.h"
+
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -10,9 +12,6 @@
 
 namespace calc {
 namespace {
-
-constexpr double kYear_h = 8760.0;
-constexpr NumberRange kHours{0.0, kYear_h, false, "a number from 0 to 8760 (hours in a year)"};
 
 using GroupNames = std::set<std::string, std::less<>>;
 
@@ -28,8 +27,7 @@ EnergyFactors read_factors(ElementReader& reader) {
 void read_part(const XmlElement& element, const GroupNames& groups, IdTable& seen, EnergyUse& use,
                Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"group", "occupancy", "daylight", "constant-illuminance"});
-  reader.allow_children({});
+  reader.allow(kEnergyPartElement);
   const std::string group = reader.text("group");
   const EnergyFactors factors = read_factors(reader);
   if (!factors.occupancy && !factors.daylight && !factors.constant_illuminance && reader.ok()) {
@@ -47,9 +45,7 @@ void read_part(const XmlElement& element, const GroupNames& groups, IdTable& see
 
 EnergyUse read_use(const XmlElement& element, const GroupNames& groups, Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"day-hours", "night-hours", "occupancy", "daylight",
-                           "constant-illuminance", "parasitic-kwh-m2"});
-  reader.allow_children({"part"});
+  reader.allow(kEnergyElement);
   EnergyUse use;
   use.day_h = reader.number("day-hours", kHours);
   use.night_h = reader.number("night-hours", kHours);

@@ -1,5 +1,7 @@
 #include "calc/project/library_xml.h"
 
+#include "calc/project/project_elements.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -13,8 +15,7 @@ namespace {
 constexpr double kUnusualReflectance = 0.95;
 
 Material read_material_element(ElementReader& reader) {
-  reader.allow_attributes({"id", "reflectance"});
-  reader.allow_children({});
+  reader.allow(kMaterialElement);
   Material material{reader.id(), reader.number("reflectance", kFraction), reader.where()};
   if (material.reflectance > kUnusualReflectance) {
     reader.report(DiagnosticId::reflectance_very_high, reader.where("reflectance"), material.id,
@@ -51,17 +52,14 @@ PhotometryOptions read_photometry_options(ElementReader& reader) {
 }
 
 LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "photometry", "flux-lm", "power-w", "maintenance-factor", "llmf",
-                           "lsf", "lmf", "rsmf", "opening", "interpolation", "lamp-set", "variant",
-                           "emitter"});
-  reader.allow_children({});
+  reader.allow(kLuminaireTypeElement);
   LuminaireType type;
   type.id = reader.id();
   type.where = reader.where();
   type.photometry_file = reader.text("photometry");
   type.maintenance = read_maintenance(reader);
-  const WebUse use{reader.choice_or("opening", {"file", "point"}, 0) == 1,
-                   reader.choice_or("interpolation", {"linear", "cubic"}, 0) == 1};
+  const WebUse use{reader.choice_or("opening", kOpeningType.words, 0) == 1,
+                   reader.choice_or("interpolation", kInterpolationType.words, 0) == 1};
   const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
   const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
   const std::size_t errors = reader.diagnostics().error_count();
@@ -81,8 +79,7 @@ LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader
 
 // Empty if `name` was dimmed before.
 void read_dim(const ProjectContext& context, ElementReader& reader, LightScene& scene) {
-  reader.allow_attributes({"group", "level"});
-  reader.allow_children({});
+  reader.allow(kDimElement);
   const std::string group = reader.text("group");
   const double level = reader.number("level", kFraction);
   if (group.empty()) return;
@@ -94,8 +91,7 @@ void read_dim(const ProjectContext& context, ElementReader& reader, LightScene& 
 }
 
 LightScene read_light_scene(const ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id"});
-  reader.allow_children({"dim"});
+  reader.allow(kSceneElement);
   LightScene scene;
   scene.id = reader.id();
   scene.where = reader.where();

@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
 #include "calc/project/frame.h"
+#include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,8 @@ glm::dmat3 read_aimed_orientation(const ProjectContext& context, ElementReader& 
 }
 
 // What all luminaires of one element have in common; position and orientation are filled in later.
-Luminaire read_common(ProjectContext& context, ElementReader& reader) {
+Luminaire read_common(ProjectContext& context, ElementReader& reader, const ElementRow& row) {
+  reader.allow_attributes(row);
   Luminaire luminaire;
   luminaire.id = reader.text_or("id", "");
   luminaire.type = context.luminaire_types.find(reader, "type");
@@ -58,15 +60,14 @@ Luminaire read_common(ProjectContext& context, ElementReader& reader) {
     luminaire.group = reader.text("group");
     context.groups.insert(luminaire.group);
   }
-  reader.allow_children({});
+  reader.allow_children(row);
   return luminaire;
 }
 
 }  // namespace
 
 std::vector<Luminaire> read_luminaire(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "type", "position", "axis", "aim", "rotation", "c0", "group"});
-  Luminaire luminaire = read_common(context, reader);
+  Luminaire luminaire = read_common(context, reader, kLuminaireElement);
   luminaire.position_m = read_point_m(context, reader, "position");
   reader.exclude("axis", "aim");
   luminaire.world_from_luminaire =
@@ -77,9 +78,7 @@ std::vector<Luminaire> read_luminaire(ProjectContext& context, ElementReader& re
 }
 
 std::vector<Luminaire> read_luminaire_grid(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "type", "origin", "size", "rows", "columns", "array-rotation",
-                           "axis", "rotation", "c0", "group"});
-  Luminaire common = read_common(context, reader);
+  Luminaire common = read_common(context, reader, kLuminaireGridElement);
   const glm::dvec3 origin = read_point_m(context, reader, "origin");
   const std::vector<double> size = reader.numbers("size", 2, "2 numbers (x y)", kPositive);
   const int columns = reader.integer("columns", 1);
@@ -103,12 +102,10 @@ std::vector<Luminaire> read_luminaire_grid(ProjectContext& context, ElementReade
 }
 
 std::vector<Luminaire> read_luminaire_line(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes(
-      {"id", "type", "from", "to", "count", "edge", "axis", "rotation", "c0", "group"});
-  Luminaire common = read_common(context, reader);
+  Luminaire common = read_common(context, reader, kLuminaireLineElement);
   const glm::dvec3 from = read_point_m(context, reader, "from");
   const glm::dvec3 to = read_point_m(context, reader, "to");
-  const bool to_the_ends = reader.choice_or("edge", {"half", "end"}, 0) == 1;
+  const bool to_the_ends = reader.choice_or("edge", kLineEndsType.words, 0) == 1;
   const int count = reader.integer("count", 1);
   common.world_from_luminaire = read_orientation(reader);
   if (!reader.ok()) return {};
@@ -132,13 +129,11 @@ std::vector<Luminaire> read_luminaire_line(ProjectContext& context, ElementReade
 }
 
 std::vector<Luminaire> read_luminaire_ring(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "type", "centre", "radius", "count", "start", "turn", "axis",
-                           "rotation", "c0", "group"});
-  Luminaire common = read_common(context, reader);
+  Luminaire common = read_common(context, reader, kLuminaireRingElement);
   const glm::dvec3 centre = read_point_m(context, reader, "centre");
   const double radius = reader.number("radius", kPositive) * context.metres_per_unit;
   const double start_rad = read_angle_rad(reader, "start");
-  const bool turns = reader.choice_or("turn", {"yes", "no"}, 0) == 0;
+  const bool turns = reader.choice_or("turn", kRingTurnType.words, 0) == 0;
   const int count = reader.integer("count", 1);
   common.world_from_luminaire = read_orientation(reader);
   if (!reader.ok() || !check_room_for(context, reader, count, 0)) return {};
@@ -155,8 +150,7 @@ std::vector<Luminaire> read_luminaire_ring(ProjectContext& context, ElementReade
 }
 
 std::vector<Luminaire> read_luminaire_list(ProjectContext& context, ElementReader& reader) {
-  reader.allow_attributes({"id", "file"});
-  reader.allow_children({});
+  reader.allow(kLuminaireListElement);
   const std::string file = reader.text("file");
   const LuminaireList* list =
       file.empty() ? nullptr : context.files.luminaire_list(file, reader.where("file"));

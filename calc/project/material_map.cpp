@@ -1,5 +1,7 @@
 #include "calc/project/material_map.h"
 
+#include "calc/project/project_elements.h"
+
 #include <set>
 
 namespace calc {
@@ -20,8 +22,7 @@ MaterialMap read_material_map(ProjectContext& context, ElementReader& reader, st
   for (const XmlElement& child : reader.element().children) {
     if (child.name != "map") continue;
     ElementReader map(child, context.diagnostics);
-    map.allow_attributes({"name", "material"});
-    map.allow_children({});
+    map.allow(kMapElement);
     const std::string name = map.text("name");
     mapped.add(map, name, 0);
     if (known != nullptr && !name.empty() && !names.contains(name)) {

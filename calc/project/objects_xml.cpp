@@ -3,6 +3,7 @@
 #include "calc/project/bodies_xml.h"
 #include "calc/project/frame.h"
 #include "calc/project/luminaires_xml.h"
+#include "calc/project/project_elements.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,8 +33,7 @@ Repeat read_repeat(const ProjectContext& context, ElementReader& reader) {
 // The parts, and where they are to be placed.
 ObjectSet read_assembly(ProjectContext& context, ElementReader& reader, int depth,
                         Placement& placement) {
-  reader.allow_attributes({"id", "position", "rotation", "repeat", "step"});
-  reader.allow_children(object_names());
+  reader.allow(kAssemblyElement);
   if (depth > kAssemblyDepthLimit) {
     reader.report(DiagnosticId::assemblies_too_deep, reader.where(), kAssemblyDepthLimit);
     return {};
@@ -63,8 +63,9 @@ std::vector<Luminaire> read_luminaires(ProjectContext& context, ElementReader& r
 }
 
 bool is_object(std::string_view name) {
-  const Names& names = object_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  const std::vector<ChildRow>& objects = kObjects.children;
+  return std::any_of(objects.begin(), objects.end(),
+                     [&](const ChildRow& object) { return object.name == name; });
 }
 
 void add_luminaires(ProjectContext& context, ElementReader& reader, IdTable& ids, ObjectSet& into) {
@@ -108,13 +109,6 @@ ObjectSet read_children(ProjectContext& context, const XmlElement& parent, int d
 }
 
 }  // namespace
-
-const Names& object_names() {
-  static const Names kNames{
-      "box",       "quad",           "polygon",        "mesh",           "assembly",
-      "luminaire", "luminaire-grid", "luminaire-line", "luminaire-ring", "luminaires"};
-  return kNames;
-}
 
 ObjectSet read_objects(ProjectContext& context, const XmlElement& parent) {
   return read_children(context, parent, 0);

@@ -9,11 +9,8 @@ namespace calc {
 
 inline constexpr int kAssemblyDepthLimit = 16;
 
-// "box", "quad", ..., "luminaire-ring".
-const Names& object_names();
-
-// All child elements with one of these names, in the coordinates around them; other children are
-// left to the caller.
+// All child elements that are objects (kObjects), in the coordinates around them; other children
+// are left to the caller.
 ObjectSet read_objects(ProjectContext& context, const XmlElement& parent);
 
 }  // namespace calc

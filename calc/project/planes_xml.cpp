@@ -4,6 +4,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/project/plane_area.h"
+#include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
 
 #include <fmt/format.h>
@@ -175,8 +176,7 @@ class PlaneReader {
 
   void read_hole(const XmlElement& element, PlanarArea& area) {
     ElementReader reader(element, context_.diagnostics);
-    reader.allow_attributes({"points"});
-    reader.allow_children({});
+    reader.allow(kHoleElement);
     const std::vector<glm::dvec3> corners = read_corners(reader);
     if (corners.empty()) return;
     std::vector<glm::dvec2> outline;
@@ -267,12 +267,6 @@ class PlaneReader {
 
 constexpr std::string_view kLooking = "quantity=\"semicylindrical\" or \"ugr\"";
 
-Names plane_quantity_names() {
-  Names names;
-  for (const PlaneQuantity& quantity : kPlaneQuantities) names.push_back(quantity.name);
-  return names;
-}
-
 bool is_horizontal(const glm::dvec3& unit) { return std::abs(unit.z) <= kHorizontalSine; }
 
 // Without what the file's rounding left upright: half a cylinder that stands upright sees nothing
@@ -318,7 +312,7 @@ void check_looks(ElementReader& reader, PointList& list) {
 void read_quantity(ElementReader& reader, CalcPlane& plane) {
   const std::size_t errors = reader.diagnostics().error_count();
   const PlaneQuantity& quantity =
-      kPlaneQuantities[reader.choice_or("quantity", plane_quantity_names(), 0)];
+      kPlaneQuantities[reader.choice_or("quantity", kPlaneQuantityType.words, 0)];
   plane.kernel = quantity.kernel;
   plane.derived = quantity.derived;
   plane.is_quantity_known = reader.diagnostics().error_count() == errors;
@@ -340,10 +334,7 @@ GridText read_grid(ProjectContext& context, ElementReader& reader) {
 
 CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
                      const PlaneSurroundings& surroundings) {
-  reader.allow_attributes({"id", "name", "height", "origin", "u", "v", "points", "on", "on-top-of",
-                           "file", "margin", "count", "spacing", "rounding", "quantity",
-                           "direction"});
-  reader.allow_children({"hole", "require"});
+  reader.allow(kPlaneElement);
   CalcPlane plane;
   plane.id = reader.id();
   context.planes.add(reader, plane.id, 0);

@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
 
@@ -67,11 +68,6 @@ void report_unknown_reference(ElementReader& reader, std::string_view attribute,
   reader.report(DiagnosticId::unknown_reference, reader.where(attribute), attribute,
                 reader.element().name, kind, shorten_utf8(id, kLongestIdCompared), list,
                 can_suggest ? suggestion(id, known) : std::string());
-}
-
-const Names& unit_names() {
-  static const Names kNames{"m", "cm", "mm", "in", "ft"};
-  return kNames;
 }
 
 double metres_per_unit(std::size_t unit_index) {

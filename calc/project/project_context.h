@@ -21,7 +21,6 @@ namespace calc {
 
 inline constexpr double kInstanceLimit = 1.0e6;
 inline constexpr double kTriangleLimit = 1.0e7;
-inline constexpr std::size_t kCornerLimit = 2000;
 
 // Ids of one kind, e.g. "material": where each was first given, and its index. Elements with other
 // errors are entered too, so that references to them are not reported as well.
@@ -68,8 +67,7 @@ struct ProjectContext {
   double triangles = 0;
 };
 
-// Names of <... units=""> with their lengths in metres.
-const Names& unit_names();
+// Of the words of kUnitsType.
 double metres_per_unit(std::size_t unit_index);
 
 // Attributes of three numbers.

@@ -4,8 +4,8 @@
 #include "calc/base/xml_reader.h"
 #include "calc/project/energy_xml.h"
 #include "calc/project/library_xml.h"
-#include "calc/project/objects_xml.h"
 #include "calc/project/project_context.h"
+#include "calc/project/project_elements.h"
 #include "calc/project/project_files.h"
 #include "calc/project/project_warnings.h"
 #include "calc/project/spaces_xml.h"
@@ -18,23 +18,21 @@ namespace {
 // version, name and units; and whatever does not belong into a project file.
 void read_root(ProjectContext& context, const XmlElement& root) {
   ElementReader reader(root, context.diagnostics);
-  Names attributes{"version", "name", "units"};
+  Names for_editors;
   // What editors need to find the schema.
   for (const std::string_view name : {"xmlns:xsi", "xsi:noNamespaceSchemaLocation"}) {
-    if (reader.has(name)) attributes.push_back(name);
+    if (reader.has(name)) for_editors.push_back(name);
   }
   if (reader.has("xmlns:xsi")) {
     reader.choice("xmlns:xsi", {"http://www.w3.org/2001/XMLSchema-instance"});
   } else if (reader.has("xsi:noNamespaceSchemaLocation")) {
     reader.require_together("xmlns:xsi", "xsi:noNamespaceSchemaLocation");
   }
-  reader.allow_attributes(attributes);
-  Names children{"material", "luminaire-type", "scene", "room", "plane", "energy"};
-  children.insert(children.end(), object_names().begin(), object_names().end());
-  reader.allow_children(children);
-  reader.choice("version", {"1"});
+  reader.allow_attributes(kProjectElement, for_editors);
+  reader.allow_children(kProjectElement);
+  reader.choice("version", kVersionType.words);
   context.project.name = reader.text_or("name", "");
-  context.metres_per_unit = metres_per_unit(reader.choice_or("units", unit_names(), 0));
+  context.metres_per_unit = metres_per_unit(reader.choice_or("units", kUnitsType.words, 0));
 }
 
 void read_contents(ProjectContext& context, const XmlElement& root) {

@@ -30,7 +30,4 @@ std::optional<ReadProject> read_project(const FileReader& files, const std::stri
 std::optional<Project> load_project(const FileReader& files, const std::string& path,
                                     Diagnostics& diagnostics);
 
-// The published XML schema (XSD 1.0) of the project file.
-std::string_view project_schema();
-
 }  // namespace calc

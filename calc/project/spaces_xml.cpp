@@ -4,6 +4,7 @@
 #include "calc/project/gbxml_space.h"
 #include "calc/project/objects_xml.h"
 #include "calc/project/planes_xml.h"
+#include "calc/project/project_elements.h"
 #include "calc/project/room_plan.h"
 #include "calc/project/workplace_xml.h"
 #include "calc/scene/polygon.h"
@@ -113,21 +114,6 @@ void read_planes(ProjectContext& context, const XmlElement& parent,
   }
 }
 
-void allow_room_contents(ElementReader& reader, bool is_gbxml) {
-  Names children = object_names();
-  children.push_back("plane");
-  children.push_back("workplace");
-  children.push_back("energy");
-  if (is_gbxml) {
-    children.push_back("map");
-    reader.allow_attributes({"id", "name", "file", "space", "material"});
-  } else {
-    reader.allow_attributes({"id", "name", "origin", "size", "footprint", "height", "ceiling",
-                             "walls", "floor", "wall-materials"});
-  }
-  reader.allow_children(children);
-}
-
 void read_prism(ProjectContext& context, ElementReader& reader, Space& space, RoomPlan& plan) {
   plan = read_plan(context, reader);
   const ShellMaterials materials = read_shell_materials(context, reader, plan.corners_m.size());
@@ -138,7 +124,7 @@ void read_prism(ProjectContext& context, ElementReader& reader, Space& space, Ro
 
 void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
   const bool is_gbxml = reader.has("file");
-  allow_room_contents(reader, is_gbxml);
+  reader.allow(is_gbxml ? kGbxmlRoomElement : kPrismRoomElement);
   Space space;
   space.id = reader.id();
   space.name = reader.text_or("name", "");

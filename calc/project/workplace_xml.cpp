@@ -1,6 +1,7 @@
 #include "calc/project/workplace_xml.h"
 
 #include "calc/project/plane_area.h"
+#include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
 
@@ -21,7 +22,7 @@ class WorkplaceReader {
       : context_(context), around_(around), space_(space) {}
 
   Workplace read(ElementReader& reader) {
-    reader.allow_children({"zone", "without"});
+    reader.allow_children(kWorkplaceElement);
     Workplace workplace;
     workplace.where = reader.where();
     workplace.id = reader.id();
@@ -49,15 +50,11 @@ class WorkplaceReader {
 
   void read_zone(const XmlElement& element, Workplace& workplace) {
     ElementReader reader(element, context_.diagnostics);
-    reader.allow_children({});
     ZoneText zone;
     zone.is_left_out = element.name == "without";
-    if (zone.is_left_out) {
-      reader.allow_attributes({"role", "because"});
-    } else {
-      reader.allow_attributes({"role", "height", "margin", "origin", "size", "footprint", "count",
-                               "spacing", "rounding", "because"});
-    }
+    const ElementRow& row = zone.is_left_out ? kWithoutElement : kZoneElement;
+    reader.allow_children(row);
+    reader.allow_attributes(row);
     zone.where = element.where;
     zone.role = reader.id("role");
     zone.role_where = reader.where("role");
@@ -147,8 +144,6 @@ class WorkplaceReader {
     reader.report(DiagnosticId::area_outside_room, reader.where(name), name, reader.element().name,
                   outside_m2, whole_m2, space_.id);
   }
-
-  static constexpr std::size_t kZoneCornerLimit = 100;
 
   ProjectContext& context_;
   const PlaneSurroundings& around_;

@@ -5,14 +5,7 @@
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_context.h"
 
-#include <array>
-#include <string_view>
-
 namespace calc {
-
-// The attributes that are read here.
-inline constexpr std::array<std::string_view, 6> kWorkplaceAttributes{
-    "id", "name", "origin", "size", "footprint", "height"};
 
 // All <workplace> of a room into space.workplaces; errors are reported.
 void read_workplaces(ProjectContext& context, const XmlElement& room,

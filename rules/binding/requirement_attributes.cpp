@@ -1,6 +1,8 @@
 #include "rules/binding/requirement_attributes.h"
 
+#include "calc/project/project_elements.h"
 #include "rules/catalogue/requirement.h"
+#include "rules/pack/pack_elements.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,87 +13,87 @@ namespace {
 
 using enum AttributeForm;
 using enum AttributeKind;
+using calc::kAnyText;
+using calc::kIdType;
+using calc::kNonNegativeType;
+using calc::kTextType;
+using calc::kVectorType;
+using calc::Presence;
+using calc::ValueType;
 
-constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
+const ValueType kAnyDate{"xs:date"};
+const ValueType kQuantityType{
+    .name = "requiredQuantity", .base = &kAnyText, .words = all_metric_names()};
+const ValueType kPercentType{.name = "percentage", .base = &calc::kDecimalType, .range = kPercent};
+const ValueType kStateType{
+    .name = "lightState",
+    .base = &kAnyText,
+    .words = {calc::name_of(LightState::maintained), calc::name_of(LightState::initial)}};
+const ValueType kLimitUnitType{.name = "limitUnit", .base = &kAnyText, .words = {"lx", "fc"}};
+const ValueType kLevelType{
+    .name = "rowLevel", .base = &kAnyText, .words = {"required", "modified"}};
+const ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 std::vector<RequirementAttribute> make_attributes() {
   return {
-      {"id", own, id, "id",
+      {"id", own, id, &kIdType,
        "Name of the requirement, unique on its plane; its quantity if not given."},
-      {.name = "quantity",
-       .form = own,
-       .kind = words,
-       .schema_type = "requiredQuantity",
-       .meaning = "Statistic of the plane's points, or power or energy of the plane's room.",
-       .words = all_metric_names()},
-      {"at-least", own, number, "nonNegative", "Lower limit; exactly one of at-least and at-most."},
-      {"at-most", own, number, "nonNegative", "Upper limit; exactly one of at-least and at-most."},
-      {.name = "percent",
-       .form = own,
-       .kind = number,
-       .schema_type = "percentage",
-       .meaning = "Of a percentile: the share of the points that do not exceed it.",
-       .range = kPercent},
-      {"at", own, point, "vector", "Of a value: its point x y z, in metres, in world coordinates."},
-      {.name = "state",
-       .form = own,
-       .kind = words,
-       .schema_type = "lightState",
-       .meaning =
-           "With the maintenance factor or as new; maintained if not given, initial for ugr.",
-       .words = {calc::name_of(LightState::maintained), calc::name_of(LightState::initial)}},
-      {.name = "scene",
-       .form = either,
-       .kind = id,
-       .schema_type = "id",
-       .meaning = "Id of a scene; every luminaire is at full output if not given.",
-       .is_of_workplace = true},
-      {"clause", own, empty_text, "xs:string", "Free text for reports."},
-      {.name = "unit",
-       .form = own,
-       .kind = words,
-       .schema_type = "limitUnit",
-       .meaning = "Of a limit in illuminance; lx if not given.",
-       .words = {"lx", "fc"}},
-      {.name = "pack",
-       .form = row,
-       .kind = text,
-       .schema_type = "text",
-       .meaning = "Rule pack, by id or id:edition; luxgate rules list names them.",
-       .is_of_workplace = true},
-      {.name = "row",
-       .form = row,
-       .kind = text,
-       .schema_type = "text",
-       .meaning = "Row of the rule pack; luxgate rules show names them.",
-       .is_of_workplace = true},
-      {.name = "level",
-       .form = row,
-       .kind = words,
-       .schema_type = "rowLevel",
-       .meaning = "Which values of the row count; required if not given.",
-       .words = {"required", "modified"},
-       .is_of_workplace = true},
-      {"role", row, id, "id", "What the plane is; the pack's first role if not given."},
-      {.name = "facts",
-       .form = row,
-       .kind = text,
-       .schema_type = "text",
-       .meaning = "What only the project knows: task-illuminance=500 lx, several separated by ;",
-       .is_of_workplace = true},
-      {"from", own, number, "nonNegative",
+      {"quantity", own, words, &kQuantityType,
+       "Statistic of the plane's points, or power or energy of the plane's room."},
+      {"at-least", own, number, &kNonNegativeType,
+       "Lower limit; exactly one of at-least and at-most."},
+      {"at-most", own, number, &kNonNegativeType,
+       "Upper limit; exactly one of at-least and at-most."},
+      {"percent", own, number, &kPercentType,
+       "Of a percentile: the share of the points that do not exceed it."},
+      {"at", own, point, &kVectorType,
+       "Of a value: its point x y z, in metres, in world coordinates."},
+      {"state", own, words, &kStateType,
+       "With the maintenance factor or as new; maintained if not given, initial for ugr."},
+      {"scene", either, id, &kIdType,
+       "Id of a scene; every luminaire is at full output if not given.", Presence::optional},
+      {"clause", own, empty_text, &kAnyText, "Free text for reports."},
+      {"unit", own, words, &kLimitUnitType, "Of a limit in illuminance; lx if not given."},
+      {"pack", row, text, &kTextType,
+       "Rule pack, by id or id:edition; luxgate rules list names them.", Presence::required},
+      {"row", row, text, &kTextType, "Row of the rule pack; luxgate rules show names them.",
+       Presence::required},
+      {"level", row, words, &kLevelType, "Which values of the row count; required if not given.",
+       Presence::optional},
+      {"role", row, id, &kIdType, "What the plane is; the pack's first role if not given."},
+      {"facts", row, text, &kTextType,
+       "What only the project knows: task-illuminance=500 lx, several separated by ;",
+       Presence::optional},
+      {"from", own, number, &kNonNegativeType,
        "Of a share: the lower end of the range, which is in it."},
-      {"to", own, number, "nonNegative", "Of a share: the upper end of the range, which is in it."},
-      {.name = "light",
-       .form = own,
-       .kind = words,
-       .schema_type = "countedLight",
-       .meaning = "With or without reflected light; all if not given.",
-       .words = {"all", "direct"}},
-      {"waived-because", waiver, text, "text", "Why the requirement is waived; all three or none."},
-      {"waived-by", waiver, text, "text", "Who has waived it."},
-      {"waived-until", waiver, date, "day", "The last day of the waiver, YYYY-MM-DD."},
+      {"to", own, number, &kNonNegativeType,
+       "Of a share: the upper end of the range, which is in it."},
+      {"light", own, words, &kCountedLightType,
+       "With or without reflected light; all if not given."},
+      {"waived-because", waiver, text, &kTextType,
+       "Why the requirement is waived; all three or none."},
+      {"waived-by", waiver, text, &kTextType, "Who has waived it."},
+      {"waived-until", waiver, date, &kDayType, "The last day of the waiver, YYYY-MM-DD."},
   };
+}
+
+calc::ElementRow make_require_element() {
+  calc::ElementRow element = calc::kRequireElement;
+  for (const RequirementAttribute& attribute : requirement_attributes()) {
+    element.attributes.push_back(
+        {attribute.name, attribute.type, Presence::optional, attribute.meaning});
+  }
+  return element;
+}
+
+calc::ElementRow make_workplace_element() {
+  calc::ElementRow element = calc::kWorkplaceElement;
+  for (const RequirementAttribute& attribute : requirement_attributes()) {
+    if (!attribute.of_workplace) continue;
+    element.attributes.push_back(
+        {attribute.name, attribute.type, *attribute.of_workplace, attribute.meaning});
+  }
+  return element;
 }
 
 }  // namespace
@@ -108,18 +110,14 @@ const RequirementAttribute& requirement_attribute(std::string_view name) {
   throw std::logic_error("<require> has no attribute " + std::string(name));
 }
 
-calc::Names requirement_attribute_names() {
-  calc::Names names;
-  for (const auto& attribute : requirement_attributes()) names.push_back(attribute.name);
-  return names;
+const calc::ElementRow& require_element() {
+  static const calc::ElementRow kElement = make_require_element();
+  return kElement;
 }
 
-calc::Names workplace_rule_names() {
-  calc::Names names;
-  for (const auto& attribute : requirement_attributes()) {
-    if (attribute.is_of_workplace) names.push_back(attribute.name);
-  }
-  return names;
+const calc::ElementRow& workplace_element() {
+  static const calc::ElementRow kElement = make_workplace_element();
+  return kElement;
 }
 
 void check_value(calc::ElementReader& reader, std::string_view name) {
@@ -127,10 +125,10 @@ void check_value(calc::ElementReader& reader, std::string_view name) {
   const RequirementAttribute& attribute = requirement_attribute(name);
   switch (attribute.kind) {
     case words:
-      reader.choice(name, attribute.words);
+      reader.choice(name, attribute.type->words);
       return;
     case number:
-      reader.number(name, attribute.range);
+      reader.number(name, *attribute.type->range);
       return;
     case point:
       reader.numbers(name, 3, kPointWords);

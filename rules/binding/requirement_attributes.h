@@ -1,11 +1,12 @@
 #pragma once
 // The grammar of <require> in one table: its attributes, where each belongs, what each may hold
-// whatever the others say, and a sentence about it. The reader takes names, words and ranges from
-// here; the types in calc/project/luxgate-project-1.xsd are this table again, and a test compares.
-// What attributes mean together is not here but in requirement_reader.cpp.
+// whatever the others say, and a sentence about it. The reader and the project's schema are made
+// from it. What attributes mean together is not here but in requirement_reader.cpp.
 
+#include "calc/base/element_table.h"
 #include "calc/base/xml_reader.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,11 +25,9 @@ struct RequirementAttribute {
   std::string_view name;
   AttributeForm form;
   AttributeKind kind;
-  std::string_view schema_type;  // its name in the XML schema
+  const calc::ValueType* type;  // with words or a range, as the kind says
   std::string_view meaning;
-  calc::Names words{};                           // of AttributeKind::words
-  calc::NumberRange range = calc::kNonNegative;  // of AttributeKind::number
-  bool is_of_workplace = false;                  // <workplace> has it, too
+  std::optional<calc::Presence> of_workplace{};  // <workplace> has it, too
 };
 
 // In the order in which messages and the schema name them.
@@ -36,9 +35,9 @@ const std::vector<RequirementAttribute>& requirement_attributes();
 // By a name that there is, or else std::logic_error.
 const RequirementAttribute& requirement_attribute(std::string_view name);
 
-calc::Names requirement_attribute_names();
-// Those that <workplace> has, too.
-calc::Names workplace_rule_names();
+// As the tables of the project file would have them, which know no rules.
+const calc::ElementRow& require_element();
+const calc::ElementRow& workplace_element();
 
 // What `at` holds.
 inline constexpr std::string_view kPointWords = "3 numbers (x y z) in metres, in world coordinates";

@@ -37,7 +37,7 @@ bool has_any(const ElementReader& reader, AttributeForm form) {
 
 // Index of the word; 0 after an error.
 std::size_t read_word(ElementReader& reader, std::string_view name, std::size_t usual) {
-  return reader.choice_or(name, requirement_attribute(name).words, usual);
+  return reader.choice_or(name, requirement_attribute(name).type->words, usual);
 }
 
 void report_unfit(ElementReader& reader, std::string_view attribute, std::string_view beside) {
@@ -107,7 +107,7 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
 bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
   if (!context.is_quantity_known || is_metric_of(metric, context.derived)) return true;
   Names allowed;
-  for (const std::string_view name : requirement_attribute("quantity").words) {
+  for (const std::string_view name : requirement_attribute("quantity").type->words) {
     if (is_metric_of(*calc::find_value<Metric>(name), context.derived)) allowed.push_back(name);
   }
   reader.report(DiagnosticId::quantity_not_of_points, reader.where("quantity"), kElement,
@@ -118,7 +118,8 @@ bool check_metric(ElementReader& reader, Metric metric, const RequirementContext
 
 void read_quantity(ElementReader& reader, const RequirementContext& context,
                    Requirement& requirement) {
-  const std::optional<Metric> metric = read_metric(reader, requirement_attribute("quantity").words);
+  const std::optional<Metric> metric =
+      read_metric(reader, requirement_attribute("quantity").type->words);
   if (!metric || !check_metric(reader, *metric, context)) {
     // What they mean hangs on the quantity; that they are no numbers does not.
     for (const char* name : {"at-least", "at-most", "unit", "percent", "from", "to", "at"}) {
@@ -133,7 +134,7 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
     requirement.limit = read_limit(reader, comparison_name(*comparison), *metric, unit);
   }
   if (is_given_for(reader, "percent", Metric::percentile, *metric)) {
-    requirement.percent = reader.number("percent", requirement_attribute("percent").range);
+    requirement.percent = reader.number("percent", *requirement_attribute("percent").type->range);
   }
   read_range(reader, *metric, context.derived, requirement.range);
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
@@ -254,8 +255,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
 
 // <require>
 std::vector<Requirement> read_written(ElementReader& reader, const RequirementContext& context) {
-  reader.allow_attributes(requirement_attribute_names());
-  reader.allow_children({});
+  reader.allow(require_element());
   std::vector<Requirement> requirements;
   if (has_any(reader, AttributeForm::row)) {
     for (const RequirementAttribute& attribute : requirement_attributes()) {

@@ -292,7 +292,7 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
 }  // namespace
 
 RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
-  const calc::Names& words = requirement_attribute("level").words;
+  const calc::Names& words = requirement_attribute("level").type->words;
   if (reader.choice_or("level", words, 0) == 0) return RowLevel::required;
   if (row != nullptr && !row->has_modified_level()) {
     reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());

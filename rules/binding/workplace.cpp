@@ -339,9 +339,7 @@ void make_planes(const Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
                  PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
-  calc::Names names(calc::kWorkplaceAttributes.begin(), calc::kWorkplaceAttributes.end());
-  for (const std::string_view name : workplace_rule_names()) names.push_back(name);
-  reader.allow_attributes(names);
+  reader.allow_attributes(workplace_element());
   check_scene(reader, scenes);
   if (!reader.has("row")) reader.text("row");  // reports its absence
   const RulePack* pack = find_pack(reader, packs);

@@ -1,6 +1,5 @@
 #pragma once
-// The texts of rules/packs/*.xml and of their schema, put into the library when it is built
-// (embed_packs.cmake).
+// The texts of rules/packs/*.xml, put into the library when it is built (embed_packs.cmake).
 
 #include <string_view>
 #include <vector>
@@ -8,6 +7,5 @@
 namespace rules {
 
 std::vector<std::string_view> builtin_pack_texts();
-std::string_view rule_pack_schema();
 
 }  // namespace rules

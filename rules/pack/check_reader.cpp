@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "rules/catalogue/limit_text.h"
+#include "rules/pack/pack_elements.h"
 #include "rules/pack/pack_parts.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ using calc::ElementReader;
 
 constexpr std::array kComparisons{Comparison::at_least, Comparison::at_most, Comparison::more_than,
                                   Comparison::less_than};
-constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
 // Exactly one of at-least, at-most, more-than and less-than: a formula.
 void read_limit(ElementReader& reader, RuleCheck& check) {
@@ -96,18 +96,13 @@ Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
 RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
                      calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id",        "role",      "clause",    "severity", "quantity",
-                           "statistic", "percent",   "from",      "to",       "mask",
-                           "state",     "sources",   "light",     "outage",   "at-least",
-                           "at-most",   "more-than", "less-than", "trust",    "note"});
-  reader.allow_children({});
+  reader.allow(kCheckElement);
   RuleCheck check;
   check.where = element.where;
   check.id = reader.id();
   check.role = reader.id("role");
   check.clause = reader.text_or("clause", "");
-  check.severity = severity_at(
-      reader.choice_or("severity", {"shall", "should", "may", "info", "in-aggregate"}, 0));
+  check.severity = severity_at(reader.choice_or("severity", kCheckSeverityType.words, 0));
   check.quantity =
       quantity_from_name(quantity_names()[reader.choice("quantity", quantity_names())]);
   check.metric =
@@ -130,8 +125,8 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.mask = read_mask_name(reader, pack);
   check.state = reader.value_or("state", LightState::maintained);
   check.sources = reader.value_or("sources", LightSources::all);
-  check.direct_only = reader.choice_or("light", {"all", "direct"}, 0) == 1;
-  check.any_one_unit_out = reader.choice_or("outage", {"none", "any-one-unit"}, 0) == 1;
+  check.direct_only = reader.choice_or("light", kCountedLightType.words, 0) == 1;
+  check.any_one_unit_out = reader.choice_or("outage", kOutageType.words, 0) == 1;
   check.trust = read_trust(reader);
   check.has_trust = reader.has("trust");
   check.note = reader.text_or("note", "");

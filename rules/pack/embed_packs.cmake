@@ -1,15 +1,13 @@
-# Writes a C++ source with the bytes of the schema and of the packs as literals:
-#   luxgate_embed_packs(<output.cpp> <schema> <pack>...)
+# Writes a C++ source with the bytes of the packs as literals:
+#   luxgate_embed_packs(<output.cpp> <pack>...)
 # The source is written again when a file changes, since each is a dependency of the configure step.
-function(luxgate_embed_packs output schema)
+function(luxgate_embed_packs output)
   set(texts "")
   foreach(file IN LISTS ARGN)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} bytes)
     string(APPEND texts "    R\"luxgate(${bytes})luxgate\",\n")
   endforeach()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${schema})
-  file(READ ${schema} schema_text)
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
 "// Written by rules/pack/embed_packs.cmake.
 #include \"rules/pack/builtin_packs.h\"
@@ -20,8 +18,6 @@ std::vector<std::string_view> builtin_pack_texts() {
   return {
 @texts@  };
 }
-
-std::string_view rule_pack_schema() { return R\"luxgate(@schema_text@)luxgate\"; }
 
 }  // namespace rules
 ")

@@ -1,6 +1,7 @@
 #include "rules/pack/pack_parts.h"
 
 #include "calc/base/text.h"
+#include "rules/pack/pack_elements.h"
 
 #include <fmt/format.h>
 
@@ -13,20 +14,15 @@ namespace {
 using calc::DiagnosticId;
 using calc::ElementReader;
 
-constexpr calc::NumberRange kAmount{0.0, 1.0e9, false, "a number from 0 to 1e9"};
-constexpr calc::NumberRange kSmallShare{0.0, 0.2, false, "a share from 0 to 0.2"};
-constexpr calc::NumberRange kStripShare{0.0, 0.4999, false, "a share from 0 to below 0.5"};
-
 int read_digits(ElementReader& reader, std::string_view name, int fallback) {
-  const calc::Names digits{"0", "1", "2", "3", "4", "5", "6"};
-  return static_cast<int>(reader.choice_or(name, digits, static_cast<std::size_t>(fallback)));
+  return static_cast<int>(
+      reader.choice_or(name, kDigitsType.words, static_cast<std::size_t>(fallback)));
 }
 
 RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const RulePack& pack,
                      calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"of", "required", "modified", "none", "trust"});
-  reader.allow_children({});
+  reader.allow(kValueElement);
   RuleValue value;
   value.parameter = reader.id("of");
   value.trust = reader.has("trust") ? read_trust(reader) : row.trust;
@@ -47,21 +43,22 @@ RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const 
     }
     return value;
   }
-  value.required = factor * reader.number("required", kAmount);
-  if (reader.has("modified")) value.modified = factor * reader.number("modified", kAmount);
+  value.required = factor * reader.number("required", calc::kNonNegative);
+  if (reader.has("modified")) {
+    value.modified = factor * reader.number("modified", calc::kNonNegative);
+  }
   return value;
 }
 
 void read_key_or_number(const calc::XmlElement& element, RuleTable& table,
                         calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"key", "value"});
-  reader.allow_children({});
+  reader.allow(kEntryElement);
   RuleTable::Entry entry;
-  entry.key = table.key_unit.factor * reader.number("key", kAmount);
+  entry.key = table.key_unit.factor * reader.number("key", calc::kNonNegative);
   const calc::XmlAttribute* value = element.find("value");
   if (value == nullptr || value->value != "key") {
-    entry.value = table.value_unit.factor * reader.number("value", kAmount);
+    entry.value = table.value_unit.factor * reader.number("value", calc::kNonNegative);
   }
   if (!table.entries.empty() && !(entry.key > table.entries.back().key)) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where("key"), "key", "entry",
@@ -110,15 +107,13 @@ std::vector<std::string> read_ids(ElementReader& reader, std::string_view attrib
 
 RuleSource read_source(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "note", "address"});
-  reader.allow_children({});
+  reader.allow(kSourceElement);
   return {reader.id(), reader.text("note"), reader.text_or("address", "")};
 }
 
 RuleName read_name(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "unit", "meaning"});
-  reader.allow_children({});
+  reader.allow(kNameElement);
   return {reader.id(), read_unit(reader, "unit"), reader.text("meaning"), element.where};
 }
 
@@ -136,11 +131,9 @@ std::optional<std::pair<double, double>> read_heights(ElementReader& reader,
 
 DecisionPolicy read_policy(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"compare", "rounding", "digits-illuminance", "digits-ratio",
-                           "digits-other", "tolerance", "tolerance-reason", "guard"});
-  reader.allow_children({});
+  reader.allow(kPolicyElement);
   DecisionPolicy policy;
-  policy.compares_rounded = reader.choice_or("compare", {"raw", "rounded"}, 0) == 1;
+  policy.compares_rounded = reader.choice_or("compare", kComparedAsType.words, 0) == 1;
   policy.rounding = reader.value_or("rounding", Rounding::half_up);
   policy.illuminance_digits = read_digits(reader, "digits-illuminance", policy.illuminance_digits);
   policy.ratio_digits = read_digits(reader, "digits-ratio", policy.ratio_digits);
@@ -155,8 +148,7 @@ DecisionPolicy read_policy(const calc::XmlElement& element, calc::Diagnostics& d
 RuleRow read_row(const calc::XmlElement& element, const RulePack& pack,
                  calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"ref", "name", "trust", "sources", "note", "task-heights"});
-  reader.allow_children({"value"});
+  reader.allow(kRowElement);
   RuleRow row;
   row.where = element.where;
   row.ref = reader.id("ref");
@@ -188,8 +180,7 @@ RuleRow read_row(const calc::XmlElement& element, const RulePack& pack,
 
 RuleTable read_table(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "key-unit", "value-unit", "match", "trust"});
-  reader.allow_children({"entry"});
+  reader.allow(kTableElement);
   RuleTable table;
   table.where = element.where;
   table.id = reader.id();
@@ -209,13 +200,13 @@ RuleTable read_table(const calc::XmlElement& element, calc::Diagnostics& diagnos
 
 RuleScale read_scale(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "unit", "values"});
-  reader.allow_children({});
+  reader.allow(kScaleElement);
   RuleScale scale;
   scale.where = element.where;
   scale.id = reader.id();
   scale.unit = read_unit(reader, "unit");
-  scale.values = reader.number_groups("values", 1, 2, 1000, "at least 2 numbers", kAmount);
+  scale.values =
+      reader.number_groups("values", 1, 2, 1000, "at least 2 numbers", calc::kNonNegative);
   if (!std::is_sorted(scale.values.begin(), scale.values.end(), std::less_equal<>())) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where("values"), "values", "scale",
                   "the number before");
@@ -226,24 +217,26 @@ RuleScale read_scale(const calc::XmlElement& element, calc::Diagnostics& diagnos
 
 Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id"});
-  reader.allow_children({"inset", "walls", "across", "centre-line"});
+  reader.allow(kMaskElement);
   Mask mask;
   mask.id = reader.id();
   for (const calc::XmlElement& child : element.children) {
     ElementReader step(child, diagnostics);
     MaskOperation operation;
-    step.allow_children({});
+    const auto allow = [&](const calc::ElementRow& row) {
+      step.allow_children(row);
+      step.allow_attributes(row);
+    };
     if (child.name == "centre-line") {
-      step.allow_attributes({"up-to-width"});
+      allow(kCentreLineElement);
       operation.step = MaskStep::centre_line;
       operation.up_to_width_m = step.number_or("up-to-width", calc::kPositive, 0.0);
     } else if (child.name == "walls") {
-      step.allow_attributes({"metres"});
+      allow(kMaskWallsElement);
       operation.step = MaskStep::walls;
       operation.metres = step.number("metres", calc::kNonNegative);
     } else {
-      step.allow_attributes({"metres", "share", "up-to-width"});
+      allow(kStripElement);
       operation.step = child.name == "across" ? MaskStep::across : MaskStep::inset;
       operation.metres = step.number("metres", calc::kNonNegative);
       step.require_together("share", "up-to-width");
@@ -261,9 +254,7 @@ Mask read_mask(const calc::XmlElement& element, calc::Diagnostics& diagnostics) 
 
 RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes(
-      {"id", "rule", "count", "share", "of", "over", "by", "severity", "clause", "trust", "note"});
-  reader.allow_children({});
+  reader.allow(kAggregateElement);
   RuleAggregate aggregate;
   aggregate.where = element.where;
   aggregate.id = reader.id();
@@ -280,14 +271,14 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   read_for("share", AggregateRule::share,
            [&] { aggregate.share = reader.number("share", calc::kPositiveFraction); });
   aggregate.over = reader.value_or("over", AggregateOver::checks);
-  aggregate.by_area = reader.choice_or("by", {"count", "area"}, 0) == 1;
+  aggregate.by_area = reader.choice_or("by", kAggregateByType.words, 0) == 1;
   const bool has_areas =
       aggregate.rule == AggregateRule::share && aggregate.over != AggregateOver::checks;
   if (reader.has("by") && !has_areas) {
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("by"), "aggregate", "by",
                   "rule=\"share\" over planes or rooms");
   }
-  aggregate.severity = reader.choice_or("severity", {"shall", "should", "may", "info"}, 0) == 0
+  aggregate.severity = reader.choice_or("severity", kAggregateSeverityType.words, 0) == 0
                            ? Severity::shall
                            : Severity::advice;
   aggregate.clause = reader.text_or("clause", "");
@@ -299,8 +290,7 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
 
 RuleClass read_class(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "rows", "of"});
-  reader.allow_children({});
+  reader.allow(kClassElement);
   RuleClass result;
   result.where = element.where;
   result.id = reader.id();

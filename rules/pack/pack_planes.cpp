@@ -1,5 +1,7 @@
 #include "rules/pack/pack_parts.h"
 
+#include "rules/pack/pack_elements.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,7 +23,7 @@ void read_zone(ElementReader& reader, RulePlane& plane) {
     }
     return;
   }
-  plane.area = kAreas[reader.choice("area", {"task", "band", "task-and-band", "walls", "ceiling"})];
+  plane.area = kAreas[reader.choice("area", kZoneAreaType.words)];
   const bool is_band = plane.area == ZoneArea::band;
   const bool has_width = is_band || plane.area == ZoneArea::task_and_band;
   const bool is_surface = plane.area == ZoneArea::walls || plane.area == ZoneArea::ceiling;
@@ -69,12 +71,9 @@ void check_grid_attributes(ElementReader& reader, std::size_t method, std::size_
 
 RuleGrid read_grid(const calc::XmlElement& element, calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"id", "method", "count", "factor", "base", "max-spacing", "ratio",
-                           "spacing", "cells", "trust", "note"});
-  reader.allow_children({});
-  const std::size_t method =
-      reader.choice("method", {"formula-power", "fixed-spacing", "fixed-count", "project"});
-  const std::size_t count = reader.choice("count", {"nearest", "up", "odd-up", "given"});
+  reader.allow(kGridElement);
+  const std::size_t method = reader.choice("method", kGridMethodType.words);
+  const std::size_t count = reader.choice("count", kGridCountType.words);
   RuleGrid grid;
   grid.id = reader.id();
   grid.trust = read_trust(reader);
@@ -104,19 +103,16 @@ RuleGrid read_grid(const calc::XmlElement& element, calc::Diagnostics& diagnosti
 RulePlane read_plane(const calc::XmlElement& element, const RulePack& pack,
                      calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
-  reader.allow_attributes({"role", "orientation", "heights", "heights-are", "grid", "mask", "note",
-                           "area", "around", "width", "height", "margin"});
-  reader.allow_children({});
-  const calc::Names orientations{"horizontal-up", "horizontal-down", "vertical", "surface", "free"};
+  reader.allow(kPlaneElement);
   RulePlane plane;
   plane.role = reader.id("role");
-  plane.orientation = orientations[reader.choice("orientation", orientations)];
+  plane.orientation = kOrientationType.words[reader.choice("orientation", kOrientationType.words)];
   if (const auto heights = read_heights(reader, "heights")) {
     plane.has_heights = true;
     plane.lowest_m = heights->first;
     plane.highest_m = heights->second;
   }
-  plane.are_heights_usual = reader.choice_or("heights-are", {"required", "usual"}, 0) == 1;
+  plane.are_heights_usual = reader.choice_or("heights-are", kHeightsAreType.words, 0) == 1;
   if (reader.has("heights-are")) reader.require_together("heights-are", "heights");
   read_zone(reader, plane);
   const auto read_one_of = [&](std::string_view attribute, const auto& items) {

@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_reader.h"
+#include "rules/pack/pack_elements.h"
 #include "rules/pack/pack_parts.h"
 #include "rules/pack/rule_pack.h"
 #include "rules/pack/rule_pack_check.h"
@@ -16,17 +17,8 @@ namespace {
 using calc::DiagnosticId;
 using calc::ElementReader;
 
-const calc::Names& children_of_pack() {
-  static const calc::Names kNames{"source", "parameter", "fact", "policy", "table",
-                                  "scale",  "mask",      "grid", "plane",  "row",
-                                  "check",  "aggregate", "class"};
-  return kNames;
-}
-
 void read_header(ElementReader& reader, RulePack& pack) {
-  reader.allow_attributes({"id", "edition", "title", "version", "kind", "status", "jurisdiction",
-                           "licence", "licence-note", "role"});
-  reader.allow_children(children_of_pack());
+  reader.allow(kRulePackElement);
   const auto choice = [&](std::string_view name, const calc::Names& names) {
     return std::string(names[reader.choice(name, names)]);
   };
@@ -34,11 +26,10 @@ void read_header(ElementReader& reader, RulePack& pack) {
   pack.edition = reader.id("edition");
   pack.title = reader.text("title");
   pack.version = reader.id("version");
-  pack.kind =
-      choice("kind", {"standard", "law", "code", "scheme", "guideline", "contract", "company"});
-  pack.status = choice("status", {"draft", "published", "superseded", "withdrawn"});
+  pack.kind = choice("kind", kPackKindType.words);
+  pack.status = choice("status", kPackStatusType.words);
   pack.jurisdiction = reader.text_or("jurisdiction", "");
-  pack.licence = choice("licence", {"public", "internal", "user-supplied"});
+  pack.licence = choice("licence", kPackLicenceType.words);
   pack.licence_note = reader.text_or("licence-note", "");
   pack.role = reader.id("role");
 }
@@ -59,11 +50,11 @@ void add(std::vector<Item>& items, Item item, Key key, std::string_view attribut
   items.push_back(std::move(item));
 }
 
-// In an order in which everything that a part names by itself comes before it, whatever the order
-// in the file; formulas are looked at last of all.
+// In the order of the table, in which everything that a part names by itself comes before it,
+// whatever the order in the file; formulas are looked at last of all.
 void read_parts(const calc::XmlElement& root, RulePack& pack, calc::Diagnostics& diagnostics) {
   bool has_policy = false;
-  for (const std::string_view name : children_of_pack()) {
+  for (const std::string_view name : child_names(kRulePackElement)) {
     for (const calc::XmlElement& e : root.children) {
       if (e.name != name) continue;
       calc::Diagnostics& d = diagnostics;

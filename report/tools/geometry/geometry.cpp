@@ -6,6 +6,7 @@
 #include "calc/meshes/mesh_builder.h"
 #include "calc/meshes/mesh_file.h"
 #include "calc/project/project_context.h"
+#include "calc/project/project_elements.h"
 #include "calc/project/project_files.h"
 #include "calc/project/project_xml.h"
 #include "report/shell/option_values.h"
@@ -68,7 +69,7 @@ std::optional<Axes> axes_for(calc::MeshFormat format, const GeometryOptions& opt
 }
 
 double metres_per_unit(const std::string& unit) {
-  const calc::Names& names = calc::unit_names();
+  const calc::Names& names = calc::kUnitsType.words;
   return calc::metres_per_unit(
       static_cast<std::size_t>(std::find(names.begin(), names.end(), unit) - names.begin()));
 }

@@ -11,6 +11,7 @@
 #include "rules/pack/builtin_packs.h"
 #include "rules/pack/import_rows.h"
 #include "rules/pack/named_pack.h"
+#include "rules/pack/pack_elements.h"
 #include "rules/pack/rule_lint.h"
 
 #include <fmt/format.h>
@@ -222,7 +223,7 @@ Command schema_action() {
   return action<PackOptions>({"schema", "Print the XML schema of rule packs"},
                              std::make_shared<PackOptions>(),
                              [](const PackOptions&, const calc::FileReader&, calc::Diagnostics&) {
-                               return std::string(rules::rule_pack_schema());
+                               return rules::rule_pack_schema();
                              });
 }
 

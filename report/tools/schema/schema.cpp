@@ -1,8 +1,8 @@
 #include "report/tools/schema/schema.h"
 
-#include "calc/project/project_xml.h"
 #include "report/result_file/result_schema.h"
 #include "report/shell/print.h"
+#include "rules/binding/project_schema.h"
 
 #include <memory>
 
@@ -15,7 +15,7 @@ Command schema_command() {
       {"--result", "", "Print the JSON schema of 'check --format json' instead", of_results.get()}};
   command.run = [of_results](const RunContext&) {
     return print_outcome(
-        {kAllMet, *of_results ? report::result_schema() : std::string(calc::project_schema()), {}});
+        {kAllMet, *of_results ? report::result_schema() : rules::project_schema(), {}});
   };
   return command;
 }

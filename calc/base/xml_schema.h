@@ -1,0 +1,22 @@
+#pragma once
+// The XML schema (XSD 1.0) of a file format, written from its table.
+
+#include "calc/base/element_table.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace calc {
+
+struct SchemaText {
+  std::string_view maker;    // what writes the file, for a comment at its beginning
+  std::string_view meaning;  // of the file as a whole
+  ChildRow root;
+  // Rows that stand for those of the table of the same type: what another module adds.
+  std::vector<ElementRow> instead{};
+};
+
+std::string xml_schema(const SchemaText& text);
+
+}  // namespace calc

@@ -1,0 +1,566 @@
+#include "calc/project/project_elements.h"
+
+#include "calc/base/names.h"
+#include "calc/meshes/triangle_mesh.h"
+#include "calc/scene/project.h"
+#include "calc/scene/receiver_kernel.h"
+
+#include <limits>
+
+namespace calc {
+namespace {
+
+using enum Presence;
+
+constexpr std::string_view kIdPattern = R"([A-Za-z0-9_.:\-]+)";
+constexpr NumberRange kFromOne{1.0, std::numeric_limits<double>::infinity(), false, ""};
+
+Names plane_quantity_names() {
+  Names names;
+  for (const PlaneQuantity& quantity : kPlaneQuantities) names.push_back(quantity.name);
+  return names;
+}
+
+}  // namespace
+
+// Texts.
+const ValueType kIdType{.name = "id",
+                        .base = &kAnyText,
+                        .meaning = "Letters A-Z and a-z, digits and _ . : -",
+                        .pattern = kIdPattern};
+const ValueType kTextType{.name = "text",
+                          .base = &kAnyText,
+                          .meaning = "Not empty, not only blanks.",
+                          .pattern = R"(.*\S.*)"};
+const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
+const ValueType kUnitsType{
+    .name = "units", .base = &kAnyText, .words = {"m", "cm", "mm", "in", "ft"}};
+const ValueType kOpeningType{.name = "opening", .base = &kAnyText, .words = {"file", "point"}};
+const ValueType kInterpolationType{
+    .name = "interpolation", .base = &kAnyText, .words = {"linear", "cubic"}};
+const ValueType kUpAxisType{.name = "upAxis", .base = &kAnyText, .words = {"z", "y"}};
+const ValueType kLineEndsType{.name = "lineEnds", .base = &kAnyText, .words = {"half", "end"}};
+const ValueType kRingTurnType{.name = "ringTurn", .base = &kAnyText, .words = {"yes", "no"}};
+const ValueType kPlaneQuantityType{
+    .name = "planeQuantity", .base = &kAnyText, .words = plane_quantity_names()};
+
+// Numbers.
+const ValueType kDecimalType{.name = "decimal",
+                             .base = &kAnyDouble,
+                             .meaning = "A finite number: 2, -0.5, 1e-3.",
+                             .pattern = R"([+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?)"};
+const ValueType kNonNegativeType{
+    .name = "nonNegative", .base = &kDecimalType, .range = kNonNegative};
+
+namespace {
+
+const ValueType kNumberType{.name = "number",
+                            .base = &kDecimalType,
+                            .meaning = "Coordinates, directions, angles.",
+                            .range = kCoordinate};
+const ValueType kPositiveType{.name = "positive", .base = &kDecimalType, .range = kPositive};
+const ValueType kFractionType{
+    .name = "fraction", .base = &kDecimalType, .meaning = "From 0 to 1.", .range = kFraction};
+const ValueType kPositiveFractionType{.name = "positiveFraction",
+                                      .base = &kDecimalType,
+                                      .meaning = "Above 0, up to 1.",
+                                      .range = kPositiveFraction};
+const ValueType kHoursType{.name = "hoursOfYear", .base = &kDecimalType, .range = kHours};
+const ValueType kCountType{
+    .name = "count", .base = &kAnyInt, .meaning = "A whole number from 1.", .range = kFromOne};
+
+}  // namespace
+
+// Lists.
+const ValueType kVectorType{
+    .name = "vector", .meaning = "x y z", .item = &kNumberType, .least = 3, .most = 3};
+
+namespace {
+
+const ValueType kIdsType{
+    .name = "ids", .meaning = "Ids separated by blanks.", .item = &kIdType, .least = 3};
+const ValueType kSizeType{.name = "size",
+                          .meaning = "x y z, each above 0",
+                          .item = &kPositiveType,
+                          .least = 3,
+                          .most = 3};
+const ValueType kVector2Type{
+    .name = "vector2", .meaning = "x y", .item = &kNumberType, .least = 2, .most = 2};
+const ValueType kSize2Type{
+    .name = "size2", .meaning = "x y, each above 0", .item = &kPositiveType, .least = 2, .most = 2};
+const ValueType kCounts3Type{.name = "counts3", .item = &kCountType, .least = 3, .most = 3};
+const ValueType kCounts2Type{.name = "counts2", .item = &kCountType, .least = 2, .most = 2};
+const ValueType kSpacingsType{
+    .name = "spacings",
+    .meaning = "One distance for both directions, or one along u and one along v.",
+    .item = &kPositiveType,
+    .least = 1,
+    .most = 2};
+const ValueType kFootprintType{
+    .name = "footprint",
+    .meaning = "3 to 2000 corners x y, in order around the room, the first one not repeated.",
+    .pattern = "[^ ]+ [^ ]+( [^ ]+ [^ ]+)*",
+    .item = &kNumberType,
+    .least = 2 * 3,
+    .most = 2 * kCornerLimit};
+const ValueType kZoneFootprintType{
+    .name = "zoneFootprint", .base = &kFootprintType, .most = 2 * kZoneCornerLimit};
+const ValueType kCornersType{
+    .name = "corners",
+    .meaning = "3 to 2000 corners x y z in one plane, in order, the first one not repeated.",
+    .pattern = "[^ ]+ [^ ]+ [^ ]+( [^ ]+ [^ ]+ [^ ]+)*",
+    .item = &kNumberType,
+    .least = 3 * 3,
+    .most = 3 * kCornerLimit};
+
+// Of single attributes.
+const ValueType kMeshFormatType{
+    .name = "meshFormat", .base = &kAnyText, .words = names_of<MeshFormat>()};
+const ValueType kGridRoundingType{
+    .name = "gridRounding", .base = &kAnyText, .words = names_of<GridRounding>()};
+const ValueType kRoomSurfaceType{
+    .name = "roomSurface", .base = &kAnyText, .pattern = "floor|ceiling|wall[1-9][0-9]{0,3}"};
+const ValueType kBoxNameType{
+    .name = "boxName", .base = &kAnyText, .pattern = R"([A-Za-z0-9_.:\-\[\],]+)"};
+const ValueType kRoomIdType{
+    .name = "roomId",
+    .base = &kIdType,
+    .meaning = "Not \"site\", which is the open space.",
+    .pattern = R"(([A-Za-z0-9_.:\-]{1,3}|[^s][A-Za-z0-9_.:\-]{3}|s[^i][A-Za-z0-9_.:\-]{2})"
+               R"(|si[^t][A-Za-z0-9_.:\-]|sit[^e]|[A-Za-z0-9_.:\-]{5,}))"};
+
+// Attributes that several elements have.
+const AttributeRow kId{"id", &kIdType, required};
+const AttributeRow kName{"name", &kAnyText};
+const AttributeRow kFile{"file", &kTextType, required};
+const AttributeRow kMaterial{"material", &kIdType, required};
+const AttributeRow kMaterialOfOthers{"material", &kIdType, optional, "Of all that no map names."};
+const AttributeRow kOccupancy{"occupancy", &kPositiveFractionType, optional, "Fo of EN 15193; 1."};
+const AttributeRow kDaylight{"daylight", &kPositiveFractionType, optional, "FD of EN 15193; 1."};
+const AttributeRow kConstantIlluminance{"constant-illuminance", &kPositiveFractionType, optional,
+                                        "Fc of EN 15193; 1."};
+const AttributeRow kPosition{"position", &kVectorType, optional,
+                             "Where the object's origin goes (0 0 0)."};
+const AttributeRow kRotation{"rotation", &kNumberType, optional,
+                             "About the vertical axis through the object's origin."};
+const AttributeRow kRepeat{
+    "repeat", &kCounts3Type, optional,
+    "Numbers of copies along x, y and z of the coordinates around the object, with step. Copies "
+    "are named id[i,j,k], counted from 0."};
+const AttributeRow kStep{"step", &kVectorType, optional, "Distances of the copies, with repeat."};
+const AttributeRow kType{"type", &kIdType, required};
+const AttributeRow kAxis{"axis", &kVectorType, optional,
+                         "Direction of gamma = 0 (0 0 -1, straight down)."};
+const AttributeRow kC0Rotation{
+    "rotation", &kNumberType, optional,
+    "Of C0, from the x axis counter-clockwise for a luminaire that shines straight down; other "
+    "axes "
+    "are reached from there by the smallest rotation (straight up: half a turn about x)."};
+const AttributeRow kC0{
+    "c0", &kVectorType, optional,
+    "Instead of rotation, the direction of C0; only its part across the axis counts."};
+const AttributeRow kGroup{"group", &kTextType, optional, "Dimming group."};
+const AttributeRow kGroupNamed{"group", &kTextType, required};
+const AttributeRow kCount{"count", &kCounts2Type, optional, "Points along u and v."};
+const AttributeRow kSpacing{"spacing", &kSpacingsType, optional,
+                            "Distances of the points, whose numbers are rounded up."};
+const AttributeRow kRounding{
+    "rounding", &kGridRoundingType, optional,
+    "How the rule's numbers of points are rounded; to the nearest one if not given."};
+const AttributeRow kZoneOrigin{"origin", &kVector2Type};
+const AttributeRow kZoneSize{"size", &kSize2Type};
+const AttributeRow kZoneFootprint{"footprint", &kZoneFootprintType};
+const AttributeRow kHeightAboveFloor{"height", &kNonNegativeType, optional, "Above the floor."};
+
+constexpr std::string_view kOfRoot =
+    R"(<!-- Ids are unique within their kind; parts of assemblies within the assembly, objects within their room. -->
+<xs:key name="materialId"><xs:selector xpath="material"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="luminaireTypeId"><xs:selector xpath="luminaire-type"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="sceneId"><xs:selector xpath="scene"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="roomId"><xs:selector xpath="room"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="planeId"><xs:selector xpath=".//plane"/><xs:field xpath="@id"/></xs:key>
+<xs:unique name="openObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
+<xs:unique name="openLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>
+<xs:keyref name="sceneOfRequirement" refer="sceneId"><xs:selector xpath=".//require|.//workplace"/><xs:field xpath="@scene"/></xs:keyref>
+<xs:keyref name="objectMaterial" refer="materialId"><xs:selector xpath=".//box|.//quad|.//polygon|.//mesh|.//map"/><xs:field xpath="@material"/></xs:keyref>
+<xs:keyref name="roomMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@material"/></xs:keyref>
+<xs:keyref name="ceilingMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@ceiling"/></xs:keyref>
+<xs:keyref name="wallMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@walls"/></xs:keyref>
+<xs:keyref name="floorMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@floor"/></xs:keyref>
+<xs:keyref name="typeOfLuminaire" refer="luminaireTypeId"><xs:selector xpath=".//luminaire|.//luminaire-grid|.//luminaire-line|.//luminaire-ring"/><xs:field xpath="@type"/></xs:keyref>)";
+constexpr std::string_view kOfScene =
+    R"(<xs:unique name="dimmedGroup"><xs:selector xpath="dim"/><xs:field xpath="@group"/></xs:unique>)";
+constexpr std::string_view kOfEnergy =
+    R"(<xs:unique name="energyGroup"><xs:selector xpath="part"/><xs:field xpath="@group"/></xs:unique>)";
+constexpr std::string_view kOfCommonEnergy =
+    R"(<xs:unique name="energyGroupOfAll"><xs:selector xpath="part"/><xs:field xpath="@group"/></xs:unique>)";
+constexpr std::string_view kOfMesh =
+    R"(<xs:unique name="mapName"><xs:selector xpath="map"/><xs:field xpath="@name"/></xs:unique>)";
+constexpr std::string_view kOfAssembly =
+    R"(<xs:unique name="partId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
+<xs:unique name="partLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>)";
+constexpr std::string_view kOfWorkplace =
+    R"(<xs:unique name="zoneRole"><xs:selector xpath="zone|without"/><xs:field xpath="@role"/></xs:unique>)";
+constexpr std::string_view kOfRoom =
+    R"(<xs:unique name="roomMapName"><xs:selector xpath="map"/><xs:field xpath="@name"/></xs:unique>
+<xs:unique name="roomObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
+<xs:unique name="roomLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>)";
+
+}  // namespace
+
+const ElementRow kMaterialElement{
+    .type = "material",
+    .meaning = "A diffuse surface; both sides of every surface reflect, nothing passes through.",
+    .attributes = {kId, {"reflectance", &kFractionType, required}}};
+
+const ElementRow kLuminaireTypeElement{
+    .type = "luminaireType",
+    .meaning =
+        "A photometry file and how it is used. Of a file with several lights, lamp-set, "
+        "variant or emitter names one.",
+    .attributes = {
+        kId,
+        {"photometry", &kTextType, required,
+         "LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file."},
+        {"flux-lm", &kPositiveType, optional,
+         "Luminous flux of the luminaire, instead of the file's."},
+        {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
+        {"maintenance-factor", &kPositiveFractionType, optional,
+         "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, the "
+         "product counts); 1 if nothing is given."},
+        {"llmf", &kPositiveFractionType},
+        {"lsf", &kPositiveFractionType},
+        {"lmf", &kPositiveFractionType},
+        {"rsmf", &kPositiveFractionType},
+        {"opening", &kOpeningType, optional,
+         "point: let all light leave the centre instead of the luminous opening of the file.",
+         "file"},
+        {"interpolation", &kInterpolationType, optional,
+         "Between the file's angles, linear or cubic (Hermite, without overshoot).", "linear"},
+        {"lamp-set", &kCountType, optional, "The number of an EULUMDAT lamp set."},
+        {"variant", &kTextType, optional, "The id of a GLDF variant."},
+        {"emitter", &kTextType, optional,
+         "The id of a GLDF emitter (id#n: its n-th fitting) or the id, description or number of a "
+         "TM-33 emitter."}}};
+
+const ElementRow kDimElement{.type = "dim",
+                             .attributes = {kGroupNamed, {"level", &kFractionType, required}}};
+
+const ElementRow kSceneElement{
+    .type = "lightScene",
+    .meaning =
+        "Dimming levels; groups that are not named, and luminaires without a group, are at 1.",
+    .attributes = {kId},
+    .children = {{"dim", &kDimElement}}};
+
+const ElementRow kEnergyPartElement{
+    .type = "energyPart",
+    .meaning = "Other factors for a dimming group.",
+    .attributes = {kGroupNamed, kOccupancy, kDaylight, kConstantIlluminance}};
+
+const ElementRow kEnergyElement{
+    .type = "energy",
+    .meaning =
+        R"(How the light of a room is used, for requirements on LENI; in the root element: of all rooms that have none of
+their own, at most one each. The factors count as 1 where they are not given.)",
+    .attributes = {{"day-hours", &kHoursType, required, "Hours in a year with daylight."},
+                   {"night-hours", &kHoursType, required, "Hours in a year without daylight."},
+                   kOccupancy,
+                   kDaylight,
+                   kConstantIlluminance,
+                   {"parasitic-kwh-m2", &kNonNegativeType, required,
+                    "Energy of controls and emergency charging in a year by floor area."}},
+    .children = {{"part", &kEnergyPartElement}}};
+
+// Objects.
+const ElementRow kBoxElement{
+    .type = "box",
+    .meaning = "position: the corner with the smallest x, y and z before it is rotated.",
+    .attributes = {
+        kId, {"size", &kSizeType, required}, kPosition, kRotation, kMaterial, kRepeat, kStep}};
+
+const ElementRow kQuadElement{.type = "quad",
+                              .meaning = "A parallelogram with the sides u and v.",
+                              .attributes = {kId,
+                                             {"origin", &kVectorType, required},
+                                             {"u", &kVectorType, required},
+                                             {"v", &kVectorType, required},
+                                             kMaterial,
+                                             kRepeat,
+                                             kStep}};
+
+const ElementRow kPolygonElement{
+    .type = "polygon",
+    .attributes = {kId, {"points", &kCornersType, required}, kMaterial, kRepeat, kStep}};
+
+const ElementRow kMapElement{.type = "materialMap",
+                             .meaning = "The material of what has this name in the file.",
+                             .attributes = {{"name", &kTextType, required}, kMaterial}};
+
+const ElementRow kMeshElement{
+    .type = "mesh",
+    .meaning =
+        R"(A mesh file: Wavefront OBJ, glTF 2.0 (.gltf or .glb), STL or PLY. OBJ, STL and PLY files do not say units and up,
+so that both attributes are required; glTF is always in metres with y up, so that they are not needed. Each map
+gives the faces of one of the file's materials (usemtl in OBJ; "default" for all of an STL or PLY file) a material,
+the attribute "material" all others.)",
+    .attributes = {kId,
+                   kFile,
+                   {"format", &kMeshFormatType, optional,
+                    "The file's contents decide which; this only makes anything else an error."},
+                   kPosition,
+                   kRotation,
+                   {"scale", &kPositiveType, optional, "Factor besides the units.", "1"},
+                   {"up", &kUpAxisType, optional, "The file's vertical axis."},
+                   {"units", &kUnitsType, optional, "Of the file."},
+                   kMaterialOfOthers,
+                   kRepeat,
+                   kStep},
+    .children = {{"map", &kMapElement}}};
+
+const ElementRow kAssemblyElement{
+    .type = "assembly",
+    .meaning =
+        "Objects that are placed and repeated together, at most 16 levels deep. Parts are "
+        "named assembly.part.",
+    .attributes = {kId, kPosition, kRotation, kRepeat, kStep},
+    .children = {{.group = &kObjects}}};
+
+// Luminaires.
+const ElementRow kLuminaireElement{
+    .type = "luminaire",
+    .attributes = {kId,
+                   kType,
+                   {"position", &kVectorType, required, "Centre of the luminous opening."},
+                   kAxis,
+                   {"aim", &kVectorType, optional, "Instead of axis, a point to shine at."},
+                   kC0Rotation,
+                   kC0,
+                   kGroup}};
+
+const ElementRow kLuminaireGridElement{
+    .type = "luminaireGrid",
+    .meaning =
+        R"(A rectangular array over size, half a spacing from its edges: id[column,row] stands at
+((column + 0.5) / columns, (row + 0.5) / rows) of it.)",
+    .attributes = {kId,
+                   kType,
+                   {"origin", &kVectorType, required},
+                   {"size", &kSize2Type, required},
+                   {"rows", &kCountType, required},
+                   {"columns", &kCountType, required},
+                   {"array-rotation", &kNumberType, optional,
+                    "Turns the array about its origin, with its luminaires."},
+                   kAxis,
+                   kC0Rotation,
+                   kC0,
+                   kGroup}};
+
+const ElementRow kLuminaireLineElement{
+    .type = "luminaireLine",
+    .meaning = "id[i] along a line.",
+    .attributes = {kId,
+                   kType,
+                   {"from", &kVectorType, required},
+                   {"to", &kVectorType, required},
+                   {"count", &kCountType, required},
+                   {"edge", &kLineEndsType, optional,
+                    "half: half a spacing at both ends, end: the first and the last stand at the "
+                    "ends (count from 2).",
+                    "half"},
+                   kAxis,
+                   kC0Rotation,
+                   kC0,
+                   kGroup}};
+
+const ElementRow kLuminaireRingElement{
+    .type = "luminaireRing",
+    .meaning = "id[i] on a horizontal circle.",
+    .attributes = {
+        kId,
+        kType,
+        {"centre", &kVectorType, required},
+        {"radius", &kPositiveType, required},
+        {"count", &kCountType, required},
+        {"start", &kNumberType, optional, "Angle of the first from the x axis."},
+        {"turn", &kRingTurnType, optional, "yes: each luminaire is turned by its angle.", "yes"},
+        kAxis,
+        kC0Rotation,
+        kC0,
+        kGroup}};
+
+const ElementRow kLuminaireListElement{
+    .type = "luminaireList",
+    .meaning =
+        R"(Luminaires of a CSV file, named id.name. Its first line names the columns: name, type, x_m, y_m, z_m; if wanted
+axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, and rotation_deg, group, with the meanings that the attributes
+of luminaires have. Always in metres.)",
+    .attributes = {kId, kFile}};
+
+const ElementGroup kObjects{"object",
+                            {{"box", &kBoxElement},
+                             {"quad", &kQuadElement},
+                             {"polygon", &kPolygonElement},
+                             {"mesh", &kMeshElement, kOfMesh},
+                             {"assembly", &kAssemblyElement, kOfAssembly},
+                             {"luminaire", &kLuminaireElement},
+                             {"luminaire-grid", &kLuminaireGridElement},
+                             {"luminaire-line", &kLuminaireLineElement},
+                             {"luminaire-ring", &kLuminaireRingElement},
+                             {"luminaires", &kLuminaireListElement}}};
+
+// Calculation planes.
+const ElementRow kHoleElement{.type = "hole", .attributes = {{"points", &kCornersType, required}}};
+
+const ElementRow kRequireElement{
+    .type = "requirement",
+    .meaning = "What the plane must meet; see rules/README.md for the meaning of the attributes."};
+
+const ElementRow kPlaneElement{
+    .type = "plane",
+    .meaning = R"(Exactly one of these forms:
+height: in a room, the whole footprint at this height above the floor, facing up.
+origin, u, v: a rectangle with the full sides u and v, which are perpendicular; it faces u x v.
+points: a flat polygon, with holes if needed; it faces the side from which its corners run counter-clockwise, and
+the grid's first direction is along its first side.
+on: in a room, floor, ceiling, wall1, wall2 ..., facing into the room; wall1 begins at the footprint's first
+corner (rooms with "size": wall1 is y = 0, wall2 x = max, wall3 y = max, wall4 x = 0).
+on-top-of: the upper face of a box, named as in messages: id, id[i,j,k], assembly.id ...
+file: CSV file with the header x,y,z,nx,ny,nz: points and the directions they face.
+Grid: count along u and v, or spacing (rounded up), or the rule of EN 12464-1 if neither is given.
+quantity: what the points measure, planar illuminance if it is not given. Cylindrical and hemispherical points
+have the direction that the plane (or the point of a list) faces for an axis: an upright cylinder on a plane that
+faces up. Semicylindrical points stand upright and look in a horizontal direction: the attribute "direction" of
+planes, the normals of a list. ugr: eyes at the points that look that way, too; unified glare rating, no unit.
+modelling: cylindrical illuminance / planar illuminance, no unit, on the plane's axis. cylindrical-4: the mean of
+four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylindrical integral.)",
+    .attributes = {kId,
+                   kName,
+                   {"height", &kNonNegativeType},
+                   {"origin", &kVectorType},
+                   {"u", &kVectorType},
+                   {"v", &kVectorType},
+                   {"points", &kCornersType},
+                   {"on", &kRoomSurfaceType},
+                   {"on-top-of", &kBoxNameType},
+                   {"file", &kTextType},
+                   {"margin", &kNonNegativeType, optional,
+                    "Width of the strip along the outline that has no points."},
+                   kCount,
+                   kSpacing,
+                   kRounding,
+                   {"quantity", &kPlaneQuantityType, optional, "What the points measure.",
+                    "planar"},
+                   {"direction", &kVectorType, optional, "Where semicylindrical points look."}},
+    .children = {{"hole", &kHoleElement}, {"require", &kRequireElement}}};
+
+// Workplaces.
+const ElementRow kZoneElement{
+    .type = "zone",
+    .meaning =
+        "What differs from the rule for the zones of a role; the area is origin and size, or "
+        "footprint, in the room's x and y.",
+    .attributes = {
+        {"role", &kIdType, required, "E.g. \"cylinder\", \"wall\" (all walls) or \"wall.2\"."},
+        kHeightAboveFloor,
+        {"margin", &kNonNegativeType, optional,
+         "Along the walls, or along the outline of an area that is given."},
+        kZoneOrigin,
+        kZoneSize,
+        kZoneFootprint,
+        kCount,
+        kSpacing,
+        kRounding,
+        {"because", &kAnyText}}};
+
+const ElementRow kWithoutElement{
+    .type = "zoneLeftOut",
+    .meaning = "Leaves a role out, with the reason.",
+    .attributes = {{"role", &kIdType, required}, {"because", &kTextType, required}}};
+
+const ElementRow kWorkplaceElement{
+    .type = "workplace",
+    .meaning =
+        R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
+"id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y. See
+rules/README.md.)",
+    .attributes = {kId, kName, kZoneOrigin, kZoneSize, kZoneFootprint, kHeightAboveFloor},
+    .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}}};
+
+// Rooms and the root.
+const ElementRow kPrismRoomElement{
+    .type = "room",
+    .meaning =
+        R"(A closed prism: no light enters or leaves. Either size (x y z), or footprint and height. ceiling, walls, floor:
+material ids (required); wall-materials: one id per wall, instead of "walls" for all (which is still required).
+
+Or a space of a gbXML file, in the building's coordinates: file and space (its id) instead of all of these; each
+map gives the surfaces of one surfaceType, or the openings of one openingType, a material, the attribute
+"material" all others. Every surface next to the space counts, without its openings, which are surfaces of their
+own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
+"on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.)",
+    .attributes = {{"id", &kRoomIdType, required},
+                   kName,
+                   {"origin", &kVectorType},
+                   {"size", &kSizeType},
+                   {"footprint", &kFootprintType},
+                   {"height", &kPositiveType},
+                   {"ceiling", &kIdType},
+                   {"walls", &kIdType},
+                   {"floor", &kIdType},
+                   {"wall-materials", &kIdsType}},
+    .children = {{.group = &kObjects},
+                 {"plane", &kPlaneElement},
+                 {"workplace", &kWorkplaceElement, kOfWorkplace},
+                 {"energy", &kEnergyElement, kOfEnergy}}};
+
+const ElementRow kGbxmlRoomElement{.type = "room",
+                                   .attributes = {{"id", &kRoomIdType, required},
+                                                  kName,
+                                                  {"file", &kTextType},
+                                                  {"space", &kTextType},
+                                                  kMaterialOfOthers},
+                                   .children = {{.group = &kObjects},
+                                                {"plane", &kPlaneElement},
+                                                {"workplace", &kWorkplaceElement, kOfWorkplace},
+                                                {"energy", &kEnergyElement, kOfEnergy},
+                                                {"map", &kMapElement}}};
+
+namespace {
+
+const ElementRow kRoomElement = either_of(kPrismRoomElement, kGbxmlRoomElement);
+
+}  // namespace
+
+const ElementRow kProjectElement{
+    .type = "project",
+    .attributes =
+        {{"version", &kVersionType, required},
+         kName,
+         {"units", &kUnitsType, optional,
+          "Of all lengths in this file, but the points of requirements (at), which are in "
+          "metres; meshes may have their own.",
+          "m"}},
+    .children = {{"material", &kMaterialElement},
+                 {"luminaire-type", &kLuminaireTypeElement},
+                 {"scene", &kSceneElement, kOfScene},
+                 {"room", &kRoomElement, kOfRoom},
+                 {"plane", &kPlaneElement},
+                 {"energy", &kEnergyElement, kOfCommonEnergy},
+                 {.group = &kObjects}}};
+
+const ChildRow kProjectRoot{"luxgate", &kProjectElement, kOfRoot};
+
+const std::string_view kProjectMeaning =
+    R"(Project file of luxgate, version 1.
+
+Axes: x and y horizontal, z up, right-handed. Lengths are in the unit of the root's attribute "units"; angles are in
+degrees, counter-clockwise seen from above. Numbers use a decimal point; lists are separated by blanks. Objects in a
+room are written in room coordinates (origin = the room's attribute "origin"), parts of an assembly in the
+assembly's coordinates, everything else in world coordinates.
+
+luxgate checks more than a schema can say: which attributes exclude each other, that polygons are simple, that
+groups, walls and boxes exist, and the contents of the files named here. File names are relative to the project
+file and stay in its folder or below it.)";
+
+}  // namespace calc

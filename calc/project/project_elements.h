@@ -1,0 +1,42 @@
+#pragma once
+// The project file as tables. The attributes of <require>, and those of <workplace> that are about
+// rules, are not here but in rules/binding/requirement_attributes.h.
+
+#include "calc/base/element_table.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace calc {
+
+inline constexpr std::size_t kCornerLimit = 2000;
+inline constexpr std::size_t kZoneCornerLimit = 100;
+
+inline constexpr double kYear_h = 8760.0;
+inline constexpr NumberRange kHours{0.0, kYear_h, false,
+                                    "a number from 0 to 8760 (hours in a year)"};
+
+// Types that others need, too: words of choices, and what attributes of requirements hold.
+extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kVectorType;
+extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
+    kLineEndsType, kRingTurnType, kPlaneQuantityType;
+
+extern const std::string_view kProjectMeaning;
+extern const ChildRow kProjectRoot;
+extern const ElementRow kProjectElement;
+extern const ElementRow kMaterialElement, kLuminaireTypeElement, kSceneElement, kDimElement;
+extern const ElementRow kEnergyElement, kEnergyPartElement;
+
+// Everything that can stand in a room, in the open space or in an assembly.
+extern const ElementGroup kObjects;
+extern const ElementRow kBoxElement, kQuadElement, kPolygonElement, kMeshElement, kMapElement,
+    kAssemblyElement;
+extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLineElement,
+    kLuminaireRingElement, kLuminaireListElement;
+
+// A room of either form; the schema has one for both.
+extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
+extern const ElementRow kPlaneElement, kHoleElement, kRequireElement;
+extern const ElementRow kWorkplaceElement, kZoneElement, kWithoutElement;
+
+}  // namespace calc

@@ -1,0 +1,16 @@
+#include "rules/binding/project_schema.h"
+
+#include "calc/base/xml_schema.h"
+#include "calc/project/project_elements.h"
+#include "rules/binding/requirement_attributes.h"
+
+namespace rules {
+
+std::string project_schema() {
+  return calc::xml_schema({"'luxgate schema'",
+                           calc::kProjectMeaning,
+                           calc::kProjectRoot,
+                           {require_element(), workplace_element()}});
+}
+
+}  // namespace rules
