@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/meshes/mesh_builder.h"
 
 #include <pugixml.hpp>
 
@@ -15,7 +16,6 @@ namespace calc {
 namespace {
 
 constexpr double kMaxCoordinate_m = 1.0e9;
-constexpr std::size_t kMaxCorners = 2000;
 
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind(':') + 1); }
 
@@ -131,9 +131,9 @@ class BuildingReader {
       if (corners.empty() || corners.back() != *corner) corners.push_back(*corner);
     }
     while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
-    if (corners.size() > kMaxCorners) {
+    if (corners.size() > kMaxFaceCorners) {
       report(node, fmt::format("'{}' has {} corners; at most {} are read", shorten_utf8(id, 60),
-                               corners.size(), kMaxCorners));
+                               corners.size(), kMaxFaceCorners));
       return {};
     }
     return corners;

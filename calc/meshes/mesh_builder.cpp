@@ -10,7 +10,6 @@
 namespace calc {
 namespace {
 
-constexpr std::size_t kMaxCorners = 2000;  // of one face; triangulation takes their square
 constexpr double kMaxCornerPairs = 2.0e9;  // of all faces together: about two minutes
 
 }  // namespace
@@ -74,9 +73,9 @@ bool MeshBuilder::add_face(std::span<const std::uint32_t> corner, int line) {
 }
 
 bool MeshBuilder::is_small_enough(std::size_t corners, int line) {
-  if (corners > kMaxCorners) {
+  if (corners > kMaxFaceCorners) {
     diagnostics_.report(DiagnosticId::mesh_face_too_large, {name_, line, 0}, mesh_.faces, corners,
-                        kMaxCorners);
+                        kMaxFaceCorners);
     return false;
   }
   corner_pairs_ += static_cast<double>(corners) * static_cast<double>(corners);

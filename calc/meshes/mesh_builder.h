@@ -19,6 +19,9 @@
 
 namespace calc {
 
+// Of one face: triangulation takes the square of their number.
+inline constexpr std::size_t kMaxFaceCorners = 2000;
+
 // Names in order of first use.
 class NameList {
  public:

@@ -329,13 +329,13 @@ class PlyReader {
   }
 
   bool read_text(Type type, double& value) {
-    constexpr std::string_view kBlanks = " \t\r\n\v\f";
-    while (at_ < bytes_.size() && kBlanks.find(bytes_[at_]) != std::string_view::npos) {
+    constexpr std::string_view kPlyBlanks = " \t\r\n\v\f";
+    while (at_ < bytes_.size() && kPlyBlanks.find(bytes_[at_]) != std::string_view::npos) {
       if (bytes_[at_] == '\n') ++line_;
       ++at_;
     }
     if (at_ == bytes_.size()) return broken("it ends within its data");
-    const std::size_t end = std::min(bytes_.find_first_of(kBlanks, at_), bytes_.size());
+    const std::size_t end = std::min(bytes_.find_first_of(kPlyBlanks, at_), bytes_.size());
     const std::string_view word = bytes_.substr(at_, end - at_);
     const std::optional<double> number = parse_number(word);
     if (!number || (is_whole(type) && *number != std::floor(*number))) {

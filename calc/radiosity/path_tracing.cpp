@@ -25,12 +25,13 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kPathsPerRound = 256;  // rounds of samples on extended openings
 
-struct FirstRay {
+// By formulas of its own: this is the second method that the first is held against.
+struct PathStart {
   glm::dvec3 origin_m, direction;
   double weight;  // k(w) / (density pi)
 };
 
-FirstRay first_ray(const Tracer& tracer, const Receiver& receiver, std::array<double, 2> u) {
+PathStart path_start(const Tracer& tracer, const Receiver& receiver, std::array<double, 2> u) {
   if (has_back(receiver.kernel)) {
     return {tracer.lift(receiver), cosine_direction(receiver.axis, u[0], u[1]), 1.0};
   }
@@ -52,7 +53,7 @@ struct PathSums {
 // E = mean of weight rho(y) E(y), y = first hit; E(y) = E_dir(y) + the same again.
 void add_path(const Tracer& tracer, const Receiver& receiver, const ScrambledSobol& sobol,
               std::uint32_t index, RandomKey key, double weight, PathSums& sums) {
-  const FirstRay first = first_ray(tracer, receiver, sobol.sample_pair(index, 0));
+  const PathStart first = path_start(tracer, receiver, sobol.sample_pair(index, 0));
   weight *= first.weight;
   if (!(weight > 0.0)) return;
   glm::dvec3 origin_m = first.origin_m, direction = first.direction;

@@ -28,7 +28,7 @@ constexpr std::size_t kGap = 2;
 constexpr std::size_t kNarrowestName = 12;
 
 // A table row, or (cells empty) a note below one.
-struct Line {
+struct TableLine {
   std::array<std::string, kColumns> cells;
   std::string note;
   const char* colour = "";
@@ -72,11 +72,11 @@ std::string place_cell(const SpacePart& space, const PlanePart& plane) {
 }
 
 void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                 const rules::Finding& finding, std::vector<Line>& lines) {
+                 const rules::Finding& finding, std::vector<TableLine>& lines) {
   const rules::Requirement& requirement = finding.requirement;
   const char* unit = rules::unit_of(requirement);
   const Threshold threshold{requirement.limit, requirement.comparison};
-  Line line;
+  TableLine line;
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(t, finding.verdict);
   line.cells[kPlace] = place_cell(space, plane);
@@ -95,12 +95,12 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   if (finding.is_close) note(close_words(t, finding));
 }
 
-void add_doubt(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
+void add_doubt(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
   const std::string doubt = doubt_words(t, plane);
   if (!doubt.empty()) lines.emplace_back().note = doubt;
 }
 
-void add_remarks(const PlanePart& plane, std::vector<Line>& lines) {
+void add_remarks(const PlanePart& plane, std::vector<TableLine>& lines) {
   for (const std::string& remark : plane.remarks) lines.emplace_back().note = printable(remark);
 }
 
@@ -115,21 +115,21 @@ std::string statistics_text(const Texts& t, const PlanePart& plane) {
 }
 
 // Of planes that a workplace has made: what the project has changed about them.
-void add_change(const Texts& t, const PlanePart& plane, std::vector<Line>& lines) {
+void add_change(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
   if (plane.changed.empty()) return;
   lines.emplace_back().note =
       printable(t.say<Text::made_and_changed>(plane.made_by, plane.changed));
 }
 
 void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
-               std::vector<Line>& lines) {
+               std::vector<TableLine>& lines) {
   for (const rules::Finding& finding : plane.findings) add_finding(t, space, plane, finding, lines);
   if (!plane.findings.empty()) {
     add_change(t, plane, lines);
     add_remarks(plane, lines);
     return add_doubt(t, plane, lines);
   }
-  Line line;
+  TableLine line;
   line.cells[kPlace] = place_cell(space, plane);
   line.cells[kVerdict] = plane.is_computed ? std::string("  ") + t[Text::no_limit]
                                            : std::string("– ") + t[Text::not_computed];
@@ -143,8 +143,8 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
 }
 
 void add_aggregate(const Texts& t, const ProjectPart& project,
-                   const rules::AggregateFinding& finding, std::vector<Line>& lines) {
-  Line line;
+                   const rules::AggregateFinding& finding, std::vector<TableLine>& lines) {
+  TableLine line;
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(t, finding.verdict);
   line.cells[kPlace] = printable(aggregate_place(project, finding));
@@ -169,8 +169,8 @@ std::string padded(const std::string& text, std::size_t width, bool to_the_right
 
 using Widths = std::array<std::size_t, kColumns>;
 
-Line heading(const Texts& t) {
-  Line line;
+TableLine heading(const Texts& t) {
+  TableLine line;
   line.cells = {t[Text::head_verdict],  t[Text::head_place],    t[Text::head_quantity],
                 t[Text::head_required], t[Text::head_measured], t[Text::head_margin],
                 t[Text::head_at]};
@@ -178,14 +178,14 @@ Line heading(const Texts& t) {
   return line;
 }
 
-bool is_heading(const Line& line) { return line.colour == kDim; }
+bool is_heading(const TableLine& line) { return line.colour == kDim; }
 
 // Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
-Widths natural_widths(const Texts& t, const std::vector<std::vector<Line>>& tables) {
-  const Line head = heading(t);
+Widths natural_widths(const Texts& t, const std::vector<std::vector<TableLine>>& tables) {
+  const TableLine head = heading(t);
   Widths widths{};
-  for (const std::vector<Line>& lines : tables) {
-    for (const Line& line : lines) {
+  for (const std::vector<TableLine>& lines : tables) {
+    for (const TableLine& line : lines) {
       if (is_heading(line)) continue;
       for (std::size_t c = 0; c < kColumns; ++c) {
         if (line.cells[c].empty()) continue;
@@ -198,7 +198,7 @@ Widths natural_widths(const Texts& t, const std::vector<std::vector<Line>>& tabl
 }
 
 // The name column gives way to a narrow terminal.
-Widths column_widths(const Texts& t, const std::vector<std::vector<Line>>& tables,
+Widths column_widths(const Texts& t, const std::vector<std::vector<TableLine>>& tables,
                      int terminal_width) {
   Widths widths = natural_widths(t, tables);
   std::size_t total = 2;  // indentation
@@ -213,7 +213,7 @@ Widths column_widths(const Texts& t, const std::vector<std::vector<Line>>& table
 
 void trim_end(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
 
-std::string render_line(const Line& line, const Widths& widths, bool colour) {
+std::string render_line(const TableLine& line, const Widths& widths, bool colour) {
   std::string text = "  ";
   if (!line.note.empty()) {
     text.append(widths[kVerdict] + kGap, ' ');
@@ -233,8 +233,8 @@ std::string render_line(const Line& line, const Widths& widths, bool colour) {
   return text + "\n";
 }
 
-std::vector<Line> project_lines(const Texts& t, const ProjectPart& project) {
-  std::vector<Line> lines;
+std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project) {
+  std::vector<TableLine> lines;
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
     for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
@@ -255,7 +255,7 @@ std::string project_title(const ProjectPart& project, bool colour) {
 }  // namespace
 
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
-  std::vector<std::vector<Line>> tables;
+  std::vector<std::vector<TableLine>> tables;
   for (const ProjectPart& project : document.projects) tables.push_back(project_lines(t, project));
   const Widths widths = column_widths(t, tables, options.width);
   std::string text;
@@ -268,7 +268,7 @@ std::string render_text(const Document& document, const TextOptions& options, co
               (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
               (options.colour ? kReset : "") + "\n";
     }
-    for (const Line& line : tables[i]) text += render_line(line, widths, options.colour);
+    for (const TableLine& line : tables[i]) text += render_line(line, widths, options.colour);
     text += "\n";
   }
   std::string summary = summary_words(t, document);

@@ -3,6 +3,7 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_plan.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace report {
 namespace {
 
 // As html_style.css on white, without variables: programs that draw SVG files know none.
-constexpr const char* kStyle = R"(
+constexpr const char* kHeatmapStyle = R"(
 text { font-family: "Noto Sans", "DejaVu Sans", Arial, sans-serif; }
 .cells path { stroke-width: .4; }
 .floor { fill: #f1f3f5; }
@@ -63,7 +64,7 @@ std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const Pla
       "<text class=\"title\" x=\"{4}\" y=\"20\">{2}</text>\n"
       "<g transform=\"translate({4} {5})\">\n{6}</g>\n<g transform=\"translate({4} {7})\">\n{8}"
       "</g>\n</svg>\n",
-      svg_number(width), svg_number(height), title, kStyle, kEdge, kTitle, pictures.plan,
+      svg_number(width), svg_number(height), title, kHeatmapStyle, kEdge, kTitle, pictures.plan,
       svg_number(bar_top), pictures.colour_bar);
 }
 

@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 namespace report {
 namespace {
 
-constexpr double kWidth = 640, kHeight = 300, kLeft = 58, kRight = 16, kTop = 14, kBottom = 44;
+constexpr PlotFrame kConvergenceFrame{640, 300, 58, 16, 14, 44};
 constexpr std::size_t kMostCurves = 600;
 
 struct Place {
@@ -115,33 +116,32 @@ struct Frame {
   }
   double x(double paths) const {
     const double part = calc::log(paths / low_paths) / calc::log(high_paths / low_paths);
-    return kLeft + part * (kWidth - kLeft - kRight);
+    return kConvergenceFrame.x(part);
   }
   double y(double width) const {
     const double part = calc::log(width / low_width) / calc::log(high_width / low_width);
-    return kHeight - kBottom - part * (kHeight - kTop - kBottom);
+    return kConvergenceFrame.y(part);
   }
 };
 
 std::string axes(const Texts& t, const Frame& frame) {
   std::string grid, text;
   for (double width = frame.low_width; width <= frame.high_width * 1.01; width *= 10.0) {
-    grid += fmt::format("M{} {}H{}", kLeft, svg_number(frame.y(width)), kWidth - kRight);
-    text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kLeft - 8,
-                        svg_number(frame.y(width) + 4), format_percent(t, width));
+    grid += fmt::format("M{} {}H{}", kConvergenceFrame.left, svg_number(frame.y(width)),
+                        kConvergenceFrame.x_end());
+    text +=
+        svg_text(kConvergenceFrame.left - 8, frame.y(width) + 4, "end", format_percent(t, width));
   }
   const double doublings = calc::log2(frame.high_paths / frame.low_paths);
   const double factor = calc::exp2(std::max(1.0, std::ceil(doublings / 6.0)));
   for (double paths = frame.low_paths; paths <= frame.high_paths * 1.01; paths *= factor) {
-    const std::string x = svg_number(frame.x(paths));
-    grid += fmt::format("M{} {}V{}", x, kTop, kHeight - kBottom);
-    text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x,
-                        kHeight - kBottom + 17,
-                        format_count(static_cast<std::uint64_t>(std::llround(paths))));
+    grid += fmt::format("M{} {}V{}", svg_number(frame.x(paths)), kConvergenceFrame.top,
+                        kConvergenceFrame.y_end());
+    text += svg_text(frame.x(paths), kConvergenceFrame.y_end() + 17, "middle",
+                     format_count(static_cast<std::uint64_t>(std::llround(paths))));
   }
-  text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                      svg_number(0.5 * (kLeft + kWidth - kRight)), kHeight - 6,
-                      t[Text::paths_of_replicates]);
+  text += svg_text(0.5 * (kConvergenceFrame.left + kConvergenceFrame.x_end()),
+                   kConvergenceFrame.height - 6, "middle", t[Text::paths_of_replicates]);
   return "<path class=\"lines\" d=\"" + grid + "\"/>" + text;
 }
 
@@ -182,7 +182,7 @@ std::string html_convergence(const Texts& t, const ProjectPart& project) {
   return fmt::format(
       "<figure class=\"converge\"><svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" aria-label=\"{2}\">{3}{4}</svg><figcaption>{5}{6}</figcaption></figure>\n",
-      kWidth, kHeight,
+      kConvergenceFrame.width, kConvergenceFrame.height,
       t.say<Text::converge_words>(curves.size(), format_percent(t, frame.high_width),
                                   format_percent(t, frame.low_width)),
       axes(t, frame), lines, t[Text::converge_caption], left_out);

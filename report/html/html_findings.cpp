@@ -3,6 +3,7 @@
 #include "report/html/html_aggregates.h"
 #include "report/html/pass_factor.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "report/html/html_isolux.h"
 
 #include "report/html/html_markup.h"
-#include "report/text/markup.h"
+#include "report/text/svg.h"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +13,8 @@
 namespace report {
 namespace {
 
-constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17, kWidth = 480,
-                 kHistogramHeight = 40, kNumbersHeight = 20;
+constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17,
+                 kLegendWidth = 480, kHistogramHeight = 40, kNumbersHeight = 20;
 
 double bar_x(const ColourScale& scale, double value_lx) {
   const double part = (value_lx - scale.low_lx) / (scale.high_lx() - scale.low_lx);
@@ -64,9 +65,8 @@ std::string band_numbers(const Texts& t, const ColourScale& scale, double top) {
   std::string svg;
   for (int i = 0; i <= scale.bands; ++i) {
     const double value = scale.low_lx + i * scale.step_lx;
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                       svg_number(bar_x(scale, value)), svg_number(top + kBarHeight + 14),
-                       format_fixed(t, value, step_decimals(scale.step_lx)));
+    svg += svg_text(bar_x(scale, value), top + kBarHeight + 14, "middle",
+                    format_fixed(t, value, step_decimals(scale.step_lx)));
   }
   return svg;
 }
@@ -112,7 +112,7 @@ std::string html_colour_bar(const Texts& t, const ColourScale& scale,
   std::string svg = fmt::format(
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">",
-      kWidth, svg_number(height),
+      kLegendWidth, svg_number(height),
       t.say<Text::colour_scale>(format_shortest(t, scale.low_lx),
                                 format_shortest(t, scale.high_lx()), unit,
                                 format_shortest(t, scale.step_lx), unit));
@@ -123,8 +123,8 @@ std::string html_colour_bar(const Texts& t, const ColourScale& scale,
     y += kLimitLine;
   }
   svg += band_numbers(t, scale, bar_top);
-  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">{}</text>", kWidth,
-                     svg_number(bar_top + kBarHeight - 3), unit);
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" class=\"unit\">{}</text>",
+                     kLegendWidth, svg_number(bar_top + kBarHeight - 3), unit);
   return svg + "</svg>\n";
 }
 

@@ -8,6 +8,7 @@
 #include "report/images/heatmap.h"
 #include "report/images/png.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "calc/base/units.h"
 #include "report/html/html_markup.h"
 #include "report/images/polar_diagram.h"
-#include "report/text/markup.h"
+#include "report/text/svg.h"
 
 #include <fmt/format.h>
 

@@ -15,7 +15,7 @@ namespace report {
 namespace {
 
 constexpr double kScale = 2.0;             // pixels per unit of the drawing
-constexpr int kDot = 3;                    // pixels per dot of a letter
+constexpr int kLetterDot = 3;              // pixels per dot of a letter
 constexpr double kDash = 9.0, kGap = 5.0;  // units of the drawing
 
 Rgb colour_of(PolarRole role) {
@@ -75,8 +75,8 @@ class Canvas {
   }
 
   void dot(int x, int y, Rgb colour) {
-    for (int row = y; row < y + kDot; ++row) {
-      for (int column = x; column < x + kDot; ++column) {
+    for (int row = y; row < y + kLetterDot; ++row) {
+      for (int column = x; column < x + kLetterDot; ++column) {
         if (row < 0 || row >= raster_.height || column < 0 || column >= raster_.width) continue;
         blend(index(column, row), colour, 1.0F);
       }
@@ -143,15 +143,15 @@ std::string letters_of(const std::string& utf8) {
 
 void draw_label(const PolarLabel& label, Canvas& canvas) {
   const std::string letters = letters_of(label.text);
-  constexpr int kAdvance = (kGlyphWidth + 1) * kDot;
-  const int width = static_cast<int>(letters.size()) * kAdvance - kDot;
+  constexpr int kAdvance = (kGlyphWidth + 1) * kLetterDot;
+  const int width = static_cast<int>(letters.size()) * kAdvance - kLetterDot;
   int x = static_cast<int>(std::lround(kScale * label.at.x));
   if (label.anchor == PolarLabel::Anchor::middle) x -= width / 2;
   if (label.anchor == PolarLabel::Anchor::end) x -= width;
-  const int y = static_cast<int>(std::lround(kScale * label.at.y)) - kGlyphHeight * kDot / 2;
+  const int y = static_cast<int>(std::lround(kScale * label.at.y)) - kGlyphHeight * kLetterDot / 2;
   for (const char letter : letters) {
     for_each_dot(letter, [&](int column, int row) {
-      canvas.dot(x + column * kDot, y + row * kDot, colour_of(label.role));
+      canvas.dot(x + column * kLetterDot, y + row * kLetterDot, colour_of(label.role));
     });
     x += kAdvance;
   }

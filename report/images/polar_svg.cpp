@@ -1,12 +1,13 @@
 #include "report/images/polar_diagram.h"
 #include "report/text/markup.h"
+#include "report/text/svg.h"
 
 #include <fmt/format.h>
 
 namespace report {
 namespace {
 
-constexpr const char* kStyle =
+constexpr const char* kPolarStyle =
     "<style>\n"
     ".paper{fill:#fff}.grid,.frame,.c0,.c90{fill:none;stroke-linejoin:round}\n"
     ".grid{stroke:#dcdfe3}.frame{stroke:#9aa1a9}.c0{stroke:#0b57a4}.c90{stroke:#b8460e}\n"
@@ -67,7 +68,7 @@ std::string render_polar_svg(const PolarDrawing& drawing) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" role=\"img\">\n<title>Polar diagram: {2}</title>\n",
       width, height, escape_html(drawing.title));
-  svg += kStyle;
+  svg += kPolarStyle;
   svg += fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", width, height);
   for (const PolarLine& line : drawing.lines) svg += line_markup(line);
   for (const PolarLabel& label : drawing.labels) svg += label_markup(label);

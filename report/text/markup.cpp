@@ -1,6 +1,5 @@
 #include "report/text/markup.h"
 
-#include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 
 namespace report {
@@ -29,13 +28,6 @@ std::string escape_html(std::string_view text) {
     }
   }
   return html;
-}
-
-std::string svg_number(double value) {
-  std::string text = format_fixed(value, 2);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
 }
 
 }  // namespace report

@@ -9,7 +9,4 @@ namespace report {
 // Safe as element text and inside a quoted attribute; valid UTF-8, no control characters.
 std::string escape_html(std::string_view text);
 
-// Coordinates in an SVG: two decimals at most, no trailing zeros.
-std::string svg_number(double value);
-
 }  // namespace report

@@ -11,10 +11,6 @@ namespace {
 
 using Marks = std::vector<std::uint8_t>;
 
-bool is_unseen(const PointValues& values, std::size_t point) {
-  return !values.unseen.empty() && values.unseen[point] != 0;
-}
-
 // Share of a single sample, if it is too large to be trusted, else 0. Above 1 where a sample that
 // could have been drawn is larger than all that was.
 double untrusted_share(const PointValues& values, std::size_t point) {
@@ -44,7 +40,7 @@ Marks high_points(const PointValues& values, double bound, double alpha) {
   for (std::size_t i = 0; i < values.points; ++i) {
     const double high = point_limits(all, i, t).high;
     // A second sample as large as the largest may be missing.
-    if (is_unseen(values, i) || high * (1.0 + untrusted_share(values, i)) >= bound) marks[i] = 1;
+    if (values.is_unseen(i) || high * (1.0 + untrusted_share(values, i)) >= bound) marks[i] = 1;
   }
   return marks;
 }
@@ -155,9 +151,9 @@ DoubtfulPoints count_doubtful(const PointValues& values, Metric metric, const Ma
   DoubtfulPoints doubtful;
   std::size_t unseen = 0;
   for (std::size_t i = 0; i < values.points; ++i) {
-    if (is_unseen(values, i)) ++unseen;
+    if (values.is_unseen(i)) ++unseen;
     if (matters[i] == 0) continue;
-    if (is_unseen(values, i)) ++doubtful.unseen;
+    if (values.is_unseen(i)) ++doubtful.unseen;
     if (untrusted_share(values, i) > 0.0) ++doubtful.single_sample;
   }
   // The average does not hang on single points: unseen ones only matter if all of them are.

@@ -12,10 +12,6 @@
 
 namespace rules {
 
-// A point of which one single sample makes up more than this share is not trusted: the few samples
-// that carry it do not average, and its t-interval means little.
-constexpr float kLargestTrustedShare = 0.1F;
-
 // Candidates of one quantity. Both have one mark (0 or 1) per point.
 struct Candidates {
   // 1: the quantity hangs on this point's own value. E.g. of a minimum, where the lower limit of

@@ -9,8 +9,6 @@
 namespace rules {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using Indices = std::vector<std::size_t>;
 
 // Those that have a value, or may have one.

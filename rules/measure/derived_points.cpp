@@ -14,14 +14,8 @@
 namespace rules {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 bool has_mark(const std::vector<std::uint8_t>& marks, std::size_t i) {
   return !marks.empty() && marks[i] != 0;
-}
-
-bool is_untrusted(const PointValues& values, std::size_t i) {
-  return !values.largest_share.empty() && values.largest_share[i] > kLargestTrustedShare;
 }
 
 std::vector<double> column_of(const PointValues& values, std::size_t i) {
@@ -84,8 +78,7 @@ ModellingPoints::ModellingPoints(const PointValues& receivers,
     covariance_.push_back(covariance_of(cylinder, a.mean, plane, b.mean));
     const bool is_unseen = has_mark(receivers.unseen, i) || has_mark(receivers.unseen, all + i);
     unseen_.push_back(is_unseen ? 1 : 0);
-    single_sample_.push_back(is_untrusted(receivers, i) || is_untrusted(receivers, all + i) ? 1
-                                                                                            : 0);
+    single_sample_.push_back(receivers.is_untrusted(i) || receivers.is_untrusted(all + i) ? 1 : 0);
     if (!is_unseen && !(a.mean > 0.0) && !(b.mean > 0.0)) ++dark_points_;
   }
 }
@@ -116,7 +109,7 @@ GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& gl
     }
     eye_.push_back(eye);
     unseen_.push_back(has_mark(indirect.unseen, i) ? 1 : 0);
-    single_sample_.push_back(is_untrusted(indirect, i) ? 1 : 0);
+    single_sample_.push_back(indirect.is_untrusted(i) ? 1 : 0);
   }
 }
 

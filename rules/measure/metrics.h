@@ -6,12 +6,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rules {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A point of which one single sample makes up more than this share is not trusted: the few samples
+// that carry it do not average, and its t-interval means little.
+inline constexpr float kLargestTrustedShare = 0.1F;
 
 // Illuminance of one plane in one light scene and state: value_lx[replicate * points + point].
 // exact: one replicate that holds the true values.
@@ -27,6 +34,10 @@ struct PointValues {
   std::vector<float> largest_share = {};
 
   bool is_exact() const { return replicates == 1; }
+  bool is_unseen(std::size_t point) const { return !unseen.empty() && unseen[point] != 0; }
+  bool is_untrusted(std::size_t point) const {
+    return !largest_share.empty() && largest_share[point] > kLargestTrustedShare;
+  }
   double at(std::size_t replicate, std::size_t point) const {
     return value_lx[replicate * points + point];
   }

@@ -11,16 +11,6 @@
 namespace rules {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool has_no_sample(const PointValues& values, std::size_t point) {
-  return !values.unseen.empty() && values.unseen[point] != 0;
-}
-
-bool is_untrusted(const PointValues& values, std::size_t point) {
-  return !values.largest_share.empty() && values.largest_share[point] > kLargestTrustedShare;
-}
-
 double square(double x) { return x * x; }
 
 // Means of two points, with the variances and the covariance of the means.
@@ -65,8 +55,8 @@ NeighbourPairs::NeighbourPairs(const PointValues& values, const calc::SensorGrid
 void NeighbourPairs::add(const PointValues& values, std::size_t a, std::size_t b) {
   pairs_.push_back({a, b});
   means_.push_back(means_of(values, a, b));
-  unseen_.push_back(has_no_sample(values, a) || has_no_sample(values, b) ? 1 : 0);
-  single_sample_.push_back(is_untrusted(values, a) || is_untrusted(values, b) ? 1 : 0);
+  unseen_.push_back(values.is_unseen(a) || values.is_unseen(b) ? 1 : 0);
+  single_sample_.push_back(values.is_untrusted(a) || values.is_untrusted(b) ? 1 : 0);
 }
 
 Limits NeighbourPairs::limits(std::size_t pair, double t) const {

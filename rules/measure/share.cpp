@@ -15,8 +15,7 @@ bool is_in(const ValueRange& range, double value) {
 }
 
 bool is_doubtful(const PointValues& values, std::size_t point) {
-  return (!values.unseen.empty() && values.unseen[point] != 0) ||
-         (!values.largest_share.empty() && values.largest_share[point] > kLargestTrustedShare);
+  return values.is_unseen(point) || values.is_untrusted(point);
 }
 
 // limits_of(point), is_doubt_of(point).

@@ -11,16 +11,18 @@
 #include <utility>
 
 namespace calc {
-namespace {
 
 struct CloseArchive {
   void operator()(zip_t* archive) const { zip_discard(archive); }
 };
+using ArchiveHandle = std::unique_ptr<zip_t, CloseArchive>;
+
+namespace {
+
 struct CloseFile {
   void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-using ArchiveHandle = std::unique_ptr<zip_t, CloseArchive>;
 using FileHandle = std::unique_ptr<zip_file_t, CloseFile>;
 
 // Null, and the reason in words, if the bytes are no archive.

@@ -42,6 +42,9 @@ StoredTable make_stored_table(const PhotometricWeb& web, LowestGamma lowest_gamm
                               std::string_view format, const std::string& name,
                               Diagnostics& diagnostics);
 
+// Significant digits of intensities.
+inline constexpr int kStoredDigits = 7;
+
 // A decimal number without exponent and without zeros at its end: `digits` significant ones, but
 // none finer than `decimals` places (0 to 15). value: finite, below 1e15.
 std::string decimal_text(double value, int digits, int decimals);

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kTextLength = 78;  // as the format's description limits texts
 constexpr std::size_t kMostPlanes = 360, kMostGammaAngles = 361;
-constexpr int kDigits = 7;
 constexpr double kLinearAspect = 2.5;   // openings this long count as linear luminaires
 constexpr double kThinnest_m = 1.0e-6;  // a width of 0 would mean a circle
 constexpr double kSameDiameter_m = 0.5e-6;
@@ -211,7 +210,7 @@ class EulumdatWriter {
     }
     for (std::size_t i = 0; i < planes; ++i) {
       for (std::size_t g = 0; g < table_.gamma_deg.size(); ++g) {
-        line(decimal_text(table_.cd((first + i) % count, g) / klm, kDigits, decimals));
+        line(decimal_text(table_.cd((first + i) % count, g) / klm, kStoredDigits, decimals));
       }
     }
   }

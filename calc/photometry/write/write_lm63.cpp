@@ -12,7 +12,6 @@ namespace {
 constexpr const char* kLineEnd = "\r\n";
 constexpr std::size_t kLineLength = 100;     // 256 are allowed in 2002, 132 before
 constexpr std::size_t kKeywordLength = 200;  // characters of text
-constexpr int kDigits = 7;
 
 std::string numbers_text(const std::vector<double>& values, int digits, int decimals) {
   std::string text;
@@ -106,7 +105,7 @@ std::string table_text(const StoredTable& table, double highest_cd) {
     for (std::size_t g = 0; g < table.gamma_deg.size(); ++g) {
       values.push_back(table.cd(p % table.circle_c_deg.size(), g));
     }
-    text += numbers_text(values, kDigits, decimals);
+    text += numbers_text(values, kStoredDigits, decimals);
   }
   return text;
 }

@@ -68,6 +68,9 @@ void compare_points(Comparison& comparison);
 // The `count` points furthest apart for what they are known, worst first: indices into points.
 std::vector<std::size_t> worst_points(const ComparedPlane& plane, std::size_t count);
 
+// "+2.50 %"; "–" if not finite.
+std::string signed_percent(double share);
+
 std::string render_comparison_text(const Comparison& comparison, std::size_t worst);
 std::string render_comparison_csv(const Comparison& comparison);
 std::string render_comparison_json(const Comparison& comparison);

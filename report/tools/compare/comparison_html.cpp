@@ -2,6 +2,7 @@
 #include "report/html/html_style.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
+#include "report/text/svg.h"
 #include "report/tools/compare/comparison.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 namespace report {
 namespace {
 
-constexpr const char* kStyle = R"css(
+constexpr const char* kComparisonStyle = R"css(
 .scatter { display: block; width: 100%; max-width: 46rem; height: auto; }
 .scatter text { font-size: 12px; fill: var(--quiet); }
 .scatter .rule { stroke: var(--line); } .scatter .zero { stroke: var(--quiet); }
@@ -20,11 +21,9 @@ constexpr const char* kStyle = R"css(
 .scatter .dot { fill: var(--link); } .scatter .beyond { fill: var(--fail); }
 )css";
 
-constexpr double kWidth = 700, kHeight = 300, kLeft = 62, kRight = 12, kTop = 12, kBottom = 40;
+constexpr PlotFrame kScatterFrame{700, 300, 62, 12, 12, 40};
 
-std::string percent(double share) {
-  return std::isfinite(share) ? with_minus(fmt::format("{:+.2f} %", 100.0 * share + 0.0)) : "–";
-}
+std::string percent(double share) { return with_minus(signed_percent(share)); }
 
 double share_of(const ComparedPoint& p, double lx) { return p.b.lx > 0.0 ? lx / p.b.lx : 0.0; }
 
@@ -41,31 +40,29 @@ std::string scatter(const ComparedPlane& plane, const Comparison& comparison) {
   if (!(high > 0.0)) return "";
   most *= 1.08;
   const auto x = [&](double lx) {
-    return kLeft + (kWidth - kLeft - kRight) * (0.02 + 0.96 * (lx - low) / (high - low));
+    return kScatterFrame.x(0.02 + 0.96 * (lx - low) / (high - low));
   };
   const auto y = [&](double share) {
     const double inside = std::clamp(share, -most, most);
-    return kTop + (kHeight - kTop - kBottom) * 0.5 * (1.0 - inside / most);
+    return kScatterFrame.y(0.5 * (1.0 + inside / most));
   };
   std::string svg = fmt::format(
       "<svg class=\"scatter\" viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Difference of A "
       "and "
       "B in per cent of B, over B\">\n",
-      kWidth, kHeight);
+      kScatterFrame.width, kScatterFrame.height);
   for (const double tick : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     const double at = tick * most / 1.08;
     svg += fmt::format("<path class=\"{}\" d=\"M{},{}H{}\"/>\n", tick == 0.0 ? "zero" : "rule",
-                       svg_number(kLeft), svg_number(y(at)), svg_number(kWidth - kRight));
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n",
-                       svg_number(kLeft - 6), svg_number(y(at) + 4), percent(at));
+                       svg_number(kScatterFrame.left), svg_number(y(at)),
+                       svg_number(kScatterFrame.x_end()));
+    svg += svg_text(kScatterFrame.left - 6, y(at) + 4, "end", percent(at)) + "\n";
   }
   for (const double part : {0.0, 0.5, 1.0}) {
     const double lx = low + part * (high - low);
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>\n",
-                       svg_number(x(lx)), svg_number(kHeight - kBottom + 16), lx);
+    svg += svg_text(x(lx), kScatterFrame.y_end() + 16, "middle", fmt::format("{:.4g}", lx)) + "\n";
   }
-  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">B, lx</text>\n",
-                     svg_number(0.5 * kWidth), svg_number(kHeight - 6));
+  svg += svg_text(0.5 * kScatterFrame.width, kScatterFrame.height - 6, "middle", "B, lx") + "\n";
   for (const ComparedPoint& p : plane.points) {
     const double d = share_of(p, p.difference_lx()), h = share_of(p, p.interval_lx());
     if (std::isnan(d) || std::isnan(h)) continue;
@@ -124,7 +121,7 @@ std::string render_comparison_html(const Comparison& comparison, std::size_t wor
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta "
       "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
       "'unsafe-inline'\"/>\n<title>Comparison</title>\n<style>\n" +
-      html_style() + kStyle +
+      html_style() + kComparisonStyle +
       "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate compare</p>\n";
   html += fmt::format("<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
                       comparison.is_alike()

@@ -12,15 +12,11 @@
 namespace report {
 namespace {
 
-std::string percent(double share) {
-  return std::isfinite(share) ? fmt::format("{:+.2f} %", 100.0 * share + 0.0) : "–";
-}
-
 std::string point_line(const ComparedPoint& p) {
   return fmt::format(
       "    {}: {:.5g} lx and {:.5g} lx, difference {:+.3g} lx ({}), combined interval ±{:.2g} lx\n",
       format_position(p.position_m), p.a.lx, p.b.lx, p.difference_lx(),
-      p.b.lx != 0.0 ? percent(p.difference_lx() / p.b.lx) : "–", p.interval_lx());
+      p.b.lx != 0.0 ? signed_percent(p.difference_lx() / p.b.lx) : "–", p.interval_lx());
 }
 
 std::string average_words(const ComparedPlane& plane) {
@@ -32,6 +28,10 @@ std::string average_words(const ComparedPlane& plane) {
 }
 
 }  // namespace
+
+std::string signed_percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:+.2f} %", 100.0 * share + 0.0) : "–";
+}
 
 std::string render_comparison_text(const Comparison& comparison, std::size_t worst) {
   std::string text =
@@ -45,8 +45,8 @@ std::string render_comparison_text(const Comparison& comparison, std::size_t wor
         "  RMS      {} of B's average\n"
         "  within the combined {} interval: {} of {} points; beyond what is allowed: {}\n",
         printable(plane.id), plane.points.size(), plane.average_a_lx, plane.average_b_lx,
-        percent(plane.bias), average_words(plane), plane.uo_a, plane.uo_b,
-        percent(plane.rms).substr(1), format_percent(comparison.confidence), plane.held,
+        signed_percent(plane.bias), average_words(plane), plane.uo_a, plane.uo_b,
+        signed_percent(plane.rms).substr(1), format_percent(comparison.confidence), plane.held,
         plane.points.size(), plane.beyond);
     if (worst > 0) text += "  furthest apart:\n";
     for (const std::size_t i : worst_points(plane, worst)) text += point_line(plane.points[i]);

@@ -2,6 +2,7 @@
 #include "report/html/html_style.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
+#include "report/text/svg.h"
 #include "report/tools/converge/converge_plot.h"
 #include "report/tools/converge/converge_words.h"
 
@@ -13,7 +14,7 @@ namespace report {
 namespace {
 
 // Colours that stay apart for all kinds of colour vision, by luminance too. [Okabe08]
-constexpr const char* kStyle = R"css(
+constexpr const char* kConvergeStyle = R"css(
 :root { --m0: #0b62b0; --m1: #c8500a; --m2: #0a8765; --m3: #8d3c99; --m4: #7a6300; --m5: #3a7ca5; --m6: #a33a55; --m7: #555e66; }
 @media (prefers-color-scheme: dark) {
   :root { --m0: #6db3ff; --m1: #ff9b57; --m2: #45d0a4; --m3: #d896e6; --m4: #e3c54f; --m5: #8ecbe8; --m6: #ff93a8; --m7: #b4bdc5; }
@@ -82,7 +83,7 @@ std::string head(const std::string& title) {
          "initial-scale=1\"/>\n<meta name=\"color-scheme\" content=\"light dark\"/>\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'\"/>\n<title>" +
-         title + " – convergence</title>\n<style>\n" + html_style() + kStyle +
+         title + " – convergence</title>\n<style>\n" + html_style() + kConvergeStyle +
          "</style>\n</head>\n";
 }
 

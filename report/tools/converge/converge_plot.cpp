@@ -4,6 +4,7 @@
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
+#include "report/text/svg.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,7 @@
 namespace report {
 namespace {
 
-constexpr double kWidth = 400, kHeight = 292;
-constexpr double kLeft = 50, kRight = 12, kTop = 10, kBottom = 44;
+constexpr PlotFrame kPlotFrame{400, 292, 50, 12, 10, 44};
 
 struct Axis {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;  // values
@@ -86,8 +86,7 @@ std::string x_label(double value, PlotUnit unit) {
 std::string xy(double x, double y) { return svg_number(x) + "," + svg_number(y); }
 
 std::string text(double x, double y, const char* anchor, const std::string& words) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n", svg_number(x),
-                     svg_number(y), anchor, escape_html(words));
+  return svg_text(x, y, anchor, words) + "\n";
 }
 
 std::string line(const char* kind, double x0, double y0, double x1, double y1) {
@@ -170,19 +169,19 @@ std::string log_log_plot(const PlotSpec& spec) {
     }
   }
   if (!(x.high > 0.0) || !(y.high > 0.0)) return "";
-  x.finish(kLeft, kWidth - kRight);
-  y.finish(kHeight - kBottom, kTop);
+  x.finish(kPlotFrame.left, kPlotFrame.x_end());
+  y.finish(kPlotFrame.y_end(), kPlotFrame.top);
   std::string svg = fmt::format(
       "<svg class=\"plot\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
-      svg_number(kWidth), svg_number(kHeight),
+      svg_number(kPlotFrame.width), svg_number(kPlotFrame.height),
       escape_html(spec.title + " against " + spec.x_title));
   svg += grid(x, y, spec);
   svg += fmt::format(
       "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "
       "overflow=\"hidden\">\n",
-      svg_number(kLeft), svg_number(kTop), svg_number(kWidth - kLeft - kRight),
-      svg_number(kHeight - kTop - kBottom));
+      svg_number(kPlotFrame.left), svg_number(kPlotFrame.top), svg_number(kPlotFrame.field_width()),
+      svg_number(kPlotFrame.field_height()));
   svg += guide(x, y);
   if (spec.floor && y.shows(*spec.floor)) {
     svg += line("floor-line", x.from, y.at(*spec.floor), x.to, y.at(*spec.floor));

@@ -14,14 +14,15 @@
 #include <utility>
 
 namespace cli::radiance {
+
+std::string number(double value) { return report::format_shortest(value + 0.0); }
+
 namespace {
 
 constexpr double kPanelGap_m = 1e-4;  // faces of a flat opening stand off a ceiling they may lie in
 // From the table's last angle to darkness. Radiance reads angles as float, whose step is 1.5e-5 at
 // 180, and refuses two that are the same.
 constexpr double kEdge_deg = 1e-4;
-
-std::string number(double value) { return report::format_shortest(value + 0.0); }
 
 std::string vertex(const glm::dvec3& p) {
   return fmt::format(" {} {} {}\n", number(p.x), number(p.y), number(p.z));

@@ -27,6 +27,9 @@ struct LightFiles {
   std::vector<std::string> changed;  // what is not exactly as luxgate has it, in words
 };
 
+// A number as Radiance reads it, without a minus before zero.
+std::string number(double value);
+
 // Every luminaire at full output with its maintenance factor, in world coordinates.
 LightFiles write_lights(const calc::PreparedScene& scene);
 

@@ -13,8 +13,6 @@
 namespace cli::radiance {
 namespace {
 
-std::string number(double value) { return report::format_shortest(value + 0.0); }
-
 std::string vector(const glm::dvec3& v) {
   return number(v.x) + " " + number(v.y) + " " + number(v.z);
 }

@@ -4,7 +4,7 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_script.h"
-#include "report/text/markup.h"
+#include "report/text/svg.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
 

@@ -1,0 +1,29 @@
+#pragma once
+// Pieces of SVG drawings that more than one drawing has.
+
+#include <string>
+#include <string_view>
+
+namespace report {
+
+// Coordinates in an SVG: two decimals at most, no trailing zeros.
+std::string svg_number(double value);
+
+// Text at a point; escaped. anchor: which end of it stands there, "start", "middle" or "end".
+std::string svg_text(double x, double y, const char* anchor, std::string_view text);
+
+// A picture with room for axes around a field; in pixels.
+struct PlotFrame {
+  double width, height;
+  double left, right, top, bottom;  // room on each side
+
+  double x_end() const { return width - right; }
+  double y_end() const { return height - bottom; }
+  // Places in the field: 0 left, 1 right; 0 at the bottom, 1 at the top.
+  double x(double share) const { return left + share * field_width(); }
+  double y(double share) const { return y_end() - share * field_height(); }
+  double field_width() const { return width - left - right; }
+  double field_height() const { return height - top - bottom; }
+};
+
+}  // namespace report
