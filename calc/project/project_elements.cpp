@@ -130,47 +130,52 @@ const ValueType kRoomIdType{
                R"(|si[^t][A-Za-z0-9_.:\-]|sit[^e]|[A-Za-z0-9_.:\-]{5,}))"};
 
 // Attributes that several elements have.
-const AttributeRow kId{"id", &kIdType, required};
-const AttributeRow kName{"name", &kAnyText};
-const AttributeRow kFile{"file", &kTextType, required};
-const AttributeRow kMaterial{"material", &kIdType, required};
-const AttributeRow kMaterialOfOthers{"material", &kIdType, optional, "Of all that no map names."};
-const AttributeRow kOccupancy{"occupancy", &kPositiveFractionType, optional, "Fo of EN 15193; 1."};
-const AttributeRow kDaylight{"daylight", &kPositiveFractionType, optional, "FD of EN 15193; 1."};
-const AttributeRow kConstantIlluminance{"constant-illuminance", &kPositiveFractionType, optional,
-                                        "Fc of EN 15193; 1."};
-const AttributeRow kPosition{"position", &kVectorType, optional,
-                             "Where the object's origin goes (0 0 0)."};
-const AttributeRow kRotation{"rotation", &kNumberType, optional,
-                             "About the vertical axis through the object's origin."};
-const AttributeRow kRepeat{
+const AttributeRow kIdAttribute{"id", &kIdType, required};
+const AttributeRow kNameAttribute{"name", &kAnyText};
+const AttributeRow kFileAttribute{"file", &kTextType, required};
+const AttributeRow kMaterialAttribute{"material", &kIdType, required};
+const AttributeRow kMaterialOfOthersAttribute{"material", &kIdType, optional,
+                                              "Of all that no map names."};
+const AttributeRow kOccupancyAttribute{"occupancy", &kPositiveFractionType, optional,
+                                       "Fo of EN 15193; 1."};
+const AttributeRow kDaylightAttribute{"daylight", &kPositiveFractionType, optional,
+                                      "FD of EN 15193; 1."};
+const AttributeRow kConstantIlluminanceAttribute{"constant-illuminance", &kPositiveFractionType,
+                                                 optional, "Fc of EN 15193; 1."};
+const AttributeRow kPositionAttribute{"position", &kVectorType, optional,
+                                      "Where the object's origin goes (0 0 0)."};
+const AttributeRow kRotationAttribute{"rotation", &kNumberType, optional,
+                                      "About the vertical axis through the object's origin."};
+const AttributeRow kRepeatAttribute{
     "repeat", &kCounts3Type, optional,
     "Numbers of copies along x, y and z of the coordinates around the object, with step. Copies "
     "are named id[i,j,k], counted from 0."};
-const AttributeRow kStep{"step", &kVectorType, optional, "Distances of the copies, with repeat."};
-const AttributeRow kType{"type", &kIdType, required};
-const AttributeRow kAxis{"axis", &kVectorType, optional,
-                         "Direction of gamma = 0 (0 0 -1, straight down)."};
-const AttributeRow kC0Rotation{
+const AttributeRow kStepAttribute{"step", &kVectorType, optional,
+                                  "Distances of the copies, with repeat."};
+const AttributeRow kTypeAttribute{"type", &kIdType, required};
+const AttributeRow kAxisAttribute{"axis", &kVectorType, optional,
+                                  "Direction of gamma = 0 (0 0 -1, straight down)."};
+const AttributeRow kC0RotationAttribute{
     "rotation", &kNumberType, optional,
     "Of C0, from the x axis counter-clockwise for a luminaire that shines straight down; other "
     "axes "
     "are reached from there by the smallest rotation (straight up: half a turn about x)."};
-const AttributeRow kC0{
+const AttributeRow kC0Attribute{
     "c0", &kVectorType, optional,
     "Instead of rotation, the direction of C0; only its part across the axis counts."};
-const AttributeRow kGroup{"group", &kTextType, optional, "Dimming group."};
-const AttributeRow kGroupNamed{"group", &kTextType, required};
-const AttributeRow kCount{"count", &kCounts2Type, optional, "Points along u and v."};
-const AttributeRow kSpacing{"spacing", &kSpacingsType, optional,
-                            "Distances of the points, whose numbers are rounded up."};
-const AttributeRow kRounding{
+const AttributeRow kGroupAttribute{"group", &kTextType, optional, "Dimming group."};
+const AttributeRow kGroupNamedAttribute{"group", &kTextType, required};
+const AttributeRow kCountAttribute{"count", &kCounts2Type, optional, "Points along u and v."};
+const AttributeRow kSpacingAttribute{"spacing", &kSpacingsType, optional,
+                                     "Distances of the points, whose numbers are rounded up."};
+const AttributeRow kRoundingAttribute{
     "rounding", &kGridRoundingType, optional,
     "How the rule's numbers of points are rounded; to the nearest one if not given."};
-const AttributeRow kZoneOrigin{"origin", &kVector2Type};
-const AttributeRow kZoneSize{"size", &kSize2Type};
-const AttributeRow kZoneFootprint{"footprint", &kZoneFootprintType};
-const AttributeRow kHeightAboveFloor{"height", &kNonNegativeType, optional, "Above the floor."};
+const AttributeRow kZoneOriginAttribute{"origin", &kVector2Type};
+const AttributeRow kZoneSizeAttribute{"size", &kSize2Type};
+const AttributeRow kZoneFootprintAttribute{"footprint", &kZoneFootprintType};
+const AttributeRow kHeightAboveFloorAttribute{"height", &kNonNegativeType, optional,
+                                              "Above the floor."};
 
 constexpr std::string_view kOfRoot =
     R"(<!-- Ids are unique within their kind; parts of assemblies within the assembly, objects within their room. -->
@@ -211,7 +216,7 @@ constexpr std::string_view kOfRoom =
 const ElementRow kMaterialElement{
     .type = "material",
     .meaning = "A diffuse surface; both sides of every surface reflect, nothing passes through.",
-    .attributes = {kId, {"reflectance", &kFractionType, required}}};
+    .attributes = {kIdAttribute, {"reflectance", &kFractionType, required}}};
 
 const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",
@@ -219,7 +224,7 @@ const ElementRow kLuminaireTypeElement{
         "A photometry file and how it is used. Of a file with several lights, lamp-set, "
         "variant or emitter names one.",
     .attributes = {
-        kId,
+        kIdAttribute,
         {"photometry", &kTextType, required,
          "LM-63 (.ies), EULUMDAT (.ldt), TM-33 (.xml) or GLDF (.gldf) file."},
         {"flux-lm", &kPositiveType, optional,
@@ -243,20 +248,21 @@ const ElementRow kLuminaireTypeElement{
          "The id of a GLDF emitter (id#n: its n-th fitting) or the id, description or number of a "
          "TM-33 emitter."}}};
 
-const ElementRow kDimElement{.type = "dim",
-                             .attributes = {kGroupNamed, {"level", &kFractionType, required}}};
+const ElementRow kDimElement{
+    .type = "dim", .attributes = {kGroupNamedAttribute, {"level", &kFractionType, required}}};
 
 const ElementRow kSceneElement{
     .type = "lightScene",
     .meaning =
         "Dimming levels; groups that are not named, and luminaires without a group, are at 1.",
-    .attributes = {kId},
+    .attributes = {kIdAttribute},
     .children = {{"dim", &kDimElement}}};
 
 const ElementRow kEnergyPartElement{
     .type = "energyPart",
     .meaning = "Other factors for a dimming group.",
-    .attributes = {kGroupNamed, kOccupancy, kDaylight, kConstantIlluminance}};
+    .attributes = {kGroupNamedAttribute, kOccupancyAttribute, kDaylightAttribute,
+                   kConstantIlluminanceAttribute}};
 
 const ElementRow kEnergyElement{
     .type = "energy",
@@ -265,9 +271,9 @@ const ElementRow kEnergyElement{
 their own, at most one each. The factors count as 1 where they are not given.)",
     .attributes = {{"day-hours", &kHoursType, required, "Hours in a year with daylight."},
                    {"night-hours", &kHoursType, required, "Hours in a year without daylight."},
-                   kOccupancy,
-                   kDaylight,
-                   kConstantIlluminance,
+                   kOccupancyAttribute,
+                   kDaylightAttribute,
+                   kConstantIlluminanceAttribute,
                    {"parasitic-kwh-m2", &kNonNegativeType, required,
                     "Energy of controls and emergency charging in a year by floor area."}},
     .children = {{"part", &kEnergyPartElement}}};
@@ -276,26 +282,34 @@ their own, at most one each. The factors count as 1 where they are not given.)",
 const ElementRow kBoxElement{
     .type = "box",
     .meaning = "position: the corner with the smallest x, y and z before it is rotated.",
-    .attributes = {
-        kId, {"size", &kSizeType, required}, kPosition, kRotation, kMaterial, kRepeat, kStep}};
+    .attributes = {kIdAttribute,
+                   {"size", &kSizeType, required},
+                   kPositionAttribute,
+                   kRotationAttribute,
+                   kMaterialAttribute,
+                   kRepeatAttribute,
+                   kStepAttribute}};
 
 const ElementRow kQuadElement{.type = "quad",
                               .meaning = "A parallelogram with the sides u and v.",
-                              .attributes = {kId,
+                              .attributes = {kIdAttribute,
                                              {"origin", &kVectorType, required},
                                              {"u", &kVectorType, required},
                                              {"v", &kVectorType, required},
-                                             kMaterial,
-                                             kRepeat,
-                                             kStep}};
+                                             kMaterialAttribute,
+                                             kRepeatAttribute,
+                                             kStepAttribute}};
 
-const ElementRow kPolygonElement{
-    .type = "polygon",
-    .attributes = {kId, {"points", &kCornersType, required}, kMaterial, kRepeat, kStep}};
+const ElementRow kPolygonElement{.type = "polygon",
+                                 .attributes = {kIdAttribute,
+                                                {"points", &kCornersType, required},
+                                                kMaterialAttribute,
+                                                kRepeatAttribute,
+                                                kStepAttribute}};
 
 const ElementRow kMapElement{.type = "materialMap",
                              .meaning = "The material of what has this name in the file.",
-                             .attributes = {{"name", &kTextType, required}, kMaterial}};
+                             .attributes = {{"name", &kTextType, required}, kMaterialAttribute}};
 
 const ElementRow kMeshElement{
     .type = "mesh",
@@ -304,18 +318,18 @@ const ElementRow kMeshElement{
 so that both attributes are required; glTF is always in metres with y up, so that they are not needed. Each map
 gives the faces of one of the file's materials (usemtl in OBJ; "default" for all of an STL or PLY file) a material,
 the attribute "material" all others.)",
-    .attributes = {kId,
-                   kFile,
+    .attributes = {kIdAttribute,
+                   kFileAttribute,
                    {"format", &kMeshFormatType, optional,
                     "The file's contents decide which; this only makes anything else an error."},
-                   kPosition,
-                   kRotation,
+                   kPositionAttribute,
+                   kRotationAttribute,
                    {"scale", &kPositiveType, optional, "Factor besides the units.", "1"},
                    {"up", &kUpAxisType, optional, "The file's vertical axis."},
                    {"units", &kUnitsType, optional, "Of the file."},
-                   kMaterialOfOthers,
-                   kRepeat,
-                   kStep},
+                   kMaterialOfOthersAttribute,
+                   kRepeatAttribute,
+                   kStepAttribute},
     .children = {{"map", &kMapElement}}};
 
 const ElementRow kAssemblyElement{
@@ -323,44 +337,45 @@ const ElementRow kAssemblyElement{
     .meaning =
         "Objects that are placed and repeated together, at most 16 levels deep. Parts are "
         "named assembly.part.",
-    .attributes = {kId, kPosition, kRotation, kRepeat, kStep},
+    .attributes = {kIdAttribute, kPositionAttribute, kRotationAttribute, kRepeatAttribute,
+                   kStepAttribute},
     .children = {{.group = &kObjects}}};
 
 // Luminaires.
 const ElementRow kLuminaireElement{
     .type = "luminaire",
-    .attributes = {kId,
-                   kType,
+    .attributes = {kIdAttribute,
+                   kTypeAttribute,
                    {"position", &kVectorType, required, "Centre of the luminous opening."},
-                   kAxis,
+                   kAxisAttribute,
                    {"aim", &kVectorType, optional, "Instead of axis, a point to shine at."},
-                   kC0Rotation,
-                   kC0,
-                   kGroup}};
+                   kC0RotationAttribute,
+                   kC0Attribute,
+                   kGroupAttribute}};
 
 const ElementRow kLuminaireGridElement{
     .type = "luminaireGrid",
     .meaning =
         R"(A rectangular array over size, half a spacing from its edges: id[column,row] stands at
 ((column + 0.5) / columns, (row + 0.5) / rows) of it.)",
-    .attributes = {kId,
-                   kType,
+    .attributes = {kIdAttribute,
+                   kTypeAttribute,
                    {"origin", &kVectorType, required},
                    {"size", &kSize2Type, required},
                    {"rows", &kCountType, required},
                    {"columns", &kCountType, required},
                    {"array-rotation", &kNumberType, optional,
                     "Turns the array about its origin, with its luminaires."},
-                   kAxis,
-                   kC0Rotation,
-                   kC0,
-                   kGroup}};
+                   kAxisAttribute,
+                   kC0RotationAttribute,
+                   kC0Attribute,
+                   kGroupAttribute}};
 
 const ElementRow kLuminaireLineElement{
     .type = "luminaireLine",
     .meaning = "id[i] along a line.",
-    .attributes = {kId,
-                   kType,
+    .attributes = {kIdAttribute,
+                   kTypeAttribute,
                    {"from", &kVectorType, required},
                    {"to", &kVectorType, required},
                    {"count", &kCountType, required},
@@ -368,26 +383,26 @@ const ElementRow kLuminaireLineElement{
                     "half: half a spacing at both ends, end: the first and the last stand at the "
                     "ends (count from 2).",
                     "half"},
-                   kAxis,
-                   kC0Rotation,
-                   kC0,
-                   kGroup}};
+                   kAxisAttribute,
+                   kC0RotationAttribute,
+                   kC0Attribute,
+                   kGroupAttribute}};
 
 const ElementRow kLuminaireRingElement{
     .type = "luminaireRing",
     .meaning = "id[i] on a horizontal circle.",
     .attributes = {
-        kId,
-        kType,
+        kIdAttribute,
+        kTypeAttribute,
         {"centre", &kVectorType, required},
         {"radius", &kPositiveType, required},
         {"count", &kCountType, required},
         {"start", &kNumberType, optional, "Angle of the first from the x axis."},
         {"turn", &kRingTurnType, optional, "yes: each luminaire is turned by its angle.", "yes"},
-        kAxis,
-        kC0Rotation,
-        kC0,
-        kGroup}};
+        kAxisAttribute,
+        kC0RotationAttribute,
+        kC0Attribute,
+        kGroupAttribute}};
 
 const ElementRow kLuminaireListElement{
     .type = "luminaireList",
@@ -395,7 +410,7 @@ const ElementRow kLuminaireListElement{
         R"(Luminaires of a CSV file, named id.name. Its first line names the columns: name, type, x_m, y_m, z_m; if wanted
 axis_x, axis_y, axis_z or aim_x_m, aim_y_m, aim_z_m, and rotation_deg, group, with the meanings that the attributes
 of luminaires have. Always in metres.)",
-    .attributes = {kId, kFile}};
+    .attributes = {kIdAttribute, kFileAttribute}};
 
 const ElementGroup kObjects{"object",
                             {{"box", &kBoxElement},
@@ -434,8 +449,8 @@ faces up. Semicylindrical points stand upright and look in a horizontal directio
 planes, the normals of a list. ugr: eyes at the points that look that way, too; unified glare rating, no unit.
 modelling: cylindrical illuminance / planar illuminance, no unit, on the plane's axis. cylindrical-4: the mean of
 four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylindrical integral.)",
-    .attributes = {kId,
-                   kName,
+    .attributes = {kIdAttribute,
+                   kNameAttribute,
                    {"height", &kNonNegativeType},
                    {"origin", &kVectorType},
                    {"u", &kVectorType},
@@ -446,9 +461,9 @@ four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylind
                    {"file", &kTextType},
                    {"margin", &kNonNegativeType, optional,
                     "Width of the strip along the outline that has no points."},
-                   kCount,
-                   kSpacing,
-                   kRounding,
+                   kCountAttribute,
+                   kSpacingAttribute,
+                   kRoundingAttribute,
                    {"quantity", &kPlaneQuantityType, optional, "What the points measure.",
                     "planar"},
                    {"direction", &kVectorType, optional, "Where semicylindrical points look."}},
@@ -462,15 +477,15 @@ const ElementRow kZoneElement{
         "footprint, in the room's x and y.",
     .attributes = {
         {"role", &kIdType, required, "E.g. \"cylinder\", \"wall\" (all walls) or \"wall.2\"."},
-        kHeightAboveFloor,
+        kHeightAboveFloorAttribute,
         {"margin", &kNonNegativeType, optional,
          "Along the walls, or along the outline of an area that is given."},
-        kZoneOrigin,
-        kZoneSize,
-        kZoneFootprint,
-        kCount,
-        kSpacing,
-        kRounding,
+        kZoneOriginAttribute,
+        kZoneSizeAttribute,
+        kZoneFootprintAttribute,
+        kCountAttribute,
+        kSpacingAttribute,
+        kRoundingAttribute,
         {"because", &kAnyText}}};
 
 const ElementRow kWithoutElement{
@@ -484,7 +499,8 @@ const ElementRow kWorkplaceElement{
         R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
 "id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y. See
 rules/README.md.)",
-    .attributes = {kId, kName, kZoneOrigin, kZoneSize, kZoneFootprint, kHeightAboveFloor},
+    .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
+                   kZoneFootprintAttribute, kHeightAboveFloorAttribute},
     .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}}};
 
 // Rooms and the root.
@@ -500,7 +516,7 @@ map gives the surfaces of one surfaceType, or the openings of one openingType, a
 own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
 "on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.)",
     .attributes = {{"id", &kRoomIdType, required},
-                   kName,
+                   kNameAttribute,
                    {"origin", &kVectorType},
                    {"size", &kSizeType},
                    {"footprint", &kFootprintType},
@@ -516,10 +532,10 @@ own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in 
 
 const ElementRow kGbxmlRoomElement{.type = "room",
                                    .attributes = {{"id", &kRoomIdType, required},
-                                                  kName,
+                                                  kNameAttribute,
                                                   {"file", &kTextType},
                                                   {"space", &kTextType},
-                                                  kMaterialOfOthers},
+                                                  kMaterialOfOthersAttribute},
                                    .children = {{.group = &kObjects},
                                                 {"plane", &kPlaneElement},
                                                 {"workplace", &kWorkplaceElement, kOfWorkplace},
@@ -536,7 +552,7 @@ const ElementRow kProjectElement{
     .type = "project",
     .attributes =
         {{"version", &kVersionType, required},
-         kName,
+         kNameAttribute,
          {"units", &kUnitsType, optional,
           "Of all lengths in this file, but the points of requirements (at), which are in "
           "metres; meshes may have their own.",

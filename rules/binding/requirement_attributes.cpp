@@ -13,66 +13,62 @@ namespace {
 
 using enum AttributeForm;
 using enum AttributeKind;
-using calc::kAnyText;
-using calc::kIdType;
-using calc::kNonNegativeType;
-using calc::kTextType;
-using calc::kVectorType;
-using calc::Presence;
-using calc::ValueType;
 
-const ValueType kAnyDate{"xs:date"};
-const ValueType kQuantityType{
-    .name = "requiredQuantity", .base = &kAnyText, .words = all_metric_names()};
-const ValueType kPercentType{.name = "percentage", .base = &calc::kDecimalType, .range = kPercent};
-const ValueType kStateType{
+const calc::ValueType kAnyDate{"xs:date"};
+const calc::ValueType kRequiredQuantityType{
+    .name = "requiredQuantity", .base = &calc::kAnyText, .words = all_metric_names()};
+const calc::ValueType kPercentageType{
+    .name = "percentage", .base = &calc::kDecimalType, .range = kPercent};
+const calc::ValueType kRequiredStateType{
     .name = "lightState",
-    .base = &kAnyText,
+    .base = &calc::kAnyText,
     .words = {calc::name_of(LightState::maintained), calc::name_of(LightState::initial)}};
-const ValueType kLimitUnitType{.name = "limitUnit", .base = &kAnyText, .words = {"lx", "fc"}};
-const ValueType kLevelType{
-    .name = "rowLevel", .base = &kAnyText, .words = {"required", "modified"}};
-const ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
+const calc::ValueType kLimitUnitType{
+    .name = "limitUnit", .base = &calc::kAnyText, .words = {"lx", "fc"}};
+const calc::ValueType kLevelType{
+    .name = "rowLevel", .base = &calc::kAnyText, .words = {"required", "modified"}};
+const calc::ValueType kDayType{
+    .name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 std::vector<RequirementAttribute> make_attributes() {
   return {
-      {"id", own, id, &kIdType,
+      {"id", own, id, &calc::kIdType,
        "Name of the requirement, unique on its plane; its quantity if not given."},
-      {"quantity", own, words, &kQuantityType,
+      {"quantity", own, words, &kRequiredQuantityType,
        "Statistic of the plane's points, or power or energy of the plane's room."},
-      {"at-least", own, number, &kNonNegativeType,
+      {"at-least", own, number, &calc::kNonNegativeType,
        "Lower limit; exactly one of at-least and at-most."},
-      {"at-most", own, number, &kNonNegativeType,
+      {"at-most", own, number, &calc::kNonNegativeType,
        "Upper limit; exactly one of at-least and at-most."},
-      {"percent", own, number, &kPercentType,
+      {"percent", own, number, &kPercentageType,
        "Of a percentile: the share of the points that do not exceed it."},
-      {"at", own, point, &kVectorType,
+      {"at", own, point, &calc::kVectorType,
        "Of a value: its point x y z, in metres, in world coordinates."},
-      {"state", own, words, &kStateType,
+      {"state", own, words, &kRequiredStateType,
        "With the maintenance factor or as new; maintained if not given, initial for ugr."},
-      {"scene", either, id, &kIdType,
-       "Id of a scene; every luminaire is at full output if not given.", Presence::optional},
-      {"clause", own, empty_text, &kAnyText, "Free text for reports."},
+      {"scene", either, id, &calc::kIdType,
+       "Id of a scene; every luminaire is at full output if not given.", calc::Presence::optional},
+      {"clause", own, empty_text, &calc::kAnyText, "Free text for reports."},
       {"unit", own, words, &kLimitUnitType, "Of a limit in illuminance; lx if not given."},
-      {"pack", row, text, &kTextType,
-       "Rule pack, by id or id:edition; luxgate rules list names them.", Presence::required},
-      {"row", row, text, &kTextType, "Row of the rule pack; luxgate rules show names them.",
-       Presence::required},
+      {"pack", row, text, &calc::kTextType,
+       "Rule pack, by id or id:edition; luxgate rules list names them.", calc::Presence::required},
+      {"row", row, text, &calc::kTextType, "Row of the rule pack; luxgate rules show names them.",
+       calc::Presence::required},
       {"level", row, words, &kLevelType, "Which values of the row count; required if not given.",
-       Presence::optional},
-      {"role", row, id, &kIdType, "What the plane is; the pack's first role if not given."},
-      {"facts", row, text, &kTextType,
+       calc::Presence::optional},
+      {"role", row, id, &calc::kIdType, "What the plane is; the pack's first role if not given."},
+      {"facts", row, text, &calc::kTextType,
        "What only the project knows: task-illuminance=500 lx, several separated by ;",
-       Presence::optional},
-      {"from", own, number, &kNonNegativeType,
+       calc::Presence::optional},
+      {"from", own, number, &calc::kNonNegativeType,
        "Of a share: the lower end of the range, which is in it."},
-      {"to", own, number, &kNonNegativeType,
+      {"to", own, number, &calc::kNonNegativeType,
        "Of a share: the upper end of the range, which is in it."},
       {"light", own, words, &kCountedLightType,
        "With or without reflected light; all if not given."},
-      {"waived-because", waiver, text, &kTextType,
+      {"waived-because", waiver, text, &calc::kTextType,
        "Why the requirement is waived; all three or none."},
-      {"waived-by", waiver, text, &kTextType, "Who has waived it."},
+      {"waived-by", waiver, text, &calc::kTextType, "Who has waived it."},
       {"waived-until", waiver, date, &kDayType, "The last day of the waiver, YYYY-MM-DD."},
   };
 }
@@ -81,7 +77,7 @@ calc::ElementRow make_require_element() {
   calc::ElementRow element = calc::kRequireElement;
   for (const RequirementAttribute& attribute : requirement_attributes()) {
     element.attributes.push_back(
-        {attribute.name, attribute.type, Presence::optional, attribute.meaning});
+        {attribute.name, attribute.type, calc::Presence::optional, attribute.meaning});
   }
   return element;
 }

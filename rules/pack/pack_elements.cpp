@@ -58,14 +58,14 @@ const ValueType kEntryValueType{.name = "entryValue", .verbatim = R"(<xs:union m
   </xs:simpleType>
 </xs:union>)"};
 
-const AttributeRow kId{"id", &kIdType, required};
-const AttributeRow kUnit{"unit", &kUnitType, required};
-const AttributeRow kTrust{"trust", &kTrustType};
-const AttributeRow kNote{"note", &kAnyText};
-const AttributeRow kClause{"clause", &kAnyText};
-const AttributeRow kMask{"mask", &kIdType};
-const AttributeRow kMetres{"metres", &kAmountType, required};
-const AttributeRow kUpToWidth{"up-to-width", &kPositiveType};
+const AttributeRow kIdAttribute{"id", &kIdType, required};
+const AttributeRow kUnitAttribute{"unit", &kUnitType, required};
+const AttributeRow kTrustAttribute{"trust", &kTrustType};
+const AttributeRow kNoteAttribute{"note", &kAnyText};
+const AttributeRow kClauseAttribute{"clause", &kAnyText};
+const AttributeRow kMaskAttribute{"mask", &kIdType};
+const AttributeRow kMetresAttribute{"metres", &kAmountType, required};
+const AttributeRow kUpToWidthAttribute{"up-to-width", &kPositiveType};
 
 }  // namespace
 
@@ -94,10 +94,12 @@ const ValueType kPackLicenceType =
     words_type("packLicence", {"public", "internal", "user-supplied"});
 
 const ElementRow kSourceElement{
-    .type = "source", .attributes = {kId, {"note", &kTextType, required}, {"address", &kAnyText}}};
+    .type = "source",
+    .attributes = {kIdAttribute, {"note", &kTextType, required}, {"address", &kAnyText}}};
 
-const ElementRow kNameElement{.type = "name",
-                              .attributes = {kId, kUnit, {"meaning", &kTextType, required}}};
+const ElementRow kNameElement{
+    .type = "name",
+    .attributes = {kIdAttribute, kUnitAttribute, {"meaning", &kTextType, required}}};
 
 const ElementRow kPolicyElement{
     .type = "policy",
@@ -115,23 +117,25 @@ const ElementRow kEntryElement{
     .attributes = {{"key", &kAmountType, required}, {"value", &kEntryValueType, required}}};
 
 const ElementRow kTableElement{.type = "table",
-                               .attributes = {kId,
+                               .attributes = {kIdAttribute,
                                               {"key-unit", &kUnitType, required},
                                               {"value-unit", &kUnitType, required},
                                               {"match", &kTableMatchType, required},
-                                              kTrust},
+                                              kTrustAttribute},
                                .children = {{"entry", &kEntryElement}},
                                .needs_child = true};
 
-const ElementRow kScaleElement{.type = "scale",
-                               .attributes = {kId, kUnit, {"values", &kTextType, required}}};
+const ElementRow kScaleElement{
+    .type = "scale",
+    .attributes = {kIdAttribute, kUnitAttribute, {"values", &kTextType, required}}};
 
-const ElementRow kStripElement{.type = "strip",
-                               .attributes = {kMetres, {"share", &kStripShareType}, kUpToWidth}};
-const ElementRow kMaskWallsElement{.type = "maskWalls", .attributes = {kMetres}};
-const ElementRow kCentreLineElement{.type = "centreLine", .attributes = {kUpToWidth}};
+const ElementRow kStripElement{
+    .type = "strip",
+    .attributes = {kMetresAttribute, {"share", &kStripShareType}, kUpToWidthAttribute}};
+const ElementRow kMaskWallsElement{.type = "maskWalls", .attributes = {kMetresAttribute}};
+const ElementRow kCentreLineElement{.type = "centreLine", .attributes = {kUpToWidthAttribute}};
 const ElementRow kMaskElement{.type = "mask",
-                              .attributes = {kId},
+                              .attributes = {kIdAttribute},
                               .children = {{"inset", &kStripElement},
                                            {"walls", &kMaskWallsElement},
                                            {"across", &kStripElement},
@@ -145,7 +149,7 @@ const ElementRow kGridElement{
 ratio of the sides on that "ratio" says; side / p, rounded as "count" says. Without these numbers: EN 12464-1.
 fixed-spacing: at most "spacing" along the longer and the shorter side, count up. fixed-count: "cells", and
 project: as the project says, count given.)",
-    .attributes = {kId,
+    .attributes = {kIdAttribute,
                    {"method", &kGridMethodType, required},
                    {"count", &kGridCountType, required},
                    {"factor", &kAnyDouble},
@@ -154,8 +158,8 @@ project: as the project says, count given.)",
                    {"ratio", &kAnyDouble},
                    {"spacing", &kTextType},
                    {"cells", &kTextType},
-                   kTrust,
-                   kNote}};
+                   kTrustAttribute,
+                   kNoteAttribute}};
 
 const ElementRow kPlaneElement{
     .type = "plane",
@@ -165,8 +169,8 @@ const ElementRow kPlaneElement{
         {"heights", &kTextType},
         {"heights-are", &kHeightsAreType, optional, "", "required"},
         {"grid", &kIdType},
-        kMask,
-        kNote,
+        kMaskAttribute,
+        kNoteAttribute,
         {"area", &kZoneAreaType, optional,
          R"(What a workplace makes: the task area ("height" above the floor, needed); a band of "width" around the zone of
 another role; the task area with such a band; every wall; the ceiling. "margin" is left out along walls, or
@@ -181,29 +185,29 @@ const ElementRow kValueElement{.type = "value",
                                               {"required", &kAmountType},
                                               {"modified", &kAmountType},
                                               {"none", &kNoValueType},
-                                              kTrust}};
+                                              kTrustAttribute}};
 
 const ElementRow kRowElement{.type = "row",
                              .attributes = {{"ref", &kIdType, required},
                                             {"name", &kTextType, required},
                                             {"trust", &kTrustType, required},
                                             {"sources", &kIdsType},
-                                            kNote,
+                                            kNoteAttribute,
                                             {"task-heights", &kTextType}},
                              .children = {{"value", &kValueElement}}};
 
 const ElementRow kCheckElement{
     .type = "check",
-    .attributes = {kId,
+    .attributes = {kIdAttribute,
                    {"role", &kIdType, required},
-                   kClause,
+                   kClauseAttribute,
                    {"severity", &kCheckSeverityType, optional, "", "shall"},
                    {"quantity", &kQuantityType, required},
                    {"statistic", &kStatisticType, required},
                    {"percent", &kPercentType},
                    {"from", &kTextType},
                    {"to", &kTextType},
-                   kMask,
+                   kMaskAttribute,
                    {"state", &kLightStateType, optional, "", "maintained"},
                    {"sources", &kLightSourcesType, optional, "", "all"},
                    {"light", &kCountedLightType, optional, "", "all"},
@@ -212,12 +216,12 @@ const ElementRow kCheckElement{
                    {"at-most", &kTextType},
                    {"more-than", &kTextType},
                    {"less-than", &kTextType},
-                   kTrust,
-                   kNote}};
+                   kTrustAttribute,
+                   kNoteAttribute}};
 
 const ElementRow kAggregateElement{
     .type = "aggregate",
-    .attributes = {kId,
+    .attributes = {kIdAttribute,
                    {"rule", &kAggregateRuleType, required},
                    {"count", &kPositiveIntegerType},
                    {"share", &kShareType},
@@ -225,16 +229,16 @@ const ElementRow kAggregateElement{
                    {"over", &kAggregateOverType, optional, "", "checks"},
                    {"by", &kAggregateByType, optional, "", "count"},
                    {"severity", &kAggregateSeverityType, optional, "", "shall"},
-                   kClause,
-                   kTrust,
-                   kNote}};
+                   kClauseAttribute,
+                   kTrustAttribute,
+                   kNoteAttribute}};
 
 const ElementRow kClassElement{
     .type = "class",
-    .attributes = {kId, {"rows", &kIdsType, required}, {"of", &kIdsType, required}}};
+    .attributes = {kIdAttribute, {"rows", &kIdsType, required}, {"of", &kIdsType, required}}};
 
 const ElementRow kRulePackElement{.type = "rulePack",
-                                  .attributes = {kId,
+                                  .attributes = {kIdAttribute,
                                                  {"edition", &kIdType, required},
                                                  {"title", &kTextType, required},
                                                  {"version", &kIdType, required},
