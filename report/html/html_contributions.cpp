@@ -56,7 +56,7 @@ std::string html_contributions(const Texts& t, const PlanePart& plane) {
       "<th scope=\"col\" class=\"num\">{}</th><th scope=\"col\" class=\"num\">{}</th>"
       "<th scope=\"col\" class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>",
       t.say<Text::light_by_luminaire_caption>(format_position(t, shares.minimum_at_m)),
-      t[Text::light_from], t[Text::average_column], t[Text::direct_lx], t[Text::share],
+      t[Text::light_from], t[Text::average_column], t[Text::direct_lx], t[Text::share_column],
       t[Text::at_the_minimum], t[Text::direct_lx], rows);
   const char* title = t[Text::light_by_luminaire];
   return fmt::format("<details class=\"list\"><summary>{}</summary>\n{}</details>\n", title,
