@@ -24,9 +24,9 @@ std::string row(const Texts& t, const PlanePart& plane, const LuminaireShare& sh
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num quiet\">{}</td>"
       "<td class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num quiet\">{}</td></tr>\n",
-      name, format_measured(t, share.average_lx, "lx"), format_cell_lx(t, share.direct_lx),
-      share_text(t, share.average_lx.value / plane.average_lx.value),
-      format_measured(t, share.minimum_lx, "lx"), format_cell_lx(t, share.minimum_direct_lx));
+      name, format_measured(t, share.average_lx, "lx"), format_cell(t, share.direct_lx),
+      share_text(t, share.average_lx.value / plane.average.value),
+      format_measured(t, share.minimum_lx, "lx"), format_cell(t, share.minimum_direct_lx));
 }
 
 // "panel at (1.00, 2.00, 2.80)", or its id; its group below.

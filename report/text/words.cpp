@@ -23,7 +23,8 @@ std::string range_words(const Texts& t, const rules::ValueRange& range,
   std::string words = t[Text::share];
   if (range.from > 0.0) words += " " + t.say<Text::range_from>(format_shortest(t, range.from));
   if (std::isfinite(range.to)) words += " " + t.say<Text::range_to>(format_shortest(t, range.to));
-  return words + (calc::is_plain_number(derived) ? "" : " lx");
+  const std::string unit = calc::unit_of(derived);
+  return unit.empty() ? words : words + " " + unit;
 }
 
 struct MetricText {
