@@ -1,12 +1,17 @@
 #pragma once
 // What the calculation may leave out, each only when a predicate proves that nothing changes.
 // [METHOD, 8.3]
+// A new one is decided and explained in solve_plan.cpp.
 
 #include "calc/base/names.h"
 
 #include <bitset>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace calc {
 
@@ -48,6 +53,30 @@ class SkipSet {
 
  private:
   std::bitset<kSkips> allowed_;
+};
+
+// applies: proved, at least for a part; while_calculating: the proof is sought point by point as
+// the work goes on; not_needed: another skip leaves nothing to skip; forbidden: by the settings.
+enum class SkipState { applies, not_proved, while_calculating, not_needed, forbidden };
+
+template <>
+struct EnumNames<SkipState> {
+  static constexpr EnumName<SkipState> list[] = {
+      {SkipState::applies, "applies"},
+      {SkipState::not_proved, "not proved"},
+      {SkipState::while_calculating, "while calculating"},
+      {SkipState::not_needed, "not needed"},
+      {SkipState::forbidden, "forbidden"}};
+};
+
+// What became of a skip in a space.
+struct SkipDecision {
+  Skip skip;
+  SkipState state = SkipState::not_proved;
+  std::string why;                    // one sentence, no full stop
+  std::vector<std::string> planes;    // ids of the planes it is complete for; empty: not by plane
+  std::size_t luminaires = 0;         // unlit_surfaces: how many; dark_pairs: pairs
+  std::optional<std::uint32_t> body;  // convex: index into Space::bodies of what stands inside
 };
 
 }  // namespace calc

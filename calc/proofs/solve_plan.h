@@ -1,6 +1,6 @@
 #pragma once
-// What the calculation of a space leaves out: decided here, once, before the first ray. The solver
-// does what this says, the plan prints it, the forecast counts it.
+// What the calculation of a space leaves out: decided and explained here, once, before the first
+// ray. The solver does what this says, the plan prints it, the forecast counts it.
 
 #include "calc/proofs/beam.h"
 #include "calc/proofs/skips.h"
@@ -36,6 +36,7 @@ struct PlaneDecision {
   bool is_unobstructed = false;       // no shadow ray from its points
 
   std::size_t gathering_points() const;
+  std::size_t dark_luminaires() const;  // that are left out
   bool is_exact() const { return !samples_openings && !samples_reflection; }
 };
 
@@ -52,6 +53,12 @@ struct SolvePlan {
 // Traces no ray. Grids must outlive the call only.
 SolvePlan decide(const PreparedScene& scene, std::span<const PlaneTask> tasks,
                  const SkipSet& allowed);
+
+// One per Skip, in their order. plan: decide() of the same arguments. has_light_pool: light paths
+// are gathered from a pool of vertices.
+std::vector<SkipDecision> explain_skips(const SolvePlan& plan, const PreparedScene& scene,
+                                        std::span<const PlaneTask> tasks, const SkipSet& allowed,
+                                        bool has_light_pool);
 
 // SolvePlan::is_unlit alone. beams: beams_of(scene).
 std::vector<std::uint8_t> unlit_luminaires(const PreparedScene& scene,

@@ -40,18 +40,18 @@ struct PlaneQuantity {
   ReceiverKernel kernel;  // of the point's first receiver
   DerivedQuantity derived;
   std::size_t receivers;  // that one point's value is made of, in the order of receivers_of()
-  bool is_plain_number;   // without a unit; all else is in lx
+  const char* unit;       // of its points' values; "" of ratings and ratios
   bool has_look;  // its points look in a horizontal direction, whatever the plane's normal is
 };
 inline constexpr std::array<PlaneQuantity, 8> kPlaneQuantities{{
-    {"planar", ReceiverKernel::planar, DerivedQuantity::none, 1, false, false},
-    {"cylindrical", ReceiverKernel::cylindrical, DerivedQuantity::none, 1, false, false},
-    {"semicylindrical", ReceiverKernel::semicylindrical, DerivedQuantity::none, 1, false, true},
-    {"hemispherical", ReceiverKernel::hemispherical, DerivedQuantity::none, 1, false, false},
-    {"scalar", ReceiverKernel::scalar, DerivedQuantity::none, 1, false, false},
-    {"ugr", ReceiverKernel::planar, DerivedQuantity::ugr, 1, true, true},
-    {"modelling", ReceiverKernel::cylindrical, DerivedQuantity::modelling, 2, true, false},
-    {"cylindrical-4", ReceiverKernel::cylindrical, DerivedQuantity::four_planes, 5, false, false},
+    {"planar", ReceiverKernel::planar, DerivedQuantity::none, 1, "lx", false},
+    {"cylindrical", ReceiverKernel::cylindrical, DerivedQuantity::none, 1, "lx", false},
+    {"semicylindrical", ReceiverKernel::semicylindrical, DerivedQuantity::none, 1, "lx", true},
+    {"hemispherical", ReceiverKernel::hemispherical, DerivedQuantity::none, 1, "lx", false},
+    {"scalar", ReceiverKernel::scalar, DerivedQuantity::none, 1, "lx", false},
+    {"ugr", ReceiverKernel::planar, DerivedQuantity::ugr, 1, "", true},
+    {"modelling", ReceiverKernel::cylindrical, DerivedQuantity::modelling, 2, "", false},
+    {"cylindrical-4", ReceiverKernel::cylindrical, DerivedQuantity::four_planes, 5, "lx", false},
 }};
 
 // Null of pairs that no plane has.
@@ -82,6 +82,8 @@ constexpr const PlaneQuantity& row_of(DerivedQuantity derived) {
 constexpr std::size_t receivers_per_point(DerivedQuantity derived) {
   return row_of(derived).receivers;
 }
-constexpr bool is_plain_number(DerivedQuantity derived) { return row_of(derived).is_plain_number; }
+constexpr const char* unit_of(DerivedQuantity derived) { return row_of(derived).unit; }
+// Without a unit.
+constexpr bool is_plain_number(DerivedQuantity derived) { return *unit_of(derived) == '\0'; }
 
 }  // namespace calc

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   for (const report::SpacePart& space : project.spaces) {
     for (const report::PlanePart& plane : space.planes) {
       if (!plane.is_computed) continue;
-      const calc::Estimate& average = plane.average_lx;
+      const calc::Estimate& average = plane.average;
       std::printf("%s/%s: %zu points, average %.1f lx (%.1f to %.1f)\n", space.id.c_str(),
                   plane.id.c_str(), plane.points.size(), average.value, average.low, average.high);
       for (const rules::Finding& finding : plane.findings) {

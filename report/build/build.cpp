@@ -63,7 +63,7 @@ std::vector<PointRow> build_points(const calc::SensorGrid& grid, const calc::Pla
     row.normal = grid.normal[i];
     row.column = grid.column.empty() ? 0 : grid.column[i];
     row.row = grid.row.empty() ? 0 : grid.row[i];
-    row.maintained_lx = estimates[i];
+    row.measured = estimates[i];
     row.direct_lx = maintained_point(field, grid, field.direct_exact_lx, 1, i) +
                     maintained_point(field, grid, field.direct_sampled_lx, field.replicates, i);
     row.indirect_lx = maintained_point(field, grid, field.indirect_lx, field.replicates, i);
@@ -159,9 +159,9 @@ void add_illuminances(const calc::PlaneField& field, const rules::PointValues& m
     return found ? found->estimate : no_estimate();
   };
   part.points = build_points(part.grid, field, rules::point_estimates(maintained, confidence));
-  part.average_lx = statistic(rules::Metric::average);
-  part.minimum_lx = statistic(rules::Metric::minimum);
-  part.maximum_lx = statistic(rules::Metric::maximum);
+  part.average = statistic(rules::Metric::average);
+  part.minimum = statistic(rules::Metric::minimum);
+  part.maximum = statistic(rules::Metric::maximum);
   part.uniformity_min_avg = statistic(rules::Metric::uniformity_min_avg);
   part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
 }
@@ -181,9 +181,9 @@ std::string ratings_remark(const calc::PlaneField& field, const std::vector<doub
   std::string words =
       "UGR after CIE 117 of the new installation, with Guth's position index in closed form, which "
       "the table of CIE 117 can differ from by up to 0.8; background: reflected light at the eye";
-  const auto rated = static_cast<std::size_t>(std::count_if(
-      part.points.begin(), part.points.end(),
-      [](const PointRow& point) { return std::isfinite(point.maintained_lx.value); }));
+  const auto rated = static_cast<std::size_t>(
+      std::count_if(part.points.begin(), part.points.end(),
+                    [](const PointRow& point) { return std::isfinite(point.measured.value); }));
   const std::string refusal = rules::glare_refusal(field.glare, weights, all);
   if (rated < all.size()) {
     words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
@@ -218,8 +218,8 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
                                   : no_estimate());
   }
   part.points = build_points(part.grid, field, estimates);
-  part.average_lx = part.uniformity_min_avg = part.uniformity_min_max = no_estimate();
-  part.minimum_lx = part.maximum_lx = no_estimate();
+  part.average = part.uniformity_min_avg = part.uniformity_min_max = no_estimate();
+  part.minimum = part.maximum = no_estimate();
   if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
   if (rated.empty()) return;
   const auto chosen = rules::make_derived_points(derived, field, receivers, weights, rated);
@@ -229,8 +229,8 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
     return rules::compute_derived(*chosen, wanted, std::nullopt, std::nullopt, confidence)
         ->estimate;
   };
-  part.minimum_lx = statistic(rules::Metric::minimum);
-  part.maximum_lx = statistic(rules::Metric::maximum);
+  part.minimum = statistic(rules::Metric::minimum);
+  part.maximum = statistic(rules::Metric::maximum);
 }
 
 // How far the four planes are from the true integral, on average, with the interval of that.

@@ -69,9 +69,9 @@ PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derive
   look.points =
       field.counters.active_points.empty() ? field.points : field.counters.active_points.back();
   const double level = rules::look_confidence(confidence, field.looks_planned);
-  look.average_lx = calc::is_plain_number(derived)
-                        ? no_estimate()
-                        : statistic(maintained(field, derived, {}), rules::Metric::average, level);
+  look.average = calc::is_plain_number(derived)
+                     ? no_estimate()
+                     : statistic(maintained(field, derived, {}), rules::Metric::average, level);
   for (const rules::Finding& finding : findings)
     look.findings.push_back({finding.verdict, finding.measured});
   return look;

@@ -95,7 +95,7 @@ std::vector<Light> light_of(const FieldReader& reader, std::span<const std::size
 
 std::size_t darkest_point(const std::vector<PointRow>& points) {
   const auto darkest = std::min_element(points.begin(), points.end(), [](const auto& a, auto& b) {
-    return a.maintained_lx.value < b.maintained_lx.value;
+    return a.measured.value < b.measured.value;
   });
   return static_cast<std::size_t>(darkest - points.begin());
 }

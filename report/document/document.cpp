@@ -61,11 +61,11 @@ calc::Estimate settled(const calc::Estimate& estimate) {
 
 void settle_estimates(PlanePart& plane) {
   const auto settle = [](calc::Estimate& estimate) { estimate = settled(estimate); };
-  for (calc::Estimate* estimate : {&plane.average_lx, &plane.minimum_lx, &plane.maximum_lx,
+  for (calc::Estimate* estimate : {&plane.average, &plane.minimum, &plane.maximum,
                                    &plane.uniformity_min_avg, &plane.uniformity_min_max}) {
     settle(*estimate);
   }
-  for (PointRow& point : plane.points) settle(point.maintained_lx);
+  for (PointRow& point : plane.points) settle(point.measured);
   for (GroupShare& share : plane.groups) settle(share.average_lx);
   for (rules::Finding& finding : plane.findings) {
     if (finding.verdict == rules::Verdict::not_judged) continue;
@@ -73,7 +73,7 @@ void settle_estimates(PlanePart& plane) {
     if (!std::isfinite(finding.margin)) finding.margin = no_estimate().value;
   }
   for (PlaneLook& look : plane.looks) {
-    settle(look.average_lx);
+    settle(look.average);
     for (LookFinding& finding : look.findings) {
       if (finding.verdict != rules::Verdict::not_judged) settle(finding.measured);
     }

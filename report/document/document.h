@@ -71,8 +71,10 @@ inline constexpr int kPolarHalfSteps = 72;
 struct PointRow {
   glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
   int column = 0, row = 0;
-  calc::Estimate maintained_lx;  // every luminaire at full output, times maintenance factors
-  double direct_lx = 0;          // maintained, mean over replicates
+  // In the plane's unit: every luminaire at full output, times maintenance factors; glare ratings
+  // are of the new installation.
+  calc::Estimate measured;
+  double direct_lx = 0;  // maintained, mean over replicates
   double indirect_lx = 0;
 };
 
@@ -110,15 +112,15 @@ struct PlaneLook {
   std::uint64_t paths = 0;  // so far, all replicates
   std::uint64_t rays = 0;   // so far, towards luminaires, light vertices and near surfaces
   std::size_t points = 0;   // that took part
-  calc::Estimate average_lx;
+  calc::Estimate average;   // as PlanePart::average
   std::vector<LookFinding> findings;  // as PlanePart::findings
 };
 
 struct PlanePart {
   std::string id, name, space_id;
   calc::SourceLocation where;
-  calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;  // what all values below are
-  // Of ratings and ratios every "lx" below is without unit, but for direct and indirect light.
+  // What all values below are that do not name a unit; calc::unit_of(derived) is theirs.
+  calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
   std::vector<std::string> remarks;  // how the quantity was come by, where that is to be told
   bool is_computed = false;          // false: `reason` says why; the rest is then empty
@@ -126,11 +128,11 @@ struct PlanePart {
   std::string made_by, changed;  // see calc::CalcPlane
   calc::SensorGrid grid;         // rule, counts, spacing, margin, dropped points
   std::vector<PointRow> points;
-  calc::Estimate average_lx, minimum_lx, maximum_lx, uniformity_min_avg,
-      uniformity_min_max;  // maintained
+  // Maintained; of ratings and ratios only minimum and maximum exist.
+  calc::Estimate average, minimum, maximum, uniformity_min_avg, uniformity_min_max;
   std::vector<rules::Finding> findings;
-  std::vector<GroupShare> groups;  // their averages add up to average_lx
-  LuminaireShares by_luminaire;    // their averages add up to average_lx
+  std::vector<GroupShare> groups;  // of illuminances: their averages add up to `average`
+  LuminaireShares by_luminaire;    // likewise
   std::vector<PlaneLook> looks;    // empty: nothing was sampled, or not known
   calc::StopReason stop = calc::StopReason::exact;
   int looks_planned = 1;                 // intervals hold over that many looks together

@@ -106,11 +106,11 @@ void add_remarks(const PlanePart& plane, std::vector<TableLine>& lines) {
 
 std::string statistics_text(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return t.say<Text::brief_extremes>(format_measured(t, plane.minimum_lx, ""),
-                                       format_measured(t, plane.maximum_lx, ""));
+    return t.say<Text::brief_extremes>(format_measured(t, plane.minimum, plane_unit(plane)),
+                                       format_measured(t, plane.maximum, plane_unit(plane)));
   }
-  return t.say<Text::brief_statistics>(format_measured(t, plane.average_lx, "lx"),
-                                       format_measured(t, plane.minimum_lx, "lx"),
+  return t.say<Text::brief_statistics>(format_measured(t, plane.average, plane_unit(plane)),
+                                       format_measured(t, plane.minimum, plane_unit(plane)),
                                        format_measured(t, plane.uniformity_min_avg, ""));
 }
 

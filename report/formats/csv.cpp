@@ -114,7 +114,7 @@ void add_point(const std::string& place, const PlanePart& plane, const PointRow&
   const bool is_plain = calc::is_plain_number(plane.derived);
   const auto lux = [&](double value) { return is_plain ? "" : number(value); };
   const auto rating = [&](double value) { return is_plain ? number(value) : ""; };
-  const calc::Estimate& value = point.maintained_lx;
+  const calc::Estimate& value = point.measured;
   add_row({place, std::to_string(point.column), std::to_string(point.row),
            number(point.position_m.x), number(point.position_m.y), number(point.position_m.z),
            number(point.normal.x), number(point.normal.y), number(point.normal.z), lux(value.value),

@@ -24,9 +24,9 @@ std::string row(const Texts& t, const PlanePart& plane, const LuminaireShare& sh
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num quiet\">{}</td>"
       "<td class=\"num\">{}</td><td class=\"num\">{}</td><td class=\"num quiet\">{}</td></tr>\n",
-      name, format_measured(t, share.average_lx, "lx"), format_cell_lx(t, share.direct_lx),
-      share_text(t, share.average_lx.value / plane.average_lx.value),
-      format_measured(t, share.minimum_lx, "lx"), format_cell_lx(t, share.minimum_direct_lx));
+      name, format_measured(t, share.average_lx, "lx"), format_cell(t, share.direct_lx),
+      share_text(t, share.average_lx.value / plane.average.value),
+      format_measured(t, share.minimum_lx, "lx"), format_cell(t, share.minimum_direct_lx));
 }
 
 // "panel at (1.00, 2.00, 2.80)", or its id; its group below.
@@ -56,7 +56,7 @@ std::string html_contributions(const Texts& t, const PlanePart& plane) {
       "<th scope=\"col\" class=\"num\">{}</th><th scope=\"col\" class=\"num\">{}</th>"
       "<th scope=\"col\" class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>",
       t.say<Text::light_by_luminaire_caption>(format_position(t, shares.minimum_at_m)),
-      t[Text::light_from], t[Text::average_column], t[Text::direct_lx], t[Text::share],
+      t[Text::light_from], t[Text::average_column], t[Text::direct_lx], t[Text::share_column],
       t[Text::at_the_minimum], t[Text::direct_lx], rows);
   const char* title = t[Text::light_by_luminaire];
   return fmt::format("<details class=\"list\"><summary>{}</summary>\n{}</details>\n", title,

@@ -62,7 +62,7 @@ Curve curve_of(const Texts& t, const PlanePart& plane, std::optional<std::size_t
     const PlaneLook& look = plane.looks[i];
     const bool is_judged = finding && look.findings[*finding].verdict != rules::Verdict::not_judged;
     if (finding && !is_judged) continue;
-    const auto place = place_of(look, finding ? look.findings[*finding].measured : look.average_lx);
+    const auto place = place_of(look, finding ? look.findings[*finding].measured : look.average);
     if (!place) continue;
     if (curve.decided == i) mark = curve.places.size();
     curve.places.push_back(*place);
@@ -214,7 +214,7 @@ std::string html_looks(const Texts& t, const PlanePart& plane) {
                     : "");
     }
     if (plane.findings.empty())
-      rows += "<td>" + format_measured(t, look.average_lx, plane_unit(plane)) + "</td>";
+      rows += "<td>" + format_measured(t, look.average, plane_unit(plane)) + "</td>";
     rows += "</tr>\n";
   }
   const std::string name = escape_html(title_of(plane.name, plane.id));

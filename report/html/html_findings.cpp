@@ -159,18 +159,19 @@ std::string row_head(PlaneIndex index, const SpacePart& space, const PlanePart& 
 }
 
 std::string average_words(const Texts& t, const PlanePart& plane) {
-  const std::string value = format_measured(t, plane.average_lx, "lx");
+  const std::string value = format_measured(t, plane.average, plane_unit(plane));
   if (is_plain_illuminance(plane)) return t.say<Text::average_value>(value);
   return t.say<Text::average_of_value>(of_plane_words(t, plane), value);
 }
 
 std::string statistics_words(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {
-    return t.say<Text::extremes>(plane_words(t, plane), format_measured(t, plane.minimum_lx, ""),
-                                 format_measured(t, plane.maximum_lx, ""));
+    return t.say<Text::extremes>(plane_words(t, plane),
+                                 format_measured(t, plane.minimum, plane_unit(plane)),
+                                 format_measured(t, plane.maximum, plane_unit(plane)));
   }
   return t.say<Text::statistics_line>(average_words(t, plane),
-                                      format_measured(t, plane.minimum_lx, "lx"),
+                                      format_measured(t, plane.minimum, plane_unit(plane)),
                                       format_measured(t, plane.uniformity_min_avg, ""));
 }
 

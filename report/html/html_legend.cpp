@@ -16,8 +16,8 @@ namespace {
 constexpr double kBarLeft = 14, kBarWidth = 440, kBarHeight = 14, kLimitLine = 17,
                  kLegendWidth = 480, kHistogramHeight = 40, kNumbersHeight = 20;
 
-double bar_x(const ColourScale& scale, double value_lx) {
-  const double part = (value_lx - scale.low_lx) / (scale.high_lx() - scale.low_lx);
+double bar_x(const ColourScale& scale, double value) {
+  const double part = (value - scale.low) / (scale.high() - scale.low);
   return kBarLeft + std::clamp(part, 0.0, 1.0) * kBarWidth;
 }
 
@@ -64,17 +64,17 @@ std::string histogram_bars(const Texts& t, const ColourScale& scale,
 std::string band_numbers(const Texts& t, const ColourScale& scale, double top) {
   std::string svg;
   for (int i = 0; i <= scale.bands; ++i) {
-    const double value = scale.low_lx + i * scale.step_lx;
+    const double value = scale.low + i * scale.step;
     svg += svg_text(bar_x(scale, value), top + kBarHeight + 14, "middle",
-                    format_fixed(t, value, step_decimals(scale.step_lx)));
+                    format_fixed(t, value, step_decimals(scale.step)));
   }
   return svg;
 }
 
 // A label beside its mark, on the side with room; the line runs down through the bar.
 std::string limit_mark(const ColourScale& scale, const PlanLimit& limit, double y, double bar_top) {
-  const double x = bar_x(scale, limit.limit_lx);
-  const bool is_below = limit.limit_lx<scale.low_lx, is_above = limit.limit_lx> scale.high_lx();
+  const double x = bar_x(scale, limit.limit);
+  const bool is_below = limit.limit<scale.low, is_above = limit.limit> scale.high();
   const bool to_the_left = x > kBarLeft + kBarWidth / 2;
   const std::string words =
       (is_below ? "◂ " : "") + escape_html(limit.words) + (is_above ? " ▸" : "");
@@ -113,9 +113,8 @@ std::string html_colour_bar(const Texts& t, const ColourScale& scale,
       "<svg class=\"colour-bar\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">",
       kLegendWidth, svg_number(height),
-      t.say<Text::colour_scale>(format_shortest(t, scale.low_lx),
-                                format_shortest(t, scale.high_lx()), unit,
-                                format_shortest(t, scale.step_lx), unit));
+      t.say<Text::colour_scale>(format_shortest(t, scale.low), format_shortest(t, scale.high()),
+                                unit, format_shortest(t, scale.step), unit));
   svg += histogram_bars(t, scale, counts, bar_top) + band_boxes(scale, bar_top);
   double y = 0;
   for (const PlanLimit& limit : limits) {

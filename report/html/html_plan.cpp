@@ -47,23 +47,25 @@ struct Drawing {
     return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
   }
   Thresholds thresholds() const { return {at_least, at_most}; }
-  bool misses_a_limit(double lx) const { return misses(at_least, lx) || misses(at_most, lx); }
+  bool misses_a_limit(double value) const {
+    return misses(at_least, value) || misses(at_most, value);
+  }
 };
 
 // The limits widen the scale when that does not squeeze the colours; else they are marked off the
 // scale.
 ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimit>& limits) {
-  double low = plane.points[0].maintained_lx.value, high = low;
+  double low = plane.points[0].measured.value, high = low;
   for (const PointRow& point : plane.points) {
-    low = std::min(low, point.maintained_lx.value);
-    high = std::max(high, point.maintained_lx.value);
+    low = std::min(low, point.measured.value);
+    high = std::max(high, point.measured.value);
   }
   const double reach = 0.6 * (high - low);
   const double least = low - reach, most = high + reach;
   for (const PlanLimit& limit : limits) {
-    if (limit.limit_lx < least || limit.limit_lx > most) continue;
-    low = std::min(low, limit.limit_lx);
-    high = std::max(high, limit.limit_lx);
+    if (limit.limit < least || limit.limit > most) continue;
+    low = std::min(low, limit.limit);
+    high = std::max(high, limit.limit);
   }
   return make_colour_scale(low, high);
 }
@@ -76,17 +78,16 @@ std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
 bool has_direction(const PlanLuminaire& sign) { return glm::length(sign.c0) > 0.1; }
 
 const PointRow& lowest_point(const PlanePart& plane) {
-  return *std::min_element(plane.points.begin(), plane.points.end(),
-                           [](const PointRow& a, const PointRow& b) {
-                             return a.maintained_lx.value < b.maintained_lx.value;
-                           });
+  return *std::min_element(
+      plane.points.begin(), plane.points.end(),
+      [](const PointRow& a, const PointRow& b) { return a.measured.value < b.measured.value; });
 }
 
 // Points by colour band: one group each keeps the file small.
 std::map<int, std::vector<const PointRow*>> by_band(const Drawing& drawing) {
   std::map<int, std::vector<const PointRow*>> bands;
   for (const PointRow& point : drawing.plane.points) {
-    bands[band_of(drawing.scale, point.maintained_lx.value)].push_back(&point);
+    bands[band_of(drawing.scale, point.measured.value)].push_back(&point);
   }
   return bands;
 }
@@ -101,10 +102,10 @@ std::string svg_cells(const Drawing& drawing) {
       svg += fmt::format("<path d=\"{}\"><title>{}</title></path>\n",
                          rectangle(drawing.cell_corner_px(point->column, point->row), size),
                          drawing.t.say<Text::cell_title>(
-                             format_measured(drawing.t, point->maintained_lx,
-                                             plane_unit(drawing.plane), drawing.thresholds()),
-                             format_cell_lx(drawing.t, point->direct_lx),
-                             format_cell_lx(drawing.t, point->indirect_lx)));
+                             format_measured(drawing.t, point->measured, plane_unit(drawing.plane),
+                                             drawing.thresholds()),
+                             format_cell(drawing.t, point->direct_lx),
+                             format_cell(drawing.t, point->indirect_lx)));
     }
     svg += "</g>\n";
   }
@@ -127,7 +128,7 @@ std::string png_cells(const Drawing& drawing) {
 std::string svg_hatch(const Drawing& drawing) {
   std::map<std::pair<int, int>, bool> cells;  // by row, then column
   for (const PointRow& point : drawing.plane.points) {
-    if (drawing.misses_a_limit(point.maintained_lx.value)) cells[{point.row, point.column}] = true;
+    if (drawing.misses_a_limit(point.measured.value)) cells[{point.row, point.column}] = true;
   }
   if (cells.empty()) return {};
   std::string path;
@@ -144,8 +145,8 @@ std::string svg_hatch(const Drawing& drawing) {
   return fmt::format("<path fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor, path);
 }
 
-std::string cell_text(const Drawing& drawing, double lx) {
-  return format_cell_lx(drawing.t, lx, drawing.thresholds());
+std::string cell_text(const Drawing& drawing, double value) {
+  return format_cell(drawing.t, value, drawing.thresholds());
 }
 
 // Font size at which every number fits into its cell; 0: they do not fit.
@@ -153,7 +154,7 @@ double number_size_px(const Drawing& drawing) {
   constexpr double kDigitWidth = 0.6, kSmallest = 7.5, kLargest = 12.5;
   std::size_t longest = 1;
   for (const PointRow& point : drawing.plane.points) {
-    longest = std::max(longest, cell_text(drawing, point.maintained_lx.value).size());
+    longest = std::max(longest, cell_text(drawing, point.measured.value).size());
   }
   const glm::dvec2 cell = drawing.cell_px();
   const double fitting =
@@ -175,7 +176,7 @@ std::string svg_numbers(const Drawing& drawing) {
           drawing.cell_corner_px(point->column, point->row) + 0.5 * drawing.cell_px();
       svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(middle.x),
                          svg_number(middle.y + 0.36 * size),
-                         cell_text(drawing, point->maintained_lx.value));
+                         cell_text(drawing, point->measured.value));
     }
     svg += "</g>\n";
   }
@@ -232,7 +233,7 @@ std::vector<LabelBox> taken_places(const Drawing& drawing) {
     for (const PointRow& point : drawing.plane.points) {
       const glm::dvec2 middle =
           drawing.cell_corner_px(point.column, point.row) + 0.5 * drawing.cell_px();
-      const auto digits = static_cast<double>(cell_text(drawing, point.maintained_lx.value).size());
+      const auto digits = static_cast<double>(cell_text(drawing, point.measured.value).size());
       taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
     }
   }
@@ -273,15 +274,18 @@ std::string hatch_pattern(const std::string& anchor) {
          "stroke-width=\"1.3\"/></pattern></defs>\n";
 }
 
-const char* unit_words(const PlanePart& plane) { return *plane_unit(plane) == '\0' ? "" : " lx"; }
+std::string unit_words(const PlanePart& plane) {
+  const std::string unit = plane_unit(plane);
+  return unit.empty() ? "" : " " + unit;
+}
 
 std::string spoken(const Drawing& drawing) {
   const PlanePart& plane = drawing.plane;
   const PointRow& lowest = lowest_point(plane);
   return drawing.t.say<Text::heat_map_of>(
       escape_html(title_of(plane.name, plane.id)), plane.points.size(),
-      plane_words(drawing.t, plane), cell_text(drawing, plane.minimum_lx.value),
-      cell_text(drawing, plane.maximum_lx.value), unit_words(plane),
+      plane_words(drawing.t, plane), cell_text(drawing, plane.minimum.value),
+      cell_text(drawing, plane.maximum.value), unit_words(plane),
       format_position(drawing.t, lowest.position_m));
 }
 
@@ -336,7 +340,7 @@ std::string caption(const Drawing& drawing) {
 std::vector<std::size_t> band_counts(const Drawing& drawing) {
   std::vector<std::size_t> counts(static_cast<std::size_t>(drawing.scale.bands));
   for (const PointRow& point : drawing.plane.points)
-    ++counts[static_cast<std::size_t>(band_of(drawing.scale, point.maintained_lx.value))];
+    ++counts[static_cast<std::size_t>(band_of(drawing.scale, point.measured.value))];
   return counts;
 }
 
@@ -358,22 +362,22 @@ PlanSigns signs_of(const Drawing& drawing) {
     if (!level.is_required) signs.has_isolux = true;
     if (level.is_required)
       signs.required += (signs.required.empty() ? "" : ", ") +
-                        format_limit(drawing.t, level.lx, plane_unit(drawing.plane));
+                        format_limit(drawing.t, level.value, plane_unit(drawing.plane));
   }
   const PointRow& lowest = lowest_point(drawing.plane);
   const Texts& t = drawing.t;
   signs.minimum = t.say<Text::value_at_place>(
-      cell_text(drawing, lowest.maintained_lx.value) + unit_words(drawing.plane),
+      cell_text(drawing, lowest.measured.value) + unit_words(drawing.plane),
       with_minus(format_position(t, lowest.position_m)));
   const char* unit = plane_unit(drawing.plane);
   for (const PointRow& point : drawing.plane.points) {
-    const double lx = point.maintained_lx.value;
-    if (misses(drawing.at_least, lx)) {
+    const double value = point.measured.value;
+    if (misses(drawing.at_least, value)) {
       const std::string limit = format_limit(t, drawing.at_least->limit, unit);
       const bool is_strict = drawing.at_least->comparison == rules::Comparison::more_than;
       signs.below = is_strict ? t.say<Text::not_above>(limit) : t.say<Text::below>(limit);
     }
-    if (misses(drawing.at_most, lx)) {
+    if (misses(drawing.at_most, value)) {
       const std::string limit = format_limit(t, drawing.at_most->limit, unit);
       const bool is_strict = drawing.at_most->comparison == rules::Comparison::less_than;
       signs.above = is_strict ? t.say<Text::not_below>(limit) : t.say<Text::above>(limit);

@@ -44,8 +44,8 @@ std::string statistics_table(const Texts& t, const PlanePart& plane) {
     return statistic(t, name, estimate, of_unit, statistic_thresholds(plane, metric));
   };
   using enum rules::Metric;
-  const std::string extremes = row(t[Text::statistic_minimum], plane.minimum_lx, unit, minimum) +
-                               row(t[Text::statistic_maximum], plane.maximum_lx, unit, maximum);
+  const std::string extremes = row(t[Text::statistic_minimum], plane.minimum, unit, minimum) +
+                               row(t[Text::statistic_maximum], plane.maximum, unit, maximum);
   return std::string("<table class=\"facts\"><caption>") + t[Text::statistics] + of +
          "</caption><thead><tr><th "
          "scope=\"col\">" +
@@ -55,7 +55,7 @@ std::string statistics_table(const Texts& t, const PlanePart& plane) {
          t[Text::value] + "</th><th scope=\"col\" class=\"num\">" + t[Text::interval] +
          "</th></tr></thead><tbody>\n" +
          (has_average
-              ? row(t[Text::statistic_average], plane.average_lx, unit, average) + extremes +
+              ? row(t[Text::statistic_average], plane.average, unit, average) + extremes +
                     row(t[Text::statistic_uo], plane.uniformity_min_avg, "", uniformity_min_avg) +
                     row(t[Text::statistic_ud], plane.uniformity_min_max, "", uniformity_min_max)
               : extremes) +
@@ -103,15 +103,15 @@ std::string groups_table(const Texts& t, const PlanePart& plane) {
         "<tr><th scope=\"row\">{}{}</th><td class=\"num strong\">{}</td><td class=\"num "
         "quiet\">{}</td><td class=\"num\">{}</td></tr>\n",
         share.group.empty() ? t[Text::no_group] : escape_html(share.group), notes,
-        format_measured(t, share.average_lx, "lx"), format_cell_lx(t, share.direct_lx),
-        format_share(t, share.average_lx.value / plane.average_lx.value));
+        format_measured(t, share.average_lx, "lx"), format_cell(t, share.direct_lx),
+        format_share(t, share.average_lx.value / plane.average.value));
   }
   return fmt::format(
       "<table class=\"facts groups\"><caption>{}</caption><thead><tr><th "
       "scope=\"col\">{}</th><th scope=\"col\" class=\"num\">lx</th><th "
       "scope=\"col\" class=\"num\">{}</th><th scope=\"col\" "
       "class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>\n",
-      t[Text::light_by_group], t[Text::average_from], t[Text::direct], t[Text::share], rows);
+      t[Text::light_by_group], t[Text::average_from], t[Text::direct], t[Text::share_column], rows);
 }
 
 std::string dropped_words(const Texts& t, const calc::SensorGrid& grid) {
@@ -188,9 +188,9 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
 std::string value_matrix(const Texts& t, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
   const Thresholds thresholds = point_thresholds(plane);
-  std::map<std::pair<int, int>, double> value_lx;
+  std::map<std::pair<int, int>, double> value_of_cell;
   for (const PointRow& point : plane.points)
-    value_lx[{point.row, point.column}] = point.maintained_lx.value;
+    value_of_cell[{point.row, point.column}] = point.measured.value;
   std::string html = "<table class=\"matrix\"><caption>" +
                      t.say<Text::matrix_caption>(values_words(t, plane)) +
                      "</caption><thead><tr><th scope=\"col\">v \\ u</th>";
@@ -203,10 +203,10 @@ std::string value_matrix(const Texts& t, const PlanePart& plane) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>",
                         format_metres(t, (row + 0.5) * grid.spacing_v_m));
     for (int column = 0; column < grid.columns; ++column) {
-      const auto found = value_lx.find({row, column});
-      html += found == value_lx.end()
+      const auto found = value_of_cell.find({row, column});
+      html += found == value_of_cell.end()
                   ? "<td></td>"
-                  : "<td>" + format_cell_lx(t, found->second, thresholds) + "</td>";
+                  : "<td>" + format_cell(t, found->second, thresholds) + "</td>";
     }
     html += "</tr>\n";
   }
@@ -233,8 +233,8 @@ std::string value_list(const Texts& t, const PlanePart& plane) {
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(t, point.position_m)),
         with_minus(format_position(t, point.normal)),
-        format_measured(t, point.maintained_lx, plane_unit(plane), thresholds),
-        format_cell_lx(t, point.direct_lx), format_cell_lx(t, point.indirect_lx));
+        format_measured(t, point.measured, plane_unit(plane), thresholds),
+        format_cell(t, point.direct_lx), format_cell(t, point.indirect_lx));
   }
   return html + "</tbody></table>";
 }
@@ -279,13 +279,13 @@ std::string badges(const Texts& t, const PlanePart& plane) {
   if (calc::is_plain_number(plane.derived)) {  // such have no average
     return html + fmt::format("<span class=\"brief\">{}</span>",
                               t.say<Text::brief_range>(
-                                  brief(plane.minimum_lx, "", rules::Metric::minimum),
-                                  brief(plane.maximum_lx, "", rules::Metric::maximum)));
+                                  brief(plane.minimum, plane_unit(plane), rules::Metric::minimum),
+                                  brief(plane.maximum, plane_unit(plane), rules::Metric::maximum)));
   }
   return html +
          fmt::format("<span class=\"brief\">{}</span>",
                      t.say<Text::brief_average>(
-                         brief(plane.average_lx, "lx", rules::Metric::average),
+                         brief(plane.average, plane_unit(plane), rules::Metric::average),
                          brief(plane.uniformity_min_avg, "", rules::Metric::uniformity_min_avg)));
 }
 

@@ -38,8 +38,8 @@ std::string html_room(const Texts& t, const SpacePart& space) {
   }
   html += html_colour_bar(t, scale, {});
   std::string beyond;
-  if (pictures.highest_lx > scale.high_lx()) {
-    beyond = " " + t.say<Text::brightest_places>(format_cell_lx(t, pictures.highest_lx));
+  if (pictures.highest_lx > scale.high()) {
+    beyond = " " + t.say<Text::brightest_places>(format_cell(t, pictures.highest_lx));
   }
   return html + "<figcaption>" +
          t.say<Text::picture_caption>(beyond, format_percent(t, pictures.error_share),

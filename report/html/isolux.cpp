@@ -21,10 +21,10 @@ struct Side {
 
 class Squares {
  public:
-  Squares(const PlanePart& plane, double level_lx)
-      : grid_(plane.grid), level_(level_lx), value_lx_(cells(), kNone) {
+  Squares(const PlanePart& plane, double level)
+      : grid_(plane.grid), level_(level), value_(cells(), kNone) {
     for (const PointRow& point : plane.points)
-      value_lx_[index(point.column, point.row)] = point.maintained_lx.value;
+      value_[index(point.column, point.row)] = point.measured.value;
   }
 
   std::vector<IsoluxLine> lines() {
@@ -44,7 +44,7 @@ class Squares {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
            static_cast<std::size_t>(column);
   }
-  double at(int column, int row) const { return value_lx_[index(column, row)]; }
+  double at(int column, int row) const { return value_[index(column, row)]; }
 
   // Where the level lies on a side whose ends are on different sides of it.
   glm::dvec2 place(const Side& side) const {
@@ -146,14 +146,14 @@ class Squares {
 
   const calc::SensorGrid& grid_;
   double level_;
-  std::vector<double> value_lx_;  // NaN: no point
+  std::vector<double> value_;  // NaN: no point
   std::map<Side, std::vector<Side>> neighbours_;
 };
 
 }  // namespace
 
-std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level_lx) {
-  return Squares(plane, level_lx).lines();
+std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level) {
+  return Squares(plane, level).lines();
 }
 
 std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale& scale,
@@ -161,20 +161,20 @@ std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale
   constexpr double kSame = 1e-9;
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (const PointRow& point : plane.points) {
-    low = std::min(low, point.maintained_lx.value);
-    high = std::max(high, point.maintained_lx.value);
+    low = std::min(low, point.measured.value);
+    high = std::max(high, point.measured.value);
   }
   std::vector<IsoluxLevel> levels;
   for (const PlanLimit& limit : limits) {
     const bool is_known = std::any_of(levels.begin(), levels.end(), [&](const IsoluxLevel& known) {
-      return std::abs(known.lx - limit.limit_lx) <= kSame * limit.limit_lx;
+      return std::abs(known.value - limit.limit) <= kSame * limit.limit;
     });
-    if (!is_known && limit.limit_lx > low && limit.limit_lx < high) {
-      levels.push_back({limit.limit_lx, true, {}});
+    if (!is_known && limit.limit > low && limit.limit < high) {
+      levels.push_back({limit.limit, true, {}});
     }
   }
   const std::size_t required = levels.size();
-  const std::int64_t first = std::llround(scale.low_lx / scale.step_lx);
+  const std::int64_t first = std::llround(scale.low / scale.step);
   std::int64_t stride = 1;
   for (const std::int64_t wanted : {1, 2, 5}) {
     stride = wanted;
@@ -183,17 +183,17 @@ std::vector<IsoluxLevel> isolux_levels(const PlanePart& plane, const ColourScale
     if (count <= most) break;
   }
   for (std::int64_t i = first + 1; i < first + scale.bands; ++i) {
-    const double lx = static_cast<double>(i) * scale.step_lx;
-    if (i % stride != 0 || !(lx > low) || !(lx < high)) continue;
+    const double value = static_cast<double>(i) * scale.step;
+    if (i % stride != 0 || !(value > low) || !(value < high)) continue;
     const bool is_known =
         std::any_of(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(required),
                     [&](const IsoluxLevel& known) {
-                      return std::abs(known.lx - lx) <= kSame * scale.high_lx();
+                      return std::abs(known.value - value) <= kSame * scale.high();
                     });
-    if (!is_known) levels.push_back({lx, false, {}});
+    if (!is_known) levels.push_back({value, false, {}});
   }
   std::sort(levels.begin(), levels.end(),
-            [](const IsoluxLevel& a, const IsoluxLevel& b) { return a.lx < b.lx; });
+            [](const IsoluxLevel& a, const IsoluxLevel& b) { return a.value < b.value; });
   return levels;
 }
 
@@ -204,17 +204,17 @@ bool trace_isolux(const PlanePart& plane, std::size_t most_points,
   for (const bool required : {true, false}) {
     for (IsoluxLevel& level : levels) {
       if (level.is_required != required) continue;
-      level.lines = isolux_lines(plane, level.lx);
+      level.lines = isolux_lines(plane, level.value);
       std::size_t more = 0;
       for (const IsoluxLine& line : level.lines) more += line.points_m.size();
       if (points + more > most_points)
-        refused.push_back(level.lx);
+        refused.push_back(level.value);
       else
         points += more;
     }
   }
   std::erase_if(levels, [&](const IsoluxLevel& level) {
-    return std::find(refused.begin(), refused.end(), level.lx) != refused.end();
+    return std::find(refused.begin(), refused.end(), level.value) != refused.end();
   });
   return refused.empty();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Lines of equal illuminance through the cell centres of a plane.
+// Lines of equal value, of illuminances isolux lines, through the cell centres of a plane.
 
 #include "report/document/document.h"
 #include "report/html/plan_layout.h"
@@ -18,15 +18,15 @@ struct IsoluxLine {
   bool is_closed = false;
 };
 
-// Lines where the plane's values cross level_lx: marching squares over neighbouring cell centres,
+// Lines where the plane's values cross level: marching squares over neighbouring cell centres,
 // values linear between two of them, so that a linear field is met exactly and any other one within
 // h^2 / 8 * max|E''| / |E'|, h = the distance of two centres. Where four centres form a saddle, the
 // mean of the four says which sides belong together. Nothing is drawn beyond the outermost centres
 // or beside a cell without a point. Needs has_cells(plane).
-std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level_lx);
+std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level);
 
 struct IsoluxLevel {
-  double lx = 0.0;
+  double value = 0.0;                  // in the plane's unit
   bool is_required = false;            // a limit of the drawing: drawn thicker
   std::vector<IsoluxLine> lines = {};  // filled by trace_isolux()
 };

@@ -58,7 +58,7 @@ std::optional<double> group_pass_factor(const rules::Finding& finding, const Pla
       !requirement.direct_only && requirement.policy.is_default();
   if (finding.verdict != rules::Verdict::fail || !is_about_average || !(share.average_lx.low > 0.0))
     return std::nullopt;
-  const double missing = requirement.limit - plane.average_lx.low;
+  const double missing = requirement.limit - plane.average.low;
   if (!(missing > 0.0) || !std::isfinite(missing)) return std::nullopt;
   return 1.0 + missing / share.average_lx.low;
 }

@@ -114,8 +114,7 @@ std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane) {
   std::vector<PlanLimit> limits;
   for (const rules::Finding& finding : plane.findings) {
     const rules::Requirement& requirement = finding.requirement;
-    const bool is_of_values =
-        !rules::is_ratio(requirement.metric) && !rules::is_about_power(requirement.metric);
+    const bool is_of_values = rules::has_unit_of_values(requirement.metric);
     const bool is_known = !std::isnan(requirement.limit);
     if (!is_of_values || !is_known || !is_about_points(requirement)) continue;
     limits.push_back({quantity_words(t, requirement) + " " +

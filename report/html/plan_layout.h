@@ -50,10 +50,10 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
                         const glm::dvec2& wanted_px);
 
 // Limits that can be read off the points of the drawing: maintained, every luminaire at full
-// output, in lx.
+// output, in the plane's unit.
 struct PlanLimit {
   std::string words;  // "average ≥ 500 lx"
-  double limit_lx = 0.0;
+  double limit = 0.0;
 };
 std::vector<PlanLimit> plan_limits(const Texts& t, const PlanePart& plane);
 

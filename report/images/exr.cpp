@@ -24,7 +24,7 @@
 namespace report {
 namespace {
 
-enum Channel : std::size_t { kIlluminance, kLow, kHigh, kDirect, kIndirect, kValid, kChannels };
+enum Channel : std::size_t { kValue, kLow, kHigh, kDirect, kIndirect, kValid, kChannels };
 
 constexpr std::array<const char*, kChannels> kNames{"illuminance_lx", "low_lx",      "high_lx",
                                                     "direct_lx",      "indirect_lx", "valid"};
@@ -60,9 +60,9 @@ Planes channel_values(const PlanePart& plane) {
   for (const PointRow& point : plane.points) {
     const std::size_t at = (rows - 1 - static_cast<std::size_t>(point.row)) * columns +
                            static_cast<std::size_t>(point.column);
-    values[kIlluminance][at] = static_cast<float>(point.maintained_lx.value);
-    values[kLow][at] = static_cast<float>(point.maintained_lx.low);
-    values[kHigh][at] = static_cast<float>(point.maintained_lx.high);
+    values[kValue][at] = static_cast<float>(point.measured.value);
+    values[kLow][at] = static_cast<float>(point.measured.low);
+    values[kHigh][at] = static_cast<float>(point.measured.high);
     values[kDirect][at] = static_cast<float>(point.direct_lx);
     values[kIndirect][at] = static_cast<float>(point.indirect_lx);
     values[kValid][at] = 1.0F;
@@ -123,7 +123,7 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
 std::string render_room_exr(const std::string& project_path, const std::string& space_id,
                             const std::string& title, int width, int height,
                             const std::vector<float>& lx) {
-  constexpr std::array<const char*, 2> kRoomNames{kNames[kIlluminance], kNames[kValid]};
+  constexpr std::array<const char*, 2> kRoomNames{kNames[kValue], kNames[kValid]};
   try {
     Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;

@@ -13,9 +13,9 @@ namespace report {
 // illuminance_lx, low_lx and high_lx (its interval), direct_lx, indirect_lx, and valid: 1 where
 // there is a point, else 0 with every other channel 0 (a NaN would break viewers and filters).
 // String attributes luxgate.project (path), luxgate.space, luxgate.plane (id), luxgate.quantity
-// ("planar", "cylindrical", ...), luxgate.unit ("lx") and luxgate.version. Values are rounded to
-// float. Needs has_cells(). Same input, same bytes. Throws std::runtime_error when the library
-// refuses.
+// ("planar", "cylindrical", ...), luxgate.unit and luxgate.version. The channels keep their names
+// where the unit is "", of ratings and ratios. Values are rounded to float. Needs has_cells(). Same
+// input, same bytes. Throws std::runtime_error when the library refuses.
 std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
                        const PlanePart& plane);
 

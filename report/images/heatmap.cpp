@@ -64,21 +64,21 @@ bool needs_dark_text(Rgb colour) {
   return with_black > with_white;
 }
 
-ColourScale make_colour_scale(double lowest_lx, double highest_lx) {
+ColourScale make_colour_scale(double lowest, double highest) {
   constexpr double kWantedBands = 9.0;
-  const double size = std::max(std::abs(lowest_lx), std::abs(highest_lx));
+  const double size = std::max(std::abs(lowest), std::abs(highest));
   if (!(size > 0.0)) return {};
-  const double step = round_step(std::max((highest_lx - lowest_lx) / kWantedBands, 0.01 * size));
+  const double step = round_step(std::max((highest - lowest) / kWantedBands, 0.01 * size));
   ColourScale scale;
-  scale.step_lx = step;
-  scale.low_lx = std::floor(lowest_lx / step + 1e-9) * step;
-  scale.bands = std::max(1, static_cast<int>(std::ceil((highest_lx - scale.low_lx) / step - 1e-9)));
+  scale.step = step;
+  scale.low = std::floor(lowest / step + 1e-9) * step;
+  scale.bands = std::max(1, static_cast<int>(std::ceil((highest - scale.low) / step - 1e-9)));
   return scale;
 }
 
-int band_of(const ColourScale& scale, double value_lx) {
+int band_of(const ColourScale& scale, double value) {
   // 1e-9: a value on the border between two bands must not fall below it by rounding.
-  const double place = std::floor((value_lx - scale.low_lx) / scale.step_lx + 1e-9);
+  const double place = std::floor((value - scale.low) / scale.step + 1e-9);
   if (!(place > 0.0)) return 0;
   return static_cast<int>(std::min(place, static_cast<double>(scale.bands - 1)));
 }
@@ -92,9 +92,9 @@ ColourScale scale_of(const PlanePart& plane) {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const PointRow& point : plane.points) {
-    if (!std::isfinite(point.maintained_lx.value)) continue;  // e.g. an eye without glare source
-    lowest = std::min(lowest, point.maintained_lx.value);
-    highest = std::max(highest, point.maintained_lx.value);
+    if (!std::isfinite(point.measured.value)) continue;  // e.g. an eye without glare source
+    lowest = std::min(lowest, point.measured.value);
+    highest = std::max(highest, point.measured.value);
   }
   return lowest <= highest ? make_colour_scale(lowest, highest) : ColourScale{};
 }
@@ -105,9 +105,8 @@ bool has_cells(const PlanePart& plane) {
 }
 
 bool has_all_values(const PlanePart& plane) {
-  return std::all_of(plane.points.begin(), plane.points.end(), [](const PointRow& point) {
-    return std::isfinite(point.maintained_lx.value);
-  });
+  return std::all_of(plane.points.begin(), plane.points.end(),
+                     [](const PointRow& point) { return std::isfinite(point.measured.value); });
 }
 
 Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels_per_cell) {
@@ -117,8 +116,8 @@ Raster plane_raster(const PlanePart& plane, const ColourScale& scale, int pixels
   raster.rgba.resize(static_cast<std::size_t>(raster.width) *
                      static_cast<std::size_t>(raster.height) * 4);
   for (const PointRow& point : plane.points) {
-    if (!std::isfinite(point.maintained_lx.value)) continue;
-    const Rgb colour = band_colour(scale, band_of(scale, point.maintained_lx.value));
+    if (!std::isfinite(point.measured.value)) continue;
+    const Rgb colour = band_colour(scale, band_of(scale, point.measured.value));
     const int left = point.column * pixels_per_cell;
     const int top = (plane.grid.rows - 1 - point.row) * pixels_per_cell;
     for (int y = top; y < top + pixels_per_cell; ++y) {

@@ -21,21 +21,21 @@ std::string hex_colour(Rgb colour);  // "#00204d"
 // Whether black text reads better than white on this colour (relative luminance, WCAG 2.2).
 bool needs_dark_text(Rgb colour);
 
-// Bands of equal width with round limits: band i covers [low_lx + i * step_lx, low_lx + (i + 1) *
-// step_lx).
+// Bands of equal width with round limits: band i covers [low + i * step, low + (i + 1) * step),
+// in the unit of what is drawn.
 struct ColourScale {
-  double low_lx = 0.0;
-  double step_lx = 1.0;  // 1, 2 or 5 times a power of ten
-  int bands = 1;         // 1 to 12
+  double low = 0.0;
+  double step = 1.0;  // 1, 2 or 5 times a power of ten
+  int bands = 1;      // 1 to 12
 
-  double high_lx() const { return low_lx + step_lx * bands; }
+  double high() const { return low + step * bands; }
 };
 
-// Covers [lowest_lx, highest_lx], both finite; a nearly even field still gets steps of at least 1 %
+// Covers [lowest, highest], both finite; a nearly even field still gets steps of at least 1 %
 // of its value, so that noise is not painted as structure.
-ColourScale make_colour_scale(double lowest_lx, double highest_lx);
+ColourScale make_colour_scale(double lowest, double highest);
 // Index of the band of a value; values outside go to the first or last band.
-int band_of(const ColourScale& scale, double value_lx);
+int band_of(const ColourScale& scale, double value);
 Rgb band_colour(const ColourScale& scale, int band);
 
 // The scale of a computed plane: its points, without limits of requirements.

@@ -161,7 +161,7 @@ class Drawer {
       drawing_.labels.push_back({PolarRole::text,
                                  {x + 42.0, y},
                                  PolarLabel::Anchor::start,
-                                 std::string(name) + ", max " + format_cell_lx(max_cd) + " cd",
+                                 std::string(name) + ", max " + format_cell(max_cd) + " cd",
                                  false});
     };
     add(30.0, PolarRole::c0_c180, false, "C0-C180", c0_.max_cd);

@@ -67,7 +67,7 @@ int text_width(const std::string& text) { return static_cast<int>(text.size()) *
 }  // namespace
 
 Palette band_palette(const ColourScale& scale) {
-  Palette palette{{}, static_cast<float>(scale.step_lx)};
+  Palette palette{{}, static_cast<float>(scale.step)};
   for (int band = 0; band < scale.bands; ++band) palette.colour.push_back(band_colour(scale, band));
   return palette;
 }
@@ -135,9 +135,9 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double>
       make_colour_scale(0.0, std::max(at_share(std::move(seen), kSeenShare),
                                       at_share({values_lx.begin(), values_lx.end()}, kValueShare)));
   // Rooms have more to tell than a plane: steps half as wide, where those are round as well.
-  const double power = calc::pow(10.0, std::floor(calc::log10(scale.step_lx) + 1e-9));
-  if (scale.bands <= 6 && scale.step_lx < 2.5 * power) {
-    scale.step_lx /= 2.0;
+  const double power = calc::pow(10.0, std::floor(calc::log10(scale.step) + 1e-9));
+  if (scale.bands <= 6 && scale.step < 2.5 * power) {
+    scale.step /= 2.0;
     scale.bands *= 2;
   }
   return scale;
@@ -168,7 +168,7 @@ Raster with_legend(const Raster& picture, const ColourScale& scale) {
          band_colour(scale, band));
   }
   for (int band = 0; band <= scale.bands; ++band) {
-    const std::string number = format_shortest(scale.low_lx + band * scale.step_lx);
+    const std::string number = format_shortest(scale.low + band * scale.step);
     write_text(result, x_of(band) - text_width(number) / 2, top + kBarHeight + 6, number);
   }
   write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, "lx");

@@ -22,7 +22,7 @@ struct Palette {
   std::vector<Rgb> colour;  // at least one
   float step = 1.0F;
 };
-Palette band_palette(const ColourScale& scale);  // low_lx = 0
+Palette band_palette(const ColourScale& scale);  // low = 0
 
 // Paints values and puts the cover over them; transparent where there is neither.
 Raster paint_room(const DrawnRoom& drawn, const Palette& palette);

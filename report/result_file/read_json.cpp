@@ -155,7 +155,7 @@ void complete(const SpacePart& space, PlanePart& plane) {
     grid.row.push_back(point.row);
   }
   if (calc::is_plain_number(plane.derived)) {
-    plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+    plane.average = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
   }
   settle_estimates(plane);
 }

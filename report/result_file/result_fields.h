@@ -273,8 +273,8 @@ void describe_points(auto& v, Is<PlanePart> auto& plane) {
       std::vector{point_columns(none), point_columns(ugr), point_columns(modelling)});
   v.rows("rows", plane.points, [&](auto& row, auto& p) {
     row(p.column, p.row, p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y,
-        p.normal.z, or_null(p.maintained_lx.value), or_null(p.maintained_lx.low),
-        or_null(p.maintained_lx.high), or_null(p.direct_lx), or_null(p.indirect_lx));
+        p.normal.z, or_null(p.measured.value), or_null(p.measured.low), or_null(p.measured.high),
+        or_null(p.direct_lx), or_null(p.indirect_lx));
     // Pictures rely on it.
     const calc::SensorGrid& grid = plane.grid;
     row.refuse_if(grid.columns > 0 && (p.column >= grid.columns || p.row >= grid.rows),
@@ -324,22 +324,22 @@ void describe(auto& v, Is<PlaneLook> auto& look) {
   v.field("paths", look.paths);
   v.field("rays", look.rays);
   v.field("points", look.points);
-  v.field("average_lx", look.average_lx);
+  v.field("average_lx", look.average);
   v.field("findings", look.findings, {.words = "In the order of the plane's findings."});
 }
 
 // Ratings and ratios of points have no average that would mean anything.
 void describe_statistics(auto& v, Is<PlanePart> auto& plane) {
   const auto of_light = [&] {
-    v.field("average_lx", plane.average_lx);
-    v.field("minimum_lx", plane.minimum_lx);
-    v.field("maximum_lx", plane.maximum_lx);
+    v.field("average_lx", plane.average);
+    v.field("minimum_lx", plane.minimum);
+    v.field("maximum_lx", plane.maximum);
     v.field("uniformity_min_avg", plane.uniformity_min_avg);
     v.field("uniformity_min_max", plane.uniformity_min_max);
   };
   const auto of_plain_numbers = [&] {
-    v.field("minimum", plane.minimum_lx);
-    v.field("maximum", plane.maximum_lx);
+    v.field("minimum", plane.minimum);
+    v.field("maximum", plane.maximum);
   };
   v.either(!calc::is_plain_number(plane.derived), of_light, of_plain_numbers);
 }

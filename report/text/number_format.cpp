@@ -143,15 +143,15 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
       format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
 }
 
-std::string format_cell_lx(double value_lx, const Thresholds& thresholds) {
-  if (!std::isfinite(value_lx)) return kNoNumber;
-  int decimals = std::min(decimals_for(value_lx, 3), 3);
+std::string format_cell(double value, const Thresholds& thresholds) {
+  if (!std::isfinite(value)) return kNoNumber;
+  int decimals = std::min(decimals_for(value, 3), 3);
   for (int tried = decimals; tried <= kMostDecimals; ++tried) {
-    if (!are_alike(rounded(value_lx, tried), value_lx, thresholds)) continue;
+    if (!are_alike(rounded(value, tried), value, thresholds)) continue;
     decimals = tried;
     break;
   }
-  return format_fixed(value_lx, decimals);
+  return format_fixed(value, decimals);
 }
 
 std::string format_limit(double limit, std::string_view unit) {

@@ -65,7 +65,7 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
 
 // One illuminance without interval, short enough for a cell of a plan: "1240", "512", "51.2",
 // "5.12".
-std::string format_cell_lx(double value_lx, const Thresholds& thresholds = {});
+std::string format_cell(double value, const Thresholds& thresholds = {});
 
 // "≥ 500 lx", "≤ 0.60", "≤ 19": as many digits as the limit has, but nine where that are more than
 // ten characters; at least two decimals for a number without unit below 10, which is a ratio.

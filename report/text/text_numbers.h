@@ -25,9 +25,8 @@ inline std::string format_interval(const Texts& t, const calc::Estimate& estimat
   const std::string text = format_interval(estimate, unit, thresholds);
   return text == text_entry(Text::exact).english ? t[Text::exact] : t.number(text);
 }
-inline std::string format_cell_lx(const Texts& t, double value_lx,
-                                  const Thresholds& thresholds = {}) {
-  return t.number(format_cell_lx(value_lx, thresholds));
+inline std::string format_cell(const Texts& t, double value, const Thresholds& thresholds = {}) {
+  return t.number(format_cell(value, thresholds));
 }
 inline std::string format_limit(const Texts& t, double limit, std::string_view unit) {
   return t.number(format_limit(limit, unit));

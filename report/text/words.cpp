@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,11 +20,38 @@ constexpr double kStraight = 1e-6;  // of a direction cosine
 // "share of points from 300 to 500 lx"
 std::string range_words(const Texts& t, const rules::ValueRange& range,
                         calc::DerivedQuantity derived) {
-  std::string words = t[Text::share_of_points];
+  std::string words = t[Text::share];
   if (range.from > 0.0) words += " " + t.say<Text::range_from>(format_shortest(t, range.from));
   if (std::isfinite(range.to)) words += " " + t.say<Text::range_to>(format_shortest(t, range.to));
-  return words + (calc::is_plain_number(derived) ? "" : " lx");
+  const std::string unit = calc::unit_of(derived);
+  return unit.empty() ? words : words + " " + unit;
 }
+
+struct MetricText {
+  rules::Metric metric;
+  Text text;
+};
+constexpr std::array kMetricTexts{
+#define TEXT(id, english, german)
+#define METRIC_TEXT(id, english, german) MetricText{rules::Metric::id, Text::id},
+#include "report/text/texts.def"
+#undef TEXT
+};
+
+constexpr Text metric_text(rules::Metric metric) {
+  return std::find_if(kMetricTexts.begin(), kMetricTexts.end(),
+                      [metric](const MetricText& known) { return known.metric == metric; })
+      ->text;
+}
+static_assert(kMetricTexts.size() == rules::kMetrics.size() &&
+                  std::all_of(rules::kMetrics.begin(), rules::kMetrics.end(),
+                              [](const rules::MetricRow& row) {
+                                return std::count_if(kMetricTexts.begin(), kMetricTexts.end(),
+                                                     [&row](const MetricText& known) {
+                                                       return known.metric == row.metric;
+                                                     }) == 1;
+                              }),
+              "every statistic has its METRIC_TEXT");
 
 // A quantity by itself, after "average", and as the values of a plane.
 struct QuantityTexts {
@@ -142,34 +170,15 @@ const char* value_key(calc::DerivedQuantity derived) {
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement) {
-  switch (requirement.metric) {
-    case rules::Metric::average:
-      return t[Text::average];
-    case rules::Metric::minimum:
-      return t[Text::minimum];
-    case rules::Metric::maximum:
-      return t[Text::maximum];
-    case rules::Metric::uniformity_min_avg:
-      return t[Text::uniformity_min_avg];
-    case rules::Metric::uniformity_min_max:
-      return t[Text::uniformity_min_max];
-    case rules::Metric::percentile:
-      return t.say<Text::percentile>(format_shortest(t, requirement.percent));
-    case rules::Metric::share:
-      return range_words(t, requirement.range, requirement.derived);
-    case rules::Metric::power_density:
-      return t[Text::power_density];
-    case rules::Metric::power_per_100_lx:
-      return t[Text::power_per_100_lx];
-    case rules::Metric::leni:
-      return t[Text::leni];
-    case rules::Metric::gradient:
-      return t[Text::gradient];
-    case rules::Metric::value_at_point:
-      break;
+  const rules::Metric metric = requirement.metric;
+  if (metric == rules::Metric::percentile) {
+    return t.say<Text::percentile>(format_shortest(t, requirement.percent));
   }
-  return requirement.point_m ? t.say<Text::value_at>(format_position(t, *requirement.point_m))
-                             : t[Text::value_at_point];
+  if (metric == rules::Metric::share) return range_words(t, requirement.range, requirement.derived);
+  if (metric == rules::Metric::value_at_point && requirement.point_m) {
+    return t.say<Text::value_at>(format_position(t, *requirement.point_m));
+  }
+  return t[metric_text(metric)];
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement,

@@ -44,9 +44,7 @@ inline bool is_plain_illuminance(const PlanePart& plane) {
          plane.derived == calc::DerivedQuantity::none;
 }
 // Of the plane's values: "lx", or "" of ratings and ratios.
-inline const char* plane_unit(const PlanePart& plane) {
-  return calc::is_plain_number(plane.derived) ? "" : "lx";
-}
+inline const char* plane_unit(const PlanePart& plane) { return calc::unit_of(plane.derived); }
 // Of which light the plane's values are: "Maintained", or "Initial" of glare ratings, which are of
 // the new installation.
 const char* state_words(const Texts& t, const PlanePart& plane);

@@ -63,7 +63,7 @@ bool is_given_for(ElementReader& reader, std::string_view attribute, Metric owne
 }
 
 LimitUnit read_unit(ElementReader& reader, Metric metric, calc::DerivedQuantity derived) {
-  if (is_ratio(metric) || is_about_power(metric) || calc::is_plain_number(derived)) {
+  if (!has_unit_of_values(metric) || calc::is_plain_number(derived)) {
     if (reader.has("unit")) {
       report_unfit(reader, "unit", fmt::format("quantity=\"{}\"", calc::name_of(metric)));
     }

@@ -1,56 +1,33 @@
 #pragma once
-// What may be required of a plane: one row for each statistic. Readers, judging, reports and
-// schemas ask the row; only what a statistic is made of stands elsewhere (rules/measure).
+// What may be required of a plane: one row for each statistic, with its name. Readers, judging,
+// reports and schemas ask the row. Elsewhere stand only how a statistic is measured
+// (rules/measure) and its words (METRIC_TEXT in report/text/texts.def).
 
 #include "calc/base/names.h"
 #include "calc/base/xml_reader.h"
 #include "calc/scene/receiver_kernel.h"
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 namespace rules {
 
 enum class Metric {
-  average,             // mean illuminance, lx
-  minimum,             // lx
-  maximum,             // lx
+  average,  // mean illuminance
+  minimum,
+  maximum,
   uniformity_min_avg,  // Uo = minimum / average
   uniformity_min_max,  // Ud = minimum / maximum
-  percentile,          // illuminance that the given share of points does not exceed, lx
-  value_at_point,      // lx
-  share,               // of the points whose value lies in a range
-  power_density,       // installed power of the plane's space / its floor area, W/m2
-  power_per_100_lx,    // the same / the plane's average illuminance, W/m2 per 100 lx
-  leni,                // lighting energy of the plane's space in a year / its floor area, kWh/m2
-  gradient,            // largest ratio between neighbouring points of the grid, >= 1
+  percentile,          // value that the given share of points does not exceed
+  value_at_point,
+  share,             // of the points whose value lies in a range
+  power_density,     // installed power of the plane's space / its floor area
+  power_per_100_lx,  // the same / the plane's average illuminance
+  leni,              // lighting energy of the plane's space in a year / its floor area
+  gradient,          // largest ratio between neighbouring points of the grid, >= 1
 };
-
-}  // namespace rules
-
-namespace calc {
-
-// As written in projects and packs and shown in reports.
-template <>
-struct EnumNames<rules::Metric> {
-  static constexpr EnumName<rules::Metric> list[] = {
-      {rules::Metric::average, "average"},
-      {rules::Metric::minimum, "minimum"},
-      {rules::Metric::maximum, "maximum"},
-      {rules::Metric::uniformity_min_avg, "Uo"},
-      {rules::Metric::uniformity_min_max, "Ud"},
-      {rules::Metric::percentile, "percentile"},
-      {rules::Metric::value_at_point, "value"},
-      {rules::Metric::share, "share"},
-      {rules::Metric::power_density, "power-density"},
-      {rules::Metric::power_per_100_lx, "power-per-100-lx"},
-      {rules::Metric::leni, "LENI"},
-      {rules::Metric::gradient, "gradient"}};
-};
-
-}  // namespace calc
-
-namespace rules {
 
 // What it is computed from.
 enum class MetricSource {
@@ -70,14 +47,50 @@ enum class MetricDomain {
 
 struct MetricRow {
   Metric metric;
-  const char* unit;  // of illuminances; "" of ratios
+  std::string_view name;  // as written in projects and packs and shown in reports
+  const char* unit;       // of illuminances; "" of ratios
   MetricSource source;
-  MetricDomain domain;
+  MetricDomain domain;              // beyond illuminances: compute_derived() measures it, too
   bool is_linear;                   // grows in proportion with the light
   calc::NumberRange ratio_limit{};  // of ratios: what may be required
 };
 
-const MetricRow& metric_row(Metric metric);
+// In the order of the enumeration.
+inline constexpr std::array kMetrics = [] {
+  using enum Metric;
+  using enum MetricSource;
+  using enum MetricDomain;
+  constexpr calc::NumberRange kShare{0.0, 1.0, false, "a ratio from 0 to 1"};
+  constexpr calc::NumberRange kGradient{1.0, 1.0e9, false, "a ratio from 1 to 1e9"};
+  return std::array{
+      MetricRow{average, "average", "lx", values, illuminances, true},
+      MetricRow{minimum, "minimum", "lx", values, no_ratings, true},
+      MetricRow{maximum, "maximum", "lx", values, all, true},
+      MetricRow{uniformity_min_avg, "Uo", "", values, illuminances, false, kShare},
+      MetricRow{uniformity_min_max, "Ud", "", values, illuminances, false, kShare},
+      MetricRow{percentile, "percentile", "lx", values, no_ratings, true},
+      MetricRow{value_at_point, "value", "lx", values, all, true},
+      MetricRow{share, "share", "", counted_values, all, false, kShare},
+      MetricRow{power_density, "power-density", "W/m2", space, all, false},
+      MetricRow{power_per_100_lx, "power-per-100-lx", "W/m2/100lx", space_and_light, illuminances,
+                false},
+      MetricRow{leni, "LENI", "kWh/m2/a", space, all, false},
+      MetricRow{gradient, "gradient", "", neighbours, illuminances, false, kGradient},
+  };
+}();
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kMetrics.size(); ++i) {
+        if (static_cast<std::size_t>(kMetrics[i].metric) != i) return false;
+      }
+      return true;
+    }(),
+    "kMetrics is in the order of the enum");
+
+constexpr const MetricRow& metric_row(Metric metric) {
+  return kMetrics[static_cast<std::size_t>(metric)];
+}
 // Without those about power, which are no statistics of points: as packs have them.
 std::vector<std::string_view> metric_names();
 // All: as projects have them; those about power at the end.
@@ -87,9 +100,26 @@ std::vector<std::string_view> all_metric_names();
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);
 bool is_about_power(Metric metric);  // or energy
+// It is in calc::unit_of() the points' quantity, as their values are.
+bool has_unit_of_values(Metric metric);
 // Of the plane's space, whatever its light: known beforehand.
 bool is_of_space(Metric metric);
 // Whether points that measure this have it.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Metric> {
+  static constexpr std::array list = [] {
+    std::array<EnumName<rules::Metric>, rules::kMetrics.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      names[i] = {rules::kMetrics[i].metric, rules::kMetrics[i].name};
+    }
+    return names;
+  }();
+};
+
+}  // namespace calc

@@ -1,5 +1,7 @@
 #include "rules/catalogue/requirement.h"
 
+#include <string_view>
+
 namespace rules {
 
 const char* comparison_name(Comparison comparison) {
@@ -16,14 +18,13 @@ const char* comparison_name(Comparison comparison) {
   return "";
 }
 
-bool is_in_lux(const Requirement& requirement) {
-  return !is_ratio(requirement.metric) && !is_about_power(requirement.metric) &&
-         !calc::is_plain_number(requirement.derived);
+const char* unit_of(const Requirement& requirement) {
+  return has_unit_of_values(requirement.metric) ? calc::unit_of(requirement.derived)
+                                                : metric_unit(requirement.metric);
 }
 
-const char* unit_of(const Requirement& requirement) {
-  if (is_about_power(requirement.metric)) return metric_unit(requirement.metric);
-  return is_in_lux(requirement) ? "lx" : "";
+bool is_in_lux(const Requirement& requirement) {
+  return std::string_view(unit_of(requirement)) == "lx";
 }
 
 }  // namespace rules

@@ -141,7 +141,7 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
       marks[point.value()] = 1;
       return same_for_both(marks);
     }
-    default:  // not from values alone, see MetricSource and measure.cpp
+    default:  // hangs on all points
       break;
   }
   return same_for_both(Marks(values.points, 1));

@@ -184,7 +184,11 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
       return MetricEstimate{percentile(values, percent, alpha), std::nullopt};
     case Metric::value_at_point:
       return MetricEstimate{value_at(values, point.value(), confidence), point};
-    default:  // not from values alone, see MetricSource and measure.cpp
+    case Metric::share:  // not from values alone, see MetricSource and measure.cpp
+    case Metric::power_density:
+    case Metric::power_per_100_lx:
+    case Metric::leni:
+    case Metric::gradient:
       break;
   }
   return std::nullopt;

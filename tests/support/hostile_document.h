@@ -62,7 +62,7 @@ inline Document hostile_document() {
         for (calc::DroppedPoint& point : plane.grid.dropped) point.body = evil();
         plane.by_luminaire.largest = {{evil(), evil(), evil(), {}, estimate(300, 3), 200, {}, 0}};
         plane.groups = {{evil(), estimate(300, 3), 200}, {evil(), estimate(100, 1), 50}};
-        plane.looks = {{1024, 4096, plane.points.size(), plane.average_lx, {}}};
+        plane.looks = {{1024, 4096, plane.points.size(), plane.average, {}}};
         for (rules::Finding& finding : plane.findings) {
           finding.reason = evil();
           rules::Requirement& requirement = finding.requirement;

@@ -44,7 +44,7 @@ inline PointRow sample_point(int column, int row, const glm::dvec3& position_m,
   point.normal = {0, 0, 1};
   point.column = column;
   point.row = row;
-  point.maintained_lx = lx;
+  point.measured = lx;
   point.direct_lx = direct_lx;
   point.indirect_lx = lx.value - direct_lx;
   return point;
@@ -71,14 +71,14 @@ inline Document small_document() {
     plane.grid.column.push_back(point.column);
     plane.grid.row.push_back(point.row);
   }
-  plane.average_lx = estimate(512.5, 4.0);
-  plane.minimum_lx = estimate(424.5, 4.25);
-  plane.maximum_lx = estimate(600.5, 6.25);
+  plane.average = estimate(512.5, 4.0);
+  plane.minimum = estimate(424.5, 4.25);
+  plane.maximum = estimate(600.5, 6.25);
   plane.uniformity_min_avg = estimate(0.8283, 0.0062);
   plane.uniformity_min_max = estimate(0.7069, 0.0080);
   plane.findings = {
-      sample_finding(rules::Metric::average, 500, plane.average_lx, "EN 12464-1:2021 34.2"),
-      sample_finding(rules::Metric::minimum, 450, plane.minimum_lx)};
+      sample_finding(rules::Metric::average, 500, plane.average, "EN 12464-1:2021 34.2"),
+      sample_finding(rules::Metric::minimum, 450, plane.minimum)};
   plane.findings[1].place_m = plane.points[1].position_m;
   plane.stop = calc::StopReason::accurate;
 
@@ -130,14 +130,14 @@ struct SampleLight {
 inline void measure(PlanePart& plane) {
   double sum = 0.0, low = 1e300, high = 0.0;
   for (const PointRow& point : plane.points) {
-    sum += point.maintained_lx.value;
-    low = std::min(low, point.maintained_lx.value);
-    high = std::max(high, point.maintained_lx.value);
+    sum += point.measured.value;
+    low = std::min(low, point.measured.value);
+    high = std::max(high, point.measured.value);
   }
   const double average = sum / static_cast<double>(plane.points.size());
-  plane.average_lx = estimate(average, 0.0061 * average);
-  plane.minimum_lx = estimate(low, 0.011 * low);
-  plane.maximum_lx = estimate(high, 0.009 * high);
+  plane.average = estimate(average, 0.0061 * average);
+  plane.minimum = estimate(low, 0.011 * low);
+  plane.maximum = estimate(high, 0.009 * high);
   plane.uniformity_min_avg = estimate(low / average, 0.009 * low / average);
   plane.uniformity_min_max = estimate(low / high, 0.012 * low / high);
   plane.is_computed = true;
@@ -149,7 +149,7 @@ inline void measure(PlanePart& plane) {
 inline glm::dvec3 lowest_place(const PlanePart& plane) {
   return std::min_element(plane.points.begin(), plane.points.end(),
                           [](const PointRow& a, const PointRow& b) {
-                            return a.maintained_lx.value < b.maintained_lx.value;
+                            return a.measured.value < b.measured.value;
                           })
       ->position_m;
 }
@@ -222,19 +222,19 @@ inline SpacePart sample_office() {
   work.grid.margin_m = 0.5;
   work.grid.dropped.push_back({{2, 2, 0.8}, 3, 3, calc::DropReason::inside_solid, "cupboard"});
   work.findings = {
-      sample_finding(rules::Metric::average, 500, work.average_lx, "EN 12464-1:2021 34.2"),
+      sample_finding(rules::Metric::average, 500, work.average, "EN 12464-1:2021 34.2"),
       sample_finding(rules::Metric::uniformity_min_avg, 0.6, work.uniformity_min_avg,
                      "EN 12464-1:2021 34.2"),
-      sample_finding(rules::Metric::minimum, 240, work.minimum_lx)};
+      sample_finding(rules::Metric::minimum, 240, work.minimum)};
   work.findings[1].place_m = work.findings[2].place_m = lowest_place(work);
 
   PlanePart board = sample_plane("r101.board", "Whiteboard", {9, 3.2, 0.9}, {0, -1, 0}, {0, 0, 1},
                                  {10, 5}, {2.6, 1.2}, light, [](double, double) { return true; });
-  board.findings = {sample_finding(rules::Metric::average, std::round(board.average_lx.value),
-                                   board.average_lx, "EN 12464-1:2021 44.4")};
+  board.findings = {sample_finding(rules::Metric::average, std::round(board.average.value),
+                                   board.average, "EN 12464-1:2021 44.4")};
   board.findings[0].requirement.limit += 1;
   board.findings[0].verdict = rules::Verdict::undecided;
-  board.findings[0].margin = board.average_lx.value / board.findings[0].requirement.limit - 1;
+  board.findings[0].margin = board.average.value / board.findings[0].requirement.limit - 1;
   board.findings[0].is_close = true;
   board.findings[0].reason = "the interval contains the limit; more light paths would decide";
   space.planes = {std::move(work), std::move(board)};
@@ -260,7 +260,7 @@ inline SpacePart sample_hall() {
   space.balance = {264000, 0, estimate(263700, 900), estimate(0, 0)};
   PlanePart floor = sample_plane("r200.floor", "Court", {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {88, 52},
                                  {44, 26}, light, [](double, double) { return true; });
-  floor.findings = {sample_finding(rules::Metric::minimum, 260, floor.minimum_lx, "EN 12193")};
+  floor.findings = {sample_finding(rules::Metric::minimum, 260, floor.minimum, "EN 12193")};
   floor.findings[0].place_m = lowest_place(floor);
   PlanePart spots;
   spots.id = "r200.spots";

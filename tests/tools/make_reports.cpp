@@ -44,14 +44,13 @@ report::Document planes_document(int planes) {
     report::PlanePart plane = report::sample_office().planes[0];
     plane.id = fmt::format("plane-{}", i + 1);
     plane.name = fmt::format("Work plane {}", i + 1);
-    const double average = plane.average_lx.value;
+    const double average = plane.average.value;
     const double limit = i % 7 == 0    ? std::round(1.05 * average)
                          : i % 11 == 0 ? std::round(10.0 * average) / 10.0
                                        : std::round(0.9 * average);
-    plane.findings = {
-        report::sample_finding(rules::Metric::average, limit, plane.average_lx, "34.2")};
+    plane.findings = {report::sample_finding(rules::Metric::average, limit, plane.average, "34.2")};
     for (int look = 0; look < 4; ++look) {
-      const double half = plane.average_lx.half_width() * (5 - look);
+      const double half = plane.average.half_width() * (5 - look);
       const auto estimate = report::estimate(average, half);
       const auto finding = report::sample_finding(rules::Metric::average, limit, estimate);
       plane.looks.push_back({1024ULL << look,

@@ -167,9 +167,9 @@ class Comparer {
       report::ComparedPlane compared;
       compared.id = id;
       quantity_[id] = calc::quantity_name(plane.kernel, plane.derived);
-      average_a_[id] = plane.average_lx;
+      average_a_[id] = plane.average;
       for (const report::PointRow& point : plane.points) {
-        const calc::Estimate& e = point.maintained_lx;
+        const calc::Estimate& e = point.measured;
         report::ComparedPoint p{point.position_m, point.column, point.row, {}, {}};
         p.a = {e.value, e.half_width()};
         compared.points.push_back(p);
@@ -193,9 +193,9 @@ class Comparer {
           return lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
         }
         if (calc::is_plain_number(plane.derived)) return leave_out(id, plane, "B");
-        average_b_[name_in_a(id)] = plane.average_lx;
+        average_b_[name_in_a(id)] = plane.average;
         for (const report::PointRow& point : plane.points) {
-          const calc::Estimate& e = point.maintained_lx;
+          const calc::Estimate& e = point.measured;
           rows_.push_back({id,
                            point.position_m,
                            std::nullopt,

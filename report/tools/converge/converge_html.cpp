@@ -267,7 +267,7 @@ std::string plane_html(const ConvergeDocument& document, const ConvergePlane& pl
              "average {} lx · minimum {} lx · Uo {} · reference {}</p>\n",
              escape_html(plane.name.empty() ? plane.id : plane.name),
              plane.name.empty() ? "" : escape_html(plane.id), format_count(plane.points),
-             format_cell_lx(plane.average_lx), format_cell_lx(plane.minimum_lx),
+             format_cell(plane.average_lx), format_cell(plane.minimum_lx),
              format_fixed(plane.uo, 3),
              plane.reference_error > 0.0
                  ? fmt::format("known to {} (RMS)", error_words(plane.reference_error))

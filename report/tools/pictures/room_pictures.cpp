@@ -83,7 +83,7 @@ std::vector<double> point_values(const report::SpacePart& part) {
   std::vector<double> values;
   for (const report::PlanePart& plane : part.planes) {
     if (!report::is_plain_illuminance(plane)) continue;
-    for (const report::PointRow& point : plane.points) values.push_back(point.maintained_lx.value);
+    for (const report::PointRow& point : plane.points) values.push_back(point.measured.value);
   }
   return values;
 }
@@ -122,7 +122,7 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
         0.3 * spacing_px(plane, origin_m, view.camera, static_cast<int>(kScale) * view.width));
     if (radius_px < kFewestDotPixels * kScale) continue;
     for (const report::PointRow& point : plane.points) {
-      const int band = report::band_of(scale, point.maintained_lx.value);
+      const int band = report::band_of(scale, point.measured.value);
       picture.dots.push_back({point.position_m - origin_m, radius_px,
                               gl_colour(report::band_colour(scale, band)),
                               glm::vec4(0.05f, 0.06f, 0.09f, 1.0f)});
@@ -246,8 +246,8 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
         std::max(pictures.highest_lx,
                  static_cast<double>(*std::max_element(drawn.lx.begin(), drawn.lx.end())));
   }
-  pictures.low_lx = scale.low_lx;
-  pictures.step_lx = scale.step_lx;
+  pictures.low_lx = scale.low;
+  pictures.step_lx = scale.step;
   pictures.bands = scale.bands;
   pictures.error_share = lit.error_share;
   pictures.device = device_->device().name();

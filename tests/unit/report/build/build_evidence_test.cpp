@@ -30,7 +30,7 @@ TEST(Evidence, GroupsAddUpToThePlane) {
   EXPECT_DOUBLE_EQ(groups[1].average_lx.value, 0.5 * (50 + 5));
   EXPECT_LT(groups[1].average_lx.low, groups[1].average_lx.value);
   const PlaneLook look = build_look(field, calc::DerivedQuantity::none, {}, 0.95);
-  EXPECT_DOUBLE_EQ(look.average_lx.value, groups[0].average_lx.value + groups[1].average_lx.value);
+  EXPECT_DOUBLE_EQ(look.average.value, groups[0].average_lx.value + groups[1].average_lx.value);
 }
 
 TEST(Evidence, LookSaysWhatWasDoneAndFound) {

@@ -19,10 +19,10 @@ PlanePart plane_of_two() {
   PlanePart plane;
   plane.is_computed = true;
   plane.points.resize(2);
-  plane.points[0].maintained_lx = {300, 300, 300};
-  plane.points[1].maintained_lx = {200, 200, 200};
+  plane.points[0].measured = {300, 300, 300};
+  plane.points[1].measured = {200, 200, 200};
   plane.points[1].position_m = {1, 0, 0};
-  plane.average_lx = {250, 250, 250};
+  plane.average = {250, 250, 250};
   return plane;
 }
 

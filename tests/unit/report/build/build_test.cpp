@@ -40,12 +40,11 @@ TEST(BuildPlane, SplitsMaintainedLightIntoDirectAndIndirect) {
   EXPECT_DOUBLE_EQ(part.points[1].direct_lx, 0.5 * (200 + 6) + 20);
   EXPECT_DOUBLE_EQ(part.points[1].indirect_lx, 0.5 * 60 + 6);
   for (const report::PointRow& point : part.points) {
-    EXPECT_NEAR(point.maintained_lx.value, point.direct_lx + point.indirect_lx, 1e-9);
-    EXPECT_LT(point.maintained_lx.low, point.maintained_lx.value);
+    EXPECT_NEAR(point.measured.value, point.direct_lx + point.indirect_lx, 1e-9);
+    EXPECT_LT(point.measured.low, point.measured.value);
   }
-  EXPECT_NEAR(part.average_lx.value,
-              0.5 * (part.points[0].maintained_lx.value + part.points[1].maintained_lx.value),
-              1e-9);
+  EXPECT_NEAR(part.average.value,
+              0.5 * (part.points[0].measured.value + part.points[1].measured.value), 1e-9);
 }
 
 TEST(BuildPlane, KeepsWhatThePointsMeasure) {
@@ -63,10 +62,10 @@ TEST(BuildPlane, ExactFieldsHaveNoInterval) {
   field.indirect_lx.clear();
   const report::PlanePart part =
       report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95);
-  EXPECT_DOUBLE_EQ(part.points[0].maintained_lx.value, 60.0);
-  EXPECT_EQ(part.points[0].maintained_lx.low, part.points[0].maintained_lx.high);
+  EXPECT_DOUBLE_EQ(part.points[0].measured.value, 60.0);
+  EXPECT_EQ(part.points[0].measured.low, part.points[0].measured.high);
   EXPECT_DOUBLE_EQ(part.points[0].indirect_lx, 0.0);
-  EXPECT_EQ(part.minimum_lx.half_width(), 0.0);
+  EXPECT_EQ(part.minimum.half_width(), 0.0);
 }
 
 // Half of the risk for each of two looks: t with one degree of freedom at 1 - 0.05 / 4.
@@ -74,7 +73,7 @@ TEST(BuildPlane, IntervalsHaveTheLevelOfOneLook) {
   calc::PlaneField field = two_channel_field();
   const auto reach_above_lx = [&field] {  // below, intervals end at 0 lx
     const calc::Estimate average =
-        report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95).average_lx;
+        report::build_plane(calc::CalcPlane{}, two_points(), field, {}, 0.95).average;
     return average.high - average.value;
   };
   const double one_look_lx = reach_above_lx();

@@ -53,7 +53,7 @@ Document every_verdict() {
   waived.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
   waived.is_waived = true;
   waived.reason = "waived by A. Client until 2030-12-31: old hall";
-  rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum_lx);
+  rules::Finding advice = sample_finding(rules::Metric::percentile, 500, plane.minimum);
   advice.requirement.percent = 5;
   advice.requirement.severity = rules::Severity::advice;
   advice.requirement.where = at(26);

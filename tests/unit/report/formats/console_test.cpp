@@ -69,13 +69,13 @@ TEST(Console, RatingsHaveNoUnit) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.derived = calc::DerivedQuantity::ugr;
-  plane.minimum_lx = {15.5, 15.25, 15.75};
-  plane.maximum_lx = {18.5, 18.25, 18.75};
+  plane.minimum = {15.5, 15.25, 15.75};
+  plane.maximum = {18.5, 18.25, 18.75};
   plane.remarks = {"how it was rated"};
   rules::Finding finding = plane.findings[0];
   finding.requirement.metric = rules::Metric::maximum;
   finding.requirement.derived = plane.derived;
-  finding.measured = plane.maximum_lx;
+  finding.measured = plane.maximum;
   plane.findings = {finding};
   const std::string text = render_text(document);
   EXPECT_THAT(text, HasSubstr("  maximum of glare rating UGR  "));

@@ -39,8 +39,8 @@ TEST(Csv, RatingsHaveColumnsOfTheirOwn) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.derived = calc::DerivedQuantity::ugr;
-  plane.points[0].maintained_lx = {18.5, 18.25, 18.75};
-  plane.points[1].maintained_lx = no_estimate();
+  plane.points[0].measured = {18.5, 18.25, 18.75};
+  plane.points[1].measured = no_estimate();
   const std::string csv = render_points_csv(document);
   EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,500.25,100.25,ugr,18.5,18.25,18.75\r\n"));
   EXPECT_THAT(csv, HasSubstr(",0,0,1,,,,324,100.5,ugr,,,\r\n"));

@@ -57,9 +57,9 @@ Document rich_document() {
   plane.remarks = {"made of four planes"};
   plane.unseen_points = 1;
   plane.single_sample_points = 2;
-  plane.groups = {{"window", plane.average_lx, 20.0}, {"", plane.average_lx, 1.0}};
+  plane.groups = {{"window", plane.average, 20.0}, {"", plane.average, 1.0}};
   rules::Finding finding =
-      sample_finding(rules::Metric::average, 1.2 * plane.average_lx.value, plane.average_lx);
+      sample_finding(rules::Metric::average, 1.2 * plane.average.value, plane.average);
   finding.verdict = rules::Verdict::fail;
   plane.findings.push_back(finding);
   finding.requirement.severity = rules::Severity::advice;
@@ -80,7 +80,7 @@ Document rich_document() {
     plane.findings.back().requirement.range = {300, 500};
   }
   for (int look = 0; look < 3; ++look) {
-    PlaneLook taken{1024ULL << look, 4096, plane.points.size(), plane.average_lx, {}};
+    PlaneLook taken{1024ULL << look, 4096, plane.points.size(), plane.average, {}};
     for (const rules::Finding& f : plane.findings)
       taken.findings.push_back({f.verdict, estimate(100.0, 9.0 - look)});
     plane.looks.push_back(taken);

@@ -431,11 +431,11 @@ TEST(Html, RatingsHaveNoUnit) {
   plane.derived = calc::DerivedQuantity::modelling;
   plane.kernel = calc::ReceiverKernel::cylindrical;
   plane.remarks = {"how it was come by"};
-  plane.points[0].maintained_lx = {0.5, 0.45, 0.55};
-  plane.points[1].maintained_lx = {0.4, 0.35, 0.45};
-  plane.minimum_lx = plane.points[1].maintained_lx;
-  plane.maximum_lx = plane.points[0].maintained_lx;
-  plane.average_lx = no_estimate();
+  plane.points[0].measured = {0.5, 0.45, 0.55};
+  plane.points[1].measured = {0.4, 0.35, 0.45};
+  plane.minimum = plane.points[1].measured;
+  plane.maximum = plane.points[0].measured;
+  plane.average = no_estimate();
   plane.findings.clear();
   const std::string html = render_html(document);
   parsed(html);
@@ -449,7 +449,7 @@ TEST(Html, RatingsHaveNoUnit) {
   EXPECT_THAT(html, Not(HasSubstr("0.400 lx")));
   EXPECT_THAT(html, Not(HasSubstr("Uo")));
   // No colour for what has no value: the list of values remains.
-  plane.points[0].maintained_lx = no_estimate();
+  plane.points[0].measured = no_estimate();
   const std::string without = render_html(document);
   parsed(without);
   EXPECT_THAT(without, Not(HasSubstr("Heat map of Work plane")));
@@ -459,12 +459,12 @@ Document rated_document(calc::DerivedQuantity derived) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.derived = plane.grid.derived = derived;
-  plane.points[0].maintained_lx = {18.5, 18.25, 18.75};
-  plane.points[1].maintained_lx = {16.5, 16.25, 16.75};
-  plane.minimum_lx = plane.points[1].maintained_lx;
-  plane.maximum_lx = plane.points[0].maintained_lx;
-  plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
-  rules::Finding finding = sample_finding(rules::Metric::maximum, 17, plane.maximum_lx);
+  plane.points[0].measured = {18.5, 18.25, 18.75};
+  plane.points[1].measured = {16.5, 16.25, 16.75};
+  plane.minimum = plane.points[1].measured;
+  plane.maximum = plane.points[0].measured;
+  plane.average = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  rules::Finding finding = sample_finding(rules::Metric::maximum, 17, plane.maximum);
   finding.requirement.comparison = rules::Comparison::at_most;
   finding.requirement.derived = derived;
   finding.verdict = rules::Verdict::fail;
@@ -505,14 +505,14 @@ TEST(Html, RatingsHaveNoUnitInFindingsLooksAndKeys) {
 TEST(Html, NoValueIsRoundedOntoItsLimit) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
-  plane.points[0].maintained_lx = estimate(600.04, 0.01);
-  plane.points[1].maintained_lx = estimate(499.96, 0.01);
-  plane.minimum_lx = plane.points[1].maintained_lx;
-  plane.maximum_lx = plane.points[0].maintained_lx;
-  plane.average_lx = estimate(549.96, 3);
-  plane.findings = {sample_finding(rules::Metric::average, 550, plane.average_lx),
-                    sample_finding(rules::Metric::minimum, 500, plane.minimum_lx),
-                    sample_finding(rules::Metric::maximum, 600, plane.maximum_lx)};
+  plane.points[0].measured = estimate(600.04, 0.01);
+  plane.points[1].measured = estimate(499.96, 0.01);
+  plane.minimum = plane.points[1].measured;
+  plane.maximum = plane.points[0].measured;
+  plane.average = estimate(549.96, 3);
+  plane.findings = {sample_finding(rules::Metric::average, 550, plane.average),
+                    sample_finding(rules::Metric::minimum, 500, plane.minimum),
+                    sample_finding(rules::Metric::maximum, 600, plane.maximum)};
   plane.findings[2].requirement.comparison = rules::Comparison::at_most;
   plane.findings[2].verdict = rules::Verdict::fail;
   const std::string html = render_html(document);
@@ -586,8 +586,8 @@ TEST(Html, EveryGroupNoteIsKept) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];
   plane.groups = {{"row", estimate(400, 3), 300}, {"", estimate(112.5, 1), 50}};
-  plane.findings = {sample_finding(rules::Metric::average, 600, plane.average_lx),
-                    sample_finding(rules::Metric::average, 750, plane.average_lx)};
+  plane.findings = {sample_finding(rules::Metric::average, 600, plane.average),
+                    sample_finding(rules::Metric::average, 750, plane.average)};
   const pugi::xml_document tree = parsed(render_html(document));
   EXPECT_EQ(tree.select_nodes("//table[@class='facts groups']//tr[1]//span[@class='note']").size(),
             2U);

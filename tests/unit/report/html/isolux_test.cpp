@@ -130,8 +130,8 @@ TEST(IsoluxLevels, AreRoundAndHoldTheLimit) {
   const ColourScale scale = make_colour_scale(50, 950);  // steps of 100 from 0
   std::vector<double> lx;
   for (const IsoluxLevel& level : isolux_levels(plane, scale, {{"average ≥ 500 lx", 500}}, 4)) {
-    lx.push_back(level.lx);
-    EXPECT_EQ(level.is_required, level.lx == 500);
+    lx.push_back(level.value);
+    EXPECT_EQ(level.is_required, level.value == 500);
   }
   EXPECT_EQ(lx, (std::vector<double>{200, 400, 500, 600, 800}));
   EXPECT_EQ(isolux_levels(plane, scale, {{"average ≥ 5000 lx", 5000}}, 9).size(), 9U);

@@ -43,7 +43,7 @@ TEST(PassFactor, NothingIsSaidOfWhatIsUndecided) {
   EXPECT_FALSE(pass_factor(finding));
   EXPECT_EQ(pass_factor_words({}, finding), "");
   PlanePart plane;
-  plane.average_lx = finding.measured;
+  plane.average = finding.measured;
   EXPECT_FALSE(group_pass_factor(finding, plane, {"row 2", estimate(160, 4), 120}));
 }
 
@@ -52,7 +52,7 @@ TEST(PassFactor, StrictLimitsAreNotMetWhereTheyAreReached) {
   finding.requirement.comparison = rules::Comparison::more_than;
   EXPECT_FALSE(pass_factor(finding));
   PlanePart plane;
-  plane.average_lx = finding.measured;
+  plane.average = finding.measured;
   EXPECT_FALSE(group_pass_factor(finding, plane, {"row 2", estimate(160, 4), 120}));
   finding.requirement.comparison = rules::Comparison::less_than;
   EXPECT_FALSE(pass_factor(finding));
@@ -64,7 +64,7 @@ TEST(PassFactor, RatingsDoNotGrowWithTheLight) {
     finding.requirement.derived = derived;
     EXPECT_FALSE(pass_factor(finding));
     PlanePart plane;
-    plane.average_lx = finding.measured;
+    plane.average = finding.measured;
     EXPECT_FALSE(group_pass_factor(finding, plane, {"row 2", estimate(160, 4), 120}));
   }
 }
@@ -84,12 +84,12 @@ TEST(PassFactor, OnlyWhereLightIsWhatCounts) {
 
 TEST(PassFactor, OfOneGroupMakesUpForWhatIsMissing) {
   PlanePart plane;
-  plane.average_lx = estimate(400, 8);
+  plane.average = estimate(400, 8);
   const GroupShare row{"row 2", estimate(160, 4), 120}, dark{"off", estimate(0, 0), 0};
-  rules::Finding finding = sample_finding(rules::Metric::average, 500, plane.average_lx);
+  rules::Finding finding = sample_finding(rules::Metric::average, 500, plane.average);
   const auto factor = group_pass_factor(finding, plane, row);
   ASSERT_TRUE(factor);
-  EXPECT_DOUBLE_EQ(plane.average_lx.low + (*factor - 1) * row.average_lx.low, 500);
+  EXPECT_DOUBLE_EQ(plane.average.low + (*factor - 1) * row.average_lx.low, 500);
   EXPECT_EQ(factor_text({}, *factor), "×1.70");
   EXPECT_FALSE(group_pass_factor(finding, plane, dark));
   finding.requirement.scene = "night";

@@ -32,9 +32,9 @@ TEST(Cividis, TextColourFollowsTheBackground) {
 
 TEST(ColourScale, HasRoundStepsThatCoverTheValues) {
   const ColourScale scale = make_colour_scale(214.4, 773.2);
-  EXPECT_DOUBLE_EQ(scale.step_lx, 100);
-  EXPECT_DOUBLE_EQ(scale.low_lx, 200);
-  EXPECT_DOUBLE_EQ(scale.high_lx(), 800);
+  EXPECT_DOUBLE_EQ(scale.step, 100);
+  EXPECT_DOUBLE_EQ(scale.low, 200);
+  EXPECT_DOUBLE_EQ(scale.high(), 800);
 }
 
 TEST(ColourScale, BandsIncludeTheirLowerLimit) {
@@ -48,15 +48,15 @@ TEST(ColourScale, BandsIncludeTheirLowerLimit) {
 
 TEST(ColourScale, EvenFieldsAreNotPaintedAsStructure) {
   const ColourScale scale = make_colour_scale(500.0, 500.4);
-  EXPECT_GE(scale.step_lx, 5);
+  EXPECT_GE(scale.step, 5);
   EXPECT_EQ(band_of(scale, 500.0), band_of(scale, 500.4));
 }
 
 TEST(ColourScale, DarknessAndTinyValuesHaveAScale) {
   EXPECT_GE(make_colour_scale(0, 0).bands, 1);
   const ColourScale scale = make_colour_scale(0.0001, 0.0009);
-  EXPECT_LE(scale.low_lx, 0.0001);
-  EXPECT_GE(scale.high_lx(), 0.0009 - 1e-12);
+  EXPECT_LE(scale.low, 0.0001);
+  EXPECT_GE(scale.high(), 0.0009 - 1e-12);
   EXPECT_LE(scale.bands, 12);
 }
 

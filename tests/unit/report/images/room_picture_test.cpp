@@ -41,9 +41,9 @@ TEST(RoomPicture, ScaleBeginsAtZeroAndLeavesOutTheBrightestFew) {
   room.lx[7] = 9000.0F;
   const std::array<double, 3> values{10.0, 20.0, 30.0};
   const report::ColourScale scale = report::room_scale({&room, 1}, values);
-  EXPECT_EQ(scale.low_lx, 0.0);
-  EXPECT_EQ(scale.high_lx(), 400.0);
-  EXPECT_EQ(scale.step_lx, 50.0);
+  EXPECT_EQ(scale.low, 0.0);
+  EXPECT_EQ(scale.high(), 400.0);
+  EXPECT_EQ(scale.step, 50.0);
 }
 
 TEST(RoomPicture, LegendIsBelow) {

@@ -50,7 +50,7 @@ TEST(Json, HoldsEveryPoint) {
   const auto& points = sample_document().projects[0].spaces[1].planes[0].points;
   ASSERT_EQ(plane["points"]["rows"].size(), points.size());
   EXPECT_EQ(plane["points"]["columns"].size(), plane["points"]["rows"][7].size());
-  EXPECT_EQ(plane["points"]["rows"][7][8], points[7].maintained_lx.value);
+  EXPECT_EQ(plane["points"]["rows"][7][8], points[7].measured.value);
 }
 
 TEST(Json, HoldsTheGoalTheLooksAndTheDoubts) {
@@ -93,8 +93,7 @@ TEST(Json, TimeAppearsOnlyOnRequest) {
 TEST(Json, BrokenTextAndNumbersStillParse) {
   Document document = small_document();
   document.projects[0].name = "M\xFCller";
-  document.projects[0].spaces[0].planes[0].average_lx.value =
-      std::numeric_limits<double>::quiet_NaN();
+  document.projects[0].spaces[0].planes[0].average.value = std::numeric_limits<double>::quiet_NaN();
   const json result = json::parse(render_json(document));
   EXPECT_EQ(result["projects"][0]["name"], "M\uFFFDller");
   EXPECT_TRUE(result["projects"][0]["spaces"][0]["planes"][0]["statistics"]["average_lx"]["value"]

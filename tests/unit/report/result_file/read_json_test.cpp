@@ -126,8 +126,8 @@ Document rated_document() {
   PlanePart& plane = space.planes[0];
   plane.derived = plane.grid.derived = calc::DerivedQuantity::ugr;
   plane.remarks = {"how it was rated"};
-  plane.average_lx = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
-  plane.points[0].maintained_lx = no_estimate();
+  plane.average = plane.uniformity_min_avg = plane.uniformity_min_max = no_estimate();
+  plane.points[0].measured = no_estimate();
   rules::Finding maximum = sample_finding(rules::Metric::maximum, 19, estimate(18.5, 0.25));
   rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
   share.requirement.range.to = 19;
@@ -172,7 +172,7 @@ TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
         calc::Estimate{open, 500, open}, calc::Estimate{-open, -open, -open}}) {
     Document document = small_document();
     PlanePart& plane = document.projects[0].spaces[0].planes[0];
-    plane.findings[0].measured = plane.average_lx = plane.points[0].maintained_lx = measured;
+    plane.findings[0].measured = plane.average = plane.points[0].measured = measured;
     plane.groups = {{"row", measured, 200}, {"", estimate(100, 1), 50}};
     PlaneLook look{1024, 4096, 2, measured, {}};
     for (const rules::Finding& finding : plane.findings)

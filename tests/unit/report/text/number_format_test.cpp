@@ -78,7 +78,7 @@ TEST(NumberFormat, NotANumberIsADash) {
   EXPECT_EQ(format_measured({5.0, -kInfinity, kInfinity}, "lx"), "5.000 ± – lx");
   EXPECT_EQ(format_interval({5.0, kNan, kNan}, "lx"), "–");
   EXPECT_EQ(format_margin(kInfinity), "–");
-  EXPECT_EQ(format_cell_lx(kNan), "–");
+  EXPECT_EQ(format_cell(kNan), "–");
   EXPECT_EQ(format_shortest(kNan), "");
   EXPECT_EQ(format_shortest(-kInfinity), "");
 }
@@ -117,19 +117,19 @@ TEST(NumberFormat, MarginIsNeverRoundedToZero) {
 }
 
 TEST(NumberFormat, CellsAreShortAndOnTheirSideOfTheLimit) {
-  EXPECT_EQ(format_cell_lx(1240.4), "1240");
-  EXPECT_EQ(format_cell_lx(51.24), "51.2");
-  EXPECT_EQ(format_cell_lx(0.01234), "0.012");
-  EXPECT_EQ(format_cell_lx(0.0), "0.0");
-  EXPECT_EQ(format_cell_lx(499.7, at_least(500)), "499.7");
-  EXPECT_EQ(format_cell_lx(499.2, at_least(500)), "499");
+  EXPECT_EQ(format_cell(1240.4), "1240");
+  EXPECT_EQ(format_cell(51.24), "51.2");
+  EXPECT_EQ(format_cell(0.01234), "0.012");
+  EXPECT_EQ(format_cell(0.0), "0.0");
+  EXPECT_EQ(format_cell(499.7, at_least(500)), "499.7");
+  EXPECT_EQ(format_cell(499.2, at_least(500)), "499");
 }
 
 TEST(NumberFormat, DigitsRespectSeveralLimits) {
   const Thresholds both(at_least(500), at_most(600));
-  EXPECT_EQ(format_cell_lx(499.96, both), "499.96");
-  EXPECT_EQ(format_cell_lx(600.04, both), "600.04");
-  EXPECT_EQ(format_cell_lx(550.04, both), "550");
+  EXPECT_EQ(format_cell(499.96, both), "499.96");
+  EXPECT_EQ(format_cell(600.04, both), "600.04");
+  EXPECT_EQ(format_cell(550.04, both), "550");
   EXPECT_EQ(format_measured({600.04, 590.04, 610.04}, "lx", both), "600.04 ± 10.00 lx");
   EXPECT_EQ(format_interval({510, 499.96, 520.04}, "lx", both), "499.96 – 520.04 lx");
 }

@@ -32,5 +32,19 @@ TEST(MetricUnits, AreLuxExceptForRatios) {
   }
 }
 
+TEST(UnitOf, IsThatOfThePointsQuantityOrOfTheStatistic) {
+  for (const calc::PlaneQuantity& quantity : calc::kPlaneQuantities) {
+    Requirement requirement;
+    requirement.derived = quantity.derived;
+    requirement.metric = Metric::minimum;
+    EXPECT_STREQ(unit_of(requirement), quantity.unit) << quantity.name;
+    EXPECT_EQ(is_in_lux(requirement), !calc::is_plain_number(quantity.derived)) << quantity.name;
+    requirement.metric = Metric::share;
+    EXPECT_STREQ(unit_of(requirement), "") << quantity.name;
+    requirement.metric = Metric::power_density;
+    EXPECT_STREQ(unit_of(requirement), "W/m2") << quantity.name;
+  }
+}
+
 }  // namespace
 }  // namespace rules

@@ -32,7 +32,7 @@ struct Room {
     for (const glm::dvec2 p : {glm::dvec2(1, 0.5), {2, 0.5}, {1, 1.5}, {2, 1.5}}) {
       report::PointRow& point = plane.points.emplace_back();
       point.position_m = {p, 0.0};
-      point.maintained_lx = {100.0, 100.0, 100.0};
+      point.measured = {100.0, 100.0, 100.0};
     }
   }
   void draw(gpu::Fault fault = gpu::Fault::none) {
