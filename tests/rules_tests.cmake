@@ -9,6 +9,7 @@ luxgate_test(rules_tests
     unit/rules/catalogue/compare_test.cpp
     unit/rules/pack/evaluate_test.cpp
     unit/rules/pack/expression_test.cpp
+    unit/rules/fitness/fitness_test.cpp
     unit/rules/measure/gradient_test.cpp
     unit/rules/pack/import_rows_test.cpp
     unit/rules/verdict/judge_test.cpp

@@ -24,7 +24,7 @@ Material read_material_element(ElementReader& reader) {
   return material;
 }
 
-MaintenanceFactor read_maintenance(ElementReader& reader) {
+MaintenanceFactor read_maintenance(const ProjectContext& context, ElementReader& reader) {
   constexpr std::array<std::string_view, 4> kParts{"llmf", "lsf", "lmf", "rsmf"};
   MaintenanceFactor factor;
   const std::array<std::optional<double>*, 4> parts{&factor.llmf, &factor.lsf, &factor.lmf,
@@ -37,7 +37,12 @@ MaintenanceFactor read_maintenance(ElementReader& reader) {
     has_parts = true;
     factor.product *= **parts[i];
   }
-  if (!has_parts) factor.product = reader.number_or("maintenance-factor", kPositiveFraction, 1.0);
+  if (!has_parts) {
+    factor.product = reader.number_or("maintenance-factor", kPositiveFraction,
+                                      context.maintenance_factor.value_or(1.0));
+  }
+  factor.is_stated =
+      has_parts || reader.has("maintenance-factor") || context.maintenance_factor.has_value();
   return factor;
 }
 
@@ -57,7 +62,7 @@ LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader
   type.id = reader.id();
   type.where = reader.where();
   type.photometry_file = reader.text("photometry");
-  type.maintenance = read_maintenance(reader);
+  type.maintenance = read_maintenance(context, reader);
   const WebUse use{reader.choice_or("opening", kOpeningType.words, 0) == 1,
                    reader.choice_or("interpolation", kInterpolationType.words, 0) == 1};
   const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);

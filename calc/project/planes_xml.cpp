@@ -294,6 +294,24 @@ glm::dvec3 read_look(ElementReader& reader, const PlaneQuantity& quantity) {
   return glm::dvec3(0.0);
 }
 
+// Which way people go on an area; 0 if it is not said.
+glm::dvec3 read_travel(ElementReader& reader) {
+  constexpr std::string_view kName = "travel";
+  if (!reader.has(kName)) return glm::dvec3(0.0);
+  if (reader.has("file")) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where(kName), "plane", kName,
+                  "file");
+    return glm::dvec3(0.0);
+  }
+  const std::size_t errors = reader.diagnostics().error_count();
+  const glm::dvec3 travel = read_direction(reader, kName);
+  if (reader.diagnostics().error_count() > errors) return glm::dvec3(0.0);
+  if (is_horizontal(travel)) return made_horizontal(travel);
+  reader.report(DiagnosticId::not_horizontal, reader.where(kName), kName, "plane",
+                degrees_from_radians(calc::asin(travel.z)));
+  return glm::dvec3(0.0);
+}
+
 // The points of a list look along their normals.
 void check_looks(ElementReader& reader, PointList& list) {
   const auto tilted = [&](const glm::dvec3& normal) { return !is_horizontal(normal); };
@@ -345,6 +363,7 @@ CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
   }
   auto area = PlaneReader(context, reader, surroundings).read();
   read_quantity(reader, plane);
+  plane.travel = read_travel(reader);
   if (!area || !reader.ok()) return plane;
   if (reader.has("on") || reader.has("on-top-of")) context.planes_on_surfaces.insert(plane.id);
   plane.area = std::move(*area);

@@ -57,6 +57,7 @@ struct ProjectContext {
   ProjectFiles& files;
   Diagnostics& diagnostics;
   double metres_per_unit = 1.0;
+  std::optional<double> maintenance_factor = {};  // of types that state none
   IdTable materials{"material"};
   IdTable luminaire_types{"luminaire type"};
   IdTable planes{"plane"};

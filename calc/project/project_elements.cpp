@@ -427,9 +427,16 @@ const ElementGroup kObjects{"object",
 // Calculation planes.
 const ElementRow kHoleElement{.type = "hole", .attributes = {{"points", &kCornersType, required}}};
 
+const ElementRow kDeviationElement{
+    .type = "deviation",
+    .meaning =
+        "The plane is not quite the one that the standard's number is about; the number is "
+        "compared all the same, and every report says so."};
+
 const ElementRow kRequireElement{
     .type = "requirement",
-    .meaning = "What the plane must meet; see rules/README.md for the meaning of the attributes."};
+    .meaning = "What the plane must meet; see rules/README.md for the meaning of the attributes.",
+    .children = {{"deviation", &kDeviationElement}}};
 
 const ElementRow kPlaneElement{
     .type = "plane",
@@ -466,7 +473,10 @@ four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylind
                    kRoundingAttribute,
                    {"quantity", &kPlaneQuantityType, optional, "What the points measure.",
                     "planar"},
-                   {"direction", &kVectorType, optional, "Where semicylindrical points look."}},
+                   {"direction", &kVectorType, optional, "Where semicylindrical points look."},
+                   {"travel", &kVectorType, optional,
+                    "Which way people go on an escape route: horizontal. Needed where one side is "
+                    "less than twice the other, else they go along the longer one."}},
     .children = {{"hole", &kHoleElement}, {"require", &kRequireElement}}};
 
 // Workplaces.
@@ -501,7 +511,7 @@ const ElementRow kWorkplaceElement{
 rules/README.md.)",
     .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
                    kZoneFootprintAttribute, kHeightAboveFloorAttribute},
-    .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}}};
+    .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
 
 // Rooms and the root.
 const ElementRow kPrismRoomElement{
@@ -556,7 +566,9 @@ const ElementRow kProjectElement{
          {"units", &kUnitsType, optional,
           "Of all lengths in this file, but the points of requirements (at), which are in "
           "metres; meshes may have their own.",
-          "m"}},
+          "m"},
+         {"maintenance-factor", &kPositiveFractionType, optional,
+          "Of all luminaire types that state none of their own."}},
     .children = {{"material", &kMaterialElement},
                  {"luminaire-type", &kLuminaireTypeElement},
                  {"scene", &kSceneElement, kOfScene},

@@ -38,5 +38,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kZoneElement, kWithoutElement;
+// Without its attributes: see rules/binding/deviation_xml.h.
+extern const ElementRow kDeviationElement;
 
 }  // namespace calc

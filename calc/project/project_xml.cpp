@@ -32,6 +32,7 @@ void read_root(ProjectContext& context, const XmlElement& root) {
   reader.allow_children(kProjectElement);
   reader.choice("version", kVersionType.words);
   context.project.name = reader.text_or("name", "");
+  context.maintenance_factor = reader.optional_number("maintenance-factor", kPositiveFraction);
   context.metres_per_unit = metres_per_unit(reader.choice_or("units", kUnitsType.words, 0));
 }
 

@@ -45,7 +45,8 @@ struct RoomShell {
 
 // ISO/CIE TS 22012: MF = LLMF x LSF x LMF x RSMF. A single number is kept in `product` alone.
 struct MaintenanceFactor {
-  double product = 1.0;  // (0, 1]
+  double product = 1.0;   // (0, 1]
+  bool is_stated = true;  // by the type or for the whole project; else 1 is an assumption
   std::optional<double> llmf, lsf, lmf, rsmf;
 };
 
@@ -144,6 +145,8 @@ struct CalcPlane {
   // Points of a list look along their normals, and all others of an area have its normal for an
   // axis.
   glm::dvec3 direction{0.0};
+  // Which way people go on it: unit and horizontal; 0: not said.
+  glm::dvec3 travel{0.0};
   std::vector<RequirementText> requirements;
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;
   // else "".

@@ -190,6 +190,7 @@ class GridMaker {
   std::optional<SensorGrid> run() {
     grid_.kernel = plane_.kernel;
     grid_.derived = plane_.derived;
+    grid_.travel = plane_.travel;
     grid_.room_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const auto* area = std::get_if<PlanarArea>(&plane_.area);

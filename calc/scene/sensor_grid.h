@@ -45,6 +45,7 @@ struct SensorGrid {
   std::vector<glm::dvec2> room_m;     // walls around it, world x and y; empty: none
   bool has_unknown_walls = false;     // in a room of a building file without outline
   std::vector<glm::dvec3> position_m;
+  glm::dvec3 travel{0.0};  // as the plane's
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
   std::vector<glm::dvec3> normal;  // unit: the kernel's axis

@@ -10,6 +10,7 @@
 #include "report/build/build_plan_marks.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
+#include "rules/fitness/fitness.h"
 #include "rules/measure/error_spending.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/judge_aggregates.h"
@@ -63,6 +64,12 @@ report::ProjectPart unreadable_project(const std::string& path,
   return part;
 }
 
+std::string today(const Settings& settings) {
+  if (!settings.today.empty()) return settings.today;
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
 // A plane on its way; without a grid `reason` says why it cannot be computed.
 struct PlaneJob {
   const calc::CalcPlane* plane;
@@ -82,6 +89,17 @@ std::vector<PlaneJob> make_grids(const calc::Space& space, const rules::JudgedPr
     if (!job.grid) job.reason = diagnostics.all().back().message;
   }
   return jobs;
+}
+
+// What does not fit is not judged, and so needs no light.
+void check_fitness(const calc::Space& space, const rules::JudgedProject& loaded,
+                   const Context& context, std::vector<PlaneJob>& jobs) {
+  const std::string day = today(context.settings);
+  for (PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    rules::check_fitness({loaded.project, space, *job.plane, *job.grid, context.packs, day},
+                         job.requirements);
+  }
 }
 
 // The planes that have points; tasks keep their order.
@@ -182,12 +200,6 @@ void take_problems(std::vector<PlaneJob>& jobs, const std::vector<calc::PlaneFie
   }
 }
 
-std::string today(const Settings& settings) {
-  if (!settings.today.empty()) return settings.today;
-  const std::time_t now = std::time(nullptr);
-  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
-}
-
 report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
                         const std::vector<calc::LightScene>& scenes, const Settings& settings) {
   if (field == nullptr || !job.reason.empty()) {
@@ -215,6 +227,7 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
   std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
+  check_fitness(space, loaded, context, jobs);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
   Tasks tasks = make_tasks(jobs);
   std::optional<calc::PreparedScene> apart;

@@ -34,6 +34,11 @@ void add(const VerdictCounts& counts, VerdictCounts& sum) {
   sum.undecided += counts.undecided;
   sum.not_judged += counts.not_judged;
   sum.waived += counts.waived;
+  sum.deviating += counts.deviating;
+}
+
+bool is_judged_with_deviations(const rules::Finding& finding) {
+  return finding.verdict != rules::Verdict::not_judged && !finding.requirement.deviations.empty();
 }
 
 rules::Outcome outcome_of(const PlanePart& plane) {
@@ -97,7 +102,10 @@ int VerdictCounts::of(rules::Verdict verdict) const {
 VerdictCounts count_verdicts(const SpacePart& space) {
   VerdictCounts counts;
   for (const PlanePart& plane : space.planes) {
-    for (const rules::Finding& finding : plane.findings) count(outcome_of(finding), counts);
+    for (const rules::Finding& finding : plane.findings) {
+      count(outcome_of(finding), counts);
+      if (is_judged_with_deviations(finding)) ++counts.deviating;
+    }
   }
   return counts;
 }

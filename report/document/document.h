@@ -207,7 +207,8 @@ struct ProjectPart {
 
 struct VerdictCounts {
   int pass = 0, fail = 0, undecided = 0, not_judged = 0;
-  int waived = 0;  // fail or undecided, but do not count
+  int waived = 0;     // fail or undecided, but do not count
+  int deviating = 0;  // of all these: judged with a stated deviation from the standard
 
   int of(rules::Verdict verdict) const;
   int all() const { return pass + fail + undecided + not_judged + waived; }

@@ -293,22 +293,23 @@ std::string tools(const Texts& t) {
       t[Text::find], t[Text::find_hint], t[Text::verdict], choices);
 }
 
-Text banner_sentence(rules::Outcome outcome, const VerdictCounts& counts) {
+std::string banner_sentence(const Texts& t, rules::Outcome outcome, const VerdictCounts& counts) {
   switch (outcome) {
     case rules::Outcome::not_judged:
       break;
     case rules::Outcome::fail:
-      return Text::not_all_met;
+      return t[Text::not_all_met];
     case rules::Outcome::undecided:
-      return Text::not_all_decided;
+      return t[Text::not_all_decided];
     case rules::Outcome::pass:
-      return counts.waived > 0 ? Text::all_met_or_waived : Text::all_met;
+      if (counts.deviating > 0) return t.say<Text::all_met_with_deviations>(counts.deviating);
+      return t[counts.waived > 0 ? Text::all_met_or_waived : Text::all_met];
     case rules::Outcome::waived:
-      return Text::all_waived;
+      return t[Text::all_waived];
     case rules::Outcome::nothing_asked:
-      return Text::nothing_asked;
+      return t[Text::nothing_asked];
   }
-  return counts.fail > 0 ? Text::not_all_judged_or_met : Text::not_all_judged;
+  return t[counts.fail > 0 ? Text::not_all_judged_or_met : Text::not_all_judged];
 }
 
 // Its class gives the banner the tone of a verdict; what is waived is accepted. Where nothing was
@@ -349,7 +350,7 @@ std::string html_verdict_banner(const Texts& t, const Document& document) {
       "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
       "class=\"outcome\">{}</p>"
       "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
-      banner_attributes(outcome), outcome_symbol(outcome), t[banner_sentence(outcome, counts)],
+      banner_attributes(outcome), outcome_symbol(outcome), banner_sentence(t, outcome, counts),
       summary_words(t, document), chips);
 }
 

@@ -257,7 +257,8 @@ bool is_all_passed(const PlanePart& plane) {
          std::all_of(plane.findings.begin(), plane.findings.end(),
                      [](const rules::Finding& finding) {
                        return finding.verdict == rules::Verdict::pass && !finding.is_waived &&
-                              !finding.is_close && !finding.by_tolerance;
+                              !finding.is_close && !finding.by_tolerance &&
+                              finding.requirement.deviations.empty();
                      });
 }
 

@@ -39,6 +39,7 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   const std::string factor = format_fixed(row.maintenance_factor, 3);
   const std::string text =
       t.number(factor.ends_with('0') ? factor.substr(0, factor.size() - 1) : factor);
+  if (!row.maintenance.is_stated) parts = t[Text::not_stated];
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 

@@ -43,6 +43,11 @@ void describe(auto& v, Is<VerdictCounts> auto& counts) {
   v.field("undecided", counts.undecided);
   v.field("not_judged", counts.not_judged);
   v.field("waived", counts.waived);
+  v.field(
+      "with_deviations", counts.deviating,
+      {.words =
+           "Of all these: judged on a plane that is not quite the one that the rule pack means.",
+       .presence = kSinceLater});
 }
 
 void describe(auto& v, Is<Provenance> auto& p) {
@@ -92,6 +97,8 @@ void describe(auto& v, Is<calc::MaintenanceFactor> auto& factor) {
   v.field("lsf", factor.lsf);
   v.field("lmf", factor.lmf);
   v.field("rsmf", factor.rsmf);
+  v.field("stated", factor.is_stated,
+          {.words = "false: the project states none, and 1 is assumed.", .presence = kSinceLater});
 }
 
 void describe(auto& v, Is<LuminaireRow> auto& row) {
@@ -148,6 +155,22 @@ inline std::vector<std::string_view> requirement_units() {
   return units;
 }
 
+void describe(auto& v, Is<rules::Deviation> auto& deviation) {
+  v.is("deviation");
+  v.field("in", deviation.aspect);
+  v.field("words", deviation.words, {.holds = Holds::prose});
+  v.field("accepted", deviation.is_accepted,
+          {.words = "The project states it, and its last day is not over."});
+  const auto by = [&](auto& o) {
+    rules::Waiver of = deviation.stated.value_or(rules::Waiver{});
+    o.field("reason", of.reason);
+    o.field("owner", of.owner);
+    o.field("until", of.until);
+    assign(deviation.stated, of);
+  };
+  v.object("stated", by, {.presence = only_if(deviation.stated.has_value())});
+}
+
 void describe(auto& v, Is<rules::Finding> auto& finding) {
   auto& requirement = finding.requirement;
   v.is("finding");
@@ -193,6 +216,9 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
                 "only 'fail' and 'undecided' can be waived");
   };
   v.object("waiver", waiver, {.presence = only_if(requirement.waiver.has_value())});
+  v.field("deviations", requirement.deviations,
+          {.words = "In what the plane is not the one that the rule pack's number is about.",
+           .presence = only_if(!requirement.deviations.empty())});
   // The ends of a range have one name where they are in lx, and one where they have no unit.
   const bool is_share = requirement.metric == rules::Metric::share;
   const bool is_plain = calc::is_plain_number(requirement.derived);

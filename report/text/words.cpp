@@ -231,6 +231,12 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   if (!requirement.policy.is_default())
     parts.push_back({rules::policy_text(requirement.policy), true});
   if (finding.by_tolerance) add(t[Text::note_tolerance]);
+  for (const rules::Deviation& deviation : requirement.deviations) {
+    if (!deviation.is_accepted || !deviation.stated) continue;
+    add(t.say<Text::note_deviation>(calc::name_of(deviation.aspect), deviation.words,
+                                    printable(deviation.stated->owner), deviation.stated->until,
+                                    printable(deviation.stated->reason)));
+  }
   return parts;
 }
 
@@ -301,6 +307,10 @@ std::string summary_words(const Texts& t, const Document& document) {
   add(counts.undecided, Text::verdict_undecided);
   add(counts.not_judged, Text::verdict_not_judged);
   add(counts.waived, Text::waived);
+  if (counts.deviating > 0) {
+    text += separator + t.say<Text::with_deviations>(counts.deviating);
+    separator = ", ";
+  }
   if (const rules::Outcome outcome = outcome_of(document);
       outcome == rules::Outcome::nothing_asked) {
     text += std::string(separator) + outcome_words(t, outcome);

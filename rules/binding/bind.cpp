@@ -101,6 +101,37 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
   }
 }
 
+// Own limits are compared with light that never fades, and somebody must know. What is asked of a
+// rule pack is not judged then: see rules/fitness.
+void warn_about_maintenance(const calc::Project& project, const std::vector<Requirement>& bound,
+                            calc::Diagnostics& diagnostics) {
+  const auto is_own_and_maintained = [](const Requirement& requirement) {
+    return requirement.origin.pack.empty() && requirement.state != LightState::initial &&
+           !is_of_space(requirement.metric);
+  };
+  if (std::none_of(bound.begin(), bound.end(), is_own_and_maintained)) return;
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> names;
+  const calc::LuminaireType* first = nullptr;
+  for (std::size_t t = 0; t < project.luminaire_types.size(); ++t) {
+    const calc::LuminaireType& type = project.luminaire_types[t];
+    const bool is_used =
+        std::any_of(project.spaces.begin(), project.spaces.end(), [&](const calc::Space& space) {
+          return std::any_of(space.luminaires.begin(), space.luminaires.end(),
+                             [&](const calc::Luminaire& luminaire) { return luminaire.type == t; });
+        });
+    if (!is_used || type.maintenance.is_stated) continue;
+    if (first == nullptr) first = &type;
+    names.push_back("'" + type.id + "'");
+  }
+  if (first == nullptr) return;
+  std::string text = names[0];
+  for (std::size_t i = 1; i < std::min(names.size(), kMostNamed); ++i) text += ", " + names[i];
+  if (names.size() > kMostNamed) text += fmt::format(" and {} more", names.size() - kMostNamed);
+  diagnostics.report(calc::DiagnosticId::maintenance_not_stated, first->where,
+                     names.size() == 1 ? "" : "s", text);
+}
+
 }  // namespace
 
 std::vector<Requirement> bind_requirements(const calc::Project& project,
@@ -115,6 +146,7 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
                  of_space, diagnostics, bound);
     }
   }
+  warn_about_maintenance(project, bound, diagnostics);
   return bound;
 }
 

@@ -2,6 +2,7 @@
 
 #include "calc/base/xml_schema.h"
 #include "calc/project/project_elements.h"
+#include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 
 namespace rules {
@@ -10,7 +11,7 @@ std::string project_schema() {
   return calc::xml_schema({"'luxgate schema'",
                            calc::kProjectMeaning,
                            calc::kProjectRoot,
-                           {require_element(), workplace_element()}});
+                           {require_element(), workplace_element(), deviation_element()}});
 }
 
 }  // namespace rules

@@ -27,8 +27,6 @@ const calc::ValueType kLimitUnitType{
     .name = "limitUnit", .base = &calc::kAnyText, .words = {"lx", "fc"}};
 const calc::ValueType kLevelType{
     .name = "rowLevel", .base = &calc::kAnyText, .words = {"required", "modified"}};
-const calc::ValueType kDayType{
-    .name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 std::vector<RequirementAttribute> make_attributes() {
   return {
@@ -93,6 +91,8 @@ calc::ElementRow make_workplace_element() {
 }
 
 }  // namespace
+
+const calc::ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 const std::vector<RequirementAttribute>& requirement_attributes() {
   static const std::vector<RequirementAttribute> kAttributes = make_attributes();

@@ -30,6 +30,9 @@ struct RequirementAttribute {
   std::optional<calc::Presence> of_workplace{};  // <workplace> has it, too
 };
 
+// A last day, YYYY-MM-DD.
+extern const calc::ValueType kDayType;
+
 // In the order in which messages and the schema name them.
 const std::vector<RequirementAttribute>& requirement_attributes();
 // By a name that there is, or else std::logic_error.

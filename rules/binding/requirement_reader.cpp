@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
+#include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/catalogue/limit_text.h"
@@ -268,6 +269,10 @@ std::vector<Requirement> read_written(ElementReader& reader, const RequirementCo
   }
   const std::optional<Waiver> waiver = read_waiver(reader);
   for (Requirement& requirement : requirements) requirement.waiver = waiver;
+  for (const calc::XmlElement& child : reader.element().children) {
+    if (child.name != "deviation" || has_any(reader, AttributeForm::row)) continue;
+    reader.report(DiagnosticId::deviation_of_own_limit, child.where);
+  }
   return requirements;
 }
 
@@ -279,7 +284,11 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   ElementReader reader(text.element, diagnostics);
   std::vector<Requirement> requirements =
       text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, context);
-  for (Requirement& requirement : requirements) requirement.derived = context.derived;
+  const std::vector<StatedDeviation> stated = read_deviations(reader, text.role);
+  for (Requirement& requirement : requirements) {
+    requirement.derived = context.derived;
+    if (!requirement.origin.pack.empty()) requirement.stated_deviations = stated;
+  }
   if (!reader.ok()) requirements.clear();
   return requirements;
 }

@@ -118,94 +118,7 @@ struct Reference {
   calc::DerivedQuantity derived;
   bool is_quantity_known;
   ChosenScene scene;
-  const calc::CalcPlane* plane;
-  std::optional<double> floor_z_m;
 };
-
-// Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
-constexpr double kHorizontal = 0.966;
-constexpr double kUpright = 0.259;
-
-bool faces(const std::string& orientation, const glm::dvec3& normal) {
-  if (orientation == "horizontal-up") return normal.z >= kHorizontal;
-  if (orientation == "horizontal-down") return normal.z <= -kHorizontal;
-  if (orientation == "vertical") return std::abs(normal.z) <= kUpright;
-  return true;  // surface, free
-}
-
-// What keeps a plane from being one of the role's; "" = nothing. Only planar points, and those that
-// modelling is related to, face a way of their own.
-std::string wrong_orientation(const RuleCheck& check, const Reference& reference) {
-  const bool is_plain_plane = reference.kernel == calc::ReceiverKernel::planar &&
-                              reference.derived == calc::DerivedQuantity::none;
-  const bool faces_somewhere =
-      (is_plain_plane || reference.derived == calc::DerivedQuantity::modelling) && !is_power(check);
-  if (reference.plane == nullptr || !faces_somewhere) return {};
-  std::vector<glm::dvec3> normals;
-  if (const auto* area = std::get_if<calc::PlanarArea>(&reference.plane->area)) {
-    normals = {area->normal()};
-  } else {
-    normals = std::get<calc::PointList>(reference.plane->area).normal;
-  }
-  for (const RulePlane& plane : reference.pack.planes) {
-    if (plane.role != check.role) continue;
-    const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
-      return faces(plane.orientation, normal);
-    });
-    if (fits) continue;
-    return fmt::format("role '{}' of {} is about a plane that is {}, and this one is not",
-                       check.role, reference.pack.full_id(), plane.orientation);
-  }
-  return {};
-}
-
-// Lowest and highest point of a plane above the floor.
-std::pair<double, double> heights_of(const calc::CalcPlane& plane, double floor_z_m) {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  const auto add = [&](const glm::dvec3& point) {
-    lowest = std::min(lowest, point.z - floor_z_m);
-    highest = std::max(highest, point.z - floor_z_m);
-  };
-  if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
-    for (const glm::dvec2& corner : area->outline_m) {
-      add(area->origin_m + corner.x * area->u + corner.y * area->v);
-    }
-  } else {
-    for (const glm::dvec3& point : std::get<calc::PointList>(plane.area).position_m) add(point);
-  }
-  return {lowest, highest};
-}
-
-// A plane at another height than its role's: "" = it is not, or nothing is known. `is_usual`: it
-// may be.
-std::string wrong_height(const RuleCheck& check, const Reference& reference, bool is_usual) {
-  // What is laid a little above a floor, so as not to lie in it.
-  constexpr double kTolerance_m = 0.05;
-  if (reference.plane == nullptr || !reference.floor_z_m) return {};
-  const RulePlane* role = reference.pack.find_plane(check.role);
-  if (role == nullptr || !role->has_heights || role->are_heights_usual != is_usual) return {};
-  double from_m = role->lowest_m, to_m = role->highest_m;
-  const bool follows_task =
-      role->area == ZoneArea::task || (role->area == ZoneArea::band && !role->height_m);
-  if (follows_task && reference.row != nullptr && reference.row->task_heights_m) {
-    from_m = reference.row->task_heights_m->lowest_m;
-    to_m = reference.row->task_heights_m->highest_m;
-  }
-  const auto [lowest_m, highest_m] = heights_of(*reference.plane, *reference.floor_z_m);
-  // An upright plane has a height of its own: it must reach the height that is asked for.
-  const bool is_upright = role->orientation == "vertical";
-  const bool fits = is_upright
-                        ? highest_m >= from_m - kTolerance_m && lowest_m <= to_m + kTolerance_m
-                        : lowest_m >= from_m - kTolerance_m && highest_m <= to_m + kTolerance_m;
-  if (fits) return {};
-  const auto range = [](double from, double to) {
-    return std::abs(to - from) < 5e-4 ? fmt::format("{:.3g} m", from)
-                                      : fmt::format("{:.3g} to {:.3g} m", from, to);
-  };
-  return fmt::format("planes of role '{}' of {} are {}{} above the floor, and this one is {}",
-                     check.role, reference.pack.full_id(), is_usual ? "usually " : "",
-                     range(from_m, to_m), range(lowest_m, highest_m));
-}
 
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
@@ -230,11 +143,6 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                         reference.scope.level == RowLevel::modified, reference.scope.facts};
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
-  if (requirement.problem.empty()) requirement.problem = wrong_orientation(check, reference);
-  if (requirement.problem.empty()) requirement.problem = wrong_height(check, reference, false);
-  if (const std::string remark = wrong_height(check, reference, true); !remark.empty()) {
-    requirement.note += (requirement.note.empty() ? "" : "; ") + remark;
-  }
   requirement.any_one_unit_out = check.any_one_unit_out;
   if (check.any_one_unit_out) {
     requirement.note += std::string(requirement.note.empty() ? "" : "; ") + "any one luminaire out";
@@ -351,15 +259,6 @@ void check_row_values(ElementReader& reader) {
   for (const char* name : {"row", "level", "role", "facts"}) check_value(reader, name);
 }
 
-namespace {
-
-std::optional<double> floor_of(const calc::Space* space) {
-  if (space == nullptr || !space->shell) return std::nullopt;
-  return space->shell->floor_z_m;
-}
-
-}  // namespace
-
 std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::string& given_role,
                                              const RequirementContext& context,
                                              const ChosenScene& scene) {
@@ -381,10 +280,9 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::s
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
-  return requirements_of_role(
-      reader, role,
-      {*pack, row, LimitScope{*pack, row, level, std::move(facts)}, context.kernel, context.derived,
-       context.is_quantity_known, scene, context.plane, floor_of(context.space)});
+  return requirements_of_role(reader, role,
+                              {*pack, row, LimitScope{*pack, row, level, std::move(facts)},
+                               context.kernel, context.derived, context.is_quantity_known, scene});
 }
 
 }  // namespace rules

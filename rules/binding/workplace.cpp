@@ -4,6 +4,7 @@
 #include "calc/base/xml_reader.h"
 #include "calc/project/workplace_xml.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
@@ -347,6 +348,7 @@ void make_planes(const Workplace& workplace, calc::Space& space,
   const RuleRow* row = find_row(reader, *pack);
   const RowLevel level = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
+  check_deviation_roles(reader, *pack);
   if (row == nullptr || workplace.walls.empty()) return;
   WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
                        diagnostics);

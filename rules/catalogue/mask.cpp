@@ -13,13 +13,16 @@ namespace {
 
 constexpr double kTolerance_m = 1e-9;  // a point on the edge of a strip counts
 
+// Below this ratio of its sides a plane does not show which way people go on it.
+constexpr double kClearRatio = 2.0;
+
 // Place of a point on a rectangle whose long sides run along `along`.
 struct Place {
   double along_m, across_m;
 };
 
 struct Rectangle {
-  double length_m, width_m;  // of the whole plane, length >= width
+  double length_m, width_m;  // of the whole plane: along the way that people go, and across it
   double spacing_across_m;
   bool is_u_long;
 
@@ -34,7 +37,11 @@ struct Rectangle {
 Rectangle rectangle_of(const calc::SensorGrid& grid) {
   const double u_m = grid.columns * grid.spacing_u_m + 2.0 * grid.margin_m;
   const double v_m = grid.rows * grid.spacing_v_m + 2.0 * grid.margin_m;
-  if (u_m >= v_m) return {u_m, v_m, grid.spacing_v_m, true};
+  const bool is_said = grid.travel != glm::dvec3(0.0);
+  const bool is_along_u =
+      is_said ? std::abs(glm::dot(grid.travel, grid.u)) >= std::abs(glm::dot(grid.travel, grid.v))
+              : u_m >= v_m;
+  if (is_along_u) return {u_m, v_m, grid.spacing_v_m, true};
   return {v_m, u_m, grid.spacing_u_m, false};
 }
 
@@ -113,10 +120,22 @@ std::string problem_of(const Mask& mask, const MaskOperation& operation,
     return fmt::format("mask '{}' needs a plane that is a rectangle", mask.id);
   }
   const Rectangle rectangle = rectangle_of(grid);
-  if (!is_too_wide(operation, rectangle)) return {};
+  if (is_too_wide(operation, rectangle)) {
+    return fmt::format(
+        "mask '{}' needs a plane at most {:.6g} m wide, this one is {:.6g} m: divide it into "
+        "strips",
+        mask.id, operation.up_to_width_m, rectangle.width_m);
+  }
+  const bool has_way =
+      operation.step == MaskStep::across || operation.step == MaskStep::centre_line;
+  const bool is_clear =
+      grid.travel != glm::dvec3(0.0) ||
+      rectangle.length_m >= kClearRatio * rectangle.width_m * (1.0 - kTolerance_m);
+  if (!has_way || is_clear) return {};
   return fmt::format(
-      "mask '{}' needs a plane at most {:.6g} m wide, this one is {:.6g} m: divide it into strips",
-      mask.id, operation.up_to_width_m, rectangle.width_m);
+      "mask '{}' needs to know which way people go, and a plane of {:.3g} m x {:.3g} m does not "
+      "show it: say travel=\"x y 0\"",
+      mask.id, rectangle.length_m, rectangle.width_m);
 }
 
 }  // namespace

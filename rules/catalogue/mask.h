@@ -13,14 +13,14 @@ namespace rules {
 enum class MaskStep {
   inset,        // without a strip along the whole outline
   walls,        // without what is near to a wall of the room
-  across,       // without a strip along the two long sides
-  centre_line,  // the points next to the line midway between the long sides
+  across,       // without a strip along the two sides that run the way people go
+  centre_line,  // the points next to the line midway between those sides
 };
 
 struct MaskOperation {
   MaskStep step = MaskStep::inset;
-  // Width of the strip, for inset and across: metres; or, for planes whose shorter side is at most
-  // up_to_width_m, this share of that side. For walls: metres.
+  // Width of the strip, for inset and across: metres; or, for planes at most up_to_width_m wide,
+  // this share of their width. For walls: metres.
   double metres = 0.0;
   double share = 0.0;  // [0, 0.5)
   // Also of centre_line: wider planes are not judged by it; 0 there: all are.
@@ -39,9 +39,11 @@ struct MaskedPoints {
 };
 
 // Distances are from the plane's outline (its holes have none), so that a margin of the grid has no
-// influence; those from walls are horizontal, from the room's footprint, and for lists of points,
-// too. In the open space there are no walls. An inset works for every outline, but for shares of a
-// width, across and centre_line the plane must be a rectangle.
+// influence. Width is across grid.travel, or the shorter side where that is not said; across and
+// centre_line are refused there if the sides are too alike to tell. Distances from walls are
+// horizontal, from the room's footprint, and for lists of points, too. In the open space there are
+// no walls. An inset works for every outline, but for shares of a width, across and centre_line the
+// plane must be a rectangle.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
 }  // namespace rules

@@ -4,6 +4,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/names.h"
 #include "calc/scene/receiver_kernel.h"
+#include "rules/catalogue/deviation.h"
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/metric.h"
 #include "rules/catalogue/policy.h"
@@ -34,11 +35,6 @@ enum class LightState { maintained, initial, end_of_duration };
 // shall: counts for the exit code; advice is reported only; in_aggregate: counts only through the
 // aggregates of its rule pack.
 enum class Severity { shall, advice, in_aggregate };
-
-// Somebody has decided to live without a requirement, up to the last day ("2027-06-30").
-struct Waiver {
-  std::string reason, owner, until;
-};
 
 // Which check of which rule pack a requirement is; without pack it is the project's own.
 struct RuleOrigin {
@@ -71,6 +67,8 @@ struct Requirement {
   std::string problem;            // why it cannot be judged, whatever the light; "" = it can
   DecisionPolicy policy;
   std::optional<Waiver> waiver;
+  std::vector<StatedDeviation> stated_deviations;  // each aspect once
+  std::vector<Deviation> deviations;               // found, see rules/fitness
   RuleOrigin origin;
   calc::SourceLocation where;
 };

@@ -168,8 +168,11 @@ const ElementRow kPlaneElement{
         {"orientation", &kOrientationType, required},
         {"heights", &kTextType},
         {"heights-are", &kHeightsAreType, optional, "", "required"},
-        {"grid", &kIdType},
+        {"grid", &kIdType, optional,
+         "Fewer points than it gives to the same area do not fit; without it any number does."},
         kMaskAttribute,
+        {"missing", &kSmallShareType, optional,
+         "Share of the points that bodies or walls may take.", "0.1"},
         kNoteAttribute,
         {"area", &kZoneAreaType, optional,
          R"(What a workplace makes: the task area ("height" above the floor, needed); a band of "width" around the zone of

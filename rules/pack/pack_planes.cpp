@@ -128,6 +128,7 @@ RulePlane read_plane(const calc::XmlElement& element, const RulePack& pack,
   };
   plane.grid = read_one_of("grid", pack.grids);
   plane.mask = read_one_of("mask", pack.masks);
+  plane.missing_share = reader.number_or("missing", kSmallShare, plane.missing_share);
   plane.note = reader.text_or("note", "");
   return plane;
 }

@@ -226,13 +226,14 @@ enum class ZoneArea {
 struct RulePlane {
   std::string role, orientation, grid, mask, note;
   bool has_heights = false;
-  bool are_heights_usual = false;          // others are fine, with a remark
+  bool are_heights_usual = false;          // "usually", in words
   double lowest_m = 0.0, highest_m = 0.0;  // above the floor
   ZoneArea area = ZoneArea::none;
   std::string around;              // role inside a band
   double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
   std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
   double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings
+  double missing_share = 0.1;      // of the points, that bodies or walls may take
 };
 
 struct RulePack {

@@ -35,12 +35,17 @@ std::optional<Waiver> read_waiver(calc::ElementReader& reader) {
                         reader.require_together("waived-by", "waived-until");
   if (!is_whole || !reader.has("waived-until")) return std::nullopt;
   Waiver waiver{reader.text("waived-because"), reader.text("waived-by"),
-                std::string(calc::trim(reader.text("waived-until")))};
-  if (waiver.until.empty() || is_date(waiver.until)) return waiver;
-  reader.report(calc::DiagnosticId::waiver_incomplete, reader.where("waived-until"), "waived-until",
-                reader.element().name,
-                fmt::format("'{}' is not a date; expected YYYY-MM-DD", waiver.until));
-  return std::nullopt;
+                read_day(reader, "waived-until")};
+  if (waiver.until.empty()) return std::nullopt;
+  return waiver;
+}
+
+std::string read_day(calc::ElementReader& reader, std::string_view name) {
+  std::string day(calc::trim(reader.text(name)));
+  if (day.empty() || is_date(day)) return day;
+  reader.report(calc::DiagnosticId::waiver_incomplete, reader.where(name), name,
+                reader.element().name, fmt::format("'{}' is not a date; expected YYYY-MM-DD", day));
+  return {};
 }
 
 void apply_waiver(Finding& finding, std::string_view today) {

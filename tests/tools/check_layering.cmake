@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 set(folders
   calc/base calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/proofs calc/meshes
   calc/project calc/radiosity calc/forecast
-  rules/catalogue rules/pack rules/zones rules/measure rules/verdict rules/binding
+  rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu
   report/document report/text report/build report/images report/html report/result_file report/formats report/check
   report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge

@@ -145,7 +145,7 @@ TEST(NothingAsked, IsWhatEveryFormatSays) {
                       HasSubstr("<p class=\"outcome\">Nothing was asked</p>")));
     EXPECT_THAT(render_json(document),
                 HasSubstr("\"counts\": {\n  \"pass\": 0,\n  \"fail\": 0,\n  \"undecided\": 0,\n  "
-                          "\"not_judged\": 0,\n  \"waived\": 0\n }"));
+                          "\"not_judged\": 0,\n  \"waived\": 0,\n  \"with_deviations\": 0\n }"));
   }
   const Texts german(Language::german, true);
   EXPECT_THAT(render_text(with_verdicts({}), {}, german),

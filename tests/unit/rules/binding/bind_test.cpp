@@ -200,27 +200,6 @@ TEST(BindRequirements, TakesTheChecksOfTheRole) {
   EXPECT_EQ(bound.requirements[1].limit, 0.1);
 }
 
-// A limit for walls is not met by a floor.
-TEST(BindRequirements, CannotJudgeAPlaneThatFacesAnotherWay) {
-  const Attributes rule{{"pack", "rp-8"}, {"row", "medium"}, {"role", "vertical"}};
-  const auto problem_facing = [&](const glm::dvec3& u, const glm::dvec3& v) {
-    calc::CalcPlane plane = plane_of("walk", {rule});
-    calc::PlanarArea area;
-    area.u = u;
-    area.v = v;
-    plane.area = area;
-    const Bound bound = bind_project(project_of({plane}));
-    EXPECT_THAT(bound.messages, IsEmpty());
-    return bound.requirements.empty() ? "nothing" : bound.requirements[0].problem;
-  };
-  EXPECT_EQ(problem_facing({1, 0, 0}, {0, 0, 1}), "");
-  EXPECT_EQ(problem_facing({1, 0, 0}, {0, 1, 0}),
-            "role 'vertical' of rp-8:2014 is about a plane that is vertical, and this one is not");
-  calc::CalcPlane list = plane_of("walk", {rule});
-  list.area = calc::PointList{"", {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}, {}};
-  EXPECT_NE(bind_project(project_of({list})).requirements.at(0).problem, "");
-}
-
 TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
   const Bound bound = bind_one({{"pack", "en12464-1:2011"}, {"row", "5.26.2"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
@@ -770,62 +749,6 @@ TEST(BindRequirementsMessage, SharesThatAreNone) {
   EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "9"}, {"from", "5"}}),
               ElementsAre(testing::HasSubstr("'from' has no meaning together with "
                                              "'quantity=\"average\"'")));
-}
-
-// A room with its floor at z = 2 m, and one horizontal plane in it.
-Bound bind_at_height(double z_m, const Attributes& attributes) {
-  calc::CalcPlane plane = plane_of("p", {attributes});
-  calc::PlanarArea area;
-  area.origin_m = {0, 0, z_m};
-  area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
-  plane.area = area;
-  calc::Project project = project_of({plane});
-  project.spaces[0].shell = calc::RoomShell{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, 2.0, 3.0};
-  return bind_project(project);
-}
-
-TEST(BindRequirements, APlaneAtAnotherHeightThanItsRoleIsNotJudged) {
-  const Attributes route{{"pack", "en1838"}, {"scene", "night"}};
-  EXPECT_EQ(bind_at_height(2.2, route).requirements.at(0).problem, "");
-  EXPECT_EQ(bind_at_height(2.24, route).requirements.at(0).problem, "") << "laid on something";
-  EXPECT_EQ(bind_at_height(2.75, route).requirements.at(0).problem,
-            "planes of role 'route' of en1838:2024 are 0 to 0.2 m above the floor, and this one is "
-            "0.75 m");
-}
-
-// 1.5 m above the pavement: an upright plane must reach that height, not lie in it.
-TEST(BindRequirements, AnUprightPlaneMustReachTheHeightOfItsRole) {
-  const auto bind_upright = [](double z_m) {
-    calc::CalcPlane plane =
-        plane_of("p", {{{"pack", "rp-20"}, {"row", "lot-enhanced"}, {"role", "vertical"}}});
-    calc::PlanarArea area;
-    area.origin_m = {0, 0, z_m};
-    area.v = {0, 0, 1};
-    area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
-    plane.area = area;
-    calc::Project project = project_of({plane});
-    project.spaces[0].shell = calc::RoomShell{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, 2.0, 3.0};
-    return bind_project(project);
-  };
-  const Bound reaching = bind_upright(3.0), below = bind_upright(2.0);
-  ASSERT_FALSE(reaching.requirements.empty()) << testing::PrintToString(reaching.messages);
-  EXPECT_EQ(reaching.requirements.at(0).problem, "");
-  EXPECT_EQ(below.requirements.at(0).problem,
-            "planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and this one is 0 "
-            "to 1 m");
-}
-
-TEST(BindRequirements, WhereAPackSaysWhatIsUsualAnotherHeightIsARemark) {
-  const Attributes task{{"pack", "en12464-1"}, {"row", "34.2"}};
-  EXPECT_EQ(bind_at_height(2.75, task).requirements.at(0).note, "");
-  const Requirement high = bind_at_height(3.1, task).requirements.at(0);
-  EXPECT_EQ(high.problem, "");
-  EXPECT_EQ(high.note,
-            "planes of role 'task' of en12464-1:2021 are usually 0.72 to 0.85 m above the floor, "
-            "and this one is 1.1 m");
-  // Rows have heights of their own: this one is about a floor.
-  EXPECT_EQ(bind_at_height(2.0, {{"pack", "en12464-1"}, {"row", "9.4"}}).requirements.at(0).note,
-            "");
 }
 
 TEST(BindRequirementsMessage, UnknownRole) {

@@ -151,7 +151,8 @@ TEST(LoadJudgedProject, WorkplaceNeedsPackAndRow) {
 
 TEST(LoadJudgedProject, GivesTheProjectAndWhatIsRequired) {
   const Judged judged = load(
-      in_room("<plane id='p' height='1'><require quantity='average' at-least='1'/></plane>"
+      in_room("<plane id='p' height='1'><require quantity='average' at-least='1' "
+              "state='initial'/></plane>"
               "<workplace id='w' pack='en12464-1:2021' row='34.2' name='Desk' height='0.75'/>"));
   EXPECT_THAT(judged.messages, IsEmpty());
   ASSERT_TRUE(judged.project);

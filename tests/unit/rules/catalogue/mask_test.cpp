@@ -99,7 +99,31 @@ TEST(Mask, MeasuresFromTheOutlineNotFromTheGrid) {
 TEST(Mask, NeedsEveryOperation) {
   Mask mask = mask_of(MaskStep::inset, 0.6);
   mask.operations.push_back({MaskStep::centre_line, 0, 0, 0});
-  EXPECT_THAT(apply_mask(mask, grid_of(4, 4, 4, 4)).points, ElementsAre(5, 6, 9, 10));
+  calc::SensorGrid grid = grid_of(4, 4, 4, 4);
+  grid.travel = {1.0, 0.0, 0.0};
+  EXPECT_THAT(apply_mask(mask, grid).points, ElementsAre(5, 6, 9, 10));
+}
+
+// A piece 2 m long and 3 m wide is not crossed the long way.
+TEST(Mask, FollowsTheWayThatPeopleGo) {
+  const Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2.0);
+  calc::SensorGrid grid = grid_of(2, 3, 4, 6);
+  EXPECT_EQ(apply_mask(mask, grid).problem,
+            "mask 'm' needs to know which way people go, and a plane of 3 m x 2 m does not show "
+            "it: say travel=\"x y 0\"");
+  grid.travel = {1.0, 0.0, 0.0};  // 3 m wide: 0.5 m of each side are left out, all along
+  EXPECT_THAT(rows_of(apply_mask(mask, grid), grid), ElementsAre(1, 2, 3, 4));
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 16u);
+  grid.travel = {0.0, -1.0, 0.0};  // 2 m wide: a quarter of each side
+  EXPECT_THAT(rows_of(apply_mask(mask, grid), grid), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_EQ(apply_mask(mask, grid).points.size(), 12u);
+}
+
+TEST(Mask, TakesTheLongerSideWhereThatIsClear) {
+  const Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2.0);
+  const calc::SensorGrid twice = grid_of(4, 2, 8, 4), less = grid_of(3.99, 2, 8, 4);
+  EXPECT_THAT(rows_of(apply_mask(mask, twice), twice), ElementsAre(1, 2));
+  EXPECT_NE(apply_mask(mask, less).problem, "");
 }
 
 TEST(Mask, SaysWhenNothingIsLeft) {

@@ -1,0 +1,51 @@
+#pragma once
+// In what a plane may differ from the one that a standard's number is about.
+
+#include "calc/base/names.h"
+
+#include <optional>
+#include <string>
+
+namespace rules {
+
+// Somebody has decided to live with something, up to the last day ("2027-06-30").
+struct Waiver {
+  std::string reason, owner, until;
+};
+
+enum class FitAspect {
+  orientation,  // it faces another way
+  place,        // it lies on no wall, or not on the ceiling
+  height,       // above the floor
+  grid,         // its points are fewer than the standard's, or a list
+  margin,       // it leaves out more along its edges
+  points,       // too many of its points were left out
+};
+
+// Found on a plane; the number is compared all the same if the project states it.
+struct Deviation {
+  FitAspect aspect = FitAspect::grid;
+  std::string words;             // what differs, e.g. "1 x 1 points, where ..."
+  std::optional<Waiver> stated;  // who lives with it, and until when
+  bool is_accepted = false;      // stated, and the last day is not over
+};
+
+// As a project states it, whether it is found or not.
+struct StatedDeviation {
+  FitAspect aspect = FitAspect::grid;
+  Waiver by;
+};
+
+}  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::FitAspect> {
+  static constexpr EnumName<rules::FitAspect> list[] = {
+      {rules::FitAspect::orientation, "orientation"}, {rules::FitAspect::place, "place"},
+      {rules::FitAspect::height, "height"},           {rules::FitAspect::grid, "grid"},
+      {rules::FitAspect::margin, "margin"},           {rules::FitAspect::points, "points"}};
+};
+
+}  // namespace calc

@@ -1,0 +1,296 @@
+#include "rules/fitness/fitness.h"
+
+#include "calc/base/names.h"
+#include "rules/fitness/lost_points.h"
+#include "rules/fitness/place_in_space.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+namespace rules {
+namespace {
+
+// Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
+constexpr double kHorizontal = 0.966;
+constexpr double kUpright = 0.259;
+// What is laid a little above a floor, so as not to lie in it.
+constexpr double kHeightTolerance_m = 0.05;
+constexpr double kSameLength_m = 1e-6;
+
+void add_words(std::string& text, const std::string& words) {
+  if (words.empty()) return;
+  text += (text.empty() ? "" : "; ") + words;
+}
+
+// What one check of a pack says about its plane.
+struct Meant {
+  const RulePack& pack;
+  const RuleCheck& check;
+  const RuleRow* row;      // may be null
+  const RulePlane& plane;  // of the check's role
+};
+
+std::string role_words(const Meant& meant) {
+  return fmt::format("role '{}' of {}", meant.check.role, meant.pack.full_id());
+}
+
+bool faces(const RulePlane& role, const glm::dvec3& normal) {
+  if (role.area == ZoneArea::ceiling) return normal.z <= -kHorizontal;
+  if (role.area == ZoneArea::walls) return std::abs(normal.z) <= kUpright;
+  if (role.orientation == "horizontal-up") return normal.z >= kHorizontal;
+  if (role.orientation == "horizontal-down") return normal.z <= -kHorizontal;
+  if (role.orientation == "vertical") return std::abs(normal.z) <= kUpright;
+  return true;  // surface, free
+}
+
+const char* orientation_words(const RulePlane& role) {
+  if (role.area == ZoneArea::ceiling) return "horizontal-down";
+  if (role.area == ZoneArea::walls) return "vertical";
+  return role.orientation.c_str();
+}
+
+class PlaneFit {
+ public:
+  explicit PlaneFit(const FitContext& context) : context_(context) {}
+
+  std::vector<Deviation> deviations(const Meant& meant) const {
+    std::vector<Deviation> found;
+    const auto add = [&](FitAspect aspect, std::string words) {
+      if (!words.empty()) found.push_back({aspect, std::move(words), std::nullopt, false});
+    };
+    add(FitAspect::orientation, orientation(meant));
+    if (found.empty()) add(FitAspect::place, place(meant));
+    add(FitAspect::height, height(meant));
+    add(FitAspect::grid, grid(meant));
+    add(FitAspect::margin, margin(meant));
+    add(FitAspect::points, points(meant));
+    return found;
+  }
+
+  std::string lost_words() const { return lost().words; }
+
+ private:
+  const calc::CalcPlane& plane() const { return context_.plane; }
+
+  const LostPoints& lost() const {
+    if (!lost_) lost_ = lost_points(context_.grid);
+    return *lost_;
+  }
+
+  // Only planar points, and those that modelling is related to, face a way of their own.
+  bool faces_somewhere() const {
+    const bool is_plain = plane().kernel == calc::ReceiverKernel::planar &&
+                          plane().derived == calc::DerivedQuantity::none;
+    return is_plain || plane().derived == calc::DerivedQuantity::modelling;
+  }
+
+  std::string orientation(const Meant& meant) const {
+    if (!faces_somewhere()) return {};
+    const std::vector<glm::dvec3> normals = normals_of(plane());
+    const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
+      return faces(meant.plane, normal);
+    });
+    if (!fits) {
+      return fmt::format("{} is about a plane that is {}, and this one is not", role_words(meant),
+                         orientation_words(meant.plane));
+    }
+    if (is_lower_limit(meant.check.comparison) || !faces_away(plane(), context_.space)) return {};
+    return "a limit from above says nothing here: the plane faces away from every luminaire";
+  }
+
+  std::string place(const Meant& meant) const {
+    if (meant.plane.area == ZoneArea::walls && !lies_on(plane(), context_.space, ".wall")) {
+      return fmt::format("{} is about walls, and this plane lies on none", role_words(meant));
+    }
+    if (meant.plane.area == ZoneArea::ceiling && !lies_on(plane(), context_.space, ".ceiling")) {
+      return fmt::format("{} is about the ceiling, and this plane does not lie on it",
+                         role_words(meant));
+    }
+    return {};
+  }
+
+  std::string height(const Meant& meant) const {
+    const RulePlane& role = meant.plane;
+    if (!role.has_heights) return {};
+    double from_m = role.lowest_m, to_m = role.highest_m;
+    const bool follows_task =
+        role.area == ZoneArea::task || (role.area == ZoneArea::band && !role.height_m);
+    if (follows_task && meant.row != nullptr && meant.row->task_heights_m) {
+      from_m = meant.row->task_heights_m->lowest_m;
+      to_m = meant.row->task_heights_m->highest_m;
+    }
+    const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
+    // An upright plane has a height of its own: it must reach the height that is asked for.
+    const bool is_upright = role.orientation == "vertical";
+    const double from = from_m - kHeightTolerance_m, to = to_m + kHeightTolerance_m;
+    const bool fits =
+        is_upright ? highest_m >= from && lowest_m <= to : lowest_m >= from && highest_m <= to;
+    if (fits) return {};
+    const auto range = [](double low, double high) {
+      return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)
+                                         : fmt::format("{:.3g} to {:.3g} m", low, high);
+    };
+    return fmt::format("planes of {} are {}{} above the floor, and this one is {}",
+                       role_words(meant), role.are_heights_usual ? "usually " : "",
+                       range(from_m, to_m), range(lowest_m, highest_m));
+  }
+
+  // Fewer points than the rule gives to the same area see less: a minimum is higher, a uniformity
+  // better. More are fine.
+  std::string grid(const Meant& meant) const {
+    const RuleGrid* rule = meant.pack.find_grid(meant.plane.grid);
+    if (rule == nullptr || !rule->rule) return {};
+    const calc::SensorGrid& own = context_.grid;
+    if (own.columns == 0) {
+      return fmt::format("its points are a list, where {} asks for a grid", role_words(meant));
+    }
+    const double u_m = own.columns * own.spacing_u_m, v_m = own.rows * own.spacing_v_m;
+    const calc::GridCounts asked = counts_by(*rule->rule, u_m, v_m);
+    if (own.columns < asked.columns || own.rows < asked.rows) {
+      return fmt::format("{} x {} points, where {} asks for {} x {} on this area", own.columns,
+                         own.rows, role_words(meant), asked.columns, asked.rows);
+    }
+    if (!(own.missed_m2 > 0.0)) return {};
+    return fmt::format("its grid leaves {:.2g} m2 of the area without a point", own.missed_m2);
+  }
+
+  static calc::GridCounts counts_by(const calc::GridRule& rule, double u_m, double v_m) {
+    const bool is_u_long = u_m >= v_m;
+    if (const auto* formula = std::get_if<calc::GridByRule>(&rule)) {
+      return calc::grid_counts(*formula, u_m, v_m);
+    }
+    if (const auto* count = std::get_if<calc::GridByCount>(&rule)) {
+      return is_u_long ? calc::GridCounts{count->columns, count->rows}
+                       : calc::GridCounts{count->rows, count->columns};
+    }
+    const auto& spacing = std::get<calc::GridBySpacing>(rule);
+    const auto cells = [](double side_m, double spacing_m) {
+      return std::max(1, static_cast<int>(std::ceil(side_m / spacing_m * (1.0 - 1e-9))));
+    };
+    return is_u_long
+               ? calc::GridCounts{cells(u_m, spacing.along_u_m), cells(v_m, spacing.along_v_m)}
+               : calc::GridCounts{cells(u_m, spacing.along_v_m), cells(v_m, spacing.along_u_m)};
+  }
+
+  // The widest strip that the role leaves out: its own margin, or what its mask takes.
+  static double allowed_margin_m(const Meant& meant) {
+    double allowed_m = meant.plane.margin_m;
+    for (const MaskOperation& operation : meant.check.mask.operations) {
+      if (operation.step == MaskStep::inset) allowed_m = std::max(allowed_m, operation.metres);
+    }
+    return allowed_m;
+  }
+
+  std::string margin(const Meant& meant) const {
+    const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
+    if (area == nullptr) return {};
+    const double allowed_m = allowed_margin_m(meant);
+    if (area->margin_m <= allowed_m + kSameLength_m) return {};
+    return fmt::format("a margin of {:.3g} m, where {} leaves out {:.3g} m", area->margin_m,
+                       role_words(meant), allowed_m);
+  }
+
+  std::string points(const Meant& meant) const {
+    if (lost().share() <= meant.plane.missing_share) return {};
+    return lost().words;
+  }
+
+  const FitContext& context_;
+  mutable std::optional<LostPoints> lost_;
+};
+
+// Types of the space's luminaires that state no maintenance factor, in their order.
+std::vector<std::string> types_without_factor(const FitContext& context) {
+  std::vector<std::string> ids;
+  for (const calc::Luminaire& luminaire : context.space.luminaires) {
+    const calc::LuminaireType& type = context.project.luminaire_types[luminaire.type];
+    if (type.maintenance.is_stated) continue;
+    if (std::find(ids.begin(), ids.end(), type.id) == ids.end()) ids.push_back(type.id);
+  }
+  return ids;
+}
+
+std::string maintenance_problem(const FitContext& context, const Requirement& requirement) {
+  if (requirement.state == LightState::initial || is_of_space(requirement.metric)) return {};
+  const std::vector<std::string> ids = types_without_factor(context);
+  if (ids.empty()) return {};
+  return fmt::format(
+      "it is about maintained light, and luminaire type '{}'{} states no maintenance-factor",
+      ids[0], ids.size() > 1 ? fmt::format(" (and {} more)", ids.size() - 1) : "");
+}
+
+// What is stated, but is not so: somebody has mended the plane, or meant another one.
+std::string unfounded_words(const Requirement& requirement) {
+  std::string text;
+  for (const StatedDeviation& stated : requirement.stated_deviations) {
+    const auto& found = requirement.deviations;
+    const bool is_found = std::any_of(found.begin(), found.end(), [&](const Deviation& deviation) {
+      return deviation.aspect == stated.aspect;
+    });
+    if (is_found) continue;
+    add_words(text, fmt::format("a deviation in {} is stated, and there is none",
+                                calc::name_of(stated.aspect)));
+  }
+  return text;
+}
+
+// Takes what the project states; returns the words of what it does not.
+std::string take_statements(const Requirement& requirement, std::string_view today,
+                            std::vector<Deviation>& found) {
+  std::string open;
+  for (Deviation& deviation : found) {
+    const auto& all = requirement.stated_deviations;
+    const auto stated = std::find_if(all.begin(), all.end(), [&](const StatedDeviation& one) {
+      return one.aspect == deviation.aspect;
+    });
+    if (stated != all.end()) {
+      deviation.stated = stated->by;
+      deviation.is_accepted = today <= std::string_view(stated->by.until);
+    }
+    if (deviation.is_accepted) continue;
+    add_words(open, deviation.words);
+    if (deviation.stated) {
+      open += fmt::format(" (stated by {}, but only until {})", deviation.stated->owner,
+                          deviation.stated->until);
+    } else {
+      open +=
+          fmt::format(" (a <deviation in=\"{}\"> would state it)", calc::name_of(deviation.aspect));
+    }
+  }
+  return open;
+}
+
+}  // namespace
+
+void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
+  const PlaneFit fit(context);
+  for (Requirement& requirement : requirements) {
+    if (is_of_space(requirement.metric)) continue;
+    const auto is_it = [&](const RulePack& p) { return p.full_id() == requirement.origin.pack; };
+    const auto pack = std::find_if(context.packs.begin(), context.packs.end(), is_it);
+    const RuleCheck* check =
+        pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
+    const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
+    if (role != nullptr) {
+      requirement.deviations =
+          fit.deviations({*pack, *check, pack->find_row(requirement.origin.row), *role});
+    }
+    const std::string open = take_statements(requirement, context.today, requirement.deviations);
+    add_words(requirement.note, unfounded_words(requirement));
+    const bool is_told = std::any_of(
+        requirement.deviations.begin(), requirement.deviations.end(),
+        [](const Deviation& deviation) { return deviation.aspect == FitAspect::points; });
+    if (!is_told) add_words(requirement.note, fit.lost_words());
+    if (check == nullptr || !requirement.problem.empty()) continue;
+    requirement.problem = maintenance_problem(context, requirement);
+    if (requirement.problem.empty()) requirement.problem = open;
+  }
+}
+
+}  // namespace rules

@@ -1,0 +1,43 @@
+#include "rules/fitness/lost_points.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace rules {
+
+double LostPoints::share() const {
+  return all == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(all);
+}
+
+LostPoints lost_points(const calc::SensorGrid& grid) {
+  constexpr std::size_t kMostNamed = 3;
+  std::map<std::string, std::size_t> inside;  // by body
+  std::size_t outside = 0, in_bodies = 0;
+  for (const calc::DroppedPoint& point : grid.dropped) {
+    if (point.reason == calc::DropReason::outside_room) ++outside;
+    if (point.reason != calc::DropReason::inside_solid) continue;
+    ++inside[point.body];
+    ++in_bodies;
+  }
+  LostPoints result;
+  result.lost = outside + in_bodies;
+  result.all = grid.position_m.size() + result.lost;
+  if (result.lost == 0) return result;
+  std::string places;
+  const auto add = [&](std::size_t count, const std::string& where) {
+    places += fmt::format("{}{} {}", places.empty() ? "" : ", ", count, where);
+  };
+  std::size_t named = 0, rest = in_bodies;
+  for (const auto& [body, count] : inside) {
+    if (named++ == kMostNamed) break;
+    add(count, fmt::format("inside '{}'", body));
+    rest -= count;
+  }
+  if (rest > 0) add(rest, "inside other bodies");
+  if (outside > 0) add(outside, "outside the room");
+  result.words = fmt::format("{} of {} points are left out: {}", result.lost, result.all, places);
+  return result;
+}
+
+}  // namespace rules

@@ -1,0 +1,21 @@
+#pragma once
+// Points of a plane's area that take part in nothing, because something stands there.
+
+#include "calc/scene/sensor_grid.h"
+
+#include <cstddef>
+#include <string>
+
+namespace rules {
+
+struct LostPoints {
+  std::size_t lost = 0, all = 0;
+  std::string words;  // "50 of 60 points are left out: 48 inside 'desk', 2 outside the room"; or ""
+
+  double share() const;  // [0, 1]
+};
+
+// Of those within the outline and its margin: what lies inside bodies or beyond the walls.
+LostPoints lost_points(const calc::SensorGrid& grid);
+
+}  // namespace rules

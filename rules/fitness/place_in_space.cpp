@@ -1,0 +1,153 @@
+#include "rules/fitness/place_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace rules {
+namespace {
+
+// What is laid a little off a surface, so as not to lie in it.
+constexpr double kLift_m = 0.05;
+// Cosine of 15 degrees: surfaces that look the same way.
+constexpr double kAlike = 0.966;
+
+std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle) {
+  return {body.vertex_m[triangle.x], body.vertex_m[triangle.y], body.vertex_m[triangle.z]};
+}
+
+// Whether a point lies in a triangle of the plane; its edges belong to it.
+bool contains(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& point) {
+  const auto side = [&](int a, int b) {
+    const glm::dvec2 edge =
+        corner[static_cast<std::size_t>(b)] - corner[static_cast<std::size_t>(a)];
+    const glm::dvec2 offset = point - corner[static_cast<std::size_t>(a)];
+    return edge.x * offset.y - edge.y * offset.x;
+  };
+  const double d0 = side(0, 1), d1 = side(1, 2), d2 = side(2, 0);
+  return (d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0);
+}
+
+// Height at which a vertical line meets a triangle; empty: nowhere, or all along.
+std::optional<double> height_at(const std::array<glm::dvec3, 3>& corner, const glm::dvec2& at) {
+  const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  if (normal.z == 0.0) return std::nullopt;
+  if (!contains({glm::dvec2(corner[0]), glm::dvec2(corner[1]), glm::dvec2(corner[2])}, at)) {
+    return std::nullopt;
+  }
+  const glm::dvec2 offset = at - glm::dvec2(corner[0]);
+  return corner[0].z - (normal.x * offset.x + normal.y * offset.y) / normal.z;
+}
+
+double surface_below_m(const calc::Space& space, const glm::dvec3& place) {
+  std::optional<double> highest;
+  for (const calc::Body& body : space.bodies) {
+    for (const glm::uvec3& triangle : body.triangle) {
+      const std::optional<double> z = height_at(corners_of(body, triangle), glm::dvec2(place));
+      if (z && *z <= place.z + kLift_m && (!highest || *z > *highest)) highest = z;
+    }
+  }
+  return highest.value_or(0.0);
+}
+
+double lowest_corner_m(const calc::Space& space) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const calc::Body& body : space.bodies) {
+    for (const glm::dvec3& vertex : body.vertex_m) lowest = std::min(lowest, vertex.z);
+  }
+  return std::isfinite(lowest) ? lowest : 0.0;
+}
+
+bool is_part(std::string_view id, std::string_view part) {
+  const std::size_t last = id.find_last_not_of("0123456789");
+  return last != std::string_view::npos && id.substr(0, last + 1).ends_with(part);
+}
+
+// Whether the place lies on the triangle, looking away from it on either side.
+bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
+             const std::array<glm::dvec3, 3>& corner) {
+  const glm::dvec3 area = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double size = glm::length(area);
+  if (!(size > 0.0)) return false;
+  const glm::dvec3 face = area / size;
+  if (std::abs(glm::dot(face, normal)) < kAlike) return false;
+  if (std::abs(glm::dot(face, place - corner[0])) > kLift_m) return false;
+  // Seen along its own normal, a little larger, so that edges do not matter.
+  const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0;
+  const glm::dvec3 u = glm::normalize(corner[1] - corner[0]), v = glm::cross(face, u);
+  const auto flat = [&](const glm::dvec3& p) {
+    return glm::dvec2(glm::dot(p - middle, u), glm::dot(p - middle, v));
+  };
+  std::array<glm::dvec2, 3> seen{flat(corner[0]), flat(corner[1]), flat(corner[2])};
+  for (glm::dvec2& p : seen) {
+    const double distance = glm::length(p);
+    if (distance > 0.0) p *= 1.0 + kLift_m / distance;
+  }
+  return contains(seen, flat(place));
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane) {
+  if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->position_m;
+  const auto& area = std::get<calc::PlanarArea>(plane.area);
+  std::vector<glm::dvec3> places;
+  for (const glm::dvec2& corner : area.outline_m) {
+    places.push_back(area.origin_m + corner.x * area.u + corner.y * area.v);
+  }
+  return places;
+}
+
+std::vector<glm::dvec3> normals_of(const calc::CalcPlane& plane) {
+  if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->normal;
+  const auto& area = std::get<calc::PlanarArea>(plane.area);
+  return std::vector<glm::dvec3>(area.outline_m.size(), area.normal());
+}
+
+std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
+                                                const calc::Space& space) {
+  const bool is_open = !space.shell && space.surfaces_file.empty();
+  const double floor_m = space.shell ? space.shell->floor_z_m
+                         : is_open   ? 0.0
+                                     : lowest_corner_m(space);
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const glm::dvec3& place : places_of(plane)) {
+    const double height_m = place.z - (is_open ? surface_below_m(space, place) : floor_m);
+    lowest = std::min(lowest, height_m);
+    highest = std::max(highest, height_m);
+  }
+  return {lowest, highest};
+}
+
+bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part) {
+  if (!space.shell) return true;
+  const std::vector<glm::dvec3> places = places_of(plane), normals = normals_of(plane);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_found =
+        std::any_of(space.bodies.begin(), space.bodies.end(), [&](const calc::Body& body) {
+          return is_part(body.id, part) &&
+                 std::any_of(body.triangle.begin(), body.triangle.end(),
+                             [&](const glm::uvec3& triangle) {
+                               return lies_on(places[i], normals[i], corners_of(body, triangle));
+                             });
+        });
+    if (!is_found) return false;
+  }
+  return true;
+}
+
+bool faces_away(const calc::CalcPlane& plane, const calc::Space& space) {
+  if (space.luminaires.empty()) return false;
+  const std::vector<glm::dvec3> places = places_of(plane), normals = normals_of(plane);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (const calc::Luminaire& luminaire : space.luminaires) {
+      if (glm::dot(luminaire.position_m - places[i], normals[i]) > 0.0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace rules

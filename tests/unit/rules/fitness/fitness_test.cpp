@@ -1,0 +1,415 @@
+#include "rules/fitness/fitness.h"
+
+#include "calc/base/names.h"
+#include "calc/base/xml_document.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/binding/bind.h"
+#include "rules/binding/judged_project.h"
+#include "rules/fitness/lost_points.h"
+#include "rules/fitness/place_in_space.h"
+#include "tests/support/memory_file_reader.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::filesystem::path kCorpus = LUXGATE_RULES_CORPUS;
+const std::string kToday = "2026-11-22";
+const std::string kIes =
+    "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\nTILT=NONE\n"
+    "1 1000 1 2 1 1 2 0 0 0\n1 1 12\n0 90\n0\n100 0\n";
+
+struct Setting {
+  std::string plane;     // attributes of the plane
+  std::string require;   // attributes of the <require>
+  std::string inside{};  // its children
+  std::string room = "<room id='r' size='12 8 3' ceiling='m' walls='m' floor='m'>";
+  std::string objects{};
+  std::string root = "maintenance-factor='0.8'";
+};
+
+struct Fitted {
+  std::vector<Requirement> requirements;
+  std::vector<std::string> messages;
+
+  const Requirement& first() const { return requirements.at(0); }
+  std::vector<std::string> aspects(const std::string& check) const {
+    std::vector<std::string> names;
+    for (const Requirement& requirement : requirements) {
+      if (requirement.origin.check != check) continue;
+      for (const Deviation& d : requirement.deviations) {
+        names.emplace_back(calc::name_of(d.aspect));
+      }
+    }
+    return names;
+  }
+};
+
+Fitted fit(const Setting& setting) {
+  const bool is_open = setting.room.empty();
+  const std::string lamp = "<luminaire id='l' type='spot' position='6 4 2.9' group='e'/>" +
+                           setting.objects + "<plane id='p' " + setting.plane + "><require " +
+                           setting.require + ">" + setting.inside + "</require></plane>";
+  const std::string xml = "<luxgate version='1' " + setting.root +
+                          "><material id='m' reflectance='0.5'/><luminaire-type id='spot' "
+                          "photometry='spot.ies'/>" +
+                          (is_open ? "" : setting.room) + lamp + (is_open ? "" : "</room>") +
+                          "<scene id='em'><dim group='e' level='0.5'/></scene></luxgate>";
+  calc::Diagnostics diagnostics;
+  Fitted fitted;
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  const std::vector<RulePack> packs = builtin_rule_packs();
+  if (const auto judged = load_judged_project(files, "p.xml", packs, diagnostics)) {
+    const calc::Space& space = judged->project.spaces.at(0);
+    const calc::CalcPlane& plane = space.planes.at(0);
+    const auto grid = calc::make_sensor_grid(plane, space, diagnostics);
+    fitted.requirements = judged->requirements;
+    if (grid) {
+      check_fitness({judged->project, space, plane, *grid, packs, kToday}, fitted.requirements);
+    }
+  }
+  for (const auto& d : diagnostics.all()) fitted.messages.push_back(format_diagnostic(d));
+  return fitted;
+}
+
+const std::string kDeskWork = "pack='en12464-1:2021' row='34.2'";
+const std::string kWholeRoom = "height='0.75' margin='0.5'";
+
+TEST(Fitness, APlaneOfTheStandardsOwnFits) {
+  const Fitted fitted = fit({kWholeRoom, kDeskWork});
+  ASSERT_EQ(fitted.requirements.size(), 2u) << testing::PrintToString(fitted.messages);
+  for (const Requirement& requirement : fitted.requirements) {
+    EXPECT_THAT(requirement.deviations, IsEmpty());
+    EXPECT_EQ(requirement.problem, "");
+    EXPECT_EQ(requirement.note, "");
+  }
+}
+
+TEST(Fitness, OnePointIsNotTheStandardsGrid) {
+  const Fitted fitted = fit({"height='0.75' margin='0.5' count='1 1'", kDeskWork});
+  EXPECT_THAT(fitted.aspects("task.Em"), ElementsAre("grid"));
+  EXPECT_EQ(fitted.first().problem,
+            "1 x 1 points, where role 'task' of en12464-1:2021 asks for 10 x 7 on this area "
+            "(a <deviation in=\"grid\"> would state it)");
+}
+
+// 11 m x 7 m: p = 0.2 * 5^log10(11) = 1.069 m, 10.29 and 6.55 cells: 10 x 7.
+TEST(Fitness, AsManyPointsAsTheStandardsFitAndOneRowLessDoesNot) {
+  const auto aspects = [](const std::string& count) {
+    return fit({"height='0.75' margin='0.5' count='" + count + "'", kDeskWork}).aspects("task.Em");
+  };
+  EXPECT_THAT(aspects("10 7"), IsEmpty());
+  EXPECT_THAT(aspects("30 21"), IsEmpty());
+  EXPECT_THAT(aspects("9 7"), ElementsAre("grid"));
+  EXPECT_THAT(aspects("10 6"), ElementsAre("grid"));
+}
+
+TEST(Fitness, AStatedDeviationIsKeptAndTheNumberIsCompared) {
+  const Fitted fitted =
+      fit({"height='0.75' count='1 1'", kDeskWork,
+           "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-22'/>"});
+  ASSERT_EQ(fitted.requirements.size(), 2u) << testing::PrintToString(fitted.messages);
+  for (const Requirement& requirement : fitted.requirements) {
+    EXPECT_EQ(requirement.problem, "");
+    ASSERT_EQ(requirement.deviations.size(), 1u);
+    EXPECT_TRUE(requirement.deviations[0].is_accepted);
+    EXPECT_EQ(requirement.deviations[0].stated->owner, "A. Meier");
+  }
+}
+
+TEST(Fitness, AStatedDeviationEnds) {
+  const Fitted fitted =
+      fit({"height='0.75' count='1 1'", kDeskWork,
+           "<deviation in='grid' because='as measured' by='A. Meier' until='2026-11-21'/>"});
+  EXPECT_FALSE(fitted.first().deviations.at(0).is_accepted);
+  EXPECT_THAT(fitted.first().problem, HasSubstr("(stated by A. Meier, but only until 2026-11-21)"));
+}
+
+TEST(Fitness, AnotherDeviationThanTheStatedOneCounts) {
+  const Fitted fitted =
+      fit({"height='1.8' margin='0.5'", kDeskWork,
+           "<deviation in='grid' because='as measured' by='A. Meier' until='2030-01-01'/>"});
+  EXPECT_THAT(fitted.first().problem, HasSubstr("0.72 to 0.85 m above the floor"));
+  EXPECT_EQ(fitted.first().note, "a deviation in grid is stated, and there is none");
+}
+
+TEST(Fitness, WhatIsStatedMustBeWhole) {
+  const auto messages = [](const std::string& deviation) {
+    return testing::PrintToString(fit({kWholeRoom, kDeskWork, deviation}).messages);
+  };
+  EXPECT_THAT(messages("<deviation in='grid' by='A' until='2030-01-01'/>"), HasSubstr("because"));
+  EXPECT_THAT(messages("<deviation in='grid' because='x' until='2030-01-01'/>"), HasSubstr("'by'"));
+  EXPECT_THAT(messages("<deviation in='grid' because='x' by='A'/>"), HasSubstr("until"));
+  EXPECT_THAT(messages("<deviation in='light' because='x' by='A' until='2030-01-01'/>"),
+              HasSubstr("allowed: orientation, place, height, grid, margin or points"));
+  EXPECT_THAT(messages("<deviation in='grid' because='x' by='A' until='2030-02-30'/>"),
+              HasSubstr("is not a date"));
+  EXPECT_THAT(messages("<deviation in='grid' because='x' by='A' until='2030-01-01'/>"
+                       "<deviation in='grid' because='y' by='B' until='2031-01-01'/>"),
+              HasSubstr("given twice"));
+  EXPECT_THAT(messages("<deviation in='grid' role='task' because='x' by='A' until='2030-01-01'/>"),
+              HasSubstr("'role' has no meaning"));
+}
+
+TEST(Fitness, ALimitOfItsOwnHasNoDeviation) {
+  const Fitted fitted = fit({kWholeRoom, "quantity='average' at-least='1'",
+                             "<deviation in='grid' because='x' by='A' until='2030-01-01'/>"});
+  EXPECT_THAT(testing::PrintToString(fitted.messages), HasSubstr("a limit of its own"));
+}
+
+TEST(Fitness, ALimitOfItsOwnIsFree) {
+  const Fitted fitted = fit({"height='1.8' count='1 1'", "quantity='average' at-least='1'"});
+  EXPECT_EQ(fitted.first().problem, "");
+  EXPECT_EQ(fitted.first().note, "");
+  EXPECT_THAT(fitted.messages, IsEmpty());
+}
+
+TEST(Fitness, MaintainedLightNeedsAMaintenanceFactor) {
+  Setting setting{kWholeRoom, kDeskWork};
+  setting.root = "";
+  const Fitted fitted = fit(setting);
+  EXPECT_EQ(fitted.first().problem,
+            "it is about maintained light, and luminaire type 'spot' states no maintenance-factor");
+  EXPECT_THAT(fitted.messages, IsEmpty()) << "not judged is said with the requirement";
+}
+
+TEST(Fitness, OwnLimitsWarnOfAMissingMaintenanceFactor) {
+  Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
+  setting.root = "";
+  EXPECT_THAT(testing::PrintToString(fit(setting).messages), HasSubstr("maintenance-not-stated"));
+  setting.require += " state='initial'";
+  EXPECT_THAT(fit(setting).messages, IsEmpty());
+}
+
+TEST(Fitness, PointsThatAreLostAreNamedWithEveryRequirement) {
+  Setting setting{kWholeRoom, "quantity='average' at-least='1'"};
+  setting.objects = "<box id='desk' size='1 1 0.8' position='5 2.5 0' material='m'/>";
+  const Fitted own = fit(setting);
+  EXPECT_THAT(own.first().note, HasSubstr("points are left out: 1 inside 'desk'"));
+  EXPECT_EQ(own.first().problem, "");
+  setting.require = kDeskWork;
+  const Fitted few = fit(setting);
+  EXPECT_EQ(few.first().problem, "") << "a point in seventy is no harm, and is named";
+  EXPECT_THAT(few.first().note, HasSubstr("inside 'desk'"));
+  setting.objects = "<box id='desk' size='6 5 0.8' position='2 2 0' material='m'/>";
+  EXPECT_THAT(fit(setting).aspects("task.Em"), ElementsAre("points"));
+}
+
+TEST(Fitness, AListMayNotFaceElsewhere) {
+  calc::CalcPlane list;
+  list.area = calc::PointList{"", {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}, {}};
+  calc::SensorGrid grid;
+  grid.position_m = std::get<calc::PointList>(list.area).position_m;
+  Requirement requirement;
+  requirement.origin = {"rp-8:2014", "vertical.min", "medium", false, {}};
+  std::vector<Requirement> requirements{requirement};
+  const std::vector<RulePack> packs = builtin_rule_packs();
+  check_fitness({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
+  EXPECT_THAT(requirements[0].problem,
+              HasSubstr("role 'vertical' of rp-8:2014 is about a plane that is vertical, and this "
+                        "one is not"));
+  EXPECT_THAT(requirements[0].problem, HasSubstr("its points are a list"));
+}
+
+// 1.5 m above the pavement: an upright plane must reach that height, not lie in it.
+TEST(Fitness, AnUprightPlaneMustReachTheHeightOfItsRole) {
+  const std::string vertical = "pack='rp-20' row='lot-enhanced' role='vertical'";
+  EXPECT_THAT(fit({"origin='2 2 1' u='2 0 0' v='0 0 1'", vertical}).aspects("vertical.min"),
+              IsEmpty());
+  EXPECT_THAT(fit({"origin='2 2 0' u='2 0 0' v='0 0 1'", vertical}).first().problem,
+              HasSubstr("planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and "
+                        "this one is 0 to 1 m"));
+}
+
+// What is laid a little above the floor is on it; rows have heights of their own.
+TEST(Fitness, HeightsHaveSomeLatitude) {
+  const auto aspects = [](const std::string& height, const std::string& require) {
+    return fit({"height='" + height + "' margin='0.5'", require}).aspects("task.Em");
+  };
+  EXPECT_THAT(aspects("0.9", kDeskWork), IsEmpty());
+  EXPECT_THAT(aspects("0.91", kDeskWork), ElementsAre("height"));
+  EXPECT_THAT(aspects("0.67", kDeskWork), IsEmpty());
+  EXPECT_THAT(aspects("0", kDeskWork), ElementsAre("height"));
+  EXPECT_THAT(aspects("0", "pack='en12464-1:2021' row='9.4'"), IsEmpty());
+  EXPECT_THAT(aspects("0.75", "pack='en12464-1:2021' row='9.4'"), ElementsAre("height"));
+}
+
+// In the open space the ground is what lies below, or z = 0.
+TEST(Fitness, HeightsOutdoorsAreAboveTheGroundBelow) {
+  Setting setting{"origin='4 2 0.0' u='8 0 0' v='0 2 0'", "pack='en13201-2' row='P4'"};
+  setting.room = "";
+  EXPECT_THAT(fit(setting).aspects("P.average"), IsEmpty());
+  setting.plane = "origin='4 2 1.5' u='8 0 0' v='0 2 0'";
+  EXPECT_THAT(fit(setting).aspects("P.average"), ElementsAre("height"));
+  setting.objects = "<quad id='deck' origin='0 0 1.48' u='20 0 0' v='0 20 0' material='m'/>";
+  EXPECT_THAT(fit(setting).aspects("P.average"), IsEmpty());
+  setting.plane = "origin='4 2 0.02' u='8 0 0' v='0 2 0'";
+  EXPECT_THAT(fit(setting).aspects("P.average"), IsEmpty()) << "below the deck, on the ground";
+}
+
+TEST(Fitness, ALimitFromAboveNeedsLightFromThatSide) {
+  Setting setting{"origin='4 2 0.0' u='8 0 0' v='0 2 0'", "pack='en13201-2' row='P4'"};
+  setting.room = "";
+  EXPECT_THAT(fit(setting).aspects("P.not-too-much"), IsEmpty());
+  setting.plane = "origin='4 2 5' u='8 0 0' v='0 2 0'";  // above the only luminaire
+  EXPECT_THAT(fit(setting).aspects("P.not-too-much"), ElementsAre("orientation", "height"));
+}
+
+TEST(Fitness, AFloatingPlaneIsNoWall) {
+  const std::string wall = kDeskWork + " role='wall'";
+  EXPECT_THAT(fit({"on='wall1' margin='0.5'", wall}).aspects("wall.Em"), IsEmpty());
+  EXPECT_THAT(fit({"origin='2 0.04 0.5' u='0 0 2' v='4 0 0'", wall}).aspects("wall.Em"), IsEmpty())
+      << "a little before it";
+  EXPECT_THAT(fit({"origin='2 2 0.5' u='0 0 2' v='4 0 0'", wall}).aspects("wall.Em"),
+              ElementsAre("place"));
+  EXPECT_THAT(fit({"height='1' margin='0.5'", wall}).aspects("wall.Em"),
+              ElementsAre("orientation"));
+}
+
+// What fits, and how each aspect is spoilt, by role. In a room of 12 m x 8 m x 3 m.
+struct RolePlane {
+  std::string fits, turned, lifted, drawn;
+};
+
+RolePlane plane_of(const std::string& role) {
+  const auto flat = [](double z) {
+    return fmt::format("origin='2 2 {}' u='8 0 0' v='0 2.4 0'", z);
+  };
+  const auto turned = [](double z) {
+    return fmt::format("origin='2 2 {}' u='0 2.4 0' v='8 0 0'", z);
+  };
+  const std::string upright = "origin='2 2 0.4' u='4 0 0' v='0 0 2'";
+  const std::string apart = "origin='2 2 0.5' u='0 0 2' v='4 0 0'";
+  if (role == "wall") return {"on='wall1' margin='0.5'", flat(1), "", apart};
+  if (role == "ceiling") {
+    return {"on='ceiling' margin='0.5'", flat(1), "", "origin='2 2 2' u='0 2 0' v='4 0 0'"};
+  }
+  if (role == "vertical" || role == "safety-item") {
+    return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
+  }
+  if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), ""};
+  if (role == "cylinder") {
+    const std::string quantity = " quantity='cylindrical'";
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+  }
+  if (role == "modelling") {
+    const std::string quantity = " quantity='modelling'";
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+  }
+  if (role == "observer") {
+    const std::string quantity = " quantity='ugr' direction='1 0 0'";
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+  }
+  return {flat(0), turned(0), flat(1), ""};
+}
+
+Setting spoilt(const Setting& whole, const RolePlane& plane, const std::string& aspect) {
+  Setting setting = whole;
+  if (aspect == "orientation") setting.plane = plane.turned;
+  if (aspect == "height") setting.plane = plane.lifted;
+  if (aspect == "place") setting.plane = plane.drawn;
+  if (aspect == "grid") setting.plane += " count='1 1'";
+  if (aspect == "margin") {
+    const std::size_t own = setting.plane.find(" margin=");
+    if (own != std::string::npos) setting.plane.resize(own);
+    setting.plane += " margin='0.75'";
+  }
+  if (aspect == "points") {
+    setting.objects = "<box id='b' size='8 3 3' position='3.3 0 0' material='m'/>";
+  }
+  if (aspect == "maintenance") setting.root = "";
+  return setting;
+}
+
+std::string attribute(const calc::XmlElement& element, const char* name) {
+  const calc::XmlAttribute* found = element.find(name);
+  return found == nullptr ? "" : found->value;
+}
+
+bool is_refused(const Fitted& fitted, const std::string& check, const std::string& aspect) {
+  return std::any_of(fitted.requirements.begin(), fitted.requirements.end(), [&](const auto& r) {
+    if (r.origin.check != check || r.problem.empty()) return false;
+    if (aspect == "maintenance") return r.problem.find("maintained light") != std::string::npos;
+    return std::any_of(r.deviations.begin(), r.deviations.end(),
+                       [&](const Deviation& d) { return calc::name_of(d.aspect) == aspect; });
+  });
+}
+
+// tests/rules_corpus says of every check in what a plane may be unfit for it: unfit="...", worked
+// out from what is known of the standards, not from the packs. A plane that is unfit in one of them
+// is refused for it; one that fits is not; nothing else refuses.
+TEST(FitnessCorpus, EveryCheckRefusesWhatItIsNotAbout) {
+  const std::vector<RulePack> packs = builtin_rule_packs();
+  std::size_t cases = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kCorpus)) {
+    if (entry.path().extension() != ".xml") continue;
+    if (entry.path().filename().string().starts_with("together.")) continue;
+    SCOPED_TRACE(entry.path().string());
+    std::ifstream file(entry.path(), std::ios::binary);
+    calc::Diagnostics diagnostics;
+    const auto root = calc::parse_xml({std::istreambuf_iterator<char>(file), {}},
+                                      entry.path().string(), diagnostics);
+    ASSERT_TRUE(root.has_value());
+    const std::string pack_id = attribute(*root, "pack"), check_id = attribute(*root, "check");
+    const auto pack = std::find_if(packs.begin(), packs.end(),
+                                   [&](const RulePack& p) { return p.full_id() == pack_id; });
+    ASSERT_NE(pack, packs.end());
+    const RuleCheck* check = pack->find_check(check_id);
+    ASSERT_NE(check, nullptr);
+    ASSERT_NE(root->find("unfit"), nullptr) << "say in what a plane may be unfit, or unfit=\"\"";
+    if (!check->quantity->kernel) {
+      EXPECT_EQ(attribute(*root, "unfit"), "") << "it is not about planes";
+      continue;
+    }
+    std::string require = fmt::format("pack='{}' role='{}'", pack_id, check->role);
+    const std::string row = attribute(root->children.at(0), "row");
+    if (!row.empty()) require += fmt::format(" row='{}'", row);
+    if (!pack->facts.empty()) require += " facts='task-illuminance=500 lx'";
+    if (check->sources == LightSources::emergency) require += " scene='em'";
+    // Outdoors, and in rows about corridors, the task is on the ground.
+    const RuleRow* of_row = pack->find_row(row);
+    const bool is_low =
+        (of_row != nullptr && of_row->task_heights_m) || pack_id == "en12464-2:2014";
+    const bool is_task = check->role == "task" || check->role == "surround";
+    const RolePlane of_role = plane_of(is_low && is_task ? "floor" : check->role);
+    const Setting whole{of_role.fits, require};
+    const Fitted fits = fit(whole);
+    ASSERT_FALSE(fits.requirements.empty()) << testing::PrintToString(fits.messages);
+    EXPECT_THAT(fits.aspects(check_id), IsEmpty());
+
+    std::istringstream words(attribute(*root, "unfit"));
+    std::set<std::string> stated;
+    for (std::string word; words >> word;) stated.insert(word);
+    for (const std::string aspect :
+         {"orientation", "place", "height", "grid", "margin", "points", "maintenance"}) {
+      const Setting setting = spoilt(whole, of_role, aspect);
+      if (setting.plane.empty()) {
+        EXPECT_FALSE(stated.contains(aspect));
+        continue;
+      }
+      const bool refused = is_refused(fit(setting), check_id, aspect);
+      EXPECT_EQ(refused, stated.contains(aspect)) << aspect;
+      ++cases;
+    }
+  }
+  EXPECT_GT(cases, 300u);
+}
+
+}  // namespace
+}  // namespace rules
