@@ -296,6 +296,8 @@ Text banner_sentence(rules::Outcome outcome, const VerdictCounts& counts) {
   switch (outcome) {
     case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::warned:
+      return Text::warnings_count;
     case rules::Outcome::fail:
       return Text::not_all_met;
     case rules::Outcome::undecided:
@@ -318,6 +320,7 @@ std::string banner_attributes(rules::Outcome outcome) {
   };
   switch (outcome) {
     case rules::Outcome::not_judged:
+    case rules::Outcome::warned:
       break;
     case rules::Outcome::fail:
       return like(rules::Verdict::fail);
