@@ -10,6 +10,7 @@ luxgate_test(cli_tests
     unit/report/tools/init/init_test.cpp
     unit/report/shell/command_line_test.cpp
     unit/report/shell/outputs_test.cpp
+    unit/report/shell/warning_tally_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 

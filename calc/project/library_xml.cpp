@@ -12,13 +12,20 @@
 namespace calc {
 namespace {
 
-constexpr double kUnusualReflectance = 0.95;
+// Fresh white paint and glazed tiles come to 0.9, black paint to 0.05. 0 is no mistake: it is how
+// reflected light is switched off.
+constexpr double kHighestUsualReflectance = 0.9;
+constexpr double kLowestUsualReflectance = 0.05;
 
 Material read_material_element(ElementReader& reader) {
   reader.allow(kMaterialElement);
   Material material{reader.id(), reader.number("reflectance", kFraction), reader.where()};
-  if (material.reflectance > kUnusualReflectance) {
+  if (material.reflectance > kHighestUsualReflectance) {
     reader.report(DiagnosticId::reflectance_very_high, reader.where("reflectance"), material.id,
+                  material.reflectance);
+  }
+  if (material.reflectance > 0.0 && material.reflectance < kLowestUsualReflectance) {
+    reader.report(DiagnosticId::reflectance_very_low, reader.where("reflectance"), material.id,
                   material.reflectance);
   }
   return material;

@@ -10,6 +10,7 @@
 #include "calc/project/project_warnings.h"
 #include "calc/project/spaces_xml.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace calc {
@@ -66,7 +67,11 @@ std::optional<ReadProject> read_project(const FileReader& files, const std::stri
   }
   read_contents(context, *root);
   read.is_good = diagnostics.error_count() == errors_before;
-  if (read.is_good) warn_about_project(project, context.planes_on_surfaces, diagnostics);
+  if (read.is_good) {
+    const std::size_t first_warning = diagnostics.all().size();
+    warn_about_project(project, context.planes_on_surfaces, diagnostics);
+    diagnostics.sort_by_line(path, first_warning);
+  }
   return read;
 }
 

@@ -1,5 +1,6 @@
 #include "report/document/document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,7 @@ void count(rules::Outcome outcome, VerdictCounts& counts) {
     case rules::Outcome::waived:
       ++counts.waived;
       return;
+    case rules::Outcome::warned:  // of no requirement
     case rules::Outcome::nothing_asked:
       return;
   }
@@ -126,9 +128,38 @@ VerdictCounts count_verdicts(const Document& document) {
   return sum;
 }
 
+bool is_warning(const calc::Diagnostic& diagnostic) {
+  return diagnostic.severity() == calc::Severity::warning;
+}
+
+bool is_strict_warning(const ProjectPart& project, const calc::Diagnostic& diagnostic) {
+  const std::vector<calc::DiagnosticId>& ids = project.strict_warnings;
+  return is_warning(diagnostic) && std::find(ids.begin(), ids.end(), diagnostic.id) != ids.end();
+}
+
+WarningCounts count_warnings(const ProjectPart& project) {
+  WarningCounts counts;
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    counts.all += is_warning(diagnostic) ? 1 : 0;
+    counts.strict += is_strict_warning(project, diagnostic) ? 1 : 0;
+  }
+  return counts;
+}
+
+WarningCounts count_warnings(const Document& document) {
+  WarningCounts sum;
+  for (const ProjectPart& project : document.projects) {
+    const WarningCounts counts = count_warnings(project);
+    sum.all += counts.all;
+    sum.strict += counts.strict;
+  }
+  return sum;
+}
+
 rules::Outcome outcome_of(const ProjectPart& project) {
   rules::Outcome outcome = rules::Outcome::nothing_asked;
-  if (!project.is_judged) outcome = rules::Outcome::not_judged;
+  if (count_warnings(project).strict > 0) outcome = rules::Outcome::warned;
+  if (!project.is_judged) outcome = graver(outcome, rules::Outcome::not_judged);
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) outcome = graver(outcome, outcome_of(plane));
   }

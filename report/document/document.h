@@ -198,6 +198,8 @@ struct ProjectPart {
   std::string path, name;
   bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
   std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
+  // Ids of those warnings that count like errors, because somebody asked for it (--strict).
+  std::vector<calc::DiagnosticId> strict_warnings;
   std::vector<LuminaireRow> luminaires;
   std::vector<SpacePart> spaces;
   std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
@@ -212,6 +214,11 @@ struct VerdictCounts {
 
   int of(rules::Verdict verdict) const;
   int all() const { return pass + fail + undecided + not_judged + waived; }
+};
+
+struct WarningCounts {
+  int all = 0;
+  int strict = 0;  // of them, see ProjectPart::strict_warnings
 };
 
 struct Document {
@@ -231,6 +238,12 @@ void settle_estimates(PlanePart& plane);
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);
 VerdictCounts count_verdicts(const SpacePart& space);  // of its planes, without aggregates
+
+bool is_warning(const calc::Diagnostic& diagnostic);
+// It is a warning that counts like an error.
+bool is_strict_warning(const ProjectPart& project, const calc::Diagnostic& diagnostic);
+WarningCounts count_warnings(const Document& document);
+WarningCounts count_warnings(const ProjectPart& project);
 
 // The gravest of everything in it. not_judged: also a project that could not be judged at all, and
 // a plane without result, even one of which nothing is required.

@@ -41,8 +41,9 @@ std::string github_line(std::string_view command, const calc::SourceLocation& wh
   return line + "title=" + github_escape(title, true) + "::" + github_escape(message, false) + "\n";
 }
 
-bool is_error(const calc::Diagnostic& diagnostic) {
-  return diagnostic.severity() == calc::Severity::error;
+// Or a warning that counts like one.
+bool is_error(const ProjectPart& project, const calc::Diagnostic& diagnostic) {
+  return !is_warning(diagnostic) || is_strict_warning(project, diagnostic);
 }
 
 const char* gitlab_severity(rules::Verdict verdict) {
@@ -92,7 +93,7 @@ std::string render_github(const Document& document) {
   std::string text;
   for (const ProjectPart& project : document.projects) {
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-      text += github_line(is_error(diagnostic) ? "error" : "warning", diagnostic.where,
+      text += github_line(is_error(project, diagnostic) ? "error" : "warning", diagnostic.where,
                           fmt::format("luxgate: {}", calc::diagnostic_name(diagnostic.id)),
                           printable(diagnostic.message));
     }
@@ -129,7 +130,7 @@ std::string render_gitlab(const Document& document) {
       const std::string identity = project.path + "\n" + name + "\n" + diagnostic.message;
       issues.push_back(gitlab_issue("luxgate/" + name, printable(diagnostic.message),
                                     unique_fingerprint(identity, taken),
-                                    is_error(diagnostic) ? "blocker" : "info", where));
+                                    is_error(project, diagnostic) ? "blocker" : "info", where));
     }
   }
   return json_layout(issues);

@@ -41,6 +41,7 @@ constexpr const char* kReset = "\033[0m";
 const char* outcome_colour(rules::Outcome outcome) {
   switch (outcome) {
     case rules::Outcome::not_judged:
+    case rules::Outcome::warned:
       break;
     case rules::Outcome::fail:
       return "\033[1;31m";
@@ -252,6 +253,14 @@ std::string project_title(const ProjectPart& project, bool colour) {
   return colour ? kBold + title + kReset + "\n" : title + "\n";
 }
 
+std::string messages(const ProjectPart& project) {
+  std::string text;
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    text += "  " + printable(calc::format_diagnostic(diagnostic)) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
@@ -269,6 +278,7 @@ std::string render_text(const Document& document, const TextOptions& options, co
               (options.colour ? kReset : "") + "\n";
     }
     for (const TableLine& line : tables[i]) text += render_line(line, widths, options.colour);
+    if (options.has_messages) text += messages(project);
     text += "\n";
   }
   std::string summary = summary_words(t, document);

@@ -12,10 +12,11 @@ struct TextOptions {
   bool colour = false;  // ANSI colours, beside words and symbols, never instead of them
   int width =
       0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers never
+  bool has_messages = true;  // warnings and errors below each table; else they are said elsewhere
 };
 
-// UTF-8, every line ends in '\n'. Holds the table of each project and one summary line; warnings
-// and errors are not here (the command line prints them to stderr).
+// UTF-8, every line ends in '\n'. Holds the table of each project and one summary line, which
+// counts the warnings.
 std::string render_text(const Document& document, const TextOptions& options = {},
                         const Texts& t = {});
 

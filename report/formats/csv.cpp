@@ -124,6 +124,32 @@ void add_point(const std::string& place, const PlanePart& plane, const PointRow&
           csv);
 }
 
+// A row like any other, so that a table shows it and a filter finds it: "warning" for a verdict.
+void add_warning(const ProjectPart& project, const calc::Diagnostic& warning, std::string& csv) {
+  add_row({field(project.path),
+           "",
+           "",
+           field(calc::diagnostic_name(warning.id)),
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           "",
+           is_strict_warning(project, warning) ? "strict warning" : "warning",
+           field(calc::format_diagnostic(warning)),
+           "",
+           "",
+           ""},
+          csv);
+}
+
 // Calls visit(place, plane) for every plane; place: the first three fields of a row.
 template <class Visit>
 void for_each_plane(const ProjectPart& project, Visit visit) {
@@ -145,6 +171,9 @@ std::string render_results_csv(const Document& document) {
     });
     for (const rules::AggregateFinding& finding : project.aggregates) {
       add_aggregate(project, finding, csv);
+    }
+    for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+      if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);
     }
   }
   return csv;

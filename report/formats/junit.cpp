@@ -6,7 +6,9 @@
 
 #include <pugixml.hpp>
 
+#include <map>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace report {
@@ -23,9 +25,9 @@ CaseResult result_of(const CiFinding& entry) {
 struct Counts {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(const CiFinding& entry) {
+  void add(const CiFinding& entry) { add(result_of(entry)); }
+  void add(CaseResult result) {
     ++tests;
-    const CaseResult result = result_of(entry);
     skipped += result == CaseResult::skipped ? 1 : 0;
     errors += result == CaseResult::error ? 1 : 0;
     failures += result == CaseResult::failure ? 1 : 0;
@@ -78,6 +80,39 @@ void add_case(pugi::xml_node suite, const CiFinding& entry) {
   problem.text() = words.c_str();
 }
 
+// A warning is a case of its own, since nobody looks at the output of cases that pass: skipped, as
+// all that does not count, or a failure if it counts.
+CaseResult result_of(const ProjectPart& project, const calc::Diagnostic& warning) {
+  return is_strict_warning(project, warning) ? CaseResult::failure : CaseResult::skipped;
+}
+
+template <class Visit>
+void for_each_warning(const ProjectPart& project, Visit visit) {
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    if (is_warning(diagnostic)) visit(diagnostic);
+  }
+}
+
+// number: how many of that id the project has had so far, with this one.
+void add_warning_case(pugi::xml_node suite, const ProjectPart& project,
+                      const calc::Diagnostic& warning, int number) {
+  pugi::xml_node test = suite.append_child("testcase");
+  const std::string id = calc::diagnostic_name(warning.id);
+  set(test, "classname", printable(project.path));
+  set(test, "name", "warning / " + id + (number > 1 ? "-" + std::to_string(number) : ""));
+  set(test, "file", printable(warning.where.file.empty() ? project.path : warning.where.file));
+  if (warning.where.line > 0) test.append_attribute("line") = warning.where.line;
+  const std::string words = printable(warning.message);
+  if (result_of(project, warning) == CaseResult::skipped) {
+    set(test.append_child("skipped"), "message", words);
+    return;
+  }
+  pugi::xml_node problem = test.append_child("failure");
+  set(problem, "type", "warning");
+  set(problem, "message", words);
+  problem.text() = words.c_str();
+}
+
 }  // namespace
 
 std::string render_junit(const Document& document) {
@@ -90,6 +125,10 @@ std::string render_junit(const Document& document) {
   set(root, "name", "luxgate");
   Counts all;
   for (const CiFinding& entry : findings) all.add(entry);
+  for (const ProjectPart& project : document.projects) {
+    for_each_warning(
+        project, [&](const calc::Diagnostic& warning) { all.add(result_of(project, warning)); });
+  }
   all.write_to(root, false);
   for (const ProjectPart& project : document.projects) {
     pugi::xml_node suite = root.append_child("testsuite");
@@ -98,10 +137,16 @@ std::string render_junit(const Document& document) {
     for (const CiFinding& entry : findings) {
       if (entry.project == &project) counts.add(entry);
     }
+    for_each_warning(
+        project, [&](const calc::Diagnostic& warning) { counts.add(result_of(project, warning)); });
     counts.write_to(suite, true);
     for (const CiFinding& entry : findings) {
       if (entry.project == &project) add_case(suite, entry);
     }
+    std::map<calc::DiagnosticId, int> number;
+    for_each_warning(project, [&](const calc::Diagnostic& warning) {
+      add_warning_case(suite, project, warning, ++number[warning.id]);
+    });
     std::string notes;
     // A suite of which nothing was asked has no failure either: it must not look like a pass.
     if (const rules::Outcome outcome = outcome_of(project);

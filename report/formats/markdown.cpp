@@ -81,6 +81,22 @@ std::string table(const Texts& t, const std::vector<CiFinding>& findings) {
   return text;
 }
 
+std::string warnings(const Texts& t, const ProjectPart& project) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  std::size_t count = 0;
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    if (!is_warning(diagnostic) || ++count > kMost) continue;
+    const bool counts = is_strict_warning(project, diagnostic);
+    text +=
+        fmt::format("- {}{}\n", counts ? std::string("**") + t[Text::warning_counts] + "** " : "",
+                    escape_markdown(calc::format_diagnostic(diagnostic)));
+  }
+  if (count == 0) return {};
+  if (count > kMost) text += "\n" + t.say<Text::more_left_out>(count - kMost) + "\n";
+  return "\n" + t.say<Text::warnings_on>(escape_markdown(project.path)) + "\n\n" + text;
+}
+
 }  // namespace
 
 std::string render_markdown(const Document& document, const Texts& t) {
@@ -92,6 +108,7 @@ std::string render_markdown(const Document& document, const Texts& t) {
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t, outcome), summary_words(t, document));
   if (!others.empty()) text += "\n" + table(t, others);
+  for (const ProjectPart& project : document.projects) text += warnings(t, project);
   for (const ProjectPart& project : document.projects) {
     const std::vector<std::string> notes = ci_notes(project, t);
     if (notes.empty()) continue;

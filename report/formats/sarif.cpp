@@ -126,8 +126,8 @@ Json artifacts_json(const Document& document) {
   return array;
 }
 
-Json notification_json(const calc::Diagnostic& diagnostic) {
-  const bool is_error = diagnostic.severity() == calc::Severity::error;
+Json notification_json(const ProjectPart& project, const calc::Diagnostic& diagnostic) {
+  const bool is_error = !is_warning(diagnostic) || is_strict_warning(project, diagnostic);
   Json json = {{"descriptor", {{"id", calc::diagnostic_name(diagnostic.id)}}},
                {"level", is_error ? "error" : "warning"},
                {"message", {{"text", printable(diagnostic.message)}}}};
@@ -143,7 +143,7 @@ Json invocation_json(const Document& document) {
   for (const ProjectPart& project : document.projects) {
     is_successful = is_successful && project.is_judged;
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-      notifications.push_back(notification_json(diagnostic));
+      notifications.push_back(notification_json(project, diagnostic));
     }
   }
   return {{"executionSuccessful", is_successful},

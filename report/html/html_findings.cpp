@@ -297,6 +297,8 @@ std::string banner_sentence(const Texts& t, rules::Outcome outcome, const Verdic
   switch (outcome) {
     case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::warned:
+      return Text::warnings_count;
     case rules::Outcome::fail:
       return t[Text::not_all_met];
     case rules::Outcome::undecided:
@@ -320,6 +322,7 @@ std::string banner_attributes(rules::Outcome outcome) {
   };
   switch (outcome) {
     case rules::Outcome::not_judged:
+    case rules::Outcome::warned:
       break;
     case rules::Outcome::fail:
       return like(rules::Verdict::fail);

@@ -135,14 +135,17 @@ std::string html_messages(const Texts& t, const ProjectPart& project) {
   if (project.diagnostics.empty()) return {};
   std::string items;
   for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-    const bool is_error = diagnostic.severity() == calc::Severity::error;
+    const bool is_error = !is_warning(diagnostic);
+    const Text kind = is_error                                 ? Text::error
+                      : is_strict_warning(project, diagnostic) ? Text::warning_counts
+                                                               : Text::warning;
     const calc::SourceLocation& where = diagnostic.where;
     std::string place = escape_html(where.file);
     if (where.line > 0) place += fmt::format(":{}", where.line);
     if (where.column > 0) place += fmt::format(":{}", where.column);
     items += fmt::format(
         "<li class=\"{}\"><b>{}</b> {} <span class=\"note\"><code>{}</code> {}</span></li>\n",
-        is_error ? "error" : "warning", t[is_error ? Text::error : Text::warning],
+        kind == Text::warning ? "warning" : "error", t[kind],
         t.english_html(escape_html(diagnostic.message)), place,
         calc::diagnostic_name(diagnostic.id));
   }

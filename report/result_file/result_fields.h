@@ -50,6 +50,12 @@ void describe(auto& v, Is<VerdictCounts> auto& counts) {
        .presence = kSinceLater});
 }
 
+void describe(auto& v, Is<WarningCounts> auto& counts) {
+  v.is("warnings");
+  v.field("all", counts.all);
+  v.field("strict", counts.strict, {.words = "Of them count like errors, by --strict."});
+}
+
 void describe(auto& v, Is<Provenance> auto& p) {
   v.is("provenance");
   v.field("program_version", p.program_version);
@@ -568,6 +574,21 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("is_judged", project.is_judged);
   v.written("counts", [&] { return count_verdicts(project); });
   v.field("diagnostics", project.diagnostics);
+  v.written("warnings", [&] { return count_warnings(project); }, {.presence = kSinceLater});
+  std::vector<std::string> strict;
+  for (const calc::DiagnosticId id : project.strict_warnings) {
+    strict.push_back(calc::diagnostic_name(id));
+  }
+  v.field("strict_warnings", strict,
+          {.words = "Ids of warnings that count like errors, by --strict.",
+           .presence = only_if(!strict.empty())});
+  std::vector<calc::DiagnosticId> strict_ids;
+  for (const std::string& name : strict) {
+    const std::optional<calc::DiagnosticId> id = calc::diagnostic_from_name(name);
+    v.refuse_if(!id, "strict_warnings", "no message of this program has that id");
+    if (id) strict_ids.push_back(*id);
+  }
+  assign(project.strict_warnings, strict_ids);
   v.field("luminaires", project.luminaires);
   v.field("spaces", project.spaces);
   v.field("inputs", project.inputs);
@@ -583,6 +604,7 @@ void describe(auto& v, Is<Document> auto& document) {
   v.constant("format_version", 1);
   v.field("provenance", document.provenance);
   v.written("counts", [&] { return count_verdicts(document); });
+  v.written("warnings", [&] { return count_warnings(document); }, {.presence = kSinceLater});
   v.field("projects", document.projects);
 }
 

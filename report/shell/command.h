@@ -24,6 +24,9 @@ struct Option {
   std::variant<ValueParser, bool*> target;
   bool repeats = false;
   std::vector<std::string> excludes = {};  // options listed before it that it cannot stand beside
+  // A flag that may have a value, behind '=' only: what follows it is never taken for one. The
+  // target is a parser, which gets "" where there is none; value_name is empty.
+  bool may_have_value = false;
 };
 
 // What stands on the line without a name of its own.

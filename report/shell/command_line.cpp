@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -22,7 +23,12 @@ void add_option(CLI::App& app, const Option& option) {
   }
   const auto& parser = std::get<ValueParser>(option.target);
   CLI::Option* added = nullptr;
-  if (option.value_name.empty()) {
+  if (option.may_have_value) {
+    const auto texts = std::make_shared<std::vector<std::string>>();  // lives as long as the check
+    added = app.add_flag(option.names, *texts, option.help);
+    added->check(CLI::Validator(
+        [&parser, texts](std::string& text) { return parser(text == "true" ? "" : text); }, ""));
+  } else if (option.value_name.empty()) {
     added = app.add_flag_callback(
         option.names, [&parser] { parser(""); }, option.help);
   } else {

@@ -5,6 +5,7 @@ namespace cli {
 ExitCode exit_code_of(rules::Outcome outcome) {
   switch (outcome) {
     case rules::Outcome::not_judged:
+    case rules::Outcome::warned:
       break;
     case rules::Outcome::fail:
       return kNotMet;

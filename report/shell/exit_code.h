@@ -6,9 +6,11 @@
 namespace cli {
 
 enum ExitCode : int {
-  kAllMet = 0,        // every requirement is met or waived, or nothing was asked
-  kNotMet = 1,        // at least one requirement is not met
-  kNotJudged = 2,     // usage, input, file or internal error, or a plane that could not be judged
+  kAllMet = 0,  // every requirement is met or waived, or nothing was asked
+  kNotMet = 1,  // at least one requirement is not met
+  // usage, input, file or internal error, a plane that could not be judged, or a warning that
+  // counts
+  kNotJudged = 2,
   kUndecided = 3,     // nothing failed, but the interval of at least one result holds its limit
   kInterrupted = 130  // SIGINT or SIGTERM, as shells report it
 };

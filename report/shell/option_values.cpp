@@ -175,6 +175,12 @@ Option quiet_option(bool& target) {
   return {"-q,--quiet", "", "Print errors and what an option asks for, nothing else", &target};
 }
 
+Option quiet_option_with_count(bool& target) {
+  return {"-q,--quiet", "",
+          "Print errors and what an option asks for, and of warnings one line: how many, and ids",
+          &target};
+}
+
 Place project_place(std::string& target) {
   return {"project", "PROJECT.xml", "Project file", &target};
 }

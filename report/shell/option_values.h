@@ -46,6 +46,8 @@ Option seed_option(std::uint64_t& target);
 Option jobs_option(int& target, const std::string& never_changes = "a result");
 Option space_option(std::string& target);
 Option quiet_option(bool& target);
+// Of commands with a WarningTally.
+Option quiet_option_with_count(bool& target);
 Place project_place(std::string& target);
 
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names);

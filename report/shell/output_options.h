@@ -29,6 +29,7 @@ struct OutputOptions {
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
   bool redact = false;                                    // see report::redact()
   bool quiet = false;                                     // no text unless asked for
+  bool are_messages_printed = false;  // to standard error: not again by text on standard output
   ColorChoice color = ColorChoice::automatic;
 };
 

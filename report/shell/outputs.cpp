@@ -280,7 +280,7 @@ bool write_results(const OutputOptions& options, const Environment& environment,
   }
   if (const report::Format* format = stdout_format(options)) {
     const report::TextOptions terminal{use_color(options.color, environment),
-                                       environment.stdout_columns};
+                                       environment.stdout_columns, !options.are_messages_printed};
     if (!print_result(format->render(document, {terminal, report_texts(options)}))) {
       print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
       is_written = false;

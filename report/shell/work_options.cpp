@@ -1,5 +1,6 @@
 #include "report/shell/work_options.h"
 
+#include "calc/base/diagnostics.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -81,6 +82,10 @@ Place projects_place(ProjectOptions& options) {
 Option rules_of_projects(ProjectOptions& options) { return rules_option(options.rule_files); }
 
 std::string project_contradiction(const ProjectOptions& options) {
+  for (const std::string& project : options.projects) {  // "--strict ID" is easily written
+    if (!calc::diagnostic_from_name(project)) continue;
+    return fmt::format("'{0}' is the id of a message, no project; write --strict={0}", project);
+  }
   for (std::size_t i = 0; i < options.projects.size(); ++i) {
     const auto normal = std::filesystem::path(options.projects[i]).lexically_normal();
     for (std::size_t k = 0; k < i; ++k) {

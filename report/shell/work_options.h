@@ -17,7 +17,7 @@ struct ProjectOptions {
 };
 Place projects_place(ProjectOptions& options);
 Option rules_of_projects(ProjectOptions& options);
-// "" unless a project is given twice.
+// "" unless a project is given twice, or is an id that was meant for --strict.
 std::string project_contradiction(const ProjectOptions& options);
 
 std::vector<Option> work_options(calc::RadiositySettings& settings);

@@ -90,6 +90,8 @@ const char* outcome_symbol(rules::Outcome outcome) {
   switch (outcome) {
     case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::warned:
+      return "!";
     case rules::Outcome::fail:
       return "✗";
     case rules::Outcome::undecided:
@@ -111,6 +113,8 @@ const char* outcome_words(const Texts& t, rules::Outcome outcome) {
   switch (outcome) {
     case rules::Outcome::not_judged:
       break;
+    case rules::Outcome::warned:
+      return t[Text::outcome_warned];
     case rules::Outcome::fail:
       return t[Text::verdict_fail];
     case rules::Outcome::undecided:
@@ -317,6 +321,10 @@ std::string summary_words(const Texts& t, const Document& document) {
   }
   if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
   if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);
+  const WarningCounts warnings = count_warnings(document);
+  if (warnings.all == 1) text += ", " + t.say<Text::one_warning>(warnings.all);
+  if (warnings.all > 1) text += ", " + t.say<Text::warnings>(warnings.all);
+  if (warnings.strict > 0) text += t.say<Text::of_which_count>(warnings.strict);
   return text;
 }
 

@@ -15,6 +15,7 @@ namespace rules {
 // Gravest first. "Cannot be judged" never looks like a pass or a failure of the design.
 enum class Outcome : std::uint8_t {
   not_judged,    // something could not be
+  warned,        // a warning that was asked to count: whatever was judged is not accepted
   fail,          // at least one requirement is not met
   undecided,     // nothing failed, but the interval of at least one result holds its limit
   pass,          // every requirement is met or waived, and one is met
@@ -50,6 +51,9 @@ constexpr Verdict graver(Verdict a, Verdict b) { return outcome_of(b) < outcome_
 inline constexpr std::array kGravestFirst{Verdict::not_judged, Verdict::fail, Verdict::undecided,
                                           Verdict::pass};
 // Place in it: 0, 1, 2, 3.
-constexpr int gravity_rank(Verdict verdict) { return static_cast<int>(outcome_of(verdict)); }
+constexpr int gravity_rank(Verdict verdict) {
+  return static_cast<int>(std::find(kGravestFirst.begin(), kGravestFirst.end(), verdict) -
+                          kGravestFirst.begin());
+}
 
 }  // namespace rules

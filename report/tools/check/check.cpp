@@ -165,6 +165,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   watch_for_interrupt();
   const calc::Stages stages = opened->stages();
   CheckObserver observer(options, context);
+  options.output.are_messages_printed = !options.output.quiet;
+  WarningTally warnings(options.strict);
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, opened->description);
   for (const std::string& path : options.input.projects) {
@@ -176,7 +178,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
       fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
       return kInterrupted;
     }
-    const report::ProjectPart& project = document.projects.back();
+    report::ProjectPart& project = document.projects.back();
+    project.strict_warnings = warnings.add(project.diagnostics);
     print_diagnostics(project.diagnostics, options.output.quiet);
     if (options.settings.has_times && project.is_judged) print_timing(project);
   }
@@ -188,6 +191,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (options.output.redact) report::redact(document);
   const bool is_written =
       write_results(options.output, context.environment, document, files.paths());
+  warnings.print(options.output.quiet);
   return is_written ? exit_code_of(outcome_of(document)) : kNotJudged;
 }
 

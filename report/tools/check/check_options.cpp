@@ -14,7 +14,8 @@ constexpr const char* kExitCodes =
     "Exit codes:\n"
     "  0    every requirement is met or waived, or nothing was asked: a warning says so\n"
     "  1    at least one requirement is not met\n"
-    "  2    usage, input or file error, or a plane or project that could not be judged\n"
+    "  2    usage, input or file error, a plane or project that could not be judged, or a\n"
+    "       warning that --strict makes count\n"
     "  3    nothing failed, but a result's interval holds its limit: undecided\n"
     "  130  interrupted; nothing was written\n"
     "The worst of all projects counts; worst first: 2, 1, 3, 0.";
@@ -100,7 +101,8 @@ Command check_syntax(CheckOptions& options) {
         some_text(options.vpl_file),
         false,
         {"--seed", "--replicates", "--max-paths", "--by-luminaire"}},
-       quiet_option(options.output.quiet)});
+       strict_option(options.strict),
+       quiet_option_with_count(options.output.quiet)});
   command.footer = kExitCodes;
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);

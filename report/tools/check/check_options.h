@@ -3,6 +3,7 @@
 
 #include "report/check/settings.h"
 #include "report/shell/output_options.h"
+#include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 
 #include <string>
@@ -17,6 +18,7 @@ struct CheckOptions {
   std::string timestamp;  // "2024-05-01T12:00:00Z" or ""
   bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
   bool explain_cost = false;
+  StrictWarnings strict;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
 };
 

@@ -18,10 +18,12 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
+  WarningTally warnings(options.strict);
   const std::vector<check::ProjectPlan> plans =
       check::plan_projects(options.input.projects, files, *packs, options.radiosity);
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
+    warnings.add(plan.diagnostics);
     if (!plan.is_planned) outcome = graver(outcome, Outcome::not_judged);
   }
   const check::BackendChoice backend =
@@ -30,6 +32,8 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   if (!open_or_complain(backend, context.gl_fault, "", options.quiet)) {
     outcome = graver(outcome, Outcome::not_judged);
   }
+  warnings.print(options.quiet);
+  outcome = graver(outcome, warnings.outcome());
   const std::string text = options.as_json ? render_plan_json(plans, options.radiosity, backend)
                                            : render_plan_text(plans, options.radiosity, backend);
   return print_outcome({exit_code_of(outcome), text, {}});
@@ -45,8 +49,10 @@ Command plan_syntax(PlanOptions& options) {
   add(command.options, backend_options(options.backend));
   add(command.options, {{"--format", "KIND", "text or json; default text",
                          choice<bool>(options.as_json, {{"text", false}, {"json", true}})},
-                        quiet_option(options.quiet)});
-  command.footer = "Exit codes: 0 no error, 2 at least one error.";
+                        strict_option(options.strict),
+                        quiet_option_with_count(options.quiet)});
+  command.footer =
+      "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
   command.complete = [&options](const Environment&) {
     const std::string problem = complete_work(options.radiosity, options.backend);
     return problem.empty() ? project_contradiction(options.input) : problem;

@@ -3,6 +3,7 @@
 
 #include "report/check/plan.h"
 #include "report/shell/command.h"
+#include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 
 #include <string>
@@ -15,6 +16,7 @@ struct PlanOptions {
   calc::RadiositySettings radiosity;
   check::BackendRequest backend;
   bool as_json = false;
+  StrictWarnings strict;
   bool quiet = false;
 };
 

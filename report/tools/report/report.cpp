@@ -13,7 +13,8 @@
 namespace cli {
 namespace {
 
-ExitCode run_report(const ReportOptions& options, const Environment& environment) {
+ExitCode run_report(const ReportOptions& asked, const Environment& environment) {
+  ReportOptions options = asked;
   const std::string output_problem = check_outputs(options.output, {options.result_file});
   if (!output_problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, output_problem);
@@ -31,6 +32,10 @@ ExitCode run_report(const ReportOptions& options, const Environment& environment
     return kNotJudged;
   }
   if (options.output.redact) report::redact(*document);
+  for (const report::ProjectPart& project : document->projects) {
+    print_diagnostics(project.diagnostics, options.output.quiet);
+  }
+  options.output.are_messages_printed = !options.output.quiet;
   const bool is_written =
       write_results(options.output, environment, *document, {path_identity(options.result_file)});
   return is_written ? kAllMet : kNotJudged;

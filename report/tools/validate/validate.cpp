@@ -5,6 +5,7 @@
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 #include "rules/verdict/outcome.h"
 
@@ -19,6 +20,7 @@ using rules::Outcome;
 
 struct ValidateOptions {
   ProjectOptions input;
+  StrictWarnings strict;
   bool quiet = false;
 };
 
@@ -27,12 +29,19 @@ ExitCode run_validate(const ValidateOptions& options) {
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
+  WarningTally warnings(options.strict);
   for (const std::string& path : options.input.projects) {
     const report::ProjectPart part = check::validate_project(path, files, *packs);
     print_diagnostics(part.diagnostics, options.quiet);
+    warnings.add(part.diagnostics);
     if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
-    if (part.is_judged && !options.quiet) fmt::print("{}: no error\n", path);
+    if (!part.is_judged || options.quiet) continue;
+    const int count = count_warnings(part).all;
+    fmt::print("{}: no error{}\n", path,
+               count == 0 ? "" : fmt::format(", {} warning{}", count, count == 1 ? "" : "s"));
   }
+  warnings.print(options.quiet);
+  outcome = graver(outcome, warnings.outcome());
   return exit_code_of(outcome);
 }
 
@@ -42,8 +51,10 @@ Command validate_command() {
   const auto options = std::make_shared<ValidateOptions>();
   Command command{"validate", "Check projects for errors without calculating"};
   command.places = {projects_place(options->input)};
-  command.options = {rules_of_projects(options->input), quiet_option(options->quiet)};
-  command.footer = "Exit codes: 0 no error, 2 at least one error.";
+  command.options = {rules_of_projects(options->input), strict_option(options->strict),
+                     quiet_option_with_count(options->quiet)};
+  command.footer =
+      "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
   command.complete = [options](const Environment&) {
     return project_contradiction(options->input);
   };

@@ -53,7 +53,7 @@ const std::vector<MessageCase> kCases{
     {"UnusualReflectance", in_room(R"(</room><material id="snow" reflectance="0.97"/>
 <room id="q" size="4 3 2.5" ceiling="white" walls="white" floor="white">)"),
      "dir/p.xml:5:28: warning[reflectance-very-high]: material 'snow': a reflectance of 0.97 is "
-     "unusual; real surfaces stay below 0.95"},
+     "unusual; white paint and tiles stay at 0.9 or below"},
     {"AbsentPhotometry", in_project(R"(<luminaire-type id="t" photometry="none.ies"/>)"),
      "dir/p.xml:4:24: error[file-not-readable]: cannot read 'dir/none.ies': No such file or "
      "directory"},

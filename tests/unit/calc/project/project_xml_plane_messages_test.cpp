@@ -140,8 +140,8 @@ const std::vector<MessageCase> kCases{
      "horizontal, as the directions that semicylindrical and UGR points look in must be; the first "
      "is (0,0,1) in line 4"},
     {"LuminaireOutsideRoom", in_room(R"(<luminaire id="k" type="spot" position="1 1 2.6"/>)"),
-     "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r': its light "
-     "does not reach the room"},
+     "dir/p.xml:5:1: warning[luminaire-outside-room]: luminaire 'k' is outside room 'r', 0.1 m "
+     "above its ceiling: its light does not reach the room"},
     {"GridPartlyOutsideRoom",
      in_room(
          R"(<luminaire-grid id="g" type="spot" origin="0 0 2" size="8 3" rows="1" columns="4"/>)"),

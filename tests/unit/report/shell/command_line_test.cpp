@@ -53,6 +53,32 @@ TEST(Options, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.timestamp, "");
 }
 
+TEST(Options, StrictTakesIdsBehindAnEqualsSignOnly) {
+  EXPECT_FALSE(parsed({"check", "a.xml"}).strict.has(calc::DiagnosticId::light_leaves_room));
+  const cli::CheckOptions all = parsed({"check", "--strict", "a.xml"});
+  EXPECT_THAT(all.input.projects, ::testing::ElementsAre("a.xml"));
+  EXPECT_TRUE(all.strict.all);
+  const cli::CheckOptions some =
+      parsed({"check", "a.xml", "--strict=light-leaves-room,luminaires-coincide"});
+  EXPECT_TRUE(some.strict.has(calc::DiagnosticId::light_leaves_room));
+  EXPECT_TRUE(some.strict.has(calc::DiagnosticId::luminaires_coincide));
+  EXPECT_FALSE(some.strict.has(calc::DiagnosticId::plane_faces_away));
+  const cli::CheckOptions twice =
+      parsed({"check", "a.xml", "--strict=light-leaves-room", "--strict=plane-faces-away"});
+  EXPECT_TRUE(twice.strict.has(calc::DiagnosticId::light_leaves_room));
+  EXPECT_TRUE(twice.strict.has(calc::DiagnosticId::plane_faces_away));
+}
+
+TEST(Options, StrictRefusesWhatIsNoWarning) {
+  expect_usage_error({"check", "a.xml", "--strict=light-leave-room"},
+                     "no warning has the id 'light-leave-room'; did you mean 'light-leaves-room'?");
+  expect_usage_error({"check", "a.xml", "--strict=all-of-them"}, "there are mesh-bent-faces, ");
+  expect_usage_error({"check", "a.xml", "--strict", "light-leaves-room"},
+                     "write --strict=light-leaves-room");
+  expect_usage_error({"check", "a.xml", "--strict=unknown-attribute"}, "is an error");
+  expect_usage_error({"check", "a.xml", "--strict=light-leaves-room,"}, "no warning has the id ''");
+}
+
 TEST(Options, ReadsEveryCalculationSetting) {
   const cli::CheckOptions options =
       parsed({"check", "a.xml", "--goal", "accuracy", "--tolerance", "5%", "--confidence=0.99",

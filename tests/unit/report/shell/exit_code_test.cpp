@@ -41,11 +41,24 @@ TEST(ExitCode, WorstVerdictCountsInTheDocumentedOrder) {
 
 TEST(ExitCode, EveryOutcomeHasTheDocumentedCode) {
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::not_judged), 2);
+  EXPECT_EQ(cli::exit_code_of(rules::Outcome::warned), 2);
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::fail), 1);
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::undecided), 3);
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::pass), 0);
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::waived), 0);
   EXPECT_EQ(cli::exit_code_of(rules::Outcome::nothing_asked), 0);
+}
+
+TEST(ExitCode, OnlyWarningsThatWereAskedToCountDo) {
+  report::Document document;
+  document.projects.push_back(project({Verdict::fail}));
+  report::ProjectPart& part = document.projects[0];
+  part.diagnostics = {{calc::DiagnosticId::light_leaves_room, {}, "light leaves"}};
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 1);
+  part.strict_warnings = {calc::DiagnosticId::luminaires_coincide};
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 1);
+  part.strict_warnings = {calc::DiagnosticId::light_leaves_room};
+  EXPECT_EQ(cli::exit_code_of(outcome_of(document)), 2);
 }
 
 TEST(ExitCode, NothingRequiredIsNoFailure) { EXPECT_EQ(code({}), 0); }

@@ -9,8 +9,9 @@
 namespace rules {
 namespace {
 
-constexpr std::array kAll{Outcome::not_judged, Outcome::fail,   Outcome::undecided,
-                          Outcome::pass,       Outcome::waived, Outcome::nothing_asked};
+constexpr std::array kAll{Outcome::not_judged,   Outcome::warned, Outcome::fail,
+                          Outcome::undecided,    Outcome::pass,   Outcome::waived,
+                          Outcome::nothing_asked};
 
 TEST(Outcome, TheGraverOfTwoIsTheOneThatComesFirst) {
   for (std::size_t i = 0; i < kAll.size(); ++i) {

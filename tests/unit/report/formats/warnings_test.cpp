@@ -1,0 +1,171 @@
+// A warning is in every format that a check or a report writes, and one that counts (--strict)
+// looks green in none.
+
+#include "report/formats/format.h"
+#include "report/result_file/json.h"
+#include "report/result_file/read_json.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace report {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr calc::DiagnosticId kId = calc::DiagnosticId::light_leaves_room;
+
+// Everything passes; two warnings of one id, one of another.
+Document warned() {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  project.spaces[0].planes[0].findings.resize(1);
+  project.diagnostics = {
+      {kId, {"office.xml", 7, 3}, "16 % of the light is lost"},
+      {kId, {"office.xml", 9, 3}, "12 % of the light is lost"},
+      {calc::DiagnosticId::luminaires_coincide, {"office.xml", 8, 3}, "pasted twice?"}};
+  return document;
+}
+
+Document strict() {
+  Document document = warned();
+  document.projects[0].strict_warnings = {kId};
+  return document;
+}
+
+std::string rendered(const Document& document, std::string_view format) {
+  return find_format(format)->render(document, {});
+}
+
+TEST(Warnings, AreInEveryFormatButPoints) {
+  for (const Format& format : formats()) {
+    if (format.name == "points-csv") continue;
+    const std::string text = format.render(warned(), {});
+    for (const char* part : {"light-leaves-room", "luminaires-coincide", "16 % of the light",
+                             "12 % of the light", "pasted twice?"}) {
+      std::string found = text;
+      if (format.name == "github") {
+        for (std::size_t at = 0; (at = found.find("%25", at)) != std::string::npos;)
+          found.replace(at, 3, "%");
+      }
+      EXPECT_THAT(found, HasSubstr(part)) << format.name;
+    }
+  }
+}
+
+TEST(Warnings, AreCountedInTheLastLineOfText) {
+  const std::string text = rendered(warned(), "text");
+  EXPECT_TRUE(text.ends_with("\n1 requirement: 1 pass, 3 warnings\n")) << text;
+  Document one = warned();
+  one.projects[0].diagnostics.resize(1);
+  EXPECT_THAT(rendered(one, "text"), HasSubstr("1 requirement: 1 pass, 1 warning\n"));
+  EXPECT_TRUE(rendered(strict(), "text")
+                  .ends_with("\n1 requirement: 1 pass, 3 warnings (to count by --strict: 2)\n"));
+}
+
+TEST(Warnings, AreNotSaidTwiceOnATerminal) {
+  TextOptions terminal;
+  terminal.has_messages = false;
+  const std::string text = render_text(warned(), terminal);
+  EXPECT_THAT(text, Not(HasSubstr("pasted twice?")));
+  EXPECT_THAT(text, HasSubstr("3 warnings"));
+}
+
+TEST(Warnings, AreRowsOfTheTable) {
+  EXPECT_THAT(rendered(warned(), "csv"),
+              HasSubstr("\r\noffice.xml,,,light-leaves-room,,,,,,,,,,,,,warning,office.xml:7:3: "
+                        "warning[light-leaves-room]: 16 % of the light is lost,,,\r\n"));
+  EXPECT_THAT(rendered(strict(), "csv"),
+              HasSubstr("office.xml,,,light-leaves-room,,,,,,,,,,,,,strict warning,"));
+  EXPECT_THAT(rendered(strict(), "csv"),
+              HasSubstr("office.xml,,,luminaires-coincide,,,,,,,,,,,,,warning,"));
+}
+
+TEST(Warnings, AreCasesOfJunitWithNamesOfTheirOwn) {
+  pugi::xml_document xml;
+  ASSERT_TRUE(xml.load_string(rendered(warned(), "junit").c_str()));
+  const auto has_case = [&xml](const char* name, const char* result) {
+    return !xml.select_nodes((std::string("//testcase[@name='") + name + "']/" + result).c_str())
+                .empty();
+  };
+  EXPECT_TRUE(has_case("warning / light-leaves-room", "skipped"));
+  EXPECT_TRUE(has_case("warning / light-leaves-room-2", "skipped"));
+  EXPECT_TRUE(has_case("warning / luminaires-coincide", "skipped"));
+  EXPECT_EQ(xml.child("testsuites").attribute("tests").as_int(), 4);
+  EXPECT_EQ(xml.child("testsuites").attribute("failures").as_int(), 0);
+  ASSERT_TRUE(xml.load_string(rendered(strict(), "junit").c_str()));
+  EXPECT_TRUE(has_case("warning / light-leaves-room", "failure"));
+  EXPECT_TRUE(has_case("warning / luminaires-coincide", "skipped"));
+  EXPECT_EQ(xml.child("testsuites").attribute("failures").as_int(), 2);
+  EXPECT_EQ(xml.child("testsuites").child("testsuite").attribute("skipped").as_int(), 1);
+}
+
+TEST(Warnings, ThatCountAreErrorsToCiSystems) {
+  EXPECT_THAT(rendered(warned(), "github"), Not(HasSubstr("::error")));
+  EXPECT_THAT(rendered(strict(), "github"),
+              HasSubstr("::error file=office.xml,line=7,col=3,title=luxgate%3A light-leaves-room"));
+  EXPECT_THAT(rendered(strict(), "github"), HasSubstr("::warning file=office.xml,line=8"));
+  EXPECT_THAT(rendered(warned(), "gitlab"), Not(HasSubstr("blocker")));
+  EXPECT_THAT(rendered(strict(), "gitlab"), HasSubstr("blocker"));
+  const auto level = [](const Document& document, int k) {
+    return json::parse(rendered(
+        document, "sarif"))["runs"][0]["invocations"][0]["toolExecutionNotifications"][k]["level"];
+  };
+  EXPECT_EQ(level(warned(), 0), "warning");
+  EXPECT_EQ(level(strict(), 0), "error");
+  EXPECT_EQ(level(strict(), 2), "warning");
+}
+
+TEST(Warnings, ThatCountLeaveNoHeadlineGreen) {
+  EXPECT_THAT(rendered(warned(), "markdown"), HasSubstr("### luxgate: ✓ pass\n"));
+  EXPECT_THAT(rendered(strict(), "markdown"), HasSubstr("### luxgate: ! warnings count\n"));
+  EXPECT_THAT(rendered(strict(), "markdown"),
+              HasSubstr("- **warning that counts (--strict)** office.xml:7:3: "));
+  EXPECT_THAT(rendered(warned(), "html"), HasSubstr("class=\"banner pass\""));
+  const std::string html = rendered(strict(), "html");
+  EXPECT_THAT(html, Not(HasSubstr("class=\"banner pass\"")));
+  EXPECT_THAT(html, HasSubstr("Warnings were asked to count, and there are some"));
+  EXPECT_THAT(html, HasSubstr("<b>warning that counts (--strict)</b>"));
+}
+
+TEST(Warnings, MarkdownLeavesOutWhatIsTooMuch) {
+  Document document = warned();
+  document.projects[0].diagnostics.assign(23, document.projects[0].diagnostics[0]);
+  EXPECT_THAT(rendered(document, "markdown"), HasSubstr("\n3 more are left out here.\n"));
+}
+
+TEST(Warnings, ThatCountDoSoAgainWhenTheResultIsRead) {
+  std::string problem;
+  const std::optional<Document> again = read_json(render_json(strict()), problem);
+  ASSERT_TRUE(again) << problem;
+  EXPECT_EQ(outcome_of(*again), rules::Outcome::warned);
+  EXPECT_EQ(count_warnings(*again).all, 3);
+  EXPECT_EQ(count_warnings(*again).strict, 2);
+  const json result = json::parse(render_json(strict()));
+  EXPECT_EQ(result["warnings"], json({{"all", 3}, {"strict", 2}}));
+  EXPECT_EQ(result["projects"][0]["strict_warnings"], json({"light-leaves-room"}));
+  EXPECT_FALSE(json::parse(render_json(warned()))["projects"][0].contains("strict_warnings"));
+}
+
+TEST(Warnings, AnIdThatThisProgramDoesNotKnowIsRefused) {
+  std::string text = render_json(strict());
+  const std::string list = "\"strict_warnings\": [\"light-leaves-room\"]";
+  const std::size_t at = text.find(list);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, list.size(), "\"strict_warnings\": [\"light-leaves-the-house\"]");
+  std::string problem;
+  EXPECT_FALSE(read_json(text, problem));
+  EXPECT_THAT(problem, HasSubstr("no message of this program has that id"));
+}
+
+}  // namespace
+}  // namespace report
