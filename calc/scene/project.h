@@ -165,6 +165,12 @@ struct ZoneText {
   SourceLocation where, role_where;
 };
 
+// A zone of a workplace, or a part of it ("wall.2"), that has no plane.
+struct UnmadeZone {
+  std::string role, why;
+  bool is_left_out = false;  // by the project; else there is no place for it
+};
+
 // Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
 // planes.
 struct Workplace {
@@ -175,7 +181,8 @@ struct Workplace {
   PlanarArea ceiling;
   std::vector<PlanarArea> walls;  // in the order of the project's numbers
   std::vector<ZoneText> zones;
-  bool is_good = true;  // false after an error in it or in the shape of its room
+  std::vector<UnmadeZone> unmade;  // known once its planes are made
+  bool is_good = true;             // false after an error in it or in the shape of its room
   SourceLocation where;
 };
 

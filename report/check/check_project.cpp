@@ -12,6 +12,7 @@
 #include "rules/binding/judged_project.h"
 #include "rules/fitness/fitness.h"
 #include "rules/measure/error_spending.h"
+#include "rules/verdict/coverage.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/judge_aggregates.h"
 #include "rules/verdict/stop_rule.h"
@@ -222,6 +223,15 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
   times.near_s += solution.times.near_s;
 }
 
+std::vector<rules::JudgedPlane> judged_planes(const calc::Space& space,
+                                              const report::SpacePart& part) {
+  std::vector<rules::JudgedPlane> planes;
+  for (std::size_t k = 0; k < part.planes.size(); ++k) {
+    planes.push_back({&space, &space.planes[k], &part.planes[k].findings});
+  }
+  return planes;
+}
+
 report::SpacePart check_space(const calc::Space& space, const rules::JudgedProject& loaded,
                               const Context& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
@@ -276,6 +286,7 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
+  part.coverage = rules::row_coverage(space, judged_planes(space, part), context.packs);
   context.observer.judged(loaded.project.path, space, scene, part);
   return part;
 }
@@ -293,10 +304,8 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
                                                       const std::vector<rules::RulePack>& packs) {
   std::vector<rules::JudgedPlane> planes;
   for (std::size_t s = 0; s < part.spaces.size(); ++s) {
-    const calc::Space& space = project.spaces[s];
-    for (std::size_t k = 0; k < part.spaces[s].planes.size(); ++k) {
-      planes.push_back({&space, &space.planes[k], &part.spaces[s].planes[k].findings});
-    }
+    const std::vector<rules::JudgedPlane> own = judged_planes(project.spaces[s], part.spaces[s]);
+    planes.insert(planes.end(), own.begin(), own.end());
   }
   return rules::judge_aggregates(planes, packs);
 }

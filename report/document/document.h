@@ -11,6 +11,7 @@
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/goal.h"
+#include "rules/verdict/coverage.h"
 #include "rules/verdict/judge.h"
 #include "rules/verdict/outcome.h"
 
@@ -190,7 +191,8 @@ struct SpacePart {
   std::size_t bodies_left_out = 0;  // too many to draw
   calc::FluxBalance balance;
   std::vector<PlanePart> planes;
-  std::vector<std::string> notes;  // zones of workplaces that were not made, and why
+  std::vector<std::string> notes;            // zones of workplaces that were not made, and why
+  std::vector<rules::RowCoverage> coverage;  // what is asked of which rows
   RoomPictures pictures;
 };
 

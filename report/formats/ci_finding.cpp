@@ -131,6 +131,9 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
   for (const SpacePart& space : project.spaces) {
     const std::string room = printable(title_of(space.name, space.id));
     for (const std::string& note : space.notes) notes.push_back(room + ": " + printable(note));
+    for (const rules::RowCoverage& row : space.coverage) {
+      notes.push_back(room + ": " + coverage_words(t, row));
+    }
     for (const PlanePart& plane : space.planes) {
       if (plane.changed.empty()) continue;
       notes.push_back(t.say<Text::changed_note>(

@@ -239,6 +239,9 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project)
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
     for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
+    for (const rules::RowCoverage& row : space.coverage) {
+      lines.emplace_back().note = coverage_words(t, row);
+    }
   }
   for (const rules::AggregateFinding& finding : project.aggregates) {
     add_aggregate(t, project, finding, lines);

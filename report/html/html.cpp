@@ -137,6 +137,10 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
   std::string html;
   for (const std::string& note : space.notes)
     html += "<p class=\"quiet note-of-room\">" + t.english_html(escape_html(note)) + "</p>\n";
+  for (const rules::RowCoverage& row : space.coverage) {
+    html += fmt::format("<p class=\"note-of-room{}\">{}</p>\n", row.is_whole() ? " quiet" : "",
+                        escape_html(coverage_words(t, row)));
+  }
   return html;
 }
 

@@ -481,6 +481,23 @@ void describe(auto& v, Is<calc::FluxBalance> auto& balance) {
   v.field("escaped_lm", balance.escaped_lm);
 }
 
+void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
+  v.is("role_coverage");
+  v.field("role", role.role);
+  v.field("state", role.state);
+  v.field("words", role.words, {.holds = Holds::prose});
+}
+
+void describe(auto& v, Is<rules::RowCoverage> auto& row) {
+  v.is("row_coverage");
+  v.field("workplace", row.workplace, {.words = "'': the require elements of the space's planes."});
+  v.field("clause", row.clause);
+  v.written("is_whole", [&] { return row.is_whole(); },
+            {.words = "Nothing of the row was never asked."});
+  v.written("is_met", [&] { return row.is_met(); });
+  v.field("roles", row.roles);
+}
+
 void describe(auto& v, Is<SpacePart> auto& space) {
   v.is("space");
   v.field("id", space.id);
@@ -502,6 +519,9 @@ void describe(auto& v, Is<SpacePart> auto& space) {
           {.words = "Furniture that is too much to draw.", .presence = kSinceLater});
   v.field("flux_balance", space.balance);
   v.field("planes", space.planes);
+  v.field("coverage", space.coverage,
+          {.words = "What is asked of which rows of rule packs.",
+           .presence = only_if(!space.coverage.empty())});
   v.field("notes", space.notes,
           {.words = "Zones of workplaces that were not made, and why.",
            .presence = only_if(!space.notes.empty()),

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace report {
@@ -217,6 +218,48 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
   }
   if (!requirement.scene.empty()) text += ", " + t.say<Text::scene>(printable(requirement.scene));
   return text;
+}
+
+namespace {
+
+// "surround, wall (window wall)"; "" if no role is in one of the states.
+std::string roles_in(const rules::RowCoverage& row,
+                     std::initializer_list<rules::RoleState> states) {
+  std::string words;
+  for (const rules::RoleCoverage& role : row.roles) {
+    if (std::find(states.begin(), states.end(), role.state) == states.end()) continue;
+    words += (words.empty() ? "" : ", ") + role.role;
+    if (!role.words.empty()) words += " (" + printable(role.words) + ")";
+  }
+  return words;
+}
+
+}  // namespace
+
+std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
+  using enum rules::RoleState;
+  const std::string title =
+      row.workplace.empty()
+          ? row.clause
+          : t.say<Text::of_workplace>(printable(row.workplace)) + ", " + row.clause;
+  const auto end = [&](const std::string& words) { return words.empty() ? "" : "; " + words; };
+  const auto said = [&](const std::string& roles, auto say) {
+    return roles.empty() ? std::string() : say(roles);
+  };
+  std::string words = !row.is_whole()
+                          ? t.say<Text::row_in_part>(
+                                title, roles_in(row, {met, failed, undecided, not_judged, waived}))
+                      : row.is_met() ? t.say<Text::row_is_met>(title)
+                                     : t.say<Text::row_is_asked>(title);
+  words += end(said(roles_in(row, {never_asked}),
+                    [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
+  words += end(said(roles_in(row, {left_out}),
+                    [&](const auto& roles) { return t.say<Text::roles_left_out>(roles); }));
+  words += end(said(roles_in(row, {not_made}),
+                    [&](const auto& roles) { return t.say<Text::roles_not_made>(roles); }));
+  words += end(said(roles_in(row, {not_possible}),
+                    [&](const auto& roles) { return t.say<Text::roles_not_possible>(roles); }));
+  return words;
 }
 
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {

@@ -81,6 +81,8 @@ struct NotePart {
 // ", initial, scene night": what a requirement looks at beyond maintained full output; "" =
 // nothing.
 std::string scene_words(const Texts& t, const rules::Requirement& requirement);
+// "EN 12464-1:2021 34.2: not the whole row is asked, only task; never asked: surround, ...".
+std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);

@@ -92,7 +92,8 @@ calc::ElementRow make_workplace_element() {
 
 }  // namespace
 
-const calc::ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
+const calc::ValueType kDayType{
+    .name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 const std::vector<RequirementAttribute>& requirement_attributes() {
   static const std::vector<RequirementAttribute> kAttributes = make_attributes();

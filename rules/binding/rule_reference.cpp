@@ -69,15 +69,6 @@ std::string find_role(ElementReader& reader, const RulePack& pack) {
   return {};
 }
 
-bool needs_row(const Expression& expression, const RulePack& pack) {
-  if (expression.kind == ExpressionKind::row_value) return true;
-  if (expression.kind == ExpressionKind::limit_of) {
-    return needs_row(pack.find_check(expression.name)->limit, pack);
-  }
-  return std::any_of(expression.operands.begin(), expression.operands.end(),
-                     [&](const Expression& operand) { return needs_row(operand, pack); });
-}
-
 // About the space that the plane is in; any plane there will do.
 std::optional<Metric> metric_of_space(const RuleCheck& check) {
   if (check.quantity->dimension == Dimension::power_density) return Metric::power_density;
@@ -171,7 +162,7 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
                   reference.pack.full_id());
     return false;
   }
-  if (reference.row == nullptr && needs_row(check.limit, reference.pack)) {
+  if (reference.row == nullptr && needs_row(check, reference.pack)) {
     reader.report(DiagnosticId::missing_partner, reader.where("pack"), reader.element().name,
                   "pack", "row");
     return false;
@@ -206,10 +197,6 @@ RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* 
     reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());
   }
   return RowLevel::modified;
-}
-
-bool needs_row(const RuleCheck& check, const RulePack& pack) {
-  return needs_row(check.limit, pack);
 }
 
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,

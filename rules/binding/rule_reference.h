@@ -41,9 +41,6 @@ RowLevel read_level(calc::ElementReader& reader, const RulePack& pack, const Rul
 // What can be said of row, level, role and facts without a pack.
 void check_row_values(calc::ElementReader& reader);
 
-// The limit needs a row: a value of it, or the limit of a check that needs one.
-bool needs_row(const RuleCheck& check, const RulePack& pack);
-
 // "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with "(modified)"
 // where a value of that level is in the limit, and with trust_remark() where there is one.
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,

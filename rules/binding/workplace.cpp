@@ -100,6 +100,9 @@ class WorkplaceMaker {
     }
   }
 
+  // By run().
+  const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
+
   // After check_zones() without an error. Nothing is added after an error.
   void run(PlaneIds& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
@@ -168,26 +171,16 @@ class WorkplaceMaker {
   void leave_out(std::vector<std::string>& list, const std::string& role,
                  const std::string& because) {
     list.push_back(fmt::format("{} ({})", role, because));
+    unmade_.push_back({role, because, &list == &left_out_});
   }
 
   // Why there is no plane of a role, whatever the room; "" = there is.
   std::string reason_against(const std::string& role, const RulePlane* plane) const {
-    const RuleCheck* first = nullptr;
-    bool is_wanted = false, has_row_check = false;
-    for (const RuleCheck& check : pack_.checks) {
-      if (check.role != role) continue;
-      if (first == nullptr) first = &check;
-      // Of a ceiling without a value in the row a uniformity is not required either.
-      const bool hangs_on_row = needs_row(check, pack_);
-      const bool is_required = evaluate_limit(check, scope_).status != LimitStatus::not_applicable;
-      if (hangs_on_row && !has_row_check) is_wanted = false;
-      if (hangs_on_row || !has_row_check) is_wanted = is_wanted || is_required;
-      has_row_check = has_row_check || hangs_on_row;
-    }
-    if (!first->quantity->kernel) {
-      return fmt::format("{} is not measured on planes", first->quantity->name);
-    }
+    const Quantity& quantity = *find_quantity(role);
+    if (!quantity.kernel) return fmt::format("{} is not measured on planes", quantity.name);
     if (plane == nullptr || !has_area(*plane)) return "the pack says no place for it";
+    const bool is_wanted =
+        required_check(role, scope_, [](const RuleCheck&) { return true; }) != nullptr;
     if (!is_wanted) return fmt::format("row {} specifies nothing", row_.ref);
     return {};
   }
@@ -323,6 +316,7 @@ class WorkplaceMaker {
   calc::Diagnostics& diagnostics_;
   std::vector<calc::CalcPlane> planes_;
   std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
+  std::vector<calc::UnmadeZone> unmade_;          // the same
 };
 
 // Once here, not once for every plane.
@@ -336,7 +330,7 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
                       scene, names);
 }
 
-void make_planes(const Workplace& workplace, calc::Space& space,
+void make_planes(Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
                  PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
@@ -353,7 +347,9 @@ void make_planes(const Workplace& workplace, calc::Space& space,
   WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
                        diagnostics);
   maker.check_zones();
-  if (workplace.is_good && reader.ok()) maker.run(ids, total);
+  if (!workplace.is_good || !reader.ok()) return;
+  maker.run(ids, total);
+  workplace.unmade = maker.unmade();
 }
 
 }  // namespace
@@ -366,7 +362,7 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
   }
   for (calc::Space& space : project.spaces) {
-    for (const Workplace& workplace : space.workplaces) {
+    for (Workplace& workplace : space.workplaces) {
       make_planes(workplace, space, project.scenes, packs, ids, total, diagnostics);
     }
   }

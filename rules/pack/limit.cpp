@@ -201,4 +201,38 @@ Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope) {
   return limit;
 }
 
+namespace {
+
+bool needs_row(const Expression& expression, const RulePack& pack) {
+  if (expression.kind == ExpressionKind::row_value) return true;
+  if (expression.kind == ExpressionKind::limit_of) {
+    return needs_row(pack.find_check(expression.name)->limit, pack);
+  }
+  return std::any_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return needs_row(operand, pack); });
+}
+
+}  // namespace
+
+bool needs_row(const RuleCheck& check, const RulePack& pack) {
+  return needs_row(check.limit, pack);
+}
+
+const RuleCheck* required_check(const std::string& role, const LimitScope& scope,
+                                const std::function<bool(const RuleCheck&)>& counts) {
+  const RuleCheck* of_row = nullptr;
+  const RuleCheck* of_all = nullptr;
+  bool has_row_check = false;
+  for (const RuleCheck& check : scope.pack.checks) {
+    if (check.role != role || !counts(check)) continue;
+    const bool is_required = evaluate_limit(check, scope).status != LimitStatus::not_applicable;
+    const bool hangs_on_row = needs_row(check, scope.pack);
+    has_row_check = has_row_check || hangs_on_row;
+    if (!is_required) continue;
+    const RuleCheck*& first = hangs_on_row ? of_row : of_all;
+    if (first == nullptr) first = &check;
+  }
+  return has_row_check ? of_row : of_all;
+}
+
 }  // namespace rules

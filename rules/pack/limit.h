@@ -39,4 +39,13 @@ struct Limit {
 // and nothing goes round in a circle.
 Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope);
 
+// Whether its limit hangs on a value of the row, or on the limit of a check that does.
+bool needs_row(const RuleCheck& check, const RulePack& pack);
+
+// The check of a role that says whether a row requires something of it: one that hangs on the row,
+// if there is one, for of a ceiling without a value in the row a uniformity is not required either.
+// Null: the row requires nothing of the role. Checks that `counts` refuses are passed over.
+const RuleCheck* required_check(const std::string& role, const LimitScope& scope,
+                                const std::function<bool(const RuleCheck&)>& counts);
+
 }  // namespace rules

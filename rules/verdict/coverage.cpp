@@ -1,0 +1,167 @@
+#include "rules/verdict/coverage.h"
+
+#include "rules/pack/limit.h"
+#include "rules/verdict/outcome.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace rules {
+namespace {
+
+struct Asked {
+  const RulePack* pack = nullptr;
+  const RuleRow* row = nullptr;
+  RowLevel level = RowLevel::required;
+  std::map<std::string, double> facts;
+  const calc::Workplace* workplace = nullptr;  // null: <require> elements
+  std::vector<std::pair<const RuleCheck*, const Finding*>> findings;
+};
+
+bool belongs_to(const calc::CalcPlane& plane, const calc::Workplace& workplace) {
+  return !plane.made_by.empty() && plane.id.starts_with(workplace.id + ".");
+}
+
+const calc::Workplace* workplace_of(const calc::Space& space, const calc::CalcPlane& plane) {
+  const calc::Workplace* found = nullptr;
+  for (const calc::Workplace& workplace : space.workplaces) {
+    if (!belongs_to(plane, workplace)) continue;
+    if (found == nullptr || workplace.id.size() > found->id.size()) found = &workplace;
+  }
+  return found;
+}
+
+std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPlane>& planes,
+                            const std::vector<RulePack>& packs) {
+  std::vector<Asked> all;
+  for (const JudgedPlane& judged : planes) {
+    const calc::Workplace* workplace = workplace_of(space, *judged.plane);
+    for (const Finding& finding : *judged.findings) {
+      const RuleOrigin& origin = finding.requirement.origin;
+      if (origin.row.empty()) continue;
+      const auto pack = std::find_if(packs.begin(), packs.end(), [&](const RulePack& candidate) {
+        return candidate.full_id() == origin.pack;
+      });
+      if (pack == packs.end()) continue;
+      const RuleRow* row = pack->find_row(origin.row);
+      const RuleCheck* check = pack->find_check(origin.check);
+      if (row == nullptr || check == nullptr) continue;
+      const RowLevel level = origin.is_modified ? RowLevel::modified : RowLevel::required;
+      auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
+        return asked.pack == &*pack && asked.row == row && asked.level == level &&
+               asked.workplace == workplace;
+      });
+      if (same == all.end()) {
+        all.push_back({&*pack, row, level, origin.facts, workplace, {}});
+        same = std::prev(all.end());
+      }
+      same->findings.emplace_back(check, &finding);
+    }
+  }
+  std::stable_partition(all.begin(), all.end(),
+                        [](const Asked& asked) { return asked.workplace != nullptr; });
+  return all;
+}
+
+RoleState state_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::pass:
+      return RoleState::met;
+    case Outcome::fail:
+      return RoleState::failed;
+    case Outcome::undecided:
+      return RoleState::undecided;
+    case Outcome::waived:
+      return RoleState::waived;
+    case Outcome::not_judged:
+    case Outcome::warned:
+    case Outcome::nothing_asked:
+      break;
+  }
+  return RoleState::not_judged;
+}
+
+// Of a role and its parts ("wall.1"): why there is no plane of them.
+std::string unmade_words(const calc::Workplace& workplace, const std::string& role,
+                         bool is_left_out) {
+  std::string words;
+  for (const calc::UnmadeZone& zone : workplace.unmade) {
+    const bool is_of_role = zone.role == role || zone.role.starts_with(role + ".");
+    if (!is_of_role || zone.is_left_out != is_left_out) continue;
+    words += words.empty() ? "" : ", ";
+    words += zone.role == role ? zone.why : fmt::format("{}: {}", zone.role, zone.why);
+  }
+  return words;
+}
+
+// Empty: the row requires nothing of it, or advice only.
+std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role) {
+  const LimitScope scope{*asked.pack, asked.row, asked.level, asked.facts};
+  const RuleCheck* needed = required_check(
+      role, scope, [](const RuleCheck& check) { return check.severity != Severity::advice; });
+  if (needed == nullptr) return std::nullopt;
+  RoleCoverage coverage;
+  coverage.role = role;
+  Outcome outcome = Outcome::nothing_asked;
+  bool is_asked = false;
+  for (const auto& [check, finding] : asked.findings) {
+    if (check->role != role || check->severity == Severity::advice) continue;
+    outcome = graver(outcome, outcome_of(*finding));
+    is_asked = true;
+  }
+  if (is_asked) coverage.state = state_of(outcome);
+  if (asked.workplace != nullptr) {
+    const std::string left_out = unmade_words(*asked.workplace, role, true);
+    const std::string not_made = unmade_words(*asked.workplace, role, false);
+    coverage.words = !left_out.empty() ? left_out : not_made;
+    if (!is_asked && !not_made.empty()) coverage.state = RoleState::not_made;
+    if (!is_asked && !left_out.empty()) coverage.state = RoleState::left_out;
+  }
+  if (!is_asked && !needed->quantity->kernel) {
+    coverage.state = RoleState::not_possible;
+    coverage.words = fmt::format("{} is not measured on planes", needed->quantity->name);
+  }
+  return coverage;
+}
+
+}  // namespace
+
+bool RowCoverage::is_whole() const {
+  return std::none_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
+    return role.state == RoleState::never_asked;
+  });
+}
+
+bool RowCoverage::is_met() const {
+  return std::all_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
+    return role.state == RoleState::met || role.state == RoleState::waived ||
+           role.state == RoleState::left_out || role.state == RoleState::not_made ||
+           role.state == RoleState::not_possible;
+  });
+}
+
+std::vector<RowCoverage> row_coverage(const calc::Space& space,
+                                      const std::vector<JudgedPlane>& planes,
+                                      const std::vector<RulePack>& packs) {
+  std::vector<RowCoverage> rows;
+  for (const Asked& asked : asked_in(space, planes, packs)) {
+    RowCoverage row;
+    row.workplace = asked.workplace == nullptr ? "" : asked.workplace->id;
+    row.clause = fmt::format("{}:{} {}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
+                             asked.level == RowLevel::modified ? " (modified)" : "");
+    for (const std::string& role : asked.pack->roles()) {
+      if (std::optional<RoleCoverage> covered = cover(asked, role)) {
+        row.roles.push_back(std::move(*covered));
+      }
+    }
+    if (!row.roles.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace rules

@@ -1,0 +1,68 @@
+#pragma once
+// What of a row of a rule pack is asked in a room: a task that passes is not yet a row that is met.
+
+#include "calc/base/names.h"
+#include "calc/scene/project.h"
+#include "rules/pack/rule_pack.h"
+#include "rules/verdict/judge_aggregates.h"
+
+#include <string>
+#include <vector>
+
+namespace rules {
+
+enum class RoleState {
+  met,
+  failed,
+  undecided,
+  not_judged,
+  waived,
+  left_out,      // by the project, by name
+  not_made,      // by a workplace, which has no place for it in this room
+  not_possible,  // its quantity is not measured on planes
+  never_asked,
+};
+
+// One role: task, surround, wall, ...
+struct RoleCoverage {
+  std::string role;
+  RoleState state = RoleState::never_asked;
+  std::string words;  // of left_out, not_made and not_possible: why; parts of a role: which
+};
+
+// One row in a room, by a workplace or by the <require> elements of the room's planes together.
+struct RowCoverage {
+  std::string workplace;            // its id; "" of <require> elements
+  std::string clause;               // "EN 12464-1:2021 34.2"
+  std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
+
+  bool is_whole() const;  // nothing of it was never asked
+  bool is_met() const;    // whole, and all that was asked is met
+};
+
+// Of all rows that something in the space refers to: workplaces in file order, then rows of
+// <require> elements in the order of their planes. planes: of the space. Packs without rows have
+// none. What is advice only does not count.
+std::vector<RowCoverage> row_coverage(const calc::Space& space,
+                                      const std::vector<JudgedPlane>& planes,
+                                      const std::vector<RulePack>& packs);
+
+}  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::RoleState> {
+  static constexpr EnumName<rules::RoleState> list[] = {
+      {rules::RoleState::met, "met"},
+      {rules::RoleState::failed, "failed"},
+      {rules::RoleState::undecided, "undecided"},
+      {rules::RoleState::not_judged, "not-judged"},
+      {rules::RoleState::waived, "waived"},
+      {rules::RoleState::left_out, "left-out"},
+      {rules::RoleState::not_made, "not-made"},
+      {rules::RoleState::not_possible, "not-possible"},
+      {rules::RoleState::never_asked, "never-asked"}};
+};
+
+}  // namespace calc
