@@ -364,9 +364,9 @@ std::optional<std::string> explain_message(const std::string& name) {
     const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
     return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
                        is_error ? "error" : "warning", calc::diagnostic_template(id),
-                       is_error
-                           ? "The file is not judged, and the exit code is 2."
-                           : "Everything is judged all the same; the exit code does not change.");
+                       is_error ? "The file is not judged, and the exit code is 2."
+                                : "Everything is judged all the same; the exit code changes only "
+                                  "if --strict asks for it.");
   }
   return std::nullopt;
 }
