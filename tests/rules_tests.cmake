@@ -7,6 +7,7 @@ luxgate_test(rules_tests
     unit/rules/measure/candidates_test.cpp
     unit/rules/measure/combine_test.cpp
     unit/rules/catalogue/compare_test.cpp
+    unit/rules/verdict/coverage_test.cpp
     unit/rules/pack/evaluate_test.cpp
     unit/rules/pack/expression_test.cpp
     unit/rules/fitness/fitness_test.cpp

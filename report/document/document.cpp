@@ -122,6 +122,16 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   return counts;
 }
 
+int count_rows_in_part(const Document& document) {
+  int count = 0;
+  for (const ProjectPart& project : document.projects) {
+    for (const SpacePart& space : project.spaces) {
+      for (const rules::RowCoverage& row : space.coverage) count += row.is_whole() ? 0 : 1;
+    }
+  }
+  return count;
+}
+
 VerdictCounts count_verdicts(const Document& document) {
   VerdictCounts sum;
   for (const ProjectPart& project : document.projects) add(count_verdicts(project), sum);

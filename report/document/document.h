@@ -236,6 +236,8 @@ calc::Estimate settled(const calc::Estimate& estimate);
 // All of a plane's.
 void settle_estimates(PlanePart& plane);
 
+// Rows of rule packs of which something was never asked.
+int count_rows_in_part(const Document& document);
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);

@@ -239,9 +239,7 @@ std::string roles_in(const rules::RowCoverage& row,
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
   const std::string title =
-      row.workplace.empty()
-          ? row.clause
-          : t.say<Text::of_workplace>(printable(row.workplace)) + ", " + row.clause;
+      row.workplace.empty() ? row.clause : printable(row.workplace) + ", " + row.clause;
   const auto end = [&](const std::string& words) { return words.empty() ? "" : "; " + words; };
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);
@@ -253,10 +251,8 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
                                      : t.say<Text::row_is_asked>(title);
   words += end(said(roles_in(row, {never_asked}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
-  words += end(said(roles_in(row, {left_out}),
-                    [&](const auto& roles) { return t.say<Text::roles_left_out>(roles); }));
-  words += end(said(roles_in(row, {not_made}),
-                    [&](const auto& roles) { return t.say<Text::roles_not_made>(roles); }));
+  // Of a workplace the room's notes say the rest.
+  if (!row.workplace.empty()) return words;
   words += end(said(roles_in(row, {not_possible}),
                     [&](const auto& roles) { return t.say<Text::roles_not_possible>(roles); }));
   return words;
@@ -361,6 +357,10 @@ std::string summary_words(const Texts& t, const Document& document) {
   if (const rules::Outcome outcome = outcome_of(document);
       outcome == rules::Outcome::nothing_asked) {
     text += std::string(separator) + outcome_words(t, outcome);
+  }
+  if (const int parts = count_rows_in_part(document); parts > 0) {
+    text += "; " +
+            (parts == 1 ? t.say<Text::one_row_in_part>(parts) : t.say<Text::rows_in_part>(parts));
   }
   if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
   if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);

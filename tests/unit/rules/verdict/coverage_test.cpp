@@ -1,0 +1,143 @@
+#include "rules/verdict/coverage.h"
+
+#include "rules/binding/bind.h"
+#include "rules/binding/judged_project.h"
+#include "tests/support/memory_file_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kIes =
+    "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\nTILT=NONE\n"
+    "1 1000 1 2 1 1 2 0 0 0\n1 1 12\n0 90\n0\n100 0\n";
+
+// "task met", "lamp not-possible", ... of what stands in a room of 12 m x 8 m, if every requirement
+// gets this verdict.
+struct Covered {
+  std::vector<RowCoverage> rows;
+  std::vector<std::string> roles(std::size_t row = 0) const {
+    std::vector<std::string> words;
+    for (const RoleCoverage& role : rows.at(row).roles) {
+      words.push_back(role.role + " " + std::string(calc::name_of(role.state)));
+    }
+    return words;
+  }
+};
+
+Covered cover(const std::string& inside, Verdict verdict = Verdict::pass) {
+  const std::string xml =
+      "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.7'/>"
+      "<luminaire-type id='spot' photometry='spot.ies'/><scene id='em'><dim group='e' level='1'/>"
+      "</scene><room id='r' size='12 8 3' ceiling='m' walls='m' floor='m'>" +
+      inside + "<luminaire id='l' type='spot' position='6 4 2.9' group='e'/></room></luxgate>";
+  calc::Diagnostics diagnostics;
+  Covered covered;
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  const std::vector<RulePack> packs = builtin_rule_packs();
+  const auto judged = load_judged_project(files, "p.xml", packs, diagnostics);
+  for (const auto& d : diagnostics.all()) {
+    if (d.severity() == calc::Severity::error) ADD_FAILURE() << format_diagnostic(d);
+  }
+  if (!judged) return covered;
+  const calc::Space& space = judged->project.spaces.at(0);
+  std::vector<std::vector<Finding>> findings(space.planes.size());
+  std::vector<JudgedPlane> planes;
+  for (std::size_t k = 0; k < space.planes.size(); ++k) {
+    for (const auto& requirement :
+         requirements_of_plane(judged->requirements, space.planes[k].id)) {
+      Finding& finding = findings[k].emplace_back();
+      finding.requirement = requirement;
+      finding.verdict = verdict;
+    }
+    planes.push_back({&space, &space.planes[k], &findings[k]});
+  }
+  covered.rows = row_coverage(space, planes, packs);
+  return covered;
+}
+
+const std::string kTask =
+    "<plane id='t' height='0.75' margin='0.5'><require pack='en12464-1:2021' row='34.2'/></plane>";
+
+TEST(RowCoverage, ATaskAloneIsNotTheRow) {
+  const Covered covered = cover(kTask);
+  ASSERT_EQ(covered.rows.size(), 1u);
+  EXPECT_EQ(covered.rows[0].clause, "EN 12464-1:2021 34.2");
+  EXPECT_FALSE(covered.rows[0].is_whole());
+  EXPECT_FALSE(covered.rows[0].is_met());
+  EXPECT_THAT(covered.roles(),
+              ElementsAre("task met", "surround never-asked", "background never-asked",
+                          "wall never-asked", "ceiling never-asked", "cylinder never-asked",
+                          "observer never-asked", "lamp not-possible"));
+}
+
+TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
+  const Covered covered = cover("<workplace id='w' pack='en12464-1:2021' row='34.2'/>");
+  ASSERT_EQ(covered.rows.size(), 1u);
+  EXPECT_TRUE(covered.rows[0].is_whole());
+  EXPECT_TRUE(covered.rows[0].is_met());
+  EXPECT_EQ(covered.rows[0].workplace, "w");
+  EXPECT_THAT(covered.roles(),
+              ElementsAre("task met", "surround not-made", "background not-made", "wall met",
+                          "ceiling met", "cylinder met", "observer met", "lamp not-possible"));
+}
+
+TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
+  const Covered covered = cover(
+      "<workplace id='w' pack='en12464-1:2021' row='34.2'><without role='ceiling' because='open'/>"
+      "<without role='wall.1' because='glass'/></workplace>");
+  EXPECT_TRUE(covered.rows[0].is_whole());
+  const std::vector<RoleCoverage>& roles = covered.rows[0].roles;
+  EXPECT_EQ(roles[3].state, RoleState::met);
+  EXPECT_EQ(roles[3].words, "wall.1: glass");
+  EXPECT_EQ(roles[4].state, RoleState::left_out);
+  EXPECT_EQ(roles[4].words, "open");
+}
+
+TEST(RowCoverage, ARoleIsWhatItsGravestFindingIs) {
+  EXPECT_EQ(cover(kTask, Verdict::fail).roles()[0], "task failed");
+  EXPECT_EQ(cover(kTask, Verdict::undecided).roles()[0], "task undecided");
+  EXPECT_EQ(cover(kTask, Verdict::not_judged).roles()[0], "task not-judged");
+}
+
+// The row has no value for the ceiling, and so nothing is missing there.
+TEST(RowCoverage, WhatARowDoesNotRequireIsNotMissed) {
+  const Covered covered = cover(
+      "<plane id='t' height='0.75' margin='0.5'><require pack='en12464-1:2021' "
+      "row='14.1'/></plane>");
+  for (const std::string& role : covered.roles()) {
+    EXPECT_FALSE(role.starts_with("ceiling")) << role;
+    EXPECT_FALSE(role.starts_with("modelling")) << "advice";
+  }
+}
+
+TEST(RowCoverage, RowsAndWorkplacesAreApart) {
+  const Covered covered = cover(kTask +
+                                "<workplace id='w' pack='en12464-1:2021' row='34.2' "
+                                "origin='4 3' size='2 1.5'/>"
+                                "<workplace id='w.b' pack='en12464-1:2021' row='34.7'/>");
+  ASSERT_EQ(covered.rows.size(), 3u);
+  EXPECT_EQ(covered.rows[0].workplace, "w");
+  EXPECT_EQ(covered.rows[1].workplace, "w.b");
+  EXPECT_EQ(covered.rows[1].clause, "EN 12464-1:2021 34.7");
+  EXPECT_EQ(covered.rows[2].workplace, "");
+}
+
+TEST(RowCoverage, PacksWithoutRowsAndOwnLimitsHaveNone) {
+  EXPECT_THAT(
+      cover("<plane id='t' height='0' travel='1 0 0'><require pack='en1838:2024' scene='em'/>"
+            "<require quantity='average' at-least='1'/></plane>")
+          .rows,
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace rules
