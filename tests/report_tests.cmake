@@ -24,6 +24,7 @@ luxgate_test(report_tests
     unit/report/result_file/result_schema_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
+    unit/report/formats/standard_words_test.cpp
     unit/report/formats/warnings_test.cpp
     unit/report/formats/write_test.cpp
   LIBRARIES report pugixml::pugixml PNG::PNG OpenEXR::OpenEXR nlohmann_json::nlohmann_json)

@@ -5,9 +5,18 @@
 #include "report/text/number_format.h"
 #include "report/text/words.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace report {
 namespace {
@@ -25,58 +34,87 @@ void add_row(std::initializer_list<std::string> fields, std::string& csv) {
   csv += "\r\n";
 }
 
-constexpr std::string_view kResultsHeader =
-    "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,limit,"
-    "value,low,"
-    "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m\r\n";
+// Columns of results.csv, in their order; new ones come at the end.
+constexpr std::array<std::string_view, 27> kResultColumns{
+    "project", "space",  "plane",   "requirement", "quantity",  "percent",   "unit",
+    "scene",   "state",  "clause",  "comparison",  "limit",     "value",     "low",
+    "high",    "margin", "verdict", "reason",      "place_x_m", "place_y_m", "place_z_m",
+    "pack",    "row",    "check",   "severity",    "waiver",    "note"};
+
+// A row of results.csv: what is not set is empty.
+class ResultRow {
+ public:
+  // A name of kResultColumns, or else std::logic_error. text: as it stands in the file.
+  void set(std::string_view column, std::string text) {
+    const auto found = std::find(kResultColumns.begin(), kResultColumns.end(), column);
+    if (found == kResultColumns.end()) throw std::logic_error("results.csv has no such column");
+    cells_[static_cast<std::size_t>(found - kResultColumns.begin())] = std::move(text);
+  }
+  void add_to(std::string& csv) const { csv += fmt::format("{}\r\n", fmt::join(cells_, ",")); }
+
+ private:
+  std::array<std::string, kResultColumns.size()> cells_;
+};
 
 constexpr std::string_view kPointsHeader =
     "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
     "indirect_lx,quantity,rating,rating_low,rating_high\r\n";
 
-void add_finding(const std::string& place, const rules::Finding& finding, std::string& csv) {
+// "A. Meier until 2027-01-31: temporary"; "" without a waiver.
+std::string waiver_words(const rules::Finding& finding) {
+  const std::optional<rules::Waiver>& waiver = finding.requirement.waiver;
+  if (!waiver) return {};
+  return fmt::format("{} until {}: {}{}", waiver->owner, waiver->until, waiver->reason,
+                     finding.is_waived ? "" : " (does not apply)");
+}
+
+void add_finding(const ProjectPart& project, const SpacePart& space, const PlanePart& plane,
+                 const rules::Finding& finding, std::string& csv) {
   const rules::Requirement& requirement = finding.requirement;
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  const auto measured = [&](double value) { return is_judged ? number(value) : std::string(); };
-  const auto coordinate = [&](int axis) {
-    return is_judged && finding.place_m ? number((*finding.place_m)[axis]) : std::string();
-  };
-  const bool has_percent = requirement.metric == rules::Metric::percentile;
-  add_row({place, field(requirement.id), std::string(calc::name_of(requirement.metric)),
-           has_percent ? number(requirement.percent) : "", rules::unit_of(requirement),
-           field(requirement.scene), std::string(calc::name_of(requirement.state)),
-           field(requirement.clause), std::string(calc::name_of(requirement.comparison)),
-           std::isnan(requirement.limit) ? "" : number(requirement.limit),
-           measured(finding.measured.value), measured(finding.measured.low),
-           measured(finding.measured.high), measured(finding.margin),
-           rules::verdict_name(finding.verdict), field(finding.reason), coordinate(0),
-           coordinate(1), coordinate(2)},
-          csv);
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("space", field(space.id));
+  row.set("plane", field(plane.id));
+  row.set("requirement", field(requirement.id));
+  row.set("quantity", std::string(calc::name_of(requirement.metric)));
+  if (requirement.metric == rules::Metric::percentile) {
+    row.set("percent", number(requirement.percent));
+  }
+  row.set("unit", rules::unit_of(requirement));
+  row.set("scene", field(requirement.scene));
+  row.set("state", std::string(calc::name_of(requirement.state)));
+  row.set("clause", field(requirement.clause));
+  row.set("comparison", std::string(calc::name_of(requirement.comparison)));
+  if (!std::isnan(requirement.limit)) row.set("limit", number(requirement.limit));
+  if (is_judged) {
+    row.set("value", number(finding.measured.value));
+    row.set("low", number(finding.measured.low));
+    row.set("high", number(finding.measured.high));
+    row.set("margin", number(finding.margin));
+  }
+  row.set("verdict", rules::verdict_name(finding.verdict));
+  row.set("reason", field(finding.reason));
+  if (is_judged && finding.place_m) {
+    row.set("place_x_m", number(finding.place_m->x));
+    row.set("place_y_m", number(finding.place_m->y));
+    row.set("place_z_m", number(finding.place_m->z));
+  }
+  row.set("pack", field(requirement.origin.pack));
+  row.set("row", field(requirement.origin.row));
+  row.set("check", field(requirement.origin.check));
+  row.set("severity", std::string(calc::name_of(requirement.severity)));
+  row.set("waiver", field(waiver_words(finding)));
+  row.set("note", field(note_words(finding)));
+  row.add_to(csv);
 }
 
 void add_unjudged_project(const ProjectPart& project, std::string& csv) {
-  add_row({field(project.path),
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           rules::verdict_name(rules::Verdict::not_judged),
-           "could not be read or calculated",
-           "",
-           "",
-           ""},
-          csv);
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("verdict", rules::verdict_name(rules::Verdict::not_judged));
+  row.set("reason", "could not be read or calculated");
+  row.add_to(csv);
 }
 
 // Without numbers: what is asked for and what was found are words.
@@ -84,28 +122,16 @@ void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& fi
                    std::string& csv) {
   std::string words = aggregate_required({}, finding) + ": " + aggregate_measured({}, finding);
   if (!finding.reason.empty()) words += "; " + finding.reason;
-  add_row({field(project.path),
-           field(finding.space_id),
-           field(finding.plane_id),
-           field(finding.id),
-           std::string(calc::name_of(finding.kind)),
-           "",
-           "",
-           "",
-           "",
-           field(finding.clause),
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           rules::verdict_name(finding.verdict),
-           field(words),
-           "",
-           "",
-           ""},
-          csv);
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("space", field(finding.space_id));
+  row.set("plane", field(finding.plane_id));
+  row.set("requirement", field(finding.id));
+  row.set("quantity", std::string(calc::name_of(finding.kind)));
+  row.set("clause", field(finding.clause));
+  row.set("verdict", rules::verdict_name(finding.verdict));
+  row.set("reason", field(words));
+  row.add_to(csv);
 }
 
 // Ratings and ratios have columns of their own: what is called lx is lx.
@@ -126,28 +152,25 @@ void add_point(const std::string& place, const PlanePart& plane, const PointRow&
 
 // A row like any other, so that a table shows it and a filter finds it: "warning" for a verdict.
 void add_warning(const ProjectPart& project, const calc::Diagnostic& warning, std::string& csv) {
-  add_row({field(project.path),
-           "",
-           "",
-           field(calc::diagnostic_name(warning.id)),
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           "",
-           is_strict_warning(project, warning) ? "strict warning" : "warning",
-           field(calc::format_diagnostic(warning)),
-           "",
-           "",
-           ""},
-          csv);
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("requirement", field(calc::diagnostic_name(warning.id)));
+  row.set("verdict", is_strict_warning(project, warning) ? "strict warning" : "warning");
+  row.set("reason", field(calc::format_diagnostic(warning)));
+  row.add_to(csv);
+}
+
+// What of a row of a standard was never asked is a doubt, too.
+void add_row_in_part(const ProjectPart& project, const SpacePart& space,
+                     const rules::RowCoverage& coverage, std::string& csv) {
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("space", field(space.id));
+  row.set("requirement", field(coverage.workplace));
+  row.set("clause", field(coverage.clause));
+  row.set("verdict", "in part");
+  row.set("reason", field(coverage_words({}, coverage)));
+  row.add_to(csv);
 }
 
 // Calls visit(place, plane) for every plane; place: the first three fields of a row.
@@ -163,14 +186,23 @@ void for_each_plane(const ProjectPart& project, Visit visit) {
 }  // namespace
 
 std::string render_results_csv(const Document& document) {
-  std::string csv(kResultsHeader);
+  std::string csv = fmt::format("{}\r\n", fmt::join(kResultColumns, ","));
   for (const ProjectPart& project : document.projects) {
     if (!project.is_judged) add_unjudged_project(project, csv);
-    for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
-      for (const rules::Finding& finding : plane.findings) add_finding(place, finding, csv);
-    });
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        for (const rules::Finding& finding : plane.findings) {
+          add_finding(project, space, plane, finding, csv);
+        }
+      }
+    }
     for (const rules::AggregateFinding& finding : project.aggregates) {
       add_aggregate(project, finding, csv);
+    }
+    for (const SpacePart& space : project.spaces) {
+      for (const rules::RowCoverage& row : space.coverage) {
+        if (!row.is_whole()) add_row_in_part(project, space, row, csv);
+      }
     }
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
       if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);

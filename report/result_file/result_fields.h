@@ -222,6 +222,12 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
                 "only 'fail' and 'undecided' can be waived");
   };
   v.object("waiver", waiver, {.presence = only_if(requirement.waiver.has_value())});
+  const auto rule = [&](auto& o) {
+    o.field("pack", requirement.origin.pack, {.words = "With its edition: en12464-1:2021."});
+    o.field("row", requirement.origin.row);
+    o.field("check", requirement.origin.check);
+  };
+  v.object("rule", rule, {.presence = only_if(!requirement.origin.pack.empty())});
   v.field("deviations", requirement.deviations,
           {.words = "In what the plane is not the one that the rule pack's number is about.",
            .presence = only_if(!requirement.deviations.empty())});

@@ -1,0 +1,87 @@
+// What keeps a tick from being the standard's own (a stated deviation, a row that was asked in
+// part) is beside the verdict in every format.
+
+#include "report/formats/format.h"
+#include "report/result_file/json.h"
+#include "report/result_file/read_json.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The first finding fails on a plane that deviates: formats of problems show it, too.
+Document deviating() {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  rules::Finding& finding = space.planes[0].findings.at(1);
+  finding.requirement.origin = {"en12464-1:2021", "task.Em", "34.2", false, {}};
+  finding.requirement.deviations = {{rules::FitAspect::grid, "4 points where 54 are asked for",
+                                     rules::Waiver{"as measured", "A. Meier", "2027-01-31"}, true}};
+  space.coverage = {
+      {"",
+       "EN 12464-1:2021 34.2",
+       {{"task", rules::RoleState::failed, ""}, {"observer", rules::RoleState::never_asked, ""}}}};
+  return document;
+}
+
+TEST(StandardWords, ADeviationIsInEveryFormatButPoints) {
+  for (const Format& format : formats()) {
+    if (format.name == "points-csv") continue;
+    const std::string text = format.render(deviating(), {});
+    EXPECT_THAT(text, HasSubstr("4 points where 54 are asked for")) << format.name;
+    EXPECT_THAT(text, HasSubstr("A. Meier")) << format.name;
+    EXPECT_THAT(text, HasSubstr("2027-01-31")) << format.name;
+  }
+}
+
+TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
+  const std::set<std::string_view> without{"points-csv", "github", "gitlab", "sarif", "sarif-all"};
+  for (const Format& format : formats()) {
+    if (without.contains(format.name)) continue;
+    const std::string text = format.render(deviating(), {});
+    EXPECT_THAT(text, HasSubstr("observer")) << format.name;
+    Document whole = deviating();
+    whole.projects[0].spaces[0].coverage[0].roles.pop_back();
+    EXPECT_THAT(format.render(whole, {}), Not(HasSubstr("observer"))) << format.name;
+  }
+  EXPECT_THAT(find_format("github")->render(deviating(), {}), HasSubstr("asked in part only"));
+}
+
+TEST(StandardWords, TheSummaryCountsBoth) {
+  const std::string text = find_format("text")->render(deviating(), {});
+  EXPECT_THAT(text, HasSubstr("1 with a deviation from the standard"));
+  EXPECT_THAT(text, HasSubstr("1 row of a standard is asked in part only"));
+  EXPECT_THAT(find_format("text")->render(small_document(), {}), Not(HasSubstr("standard")));
+}
+
+// A plane that deviates, and is not judged for it, is not counted as judged with a deviation.
+TEST(StandardWords, WhatIsNotJudgedIsNotCountedAsDeviating) {
+  Document document = deviating();
+  document.projects[0].spaces[0].planes[0].findings[1].verdict = rules::Verdict::not_judged;
+  EXPECT_EQ(count_verdicts(document).deviating, 0);
+  EXPECT_EQ(count_verdicts(deviating()).deviating, 1);
+}
+
+TEST(StandardWords, SurviveTheResultFile) {
+  const std::string bytes = render_json(deviating());
+  std::string problem;
+  const std::optional<Document> read = read_json(bytes, problem);
+  ASSERT_TRUE(read.has_value()) << problem;
+  EXPECT_EQ(render_json(*read), bytes);
+  for (const Format& format : formats()) {
+    EXPECT_EQ(format.render(*read, {}), format.render(deviating(), {})) << format.name;
+  }
+}
+
+}  // namespace
+}  // namespace report
