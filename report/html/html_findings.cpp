@@ -298,7 +298,7 @@ std::string banner_sentence(const Texts& t, rules::Outcome outcome, const Verdic
     case rules::Outcome::not_judged:
       break;
     case rules::Outcome::warned:
-      return Text::warnings_count;
+      return t[Text::warnings_count];
     case rules::Outcome::fail:
       return t[Text::not_all_met];
     case rules::Outcome::undecided:
