@@ -26,6 +26,7 @@ luxgate_test(rules_tests
     unit/rules/catalogue/requirement_test.cpp
     unit/rules/pack/pack_elements_test.cpp
     unit/rules/pack/rule_corpus_test.cpp
+    unit/rules/pack/row_values_test.cpp
     unit/rules/pack/rule_pack_test.cpp
     unit/rules/measure/share_test.cpp
     unit/rules/verdict/stop_rule_test.cpp

@@ -59,11 +59,21 @@ rules::NamedPack find_pack(const std::string& name, const std::vector<rules::Rul
   return found;
 }
 
-std::string show(const std::string& pack, const std::vector<rules::RulePack>& packs,
-                 calc::Diagnostics& diagnostics) {
+// part: a row, role or check; "" = all of it.
+std::string show(const std::string& pack, const std::string& part,
+                 const std::vector<rules::RulePack>& packs, calc::Diagnostics& diagnostics) {
   const rules::NamedPack found = find_pack(pack, packs, diagnostics);
   if (found.is_ambiguous()) return {};
-  if (found.pack != nullptr) return show_rule_pack(*found.pack);
+  if (found.pack != nullptr) {
+    if (part.empty()) return show_rule_pack(*found.pack);
+    std::optional<std::string> text = explain_rule(*found.pack, part);
+    if (text) return *std::move(text);
+    diagnostics.report(calc::DiagnosticId::rule_import, {},
+                       fmt::format("rule pack '{}' has no row, role or check '{}'; 'luxgate rules "
+                                   "show {}' lists them",
+                                   found.pack->full_id(), part, pack));
+    return {};
+  }
   diagnostics.report(
       calc::DiagnosticId::rule_import, {},
       fmt::format("there is no rule pack '{}'; allowed: {}", pack, joined_ids(packs)));
@@ -82,7 +92,9 @@ std::string lint(const std::vector<std::string>& paths, const calc::FileReader& 
     const std::optional<rules::RulePack> pack =
         rules::parse_rule_pack(content.bytes, path, diagnostics);
     if (!pack) continue;
+    const std::size_t errors = diagnostics.error_count();
     rules::lint_rule_pack(*pack, diagnostics);
+    if (diagnostics.error_count() > errors) continue;
     out += fmt::format("{}: no error ({}: {} rows, {} checks)\n", path, pack->full_id(),
                        pack->rows.size(), pack->checks.size());
   }
@@ -168,7 +180,7 @@ Command action(Command command, const std::shared_ptr<Options>& options,
 
 // What most actions take: a name, files or nothing, and packs besides those delivered.
 struct PackOptions {
-  std::string name;
+  std::string name, part;
   std::vector<std::string> files, rule_files;
 };
 
@@ -186,14 +198,18 @@ Command list_action() {
 
 Command show_action() {
   const auto options = std::make_shared<PackOptions>();
-  Command command{"show", "Print all of one rule pack"};
-  command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name}};
+  Command command{"show", "Print all of one rule pack, or what one row of it is about"};
+  command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name},
+                    {"part", "ROW",
+                     "A row, role or check of it: on which planes it is held, and\n"
+                     "what is required there",
+                     &options->part, false}};
   command.options = {rules_option(options->rule_files)};
   return action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
         const auto packs = check::load_rule_packs(given.rule_files, files, diagnostics);
-        return printable_lines(show(given.name, packs, diagnostics));
+        return printable_lines(show(given.name, given.part, packs, diagnostics));
       });
 }
 
