@@ -11,6 +11,8 @@ luxgate_test(rules_tests
     unit/rules/pack/expression_test.cpp
     unit/rules/fitness/fitness_test.cpp
     unit/rules/measure/gradient_test.cpp
+    unit/rules/pack/import_columns_test.cpp
+    unit/rules/pack/import_plane_test.cpp
     unit/rules/pack/import_rows_test.cpp
     unit/rules/verdict/judge_test.cpp
     unit/rules/binding/judged_project_test.cpp

@@ -9,6 +9,7 @@
 #include "report/text/plain_text.h"
 #include "report/tools/rules/explain.h"
 #include "rules/pack/builtin_packs.h"
+#include "rules/pack/import_columns.h"
 #include "rules/pack/import_rows.h"
 #include "rules/pack/named_pack.h"
 #include "rules/pack/pack_elements.h"
@@ -104,11 +105,24 @@ std::string lint(const std::vector<std::string>& paths, const calc::FileReader& 
 struct ImportOptions {
   std::string csv, output;  // output "" = standard output
   std::string pack_id = "en12464-1-own";
+  bool wants_template = false;
 };
+
+std::string import_summary(const rules::ImportedPack& pack, const std::string& output) {
+  std::string text = fmt::format("Wrote {}: {} rows", output, pack.rows);
+  if (pack.floor_rows > 0) text += fmt::format(", {} of them on the floor", pack.floor_rows);
+  if (pack.upright_rows > 0) {
+    text += fmt::format(", {} of them upright (role=\"{}\")", pack.upright_rows,
+                        rules::kUprightTaskRole);
+  }
+  if (pack.left_out > 0) text += fmt::format("; {} left out", pack.left_out);
+  return text + fmt::format(". Next: luxgate rules lint {}\n", output);
+}
 
 std::string import_table(const ImportOptions& options, const calc::FileReader& files,
                          calc::Diagnostics& diagnostics) {
   constexpr const char* kLike = "en12464-1:2021";
+  if (options.wants_template) return rules::import_template();
   if (!calc::is_id(options.pack_id)) {
     diagnostics.report(calc::DiagnosticId::not_an_id, {}, "--id", "rules import", options.pack_id);
     return {};
@@ -130,16 +144,17 @@ std::string import_table(const ImportOptions& options, const calc::FileReader& f
     calc::Diagnostics own;
     if (rules::parse_rule_pack(text, "built in", own)->full_id() != kLike) continue;
     const std::string name = std::filesystem::path(options.csv).filename().string();
-    const std::optional<std::string> pack =
+    const std::optional<rules::ImportedPack> pack =
         rules::import_rows(csv.bytes, name, text, options.pack_id, diagnostics);
-    if (!pack || options.output.empty()) return pack.value_or("");
-    const std::string problem = report::write_file_atomically(options.output, *pack);
+    if (!pack) return {};
+    if (options.output.empty()) return pack->text;
+    const std::string problem = report::write_file_atomically(options.output, pack->text);
     if (!problem.empty()) {
       diagnostics.report(calc::DiagnosticId::output_not_possible, {},
                          fmt::format("cannot write '{}': {}", options.output, problem));
       return {};
     }
-    return fmt::format("Wrote {}. Next: luxgate rules lint {}\n", options.output, options.output);
+    return import_summary(*pack, options.output);
   }
   return {};
 }
@@ -227,12 +242,21 @@ Command lint_action() {
 Command import_action() {
   const auto options = std::make_shared<ImportOptions>();
   Command command{"import", "Make a private rule pack for indoor work places from a table"};
-  command.places = {{"csv", "TABLE.csv", "Table with a line of column names; see rules/README.md",
-                     &options->csv}};
+  command.places = {
+      {"csv", "TABLE.csv", "Table with a line of column names, see below", &options->csv, false}};
   command.options = {
       {"-o,--output", "PACK.xml", "Where to; default standard output", any_text(options->output)},
-      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)}};
-  return action<ImportOptions>(std::move(command), options, import_table);
+      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)},
+      {"--template", "", "Print a table to begin with, of two rows, and nothing else",
+       &options->wants_template}};
+  command.complete = [options](const Environment&) -> std::string {
+    return options->csv.empty() == options->wants_template
+               ? ""
+               : "either TABLE.csv or --template is needed";
+  };
+  command = action<ImportOptions>(std::move(command), options, import_table);
+  command.footer = rules::import_columns_help() + "\n" + kExitCodes;
+  return command;
 }
 
 Command schema_action() {
