@@ -14,6 +14,7 @@ run_in_work(0 rules show own A.1 --rules own.xml)
 expect_in("${out}" "plane for role task: horizontal-up, 0 to 0.2 m above the floor in this row, grid formula")
 run_in_work(0 rules show own A.3 --rules own.xml)
 expect_in("${out}" "plane for role task-vertical: vertical, 0.3 to 2 m above the floor in this row, grid formula")
+expect_in("${out}" "The row has no value for the roles: surround, background, wall, ceiling, cylinder\n")
 expect_in("${out}" "The row requires nothing of the roles: task\n")
 
 # 2: some planes are not judged.

@@ -1,6 +1,7 @@
 #include "report/tools/rules/explain.h"
 
 #include "calc/base/diagnostics.h"
+#include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
 
 #include <fmt/format.h>
@@ -295,18 +296,38 @@ std::vector<std::string> checks_of_row(const RulePack& pack, const RuleRow& row)
   return ids;
 }
 
+// What a row says of a role.
+enum class RowAndRole {
+  has_values,  // its own, or all that there is holds for every row
+  shares,      // none of its own, but something holds for every row
+  nothing
+};
+
+// As workplaces see it: where a row has no value of its own they make no plane.
+RowAndRole row_and_role(const RulePack& pack, const std::string& role,
+                        const std::vector<std::string>& checks_of_row) {
+  bool hangs_on_row = false, has_own = false, has_any = false;
+  for (const RuleCheck& check : pack.checks) {
+    if (check.role != role) continue;
+    const bool is_required = is_among(checks_of_row, check.id);
+    has_any = has_any || is_required;
+    if (!needs_row(check, pack)) continue;
+    hangs_on_row = true;
+    has_own = has_own || is_required;
+  }
+  if (!has_any) return RowAndRole::nothing;
+  return has_own || !hangs_on_row ? RowAndRole::has_values : RowAndRole::shares;
+}
+
 std::string explain_row(const RulePack& pack, const RuleRow& row) {
   std::string text = head_text(pack) + "\n" + row_text(pack, row);
   const std::vector<std::string> of_row = checks_of_row(pack, row);
-  std::vector<std::string> silent;
+  std::vector<std::string> silent, sharing;
   for (const std::string& role : pack.roles()) {
-    const auto is_asked = [&](const RuleCheck& check) {
-      return check.role == role && is_among(of_row, check.id);
-    };
-    if (std::none_of(pack.checks.begin(), pack.checks.end(), is_asked)) {
-      silent.push_back(role);
-      continue;
-    }
+    const RowAndRole kind = row_and_role(pack, role, of_row);
+    if (kind == RowAndRole::nothing) silent.push_back(role);
+    if (kind == RowAndRole::shares) sharing.push_back(role);
+    if (kind != RowAndRole::has_values) continue;
     text += fmt::format("\nrole {}\n", role);
     for (const rules::RulePlane& plane : pack.planes) {
       if (plane.role == role) text += plane_text(plane, &row);
@@ -319,6 +340,12 @@ std::string explain_row(const RulePack& pack, const RuleRow& row) {
       masks.push_back(check.mask.id);
       text += "    " + mask_text(check.mask);
     }
+  }
+  if (!sharing.empty()) {
+    text += fmt::format(
+        "\nThe row has no value for the roles: {}\n    workplaces make no planes of them; a plane "
+        "that names one is held against what all rows share\n",
+        joined(sharing));
   }
   if (!silent.empty()) {
     text += fmt::format("\nThe row requires nothing of the roles: {}\n", joined(silent));
