@@ -52,6 +52,11 @@ add_test(NAME cli.init_project_passes COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate> -DWORK=${CMAKE_CURRENT_BINARY_DIR}/init
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_init.cmake)
 
+add_test(NAME cli.own_table_is_judged COMMAND ${CMAKE_COMMAND}
+  -DLUXGATE=$<TARGET_FILE:luxgate> -DFOLDER=${CMAKE_CURRENT_SOURCE_DIR}/own_table
+  -DWORK=${CMAKE_CURRENT_BINARY_DIR}/own_table
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_own_table.cmake)
+
 add_test(NAME cli.goals_stop_where_they_say COMMAND ${CMAKE_COMMAND}
   -DLUXGATE=$<TARGET_FILE:luxgate>
   -DPROJECT=${PROJECT_SOURCE_DIR}/examples/05-failing-corridor/project.xml

@@ -12,6 +12,8 @@ luxgate_test(rules_tests
     unit/rules/pack/expression_test.cpp
     unit/rules/fitness/fitness_test.cpp
     unit/rules/measure/gradient_test.cpp
+    unit/rules/pack/import_columns_test.cpp
+    unit/rules/pack/import_plane_test.cpp
     unit/rules/pack/import_rows_test.cpp
     unit/rules/verdict/judge_test.cpp
     unit/rules/binding/judged_project_test.cpp
@@ -27,6 +29,7 @@ luxgate_test(rules_tests
     unit/rules/catalogue/requirement_test.cpp
     unit/rules/pack/pack_elements_test.cpp
     unit/rules/pack/rule_corpus_test.cpp
+    unit/rules/pack/row_values_test.cpp
     unit/rules/pack/rule_pack_test.cpp
     unit/rules/measure/share_test.cpp
     unit/rules/verdict/stop_rule_test.cpp

@@ -51,6 +51,9 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel) +
                                          scene_words(t, requirement));
   if (!requirement.clause.empty()) quantity += ", " + escape_markdown(requirement.clause);
+  if (const std::string note = note_words(t, *finding); !note.empty()) {
+    quantity += " (" + escape_markdown(note) + ")";
+  }
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
                      is_judged ? format_measured(t, finding->measured, unit, threshold) : "",

@@ -170,6 +170,18 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
   return true;
 }
 
+// "; it does of 'task-vertical', 'wall'": the roles of planes that the row has values for.
+std::string roles_words(const Reference& reference) {
+  calc::Names roles;
+  for (const RuleCheck& check : reference.pack.checks) {
+    if (!check.quantity->kernel || !needs_row(check.limit, reference.pack)) continue;
+    if (evaluate_limit(check, reference.scope).status == LimitStatus::not_applicable) continue;
+    const std::string_view role = check.role;
+    if (std::find(roles.begin(), roles.end(), role) == roles.end()) roles.push_back(role);
+  }
+  return roles.empty() ? "" : "; it does of " + calc::join_choices(roles);
+}
+
 std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::string& role,
                                               const Reference& reference) {
   std::vector<Requirement> requirements;
@@ -183,7 +195,7 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
   if (requirements.empty()) {
     reader.report(DiagnosticId::rule_requires_nothing, reader.where(), reference.pack.full_id(),
                   reference.row == nullptr ? "" : fmt::format(" row '{}'", reference.row->ref),
-                  role);
+                  role, roles_words(reference));
   }
   return requirements;
 }

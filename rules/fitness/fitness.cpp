@@ -117,14 +117,9 @@ class PlaneFit {
 
   std::string height(const Meant& meant) const {
     const RulePlane& role = meant.plane;
-    if (!role.has_heights) return {};
-    double from_m = role.lowest_m, to_m = role.highest_m;
-    const bool follows_task =
-        role.area == ZoneArea::task || (role.area == ZoneArea::band && !role.height_m);
-    if (follows_task && meant.row != nullptr && meant.row->task_heights_m) {
-      from_m = meant.row->task_heights_m->lowest_m;
-      to_m = meant.row->task_heights_m->highest_m;
-    }
+    const std::optional<RuleRow::Heights> asked = heights_of(role, meant.row);
+    if (!asked) return {};
+    const auto [from_m, to_m] = *asked;
     const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
     // An upright plane has a height of its own: it must reach the height that is asked for.
     const bool is_upright = role.orientation == "vertical";
@@ -136,9 +131,11 @@ class PlaneFit {
       return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)
                                          : fmt::format("{:.3g} to {:.3g} m", low, high);
     };
-    return fmt::format("planes of {} are {}{} above the floor, and this one is {}",
-                       role_words(meant), role.are_heights_usual ? "usually " : "",
-                       range(from_m, to_m), range(lowest_m, highest_m));
+    const bool is_of_row = !role.has_heights || from_m != role.lowest_m || to_m != role.highest_m;
+    return fmt::format("planes of {} are {}{} above the floor{}, and this one is {}",
+                       role_words(meant), role.are_heights_usual && !is_of_row ? "usually " : "",
+                       range(from_m, to_m), is_of_row ? " in row " + meant.row->ref : "",
+                       range(lowest_m, highest_m));
   }
 
   // Fewer points than the rule gives to the same area see less: a minimum is higher, a uniformity

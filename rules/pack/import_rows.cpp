@@ -3,6 +3,9 @@
 #include "calc/base/csv.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
+#include "rules/pack/import_columns.h"
+#include "rules/pack/import_plane.h"
+#include "rules/pack/row_values.h"
 #include "rules/pack/rule_pack.h"
 
 #include <fmt/format.h>
@@ -20,59 +23,23 @@ using calc::CsvRecord;
 using calc::DiagnosticId;
 using calc::XmlElement;
 
-enum Column : std::size_t {
-  kRef,
-  kActivity,
-  kTrust,
-  kConfirmed,
-  kEm,
-  kEmModified,
-  kUo,
-  kRa,
-  kRugl,
-  kEz,
-  kEwall,
-  kEceiling,
-  kRefConfidence,
-  kGroup,
-  kNotes,
-  kSources,
-  kColumns
-};
-constexpr std::array<std::string_view, kColumns> kNames{"final_ref",
-                                                        "activity",
-                                                        "trust",
-                                                        "confirmed_fields",
-                                                        "Em_required_lx",
-                                                        "Em_modified_lx",
-                                                        "Uo_min",
-                                                        "Ra_min",
-                                                        "RUGL_max",
-                                                        "Ez_m_lx",
-                                                        "Em_wall_lx",
-                                                        "Em_ceiling_lx",
-                                                        "final_ref_confidence",
-                                                        "group",
-                                                        "notes",
-                                                        "sources"};
-constexpr std::size_t kNeeded = kRefConfidence;  // the first that may be missing
-
 // A parameter of the pack and where its numbers are.
 struct Parameter {
   const char* name;
-  Column required;
-  std::optional<Column> modified;  // none: one level only
-  std::string_view confirmed;      // as the column confirmed_fields names it
+  const char* of_upright;  // the parameter that takes the number in rows about upright tasks, or ""
+  ImportColumnIndex required;
+  std::optional<ImportColumnIndex> modified;  // none: one level only
+  std::string_view confirmed;                 // as the column `confirmed` names it
   std::string_view confirmed_modified;
 };
 constexpr std::array kParameters{
-    Parameter{"Em", kEm, kEmModified, "Em_required", "Em_modified"},
-    Parameter{"Uo", kUo, {}, "Uo", ""},
-    Parameter{"Ra", kRa, {}, "Ra", ""},
-    Parameter{"RUGL", kRugl, {}, "RUGL", ""},
-    Parameter{"Ez", kEz, {}, "Ez", ""},
-    Parameter{"Ewall", kEwall, {}, "Em_wall", ""},
-    Parameter{"Eceiling", kEceiling, {}, "Em_ceiling", ""},
+    Parameter{"Em", "Ev", kEmColumn, kEmModifiedColumn, "Em_required", "Em_modified"},
+    Parameter{"Uo", "Uov", kUoColumn, {}, "Uo", ""},
+    Parameter{"Ra", "", kRaColumn, {}, "Ra", ""},
+    Parameter{"RUGL", "", kRuglColumn, {}, "RUGL", ""},
+    Parameter{"Ez", "", kEzColumn, {}, "Ez", ""},
+    Parameter{"Ewall", "", kEwallColumn, {}, "Em_wall", ""},
+    Parameter{"Eceiling", "", kEceilingColumn, {}, "Em_ceiling", ""},
 };
 
 std::string escaped(std::string_view text) {
@@ -146,14 +113,28 @@ class Importer {
 
   // False after an error.
   bool read_header(const CsvRecord& header) {
-    columns_ = calc::CsvColumns(header, kNames);
-    for (std::size_t c = 0; c < kNeeded; ++c) {
-      if (!columns_.has(c)) report(header, fmt::format("there is no column '{}'", kNames[c]));
+    columns_ = calc::CsvColumns(header, import_column_names(), import_column_name);
+    for (const calc::CsvCell& cell : header.cells) {
+      const auto& names = import_column_names();
+      const auto known = std::find(names.begin(), names.end(), import_column_name(cell.text));
+      if (known == names.end()) continue;
+      written_[static_cast<std::size_t>(known - names.begin())] = cell.text;
+    }
+    for (const ImportColumn& column : import_columns()) {
+      if (!column.is_needed || columns_.has(index_of(column))) continue;
+      report(header,
+             fmt::format("there is no column '{}'; 'luxgate rules import --help' lists what "
+                         "it may be called",
+                         column.name));
     }
     if (!columns_.doubled().empty()) {
-      report(header, fmt::format("the column '{}' is there twice", columns_.doubled()));
+      const std::string& doubled = columns_.doubled();
+      report(header, fmt::format("the column '{}' is there twice: '{}' is the same", doubled,
+                                 import_column_name(doubled)));
     }
-    return !diagnostics_.has_errors();
+    if (diagnostics_.has_errors()) return false;
+    warn_of_header(header);
+    return true;
   }
 
   // Empty for a row that is left out, and after an error.
@@ -163,66 +144,160 @@ class Importer {
                                  columns_.width()));
       return std::nullopt;
     }
-    const std::string ref = columns_.cell(record, kRef);
-    if (ref.empty() || columns_.cell(record, kRefConfidence) == "dropped_in_final") {
-      diagnostics_.report(
-          DiagnosticId::rule_import_skipped, {file_, record.line, 0},
-          ref.empty() ? columns_.cell(record, kActivity) : ref,
-          ref.empty() ? "it has no final_ref" : "it is not in the published edition");
+    const std::string ref = columns_.cell(record, kRefColumn);
+    if (ref.empty() || columns_.cell(record, kStatusColumn) == "dropped_in_final") {
+      diagnostics_.report(DiagnosticId::rule_import_skipped, {file_, record.line, 0},
+                          ref.empty() ? columns_.cell(record, kNameColumn) : ref,
+                          ref.empty() ? fmt::format("it has no {}", written_[kRefColumn])
+                                      : "it is not in the published edition");
+      ++left_out_;
       return std::nullopt;
     }
-    std::string name = columns_.cell(record, kGroup);
-    name += (name.empty() ? "" : ": ") + columns_.cell(record, kActivity);
-    std::string note = columns_.cell(record, kNotes);
-    if (const std::string sources = columns_.cell(record, kSources); !sources.empty()) {
+    const std::optional<TaskPlane> plane = read_plane(record);
+    check_em(record);
+    std::string name = columns_.cell(record, kGroupColumn);
+    name += (name.empty() ? "" : ": ") + columns_.cell(record, kNameColumn);
+    std::string note = columns_.cell(record, kNotesColumn);
+    if (const std::string sources = columns_.cell(record, kSourcesColumn); !sources.empty()) {
       note += (note.empty() ? "sources: " : "; sources: ") + sources;
     }
     const std::string trust = row_trust(record);
     XmlElement row = element_of(
         "row",
         {{"ref", ref}, {"name", name}, {"trust", trust}, {"sources", "table"}, {"note", note}});
-    for (const Parameter& parameter : kParameters) {
-      row.children.push_back(value(record, parameter, trust));
+    if (plane && plane->heights_m) {
+      set_attribute(
+          row, "task-heights",
+          fmt::format("{:.6g} {:.6g}", plane->heights_m->lowest_m, plane->heights_m->highest_m));
     }
+    for (const Parameter& parameter : kParameters) {
+      std::string name_of_value = parameter.name;
+      if (plane && plane->is_upright && *parameter.of_upright != '\0') {
+        row.children.push_back(
+            element_of("value", {{"of", name_of_value}, {"none", "not-applicable"}}));
+        name_of_value = parameter.of_upright;
+      }
+      row.children.push_back(value(record, parameter, name_of_value, trust));
+    }
+    if (plane) count(*plane);
     return row;
   }
 
+  // The head of the column that a number of the pack is from, as it is written.
+  const std::string& head_of(std::string_view parameter, bool is_modified) const {
+    const auto is_it = [&](const Parameter& p) {
+      return p.name == parameter || p.of_upright == parameter;
+    };
+    const Parameter& found = *std::find_if(kParameters.begin(), kParameters.end(), is_it);
+    return written_[is_modified ? *found.modified : found.required];
+  }
+
+  int floor_rows() const { return floor_rows_; }
+  int upright_rows() const { return upright_rows_; }
+  int left_out() const { return left_out_; }
+
  private:
+  static std::size_t index_of(const ImportColumn& column) {
+    return static_cast<std::size_t>(&column - import_columns().data());
+  }
+
   void report(const CsvRecord& record, const std::string& problem) {
     diagnostics_.report(DiagnosticId::rule_import, {file_, record.line, 0}, problem);
   }
 
+  void warn(const CsvRecord& record, const std::string& problem) {
+    diagnostics_.report(DiagnosticId::rule_import_doubtful, {file_, record.line, 0}, problem);
+  }
+
+  // What is passed over, and what no row will require.
+  void warn_of_header(const CsvRecord& header) {
+    for (const std::string& name : columns_.unknown()) {
+      warn(header, fmt::format("column '{}' is not known and is passed over{}", name,
+                               import_column_suggestion(name)));
+    }
+    std::vector<std::string_view> missing;
+    for (const Parameter& parameter : kParameters) {
+      if (!columns_.has(parameter.required)) {
+        missing.push_back(import_column_names()[parameter.required]);
+      }
+    }
+    if (!missing.empty()) {
+      warn(header, fmt::format("there is no column {}: no row will require that",
+                               calc::join_choices(missing)));
+    }
+    if (!columns_.has(kPlaneColumn)) {
+      warn(header,
+           "there is no column plane: every row is taken for a horizontal task at the "
+           "height of desks, corridors and shelves, too");
+    }
+  }
+
+  // Empty after an error.
+  std::optional<TaskPlane> read_plane(const CsvRecord& record) {
+    const std::string& text = columns_.cell(record, kPlaneColumn);
+    std::optional<TaskPlane> plane = parse_task_plane(text);
+    if (!plane) {
+      report(record, fmt::format("column '{}': nobody knows where '{}' is; allowed: {}; 'luxgate "
+                                 "rules import --help' lists more words",
+                                 written_[kPlaneColumn], text, task_plane_choices()));
+    }
+    return plane;
+  }
+
+  void count(const TaskPlane& plane) {
+    if (plane.is_upright) {
+      ++upright_rows_;
+    } else if (plane.heights_m && plane.heights_m->lowest_m == 0.0) {
+      ++floor_rows_;
+    }
+  }
+
+  // A row without Em is no mistake only if somebody says so.
+  void check_em(const CsvRecord& record) {
+    if (!columns_.cell(record, kEmColumn).empty()) return;
+    if (!columns_.cell(record, kEmModifiedColumn).empty()) {
+      report(record, fmt::format("column '{}' is empty, but column '{}' is not",
+                                 written_[kEmColumn], written_[kEmModifiedColumn]));
+    } else if (columns_.cell(record, kNotesColumn).empty()) {
+      report(record, fmt::format("column '{}' is empty: say in '{}' why the row requires no "
+                                 "illuminance of its task, or delete the row",
+                                 written_[kEmColumn], import_column_names()[kNotesColumn]));
+    }
+  }
+
   std::string row_trust(const CsvRecord& record) const {
-    const std::string mark = columns_.cell(record, kTrust);
-    const bool is_single = mark == "A-part" || mark.starts_with('B');
+    const std::string mark = columns_.cell(record, kTrustColumn);
+    if (calc::find_value<Trust>(mark)) return mark;
+    const bool is_single = mark == "A-part" || mark.starts_with('B') || !columns_.has(kTrustColumn);
     const Trust trust = is_single ? Trust::single_source : Trust::unverified;
     return std::string(calc::name_of(mark == "A" ? Trust::confirmed : trust));
   }
 
   bool is_confirmed(const CsvRecord& record, std::string_view name) const {
-    const std::string all = ";" + columns_.cell(record, kConfirmed) + ";";
+    const std::string all = ";" + columns_.cell(record, kConfirmedColumn) + ";";
     return name.empty() || all.find(fmt::format(";{};", name)) != std::string::npos;
   }
 
-  std::string number(const CsvRecord& record, Column column) {
+  std::string number(const CsvRecord& record, ImportColumnIndex column) {
     const std::string& text = columns_.cell(record, column);
     if (!text.empty() && !calc::parse_number(text)) {
-      report(record, fmt::format("{}: '{}' is not a number", kNames[column], text));
+      report(record, fmt::format("column '{}': '{}' is not a number", written_[column], text));
     }
     return text;
   }
 
-  XmlElement value(const CsvRecord& record, const Parameter& parameter, const std::string& trust) {
+  XmlElement value(const CsvRecord& record, const Parameter& parameter,
+                   const std::string& name_of_value, const std::string& trust) {
     const std::string required = number(record, parameter.required);
     if (required.empty()) {
-      return element_of("value", {{"of", parameter.name}, {"none", "not-specified"}});
+      return element_of("value", {{"of", name_of_value}, {"none", "not-specified"}});
     }
     const std::string modified = parameter.modified ? number(record, *parameter.modified) : "";
-    const bool is_better = columns_.cell(record, kTrust) == "A-part" &&
+    const bool is_better = columns_.cell(record, kTrustColumn) == "A-part" &&
                            is_confirmed(record, parameter.confirmed) &&
                            (modified.empty() || is_confirmed(record, parameter.confirmed_modified));
     const std::string own = is_better ? std::string(calc::name_of(Trust::confirmed)) : trust;
-    return element_of("value", {{"of", parameter.name},
+    return element_of("value", {{"of", name_of_value},
                                 {"required", required},
                                 {"modified", modified},
                                 {"trust", own == trust ? "" : own}});
@@ -231,6 +306,8 @@ class Importer {
   const std::string& file_;
   calc::Diagnostics& diagnostics_;
   calc::CsvColumns columns_;
+  std::array<std::string, kImportColumnCount> written_;  // heads of the table; "" = not there
+  int floor_rows_ = 0, upright_rows_ = 0, left_out_ = 0;
 };
 
 struct ImportedRow {
@@ -238,13 +315,44 @@ struct ImportedRow {
   int table_line = 0;
 };
 
+// What a pack for horizontal tasks lacks for upright ones: their own parameters, so that no row can
+// be held against the wrong plane; their plane, with the grid of the others; their checks.
+std::vector<XmlElement> upright_parts(const XmlElement& like) {
+  const std::string role(kUprightTaskRole);
+  const auto is_task = [](const XmlElement& child) {
+    const calc::XmlAttribute* own = child.find("role");
+    return child.name == "plane" && own != nullptr && own->value == "task";
+  };
+  const auto task = std::find_if(like.children.begin(), like.children.end(), is_task);
+  const calc::XmlAttribute* grid = task == like.children.end() ? nullptr : task->find("grid");
+  const auto check = [&](const char* suffix, const char* statistic, const char* limit) {
+    return element_of("check", {{"id", role + suffix},
+                                {"role", role},
+                                {"quantity", "planar"},
+                                {"statistic", statistic},
+                                {"at-least", limit}});
+  };
+  return {element_of("parameter", {{"id", "Ev"},
+                                   {"unit", "lx"},
+                                   {"meaning", "maintained average of an upright task area"}}),
+          element_of("parameter", {{"id", "Uov"},
+                                   {"unit", "none"},
+                                   {"meaning", "minimum to average of an upright task area"}}),
+          element_of("plane", {{"role", role},
+                               {"orientation", "vertical"},
+                               {"grid", grid == nullptr ? "" : grid->value},
+                               {"note", "a shelf, a board or a face, over its whole area"}}),
+          check(".Em", "average", "row(Ev)"), check(".Uo", "Uo", "row(Uov)")};
+}
+
 // Everything of `like` but its sources and rows, with new ones before the first check.
 WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
-                      const std::vector<ImportedRow>& rows) {
+                      const std::vector<ImportedRow>& rows, bool has_upright_rows) {
   set_attribute(like, "id", pack_id);
   set_attribute(like, "version", "1");
   set_attribute(like, "licence", "user-supplied");
   set_attribute(like, "licence-note", "imported from " + csv_file + "; not for redistribution");
+  const std::vector<XmlElement> upright = upright_parts(like);
   WrittenPack pack;
   pack.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0);
   const std::vector<XmlElement> children = std::exchange(like.children, {});
@@ -252,6 +360,9 @@ WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::st
   pack.text.replace(pack.text.size() - 3, 2, ">");
   write_element(element_of("source", {{"id", "table"}, {"note", "table of the user: " + csv_file}}),
                 1, 0, pack);
+  if (has_upright_rows) {
+    for (const XmlElement& part : upright) write_element(part, 1, 0, pack);
+  }
   bool has_rows = false;
   for (const XmlElement& child : children) {
     if (child.name == "source" || child.name == "row") continue;
@@ -277,11 +388,26 @@ void report_for_table(const calc::Diagnostics& of_pack, const std::vector<int>& 
   }
 }
 
+// Numbers that cannot be meant, or hardly are, by the columns that they are from.
+void report_values(const RulePack& pack, const Importer& importer,
+                   const std::vector<int>& table_line, const std::string& csv_file,
+                   calc::Diagnostics& diagnostics) {
+  for (const RowValueProblem& problem : row_value_problems(pack)) {
+    const auto line = static_cast<std::size_t>(problem.value->where.line);
+    diagnostics.report(
+        problem.is_error ? DiagnosticId::rule_import : DiagnosticId::rule_import_doubtful,
+        {csv_file, table_line.at(line - 1), 0},
+        fmt::format("row '{}', column '{}': {}", problem.row->ref,
+                    importer.head_of(problem.value->parameter, problem.is_of_modified),
+                    problem.words));
+  }
+}
+
 }  // namespace
 
-std::optional<std::string> import_rows(std::string_view csv, const std::string& csv_file,
-                                       std::string_view like_xml, const std::string& pack_id,
-                                       calc::Diagnostics& diagnostics) {
+std::optional<ImportedPack> import_rows(std::string_view csv, const std::string& csv_file,
+                                        std::string_view like_xml, const std::string& pack_id,
+                                        calc::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   std::vector<CsvRecord> records;
   calc::CsvReader table(csv);
@@ -302,20 +428,26 @@ std::optional<std::string> import_rows(std::string_view csv, const std::string& 
   if (!importer.read_header(records.front())) return std::nullopt;
   std::vector<ImportedRow> rows;
   for (std::size_t i = 1; i < records.size(); ++i) {
-    if (std::optional<XmlElement> row = importer.read_row(records[i])) {
-      rows.push_back({std::move(*row), records[i].line});
-    }
+    const std::size_t errors = diagnostics.error_count();
+    std::optional<XmlElement> row = importer.read_row(records[i]);
+    // Of a row with an error nothing more is said; what is wrong with the others is told together.
+    if (!row || diagnostics.error_count() > errors) continue;
+    rows.push_back({std::move(*row), records[i].line});
   }
   const std::optional<XmlElement> like =
       calc::parse_xml(std::string(like_xml), "built in", diagnostics);
-  if (!like || diagnostics.error_count() > errors_before) return std::nullopt;
-  WrittenPack pack = assembled(*like, pack_id, csv_file, rows);
+  if (!like) return std::nullopt;
+  WrittenPack pack = assembled(*like, pack_id, csv_file, rows, importer.upright_rows() > 0);
   calc::Diagnostics of_pack;
-  if (!parse_rule_pack(pack.text, pack_id + ".xml", of_pack)) {
+  const std::optional<RulePack> parsed = parse_rule_pack(pack.text, pack_id + ".xml", of_pack);
+  if (!parsed) {
     report_for_table(of_pack, pack.table_line, csv_file, diagnostics);
     return std::nullopt;
   }
-  return std::move(pack.text);
+  report_values(*parsed, importer, pack.table_line, csv_file, diagnostics);
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return ImportedPack{std::move(pack.text), static_cast<int>(rows.size()), importer.floor_rows(),
+                      importer.upright_rows(), importer.left_out()};
 }
 
 }  // namespace rules

@@ -24,6 +24,7 @@ RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const 
   ElementReader reader(element, diagnostics);
   reader.allow(kValueElement);
   RuleValue value;
+  value.where = element.where;
   value.parameter = reader.id("of");
   value.trust = reader.has("trust") ? read_trust(reader) : row.trust;
   const RuleName* parameter = pack.find_parameter(value.parameter);

@@ -1,5 +1,7 @@
 #include "rules/pack/rule_lint.h"
 
+#include "rules/pack/row_values.h"
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -46,6 +48,19 @@ void lint_trust(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
 }
 
+void lint_rows(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  for (const RowValueProblem& problem : row_value_problems(pack)) {
+    const std::string what =
+        problem.value->parameter + (problem.is_of_modified ? " (modified)" : "");
+    diagnostics.report(problem.is_error ? calc::DiagnosticId::rule_value_meaningless
+                                        : calc::DiagnosticId::rule_value_unusual,
+                       problem.value->where, problem.row->ref, what, problem.words);
+  }
+  for (const RuleRow* row : rows_without_requirement(pack)) {
+    diagnostics.report(calc::DiagnosticId::rule_row_empty, row->where, row->ref, pack.role);
+  }
+}
+
 }  // namespace
 
 void lint_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
@@ -55,6 +70,7 @@ void lint_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   report_unused(pack, pack.facts, ExpressionKind::fact, "fact", used, diagnostics);
   report_unused(pack, pack.tables, ExpressionKind::table, "table", used, diagnostics);
   lint_trust(pack, diagnostics);
+  lint_rows(pack, diagnostics);
   std::size_t unverified = 0, all = pack.checks.size();
   for (const RuleCheck& check : pack.checks) {
     if (check.trust == Trust::unverified) ++unverified;

@@ -111,6 +111,16 @@ std::vector<std::string> RulePack::roles() const {
   return roles;
 }
 
+std::optional<RuleRow::Heights> heights_of(const RulePlane& plane, const RuleRow* row) {
+  const bool follows_task = plane.area == ZoneArea::task ||
+                            (plane.area == ZoneArea::band && !plane.height_m) ||
+                            (plane.orientation == "vertical" && !plane.has_heights);
+  const bool has_own = plane.has_heights || plane.orientation == "vertical";
+  if (follows_task && has_own && row != nullptr && row->task_heights_m) return row->task_heights_m;
+  if (!plane.has_heights) return std::nullopt;
+  return RuleRow::Heights{plane.lowest_m, plane.highest_m};
+}
+
 std::string grid_text(const RuleGrid& grid) {
   std::string text = "as the project says";
   if (grid.rule) {

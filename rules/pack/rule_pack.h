@@ -71,6 +71,7 @@ struct RuleValue {
   std::optional<double> modified;  // at level "modified", where it differs
   NoValue why = NoValue::not_specified;
   Trust trust = Trust::confirmed;
+  calc::SourceLocation where;
 };
 
 struct RuleRow {
@@ -235,6 +236,11 @@ struct RulePlane {
   double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings
   double missing_share = 0.1;      // of the points, that bodies or walls may take
 };
+
+// What planes of a role are above the floor, for a row (may be null): its task heights, where the
+// role is that of the task, a band at the task's height, or upright without heights of its own.
+// Empty: anything.
+std::optional<RuleRow::Heights> heights_of(const RulePlane& plane, const RuleRow* row);
 
 struct RulePack {
   std::string id;            // "en12464-1"

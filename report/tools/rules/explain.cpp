@@ -1,6 +1,7 @@
 #include "report/tools/rules/explain.h"
 
 #include "calc/base/diagnostics.h"
+#include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
 
 #include <fmt/format.h>
@@ -43,8 +44,10 @@ std::string row_text(const RulePack& pack, const RuleRow& row) {
   }
   text += "\n";
   if (row.task_heights_m) {
-    text += fmt::format("    task {:g} to {:g} m above the floor\n", row.task_heights_m->lowest_m,
-                        row.task_heights_m->highest_m);
+    text += row.task_heights_m->lowest_m == row.task_heights_m->highest_m
+                ? fmt::format("    task {:g} m above the floor\n", row.task_heights_m->lowest_m)
+                : fmt::format("    task {:g} to {:g} m above the floor\n",
+                              row.task_heights_m->lowest_m, row.task_heights_m->highest_m);
   }
   if (!row.note.empty()) text += "    " + row.note + "\n";
   return text;
@@ -95,8 +98,8 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
   return text + "\n";
 }
 
-// What a <workplace> makes of it.
-std::string zone_text(const rules::RulePlane& plane) {
+// What a <workplace> makes of it, at such a height.
+std::string zone_text(const rules::RulePlane& plane, std::optional<double> height_m) {
   std::string text = "; workplaces: ";
   switch (plane.area) {
     case rules::ZoneArea::none:
@@ -117,22 +120,33 @@ std::string zone_text(const rules::RulePlane& plane) {
       text += "the ceiling";
       break;
   }
-  if (plane.height_m) text += fmt::format(" at {:g} m", *plane.height_m);
+  if (height_m) text += fmt::format(" at {:g} m", *height_m);
   if (plane.margin_m > 0.0) text += fmt::format(", less {:g} m along walls", plane.margin_m);
   return text;
 }
 
-std::string plane_text(const rules::RulePlane& plane) {
+// row: whose planes are meant; nullptr = any.
+std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
   std::string text = fmt::format("plane for role {}: {}", plane.role, plane.orientation);
-  if (plane.has_heights) {
-    text += plane.lowest_m == plane.highest_m
-                ? fmt::format(", {:g} m above the floor", plane.lowest_m)
-                : fmt::format(", {:g} to {:g} m above the floor", plane.lowest_m, plane.highest_m);
+  const std::optional<RuleRow::Heights> heights = heights_of(plane, row);
+  if (heights) {
+    text += heights->lowest_m == heights->highest_m
+                ? fmt::format(", {:g} m above the floor", heights->lowest_m)
+                : fmt::format(", {:g} to {:g} m above the floor", heights->lowest_m,
+                              heights->highest_m);
+    const bool is_of_row = !plane.has_heights || heights->lowest_m != plane.lowest_m ||
+                           heights->highest_m != plane.highest_m;
+    if (is_of_row) {
+      text += " in this row";
+    } else if (plane.are_heights_usual) {
+      text += " usually";
+    }
   }
-  if (plane.are_heights_usual) text += " usually";
   if (!plane.grid.empty()) text += ", grid " + plane.grid;
   if (!plane.mask.empty()) text += ", mask " + plane.mask;
-  text += zone_text(plane);
+  const bool has_own_height = heights && plane.area == rules::ZoneArea::task && row != nullptr &&
+                              row->task_heights_m.has_value();
+  text += zone_text(plane, has_own_height ? heights->lowest_m : plane.height_m);
   if (!plane.note.empty()) text += " (" + plane.note + ")";
   return text + "\n";
 }
@@ -282,25 +296,68 @@ std::vector<std::string> checks_of_row(const RulePack& pack, const RuleRow& row)
   return ids;
 }
 
+// What a row says of a role.
+enum class RowAndRole {
+  has_values,  // its own, or all that there is holds for every row
+  shares,      // none of its own, but something holds for every row
+  nothing
+};
+
+// As workplaces see it: where a row has no value of its own they make no plane.
+RowAndRole row_and_role(const RulePack& pack, const std::string& role,
+                        const std::vector<std::string>& checks_of_row) {
+  bool hangs_on_row = false, has_own = false, has_any = false;
+  for (const RuleCheck& check : pack.checks) {
+    if (check.role != role) continue;
+    const bool is_required = is_among(checks_of_row, check.id);
+    has_any = has_any || is_required;
+    if (!needs_row(check, pack)) continue;
+    hangs_on_row = true;
+    has_own = has_own || is_required;
+  }
+  if (!has_any) return RowAndRole::nothing;
+  return has_own || !hangs_on_row ? RowAndRole::has_values : RowAndRole::shares;
+}
+
 std::string explain_row(const RulePack& pack, const RuleRow& row) {
   std::string text = head_text(pack) + "\n" + row_text(pack, row);
+  const std::vector<std::string> of_row = checks_of_row(pack, row);
+  std::vector<std::string> silent, sharing;
   for (const std::string& role : pack.roles()) {
+    const RowAndRole kind = row_and_role(pack, role, of_row);
+    if (kind == RowAndRole::nothing) silent.push_back(role);
+    if (kind == RowAndRole::shares) sharing.push_back(role);
+    if (kind != RowAndRole::has_values) continue;
     text += fmt::format("\nrole {}\n", role);
     for (const rules::RulePlane& plane : pack.planes) {
-      if (plane.role == role) text += plane_text(plane);
+      if (plane.role == role) text += plane_text(plane, &row);
     }
+    std::vector<std::string> masks;
     for (const RuleCheck& check : pack.checks) {
-      if (check.role == role) text += check_text(pack, check) + limits_text(pack, check, &row);
+      if (check.role != role) continue;
+      text += check_text(pack, check) + limits_text(pack, check, &row);
+      if (check.mask.id.empty() || is_among(masks, check.mask.id)) continue;
+      masks.push_back(check.mask.id);
+      text += "    " + mask_text(check.mask);
     }
   }
-  text += "\n" + shared_text(pack, checks_of_row(pack, row), row.ref);
+  if (!sharing.empty()) {
+    text += fmt::format(
+        "\nThe row has no value for the roles: {}\n    workplaces make no planes of them; a plane "
+        "that names one is held against what all rows share\n",
+        joined(sharing));
+  }
+  if (!silent.empty()) {
+    text += fmt::format("\nThe row requires nothing of the roles: {}\n", joined(silent));
+  }
+  text += "\n" + shared_text(pack, of_row, row.ref);
   return text + grids_text(pack) + sources_text(pack, row.sources);
 }
 
 std::string explain_checks(const RulePack& pack, const std::vector<const RuleCheck*>& checks) {
   std::string text = head_text(pack) + "\n";
   for (const rules::RulePlane& plane : pack.planes) {
-    if (plane.role == checks.front()->role) text += plane_text(plane);
+    if (plane.role == checks.front()->role) text += plane_text(plane, nullptr);
   }
   for (const RuleCheck* check : checks) {
     text += check_text(pack, *check) + limits_text(pack, *check, nullptr);
@@ -336,7 +393,7 @@ std::string show_rule_pack(const RulePack& pack) {
   for (const rules::RuleName& name : pack.facts) {
     text += fmt::format("fact {} ({}): {}\n", name.id, name.unit.name, name.meaning);
   }
-  for (const rules::RulePlane& plane : pack.planes) text += plane_text(plane);
+  for (const rules::RulePlane& plane : pack.planes) text += plane_text(plane, nullptr);
   text += grids_text(pack);
   for (const rules::Mask& mask : pack.masks) text += mask_text(mask);
   text += "\n";

@@ -9,6 +9,7 @@
 #include "report/text/plain_text.h"
 #include "report/tools/rules/explain.h"
 #include "rules/pack/builtin_packs.h"
+#include "rules/pack/import_columns.h"
 #include "rules/pack/import_rows.h"
 #include "rules/pack/named_pack.h"
 #include "rules/pack/pack_elements.h"
@@ -59,11 +60,21 @@ rules::NamedPack find_pack(const std::string& name, const std::vector<rules::Rul
   return found;
 }
 
-std::string show(const std::string& pack, const std::vector<rules::RulePack>& packs,
-                 calc::Diagnostics& diagnostics) {
+// part: a row, role or check; "" = all of it.
+std::string show(const std::string& pack, const std::string& part,
+                 const std::vector<rules::RulePack>& packs, calc::Diagnostics& diagnostics) {
   const rules::NamedPack found = find_pack(pack, packs, diagnostics);
   if (found.is_ambiguous()) return {};
-  if (found.pack != nullptr) return show_rule_pack(*found.pack);
+  if (found.pack != nullptr) {
+    if (part.empty()) return show_rule_pack(*found.pack);
+    std::optional<std::string> text = explain_rule(*found.pack, part);
+    if (text) return *std::move(text);
+    diagnostics.report(calc::DiagnosticId::rule_import, {},
+                       fmt::format("rule pack '{}' has no row, role or check '{}'; 'luxgate rules "
+                                   "show {}' lists them",
+                                   found.pack->full_id(), part, pack));
+    return {};
+  }
   diagnostics.report(
       calc::DiagnosticId::rule_import, {},
       fmt::format("there is no rule pack '{}'; allowed: {}", pack, joined_ids(packs)));
@@ -82,7 +93,9 @@ std::string lint(const std::vector<std::string>& paths, const calc::FileReader& 
     const std::optional<rules::RulePack> pack =
         rules::parse_rule_pack(content.bytes, path, diagnostics);
     if (!pack) continue;
+    const std::size_t errors = diagnostics.error_count();
     rules::lint_rule_pack(*pack, diagnostics);
+    if (diagnostics.error_count() > errors) continue;
     out += fmt::format("{}: no error ({}: {} rows, {} checks)\n", path, pack->full_id(),
                        pack->rows.size(), pack->checks.size());
   }
@@ -92,11 +105,24 @@ std::string lint(const std::vector<std::string>& paths, const calc::FileReader& 
 struct ImportOptions {
   std::string csv, output;  // output "" = standard output
   std::string pack_id = "en12464-1-own";
+  bool wants_template = false;
 };
+
+std::string import_summary(const rules::ImportedPack& pack, const std::string& output) {
+  std::string text = fmt::format("Wrote {}: {} rows", output, pack.rows);
+  if (pack.floor_rows > 0) text += fmt::format(", {} of them on the floor", pack.floor_rows);
+  if (pack.upright_rows > 0) {
+    text += fmt::format(", {} of them upright (role=\"{}\")", pack.upright_rows,
+                        rules::kUprightTaskRole);
+  }
+  if (pack.left_out > 0) text += fmt::format("; {} left out", pack.left_out);
+  return text + fmt::format(". Next: luxgate rules lint {}\n", output);
+}
 
 std::string import_table(const ImportOptions& options, const calc::FileReader& files,
                          calc::Diagnostics& diagnostics) {
   constexpr const char* kLike = "en12464-1:2021";
+  if (options.wants_template) return rules::import_template();
   if (!calc::is_id(options.pack_id)) {
     diagnostics.report(calc::DiagnosticId::not_an_id, {}, "--id", "rules import", options.pack_id);
     return {};
@@ -118,16 +144,17 @@ std::string import_table(const ImportOptions& options, const calc::FileReader& f
     calc::Diagnostics own;
     if (rules::parse_rule_pack(text, "built in", own)->full_id() != kLike) continue;
     const std::string name = std::filesystem::path(options.csv).filename().string();
-    const std::optional<std::string> pack =
+    const std::optional<rules::ImportedPack> pack =
         rules::import_rows(csv.bytes, name, text, options.pack_id, diagnostics);
-    if (!pack || options.output.empty()) return pack.value_or("");
-    const std::string problem = report::write_file_atomically(options.output, *pack);
+    if (!pack) return {};
+    if (options.output.empty()) return pack->text;
+    const std::string problem = report::write_file_atomically(options.output, pack->text);
     if (!problem.empty()) {
       diagnostics.report(calc::DiagnosticId::output_not_possible, {},
                          fmt::format("cannot write '{}': {}", options.output, problem));
       return {};
     }
-    return fmt::format("Wrote {}. Next: luxgate rules lint {}\n", options.output, options.output);
+    return import_summary(*pack, options.output);
   }
   return {};
 }
@@ -168,7 +195,7 @@ Command action(Command command, const std::shared_ptr<Options>& options,
 
 // What most actions take: a name, files or nothing, and packs besides those delivered.
 struct PackOptions {
-  std::string name;
+  std::string name, part;
   std::vector<std::string> files, rule_files;
 };
 
@@ -186,14 +213,18 @@ Command list_action() {
 
 Command show_action() {
   const auto options = std::make_shared<PackOptions>();
-  Command command{"show", "Print all of one rule pack"};
-  command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name}};
+  Command command{"show", "Print all of one rule pack, or what one row of it is about"};
+  command.places = {{"pack", "PACK", "Its id, or id:edition", &options->name},
+                    {"part", "ROW",
+                     "A row, role or check of it: on which planes it is held, and\n"
+                     "what is required there",
+                     &options->part, false}};
   command.options = {rules_option(options->rule_files)};
   return action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
         const auto packs = check::load_rule_packs(given.rule_files, files, diagnostics);
-        return printable_lines(show(given.name, packs, diagnostics));
+        return printable_lines(show(given.name, given.part, packs, diagnostics));
       });
 }
 
@@ -211,12 +242,21 @@ Command lint_action() {
 Command import_action() {
   const auto options = std::make_shared<ImportOptions>();
   Command command{"import", "Make a private rule pack for indoor work places from a table"};
-  command.places = {{"csv", "TABLE.csv", "Table with a line of column names; see rules/README.md",
-                     &options->csv}};
+  command.places = {
+      {"csv", "TABLE.csv", "Table with a line of column names, see below", &options->csv, false}};
   command.options = {
       {"-o,--output", "PACK.xml", "Where to; default standard output", any_text(options->output)},
-      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)}};
-  return action<ImportOptions>(std::move(command), options, import_table);
+      {"--id", "ID", "Id of the new pack; default en12464-1-own", any_text(options->pack_id)},
+      {"--template", "", "Print a table to begin with, of two rows, and nothing else",
+       &options->wants_template}};
+  command.complete = [options](const Environment&) -> std::string {
+    return options->csv.empty() == options->wants_template
+               ? ""
+               : "either TABLE.csv or --template is needed";
+  };
+  command = action<ImportOptions>(std::move(command), options, import_table);
+  command.footer = rules::import_columns_help() + "\n" + kExitCodes;
+  return command;
 }
 
 Command schema_action() {

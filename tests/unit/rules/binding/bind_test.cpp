@@ -805,7 +805,7 @@ TEST(BindRequirementsMessage, RoleForWhichTheRowHasNothing) {
       project_of({plane_of("desk", {{{"pack", "own"}, {"row", "r1"}, {"role", "wall"}}})}), {pack});
   EXPECT_THAT(bound.messages,
               ElementsAre("project.xml:7:5: error[rule-requires-nothing]: rule pack 'own:1' row "
-                          "'r1' requires nothing of the role 'wall'"));
+                          "'r1' requires nothing of the role 'wall'; it does of desk"));
 }
 
 TEST(BindRequirementsMessage, NoModifiedLevel) {

@@ -238,6 +238,14 @@ TEST(Fitness, AnUprightPlaneMustReachTheHeightOfItsRole) {
 }
 
 // What is laid a little above the floor is on it; rows have heights of their own.
+TEST(Fitness, ARowAboutAFloorSaysSo) {
+  const std::string row = "pack='en12464-1:2021' row='9.4'";
+  EXPECT_THAT(fit({"height='0.02' margin='0.5'", row}).aspects("task.Em"), IsEmpty());
+  EXPECT_THAT(fit({kWholeRoom, row}).first().problem,
+              HasSubstr("planes of role 'task' of en12464-1:2021 are 0 to 0.2 m above the floor in "
+                        "row 9.4, and this one is 0.75 m"));
+}
+
 TEST(Fitness, HeightsHaveSomeLatitude) {
   const auto aspects = [](const std::string& height, const std::string& require) {
     return fit({"height='" + height + "' margin='0.5'", require}).aspects("task.Em");

@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rules {
@@ -18,10 +20,13 @@ using testing::ElementsAre;
 const std::string kHeader =
     "final_ref,final_ref_confidence,group,activity,Em_required_lx,Em_modified_lx,Uo_min,Ra_min,"
     "RUGL_max,Ez_m_lx,Em_wall_lx,Em_ceiling_lx,notes,trust,confirmed_fields,sources\n";
+const std::string kNoPlane =
+    "rows.csv:1: warning[rule-import-doubtful]: there is no column plane: every row is taken for a "
+    "horizontal task at the height of desks, corridors and shelves, too";
 
 struct Imported {
-  std::optional<std::string> text;
-  std::vector<std::string> messages;
+  std::optional<ImportedPack> pack;
+  std::vector<std::string> messages;  // but kNoPlane
 };
 
 Imported imported(const std::string& csv) {
@@ -32,7 +37,8 @@ Imported imported(const std::string& csv) {
   calc::Diagnostics diagnostics;
   Imported result{import_rows(csv, "rows.csv", like, "mine", diagnostics), {}};
   for (const calc::Diagnostic& d : diagnostics.all()) {
-    result.messages.push_back(format_diagnostic(d));
+    const std::string message = format_diagnostic(d);
+    if (message != kNoPlane) result.messages.push_back(message);
   }
   return result;
 }
@@ -41,7 +47,15 @@ RulePack pack_of(const std::string& csv) {
   const Imported result = imported(csv);
   EXPECT_THAT(result.messages, ElementsAre());
   calc::Diagnostics diagnostics;
-  return parse_rule_pack(result.text.value_or(""), "mine.xml", diagnostics).value_or(RulePack{});
+  const std::string text = result.pack ? result.pack->text : "";
+  return parse_rule_pack(text, "mine.xml", diagnostics).value_or(RulePack{});
+}
+
+// A table of few columns: every one that is a warning to miss.
+const std::string kShort = "ref,name,plane,Em,Em mod,Uo,Ra,UGR,Ez,E wall,E ceiling,notes\n";
+
+std::vector<std::string> messages_of(const std::string& row) {
+  return imported(kShort + row + "\n").messages;
 }
 
 TEST(ImportRows, MakesAPackWithTheChecksOfTheShippedOne) {
@@ -69,7 +83,9 @@ TEST(ImportRows, LeavesOutWhatIsNotInTheStandard) {
                                    "1.1,derived,G,a,500,,0.6,80,19,,,,,A,,\n"
                                    ",derived,G,b,500,,0.6,80,19,,,,,A,,\n"
                                    "1.3,dropped_in_final,G,c,500,,0.6,80,19,,,,,A,,\n");
-  EXPECT_TRUE(result.text.has_value());
+  EXPECT_TRUE(result.pack.has_value());
+  EXPECT_EQ(result.pack->rows, 1);
+  EXPECT_EQ(result.pack->left_out, 2);
   EXPECT_THAT(result.messages,
               ElementsAre("rows.csv:3: warning[rule-import-skipped]: row 'b' was left out: it has "
                           "no final_ref",
@@ -82,23 +98,132 @@ TEST(ImportRowsMessage, SaysWhatIsWrongAndWhere) {
               ElementsAre("rows.csv: error[rule-import]: a line with names of columns and at "
                           "least one row are needed"));
   EXPECT_THAT(imported("final_ref,activity\n1,a\n").messages,
-              testing::Contains("rows.csv:1: error[rule-import]: there is no column 'Uo_min'"));
+              ElementsAre("rows.csv:1: error[rule-import]: there is no column 'Em_lx'; 'luxgate "
+                          "rules import --help' lists what it may be called"));
   EXPECT_THAT(imported(kHeader + "1,a\n").messages,
               ElementsAre("rows.csv:2: error[rule-import]: 2 fields, but the first line has 16"));
   EXPECT_THAT(imported(kHeader + "1,d,G,a,5oo,,0.6,80,19,,,,,A,,\n").messages,
-              ElementsAre("rows.csv:2: error[rule-import]: Em_required_lx: '5oo' is not a number"));
+              ElementsAre("rows.csv:2: error[rule-import]: column 'Em_required_lx': '5oo' is not "
+                          "a number"));
   EXPECT_THAT(imported(kHeader + "1,d,G,\"a\n").messages,
               ElementsAre("rows.csv:2:7: error[rule-import]: a quote is not closed"));
   EXPECT_THAT(imported("trust," + kHeader + "A,1,d,G,a,500,,0.6,80,19,,,,,A,,\n").messages,
-              ElementsAre("rows.csv:1: error[rule-import]: the column 'trust' is there twice"));
+              ElementsAre("rows.csv:1: error[rule-import]: the column 'trust' is there twice: "
+                          "'trust' is the same"));
   const Imported twice =
-      imported(kHeader + "1,d,G,a,5,,0.6,80,19,,,,,A,,\n1,d,G,b,5,,0.6,80,19,,,,,A,,\n");
-  EXPECT_FALSE(twice.text.has_value());
+      imported(kHeader + "1,d,G,a,50,,0.6,80,19,,,,,A,,\n1,d,G,b,50,,0.6,80,19,,,,,A,,\n");
+  EXPECT_FALSE(twice.pack.has_value());
   EXPECT_THAT(twice.messages, ElementsAre("rows.csv:3: error[rule-import]: the pack has two of "
                                           "<row> '1'; names are given once"));
   EXPECT_THAT(
-      imported(kHeader + "1,d,G,a,5,,0.6,80,19,,,,,A,,\n2,d,G,b,-5,,0.6,80,19,,,,,A,,\n").messages,
+      imported(kHeader + "1,d,G,a,50,,0.6,80,19,,,,,A,,\n2,d,G,b,-5,,0.6,80,19,,,,,A,,\n").messages,
       ElementsAre(testing::StartsWith("rows.csv:3: error[rule-import]: ")));
+}
+
+TEST(ImportRows, KeepsWhereTheTaskIs) {
+  const Imported result = imported(kShort +
+                                   "1,aisle,Floor,100,,0.4,40,25,,,,\n"
+                                   "2,desk,horizontal task plane,500,,0.6,80,19,,,,\n"
+                                   "3,bench,1.1 m,500,,0.6,80,19,,,,\n"
+                                   "4,shelf,shelf 0.3 to 2 m,200,300,0.5,80,25,50,,,\n"
+                                   "5,board,vertical,500,,0.7,80,19,,,,\n");
+  EXPECT_THAT(result.messages, ElementsAre());
+  ASSERT_TRUE(result.pack.has_value());
+  EXPECT_EQ(result.pack->floor_rows, 1);
+  EXPECT_EQ(result.pack->upright_rows, 2);
+  calc::Diagnostics diagnostics;
+  const RulePack pack = parse_rule_pack(result.pack->text, "mine.xml", diagnostics).value();
+  const RulePlane& task = *pack.find_plane("task");
+  const auto heights = [&](const char* ref, const RulePlane& plane) {
+    const RuleRow::Heights found = heights_of(plane, pack.find_row(ref)).value();
+    return std::pair(found.lowest_m, found.highest_m);
+  };
+  EXPECT_EQ(heights("1", task), std::pair(0.0, 0.2));
+  EXPECT_EQ(heights("2", task), std::pair(0.72, 0.85));
+  EXPECT_EQ(heights("3", task), std::pair(1.1, 1.1));
+  const RulePlane& upright = *pack.find_plane(kUprightTaskRole);
+  EXPECT_EQ(upright.orientation, "vertical");
+  EXPECT_EQ(upright.grid, "formula");
+  EXPECT_EQ(heights("4", upright), std::pair(0.3, 2.0));
+  EXPECT_FALSE(heights_of(upright, pack.find_row("5")).has_value());
+}
+
+TEST(ImportRows, HoldsAnUprightTaskAgainstUprightPlanesOnly) {
+  const RulePack pack =
+      pack_of(kShort + "4,shelf,shelf,200,300,0.5,80,25,50,,,\n5,desk,,500,,0.6,80,19,,,,\n");
+  const auto status = [&](const char* ref, const char* check) {
+    return evaluate_limit(*pack.find_check(check), {pack, pack.find_row(ref)}).status;
+  };
+  for (const char* check : {"task.Em", "task.Uo", "surround.Em", "background.Em"}) {
+    EXPECT_EQ(status("4", check), LimitStatus::not_applicable) << check;
+    EXPECT_EQ(status("5", check), LimitStatus::known) << check;
+  }
+  for (const char* check : {"task-vertical.Em", "task-vertical.Uo"}) {
+    EXPECT_EQ(status("4", check), LimitStatus::known) << check;
+    EXPECT_EQ(status("5", check), LimitStatus::not_applicable) << check;
+  }
+  EXPECT_EQ(pack.find_row("4")->find_value("Ev")->modified, 300.0);
+  EXPECT_EQ(pack.find_row("4")->find_value("Ez")->required, 50.0);
+}
+
+TEST(ImportRowsMessage, RefusesNumbersThatMeanNothing) {
+  EXPECT_THAT(messages_of("1,a,,0,,0.6,80,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Em': 0 lx requires "
+                          "nothing: every plane passes"));
+  EXPECT_THAT(messages_of("1,a,shelf,0,,0.6,80,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Em': 0 lx requires "
+                          "nothing: every plane passes"));
+  EXPECT_THAT(
+      messages_of("1,a,,,,0.6,80,19,,,,"),
+      ElementsAre("rows.csv:2: error[rule-import]: column 'Em' is empty: say in 'notes' why "
+                  "the row requires no illuminance of its task, or delete the row"));
+  EXPECT_THAT(messages_of("1,a,,,,,80,,,,,see the museum's own rules"), ElementsAre());
+  EXPECT_THAT(
+      messages_of("1,a,,,500,0.6,80,19,,,,why not"),
+      ElementsAre("rows.csv:2: error[rule-import]: column 'Em' is empty, but column 'Em mod' "
+                  "is not"));
+  EXPECT_THAT(messages_of("1,a,,500,300,0.6,80,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Em mod': 300 lx at the "
+                          "level 'modified' is less than the 500 lx required"));
+  EXPECT_THAT(
+      messages_of("1,a,,500,,6,80,19,,,,"),
+      ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Uo': 6 is out of range; "
+                  "it is 0 to 1"));
+  EXPECT_THAT(messages_of("1,a,,500,,0.6,800,19,,,,"),
+              ElementsAre("rows.csv:2: error[rule-import]: row '1', column 'Ra': 800 is out of "
+                          "range; it is 0 to 100"));
+  EXPECT_THAT(messages_of("1,a,on the moon,500,,0.6,80,19,,,,"),
+              ElementsAre(testing::StartsWith("rows.csv:2: error[rule-import]: column 'plane': "
+                                              "nobody knows where 'on the moon' is; allowed: ")));
+}
+
+TEST(ImportRowsMessage, WarnsOfUnusualNumbers) {
+  EXPECT_THAT(messages_of("1,a,,510,,0.6,80,19,,,,"),
+              ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em': 510 lx "
+                          "is no step of the scale 'steps'; next to it: 500 lx and 750 lx"));
+  EXPECT_THAT(messages_of("1,a,,500,8000,0.6,80,19,,,,"),
+              ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em mod': "
+                          "8000 lx is no step of the scale 'steps'; next to it: 5000 lx"));
+  EXPECT_THAT(
+      messages_of("1,a,,500,,0.6,80,190,,,,"),
+      ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'UGR': 190 is "
+                  "unusual; usual are 10 to 30"));
+}
+
+TEST(ImportRowsMessage, NamesColumnsThatAreUnknownOrMissing) {
+  EXPECT_THAT(imported("ref,name,plane,Em,Uo,Ra,RUGL,Ez,E wall,unifromity,colour\n"
+                       "1,a,,500,0.6,80,19,,,0.6,red\n")
+                  .messages,
+              ElementsAre("rows.csv:1: warning[rule-import-doubtful]: column 'unifromity' is not "
+                          "known and is passed over; did you mean 'Uo'?",
+                          "rows.csv:1: warning[rule-import-doubtful]: column 'colour' is not known "
+                          "and is passed over",
+                          "rows.csv:1: warning[rule-import-doubtful]: there is no column "
+                          "Eceiling_lx: no row will require that"));
+  EXPECT_THAT(
+      imported("ref,name,Em,E_m\n1,a,500,500\n").messages,
+      ElementsAre("rows.csv:1: error[rule-import]: the column 'E_m' is there twice: 'Em_lx' "
+                  "is the same"));
 }
 
 }  // namespace
