@@ -174,7 +174,7 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
 std::string roles_words(const Reference& reference) {
   calc::Names roles;
   for (const RuleCheck& check : reference.pack.checks) {
-    if (!check.quantity->kernel || !needs_row(check.limit, reference.pack)) continue;
+    if (!check.quantity->kernel || !needs_row(check, reference.pack)) continue;
     if (evaluate_limit(check, reference.scope).status == LimitStatus::not_applicable) continue;
     const std::string_view role = check.role;
     if (std::find(roles.begin(), roles.end(), role) == roles.end()) roles.push_back(role);
