@@ -8,6 +8,9 @@
 
 namespace calc {
 
+// 0 to 9, whatever the locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 // Splits at blanks, tabs and line ends; no empty parts.
 std::vector<std::string_view> split_words(std::string_view text);
 std::string_view trim(std::string_view text);

@@ -32,10 +32,9 @@ calc::Names function_names() {
   return names;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_name_part(char c) {
-  return is_letter(c) || is_digit(c) || c == '_' || c == '.' || c == ':' || c == '-';
+  return is_letter(c) || calc::is_digit(c) || c == '_' || c == '.' || c == ':' || c == '-';
 }
 
 struct SyntaxError {
@@ -124,14 +123,15 @@ class Parser {
       expect(')');
       return inner;
     }
-    if (is_digit(text_[position_])) return number();
+    if (calc::is_digit(text_[position_])) return number();
     if (is_letter(text_[position_])) return function();
     fail("expected a number, a function or '('");
   }
 
   Expression number() {
     const std::size_t begin = position_;
-    while (position_ < text_.size() && (is_digit(text_[position_]) || text_[position_] == '.')) {
+    while (position_ < text_.size() &&
+           (calc::is_digit(text_[position_]) || text_[position_] == '.')) {
       ++position_;
     }
     const std::optional<double> value = calc::parse_number(text_.substr(begin, position_ - begin));
@@ -163,7 +163,7 @@ class Parser {
     skip_blanks();
     int steps = 0;
     const std::size_t begin = position_;
-    while (position_ < text_.size() && is_digit(text_[position_]) && steps <= kMostSteps) {
+    while (position_ < text_.size() && calc::is_digit(text_[position_]) && steps <= kMostSteps) {
       steps = 10 * steps + (text_[position_++] - '0');
     }
     if (begin == position_ || steps > kMostSteps) {

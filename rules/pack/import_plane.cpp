@@ -48,12 +48,10 @@ std::string plain(std::string_view text) {
   return std::string(calc::trim(result));
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // Takes "1.6" or ".8" from the front.
 std::optional<double> take_number(std::string_view& text) {
   std::size_t length = 0;
-  while (length < text.size() && (is_digit(text[length]) || text[length] == '.')) ++length;
+  while (length < text.size() && (calc::is_digit(text[length]) || text[length] == '.')) ++length;
   const std::optional<double> number = calc::parse_number(text.substr(0, length));
   text = calc::trim(text.substr(length));
   return number;
@@ -66,7 +64,7 @@ std::optional<TaskPlane::Heights> parse_heights(std::string_view text) {
   const bool has_to = text.starts_with("to ");
   if (has_to) text = calc::trim(text.substr(3));
   std::optional<double> high = low;
-  if (has_to || (!text.empty() && is_digit(text.front()))) high = take_number(text);
+  if (has_to || (!text.empty() && calc::is_digit(text.front()))) high = take_number(text);
   for (const std::string_view end : {" above the floor", " above floor"}) {
     if (text.ends_with(end)) text.remove_suffix(end.size());
   }
@@ -81,7 +79,7 @@ std::optional<TaskPlane> parse_task_plane(std::string_view text) {
   const std::string all = plain(text);
   TaskPlane plane;
   std::string_view words = all;
-  const auto digit = std::find_if(all.begin(), all.end(), is_digit);
+  const auto digit = std::find_if(all.begin(), all.end(), calc::is_digit);
   if (digit != all.end()) {
     const auto at = static_cast<std::size_t>(digit - all.begin());
     plane.heights_m = parse_heights(words.substr(at));
