@@ -26,7 +26,7 @@ const calc::ValueType kRequiredStateType{
 const calc::ValueType kLimitUnitType{
     .name = "limitUnit", .base = &calc::kAnyText, .words = {"lx", "fc"}};
 const calc::ValueType kLevelType{
-    .name = "rowLevel", .base = &calc::kAnyText, .words = {"required", "modified"}};
+    .name = "rowLevel", .base = &calc::kAnyText, .words = level_names()};
 
 std::vector<RequirementAttribute> make_attributes() {
   return {
@@ -52,8 +52,13 @@ std::vector<RequirementAttribute> make_attributes() {
        "Rule pack, by id or id:edition; luxgate rules list names them.", calc::Presence::required},
       {"row", row, text, &calc::kTextType, "Row of the rule pack; luxgate rules show names them.",
        calc::Presence::required},
-      {"level", row, words, &kLevelType, "Which values of the row count; required if not given.",
+      {"level", row, words, &kLevelType,
+       "Which values of the row count; required if not given. +1: what it requires, one step up "
+       "the "
+       "standard's scale.",
        calc::Presence::optional},
+      {"level-because", row, text, &calc::kTextType,
+       "Why this level; needed for steps along the scale.", calc::Presence::optional},
       {"role", row, id, &calc::kIdType, "What the plane is; the pack's first role if not given."},
       {"facts", row, text, &calc::kTextType,
        "What only the project knows: task-illuminance=500 lx, several separated by ;",

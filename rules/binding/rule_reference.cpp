@@ -22,6 +22,9 @@ namespace {
 using calc::DiagnosticId;
 using calc::ElementReader;
 
+// Attributes that mean nothing without a pack.
+constexpr const char* kNeedPack[] = {"row", "level", "level-because", "role", "facts"};
+
 }  // namespace
 
 const RulePack* find_pack(ElementReader& reader, const std::vector<RulePack>& packs) {
@@ -105,6 +108,7 @@ struct Reference {
   const RulePack& pack;
   const RuleRow* row;
   LimitScope scope;
+  std::string level_because;
   calc::ReceiverKernel kernel;
   calc::DerivedQuantity derived;
   bool is_quantity_known;
@@ -122,16 +126,19 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                                                          : std::numeric_limits<double>::quiet_NaN();
   requirement.state = check.state;
   requirement.scene = reference.scene.id;
-  requirement.clause =
-      clause_text(reference.pack, check, reference.row, limit.is_modified, limit.trust);
+  requirement.clause = clause_text(reference.pack, check, reference.row, limit.level, limit.trust);
   requirement.note = note_of(reference.pack, check, limit.trust);
   requirement.severity = check.severity;
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
   requirement.policy = reference.pack.policy;
   requirement.origin = {reference.pack.full_id(), check.id,
-                        reference.row == nullptr ? "" : reference.row->ref,
-                        reference.scope.level == RowLevel::modified, reference.scope.facts};
+                        reference.row == nullptr ? "" : reference.row->ref, reference.scope.level,
+                        reference.scope.facts};
+  if (limit.level != RowLevel::required && !reference.level_because.empty()) {
+    requirement.note += fmt::format("{}level {}: {}", requirement.note.empty() ? "" : "; ",
+                                    level_words(limit.level), reference.level_because);
+  }
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   requirement.any_one_unit_out = check.any_one_unit_out;
@@ -202,24 +209,36 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
 
 }  // namespace
 
-RowLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
-  const calc::Names& words = requirement_attribute("level").type->words;
-  if (reader.choice_or("level", words, 0) == 0) return RowLevel::required;
-  if (row != nullptr && !row->has_modified_level()) {
-    reader.report(DiagnosticId::no_modified_level, reader.where("level"), row->ref, pack.full_id());
+ChosenLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
+  const std::string_view word = level_names()[reader.choice_or("level", level_names(), 0)];
+  const RowLevel level = level_named(word);
+  if (level == RowLevel::required && reader.has("level-because")) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("level-because"),
+                  reader.element().name, "level-because", "level=\"required\"");
   }
-  return RowLevel::modified;
+  if (level.steps != 0 && !reader.has("level-because")) {
+    reader.report(DiagnosticId::missing_partner, reader.where("level"), reader.element().name,
+                  "level", "level-because");
+  }
+  if (row != nullptr) {
+    const calc::Names levels = pack.levels_of(*row);
+    if (std::find(levels.begin(), levels.end(), word) == levels.end()) {
+      reader.report(DiagnosticId::no_such_level, reader.where("level"), row->ref, pack.full_id(),
+                    word, calc::join_choices(levels));
+    }
+  }
+  return {level, reader.text_or("level-because", "")};
 }
 
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
-                        bool is_modified, Trust trust) {
+                        const RowLevel& level, Trust trust) {
   std::string text = fmt::format("{}:{}", pack.title, pack.edition);
   if (!check.clause.empty()) {
     text += " " + check.clause;
   } else if (row != nullptr) {
     text += " " + row->ref;
   }
-  if (is_modified) text += " (modified)";
+  if (level != RowLevel::required) text += fmt::format(" ({})", level_words(level));
   if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
   return text;
 }
@@ -255,13 +274,13 @@ std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& 
 }
 
 void check_row_values(ElementReader& reader) {
-  for (const char* name : {"row", "level", "role", "facts"}) check_value(reader, name);
+  for (const char* name : kNeedPack) check_value(reader, name);
 }
 
 std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::string& given_role,
                                              const RequirementContext& context,
                                              const ChosenScene& scene) {
-  for (const char* name : {"row", "level", "role", "facts"}) {
+  for (const char* name : kNeedPack) {
     if (!reader.has(name) || reader.has("pack")) continue;
     reader.report(DiagnosticId::missing_partner, reader.where(name), reader.element().name, name,
                   "pack");
@@ -276,12 +295,13 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::s
   const RuleRow* row = find_row(reader, *pack);
   const std::string role = given_role.empty() ? find_role(reader, *pack) : given_role;
   if (reader.has("level")) reader.require_together("level", "row");
-  const RowLevel level = read_level(reader, *pack, row);
+  const ChosenLevel chosen = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
   if (!reader.ok() || role.empty()) return {};
-  return requirements_of_role(reader, role,
-                              {*pack, row, LimitScope{*pack, row, level, std::move(facts)},
-                               context.kernel, context.derived, context.is_quantity_known, scene});
+  return requirements_of_role(
+      reader, role,
+      {*pack, row, LimitScope{*pack, row, chosen.level, std::move(facts)}, chosen.because,
+       context.kernel, context.derived, context.is_quantity_known, scene});
 }
 
 }  // namespace rules

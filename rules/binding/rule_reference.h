@@ -35,16 +35,20 @@ std::vector<Requirement> read_rule_reference(calc::ElementReader& reader, const 
 const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePack>& packs);
 // The attribute "row"; nullptr if there is none, or after an error.
 const RuleRow* find_row(calc::ElementReader& reader, const RulePack& pack);
-// The attribute "level"; required without it.
-RowLevel read_level(calc::ElementReader& reader, const RulePack& pack, const RuleRow* row);
+// The attributes "level", required without it, and "level-because", "" without it.
+struct ChosenLevel {
+  RowLevel level;
+  std::string because;
+};
+ChosenLevel read_level(calc::ElementReader& reader, const RulePack& pack, const RuleRow* row);
 
 // What can be said of row, level, role and facts without a pack.
 void check_row_values(calc::ElementReader& reader);
 
-// "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with "(modified)"
-// where a value of that level is in the limit, and with trust_remark() where there is one.
+// "EN 12464-1:2021 34.2": title, edition and the check's clause or else the row, with
+// level_words() of the values in the limit, and with trust_remark() where there is one.
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,
-                        bool is_modified, Trust trust);
+                        const RowLevel& level, Trust trust);
 
 // "task-illuminance=500 lx; ..." in base units, by id. Only facts of the pack, each once.
 std::map<std::string, double> read_facts(calc::ElementReader& reader, const RulePack& pack);

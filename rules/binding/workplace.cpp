@@ -340,7 +340,7 @@ void make_planes(Workplace& workplace, calc::Space& space,
   const RulePack* pack = find_pack(reader, packs);
   if (pack == nullptr) return check_row_values(reader);
   const RuleRow* row = find_row(reader, *pack);
-  const RowLevel level = read_level(reader, *pack, row);
+  const RowLevel level = read_level(reader, *pack, row).level;
   std::map<std::string, double> facts = read_facts(reader, *pack);
   check_deviation_roles(reader, *pack);
   if (row == nullptr || workplace.walls.empty()) return;

@@ -8,6 +8,7 @@
 #include "rules/catalogue/mask.h"
 #include "rules/catalogue/metric.h"
 #include "rules/catalogue/policy.h"
+#include "rules/catalogue/row_level.h"
 
 #include <glm/glm.hpp>
 
@@ -40,7 +41,7 @@ enum class Severity { shall, advice, in_aggregate };
 struct RuleOrigin {
   std::string pack;  // "en13201-2:2015"
   std::string check, row;
-  bool is_modified = false;             // asked for at level "modified"
+  RowLevel level;                       // asked for
   std::map<std::string, double> facts;  // by id, in base units
 };
 

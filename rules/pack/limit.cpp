@@ -31,6 +31,37 @@ Limit missing(LimitStatus status, std::string reason) {
 
 Limit unknown(std::string reason) { return missing(LimitStatus::unknown, std::move(reason)); }
 
+Limit stepped(const RuleScale& scale, int steps, Limit start) {
+  if (start.value.low != start.value.high) {
+    return unknown(fmt::format("scale '{}' needs a value that is exactly known", scale.id));
+  }
+  const auto at = std::find_if(scale.values.begin(), scale.values.end(),
+                               [&](double value) { return is_same(start.value.value, value); });
+  const char* unit = base_unit(scale.unit.dimension);
+  if (at == scale.values.end()) {
+    return unknown(
+        fmt::format("{:.9g} {} is not on scale '{}'", start.value.value, unit, scale.id));
+  }
+  const std::ptrdiff_t index = at - scale.values.begin() + steps;
+  if (index < 0 || index >= static_cast<std::ptrdiff_t>(scale.values.size())) {
+    return unknown(fmt::format("scale '{}' ends before {:+} steps from {:.9g} {}", scale.id, steps,
+                               start.value.value, unit));
+  }
+  start.value = exactly(scale.values[static_cast<std::size_t>(index)]);
+  return start;
+}
+
+// Only the parameter of a scale is taken in steps; the others stay what they are.
+Limit stepped_value(const RuleValue& value, const LimitScope& scope) {
+  const Limit limit = known(exactly(*value.required), value.trust);
+  const RuleScale* scale = scope.pack.find_scale_of(value.parameter);
+  if (scale == nullptr) return limit;
+  Limit taken = stepped(*scale, scope.level.steps, limit);
+  taken.level = scope.level;
+  taken.trust = std::max(taken.trust, scale->trust);
+  return taken;
+}
+
 Limit row_value(const Expression& expression, const LimitScope& scope) {
   if (scope.row == nullptr) return unknown("no row is chosen");
   const RuleValue* value = scope.row->find_value(expression.name);
@@ -41,9 +72,10 @@ Limit row_value(const Expression& expression, const LimitScope& scope) {
     return missing(why == NoValue::unknown ? LimitStatus::unknown : LimitStatus::not_applicable,
                    reason);
   }
-  const bool is_modified = scope.level == RowLevel::modified && value->modified.has_value();
+  if (scope.level.steps != 0) return stepped_value(*value, scope);
+  const bool is_modified = scope.level.is_modified && value->modified.has_value();
   Limit limit = known(exactly(is_modified ? *value->modified : *value->required), value->trust);
-  limit.is_modified = is_modified;
+  if (is_modified) limit.level = scope.level;
   return limit;
 }
 
@@ -90,26 +122,6 @@ Limit table_value(const RuleTable& table, Limit key) {
   return key;
 }
 
-Limit stepped(const RuleScale& scale, int steps, Limit start) {
-  if (start.value.low != start.value.high) {
-    return unknown(fmt::format("scale '{}' needs a value that is exactly known", scale.id));
-  }
-  const auto at = std::find_if(scale.values.begin(), scale.values.end(),
-                               [&](double value) { return is_same(start.value.value, value); });
-  const char* unit = base_unit(scale.unit.dimension);
-  if (at == scale.values.end()) {
-    return unknown(
-        fmt::format("{:.9g} {} is not on scale '{}'", start.value.value, unit, scale.id));
-  }
-  const std::ptrdiff_t index = at - scale.values.begin() + steps;
-  if (index < 0 || index >= static_cast<std::ptrdiff_t>(scale.values.size())) {
-    return unknown(fmt::format("scale '{}' ends before {:+} steps from {:.9g} {}", scale.id, steps,
-                               start.value.value, unit));
-  }
-  start.value = exactly(scale.values[static_cast<std::size_t>(index)]);
-  return start;
-}
-
 // Nothing is negative, so that ends meet ends.
 calc::Estimate combined(ExpressionKind kind, const calc::Estimate& a, const calc::Estimate& b) {
   switch (kind) {
@@ -139,7 +151,7 @@ Limit joined(ExpressionKind kind, const Limit& a, const Limit& b) {
     return unknown("the limit is not a finite number");
   }
   Limit limit = known(value, std::max(a.trust, b.trust));
-  limit.is_modified = a.is_modified || b.is_modified;
+  limit.level = a.level == RowLevel::required ? b.level : a.level;
   return limit;
 }
 

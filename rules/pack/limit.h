@@ -31,7 +31,7 @@ struct Limit {
   LimitStatus status = LimitStatus::known;
   calc::Estimate value;            // of known, base units; an interval if it hangs on a result
   Trust trust = Trust::confirmed;  // the worst of everything that it was made of
-  bool is_modified = false;        // a value of level "modified" is in it
+  RowLevel level;                  // of the values in it: of the scope, if it changes one of them
   std::string reason;              // of not_applicable and unknown, in words
 };
 

@@ -70,6 +70,7 @@ const AttributeRow kUpToWidthAttribute{"up-to-width", &kPositiveType};
 }  // namespace
 
 const ValueType kDigitsType = words_type("digits", {"0", "1", "2", "3", "4", "5", "6"});
+const ValueType kStepsType = words_type("steps", {"0", "1", "2", "3"});
 const ValueType kComparedAsType = words_type("comparedAs", {"raw", "rounded"});
 const ValueType kGridMethodType =
     words_type("gridMethod", {"formula-power", "fixed-spacing", "fixed-count", "project"});
@@ -127,7 +128,16 @@ const ElementRow kTableElement{.type = "table",
 
 const ElementRow kScaleElement{
     .type = "scale",
-    .attributes = {kIdAttribute, kUnitAttribute, {"values", &kTextType, required}}};
+    .meaning =
+        "Preferred values, ascending. of: the parameter whose required value a project may take so "
+        "many steps down or up along it, with a reason (level=\"+1\").",
+    .attributes = {kIdAttribute,
+                   kUnitAttribute,
+                   {"values", &kTextType, required},
+                   {"of", &kIdType},
+                   {"down", &kStepsType},
+                   {"up", &kStepsType},
+                   kTrustAttribute}};
 
 const ElementRow kStripElement{
     .type = "strip",

@@ -12,7 +12,7 @@ inline constexpr calc::NumberRange kStripShare{0.0, 0.4999, false, "a share from
 inline constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
 // Words of choices that are no enum.
-extern const calc::ValueType kDigitsType, kComparedAsType, kGridMethodType, kGridCountType,
+extern const calc::ValueType kDigitsType, kStepsType, kComparedAsType, kGridMethodType, kGridCountType,
     kOrientationType, kHeightsAreType, kZoneAreaType, kCheckSeverityType, kCountedLightType,
     kOutageType, kAggregateByType, kAggregateSeverityType, kPackKindType, kPackStatusType,
     kPackLicenceType;

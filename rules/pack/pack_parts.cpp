@@ -19,6 +19,26 @@ int read_digits(ElementReader& reader, std::string_view name, int fallback) {
       reader.choice_or(name, kDigitsType.words, static_cast<std::size_t>(fallback)));
 }
 
+int read_steps(ElementReader& reader, std::string_view name) {
+  return static_cast<int>(reader.choice_or(name, kStepsType.words, 0));
+}
+
+// Along which a project may take a parameter.
+void read_use_of_scale(ElementReader& reader, RuleScale& scale) {
+  for (const char* name : {"down", "up", "trust"}) {
+    if (!reader.has(name) || reader.has("of")) continue;
+    reader.report(DiagnosticId::missing_partner, reader.where(name), "scale", name, "of");
+  }
+  if (!reader.has("of")) return;
+  scale.parameter = reader.id("of");
+  scale.most_down = read_steps(reader, "down");
+  scale.most_up = read_steps(reader, "up");
+  scale.trust = read_trust(reader);
+  if (scale.most_down > 0 || scale.most_up > 0) return;
+  reader.report(DiagnosticId::missing_form, reader.where("of"), "scale",
+                "'down' or 'up', at least 1, beside 'of'");
+}
+
 RuleValue read_value(const calc::XmlElement& element, const RuleRow& row, const RulePack& pack,
                      calc::Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
@@ -213,6 +233,7 @@ RuleScale read_scale(const calc::XmlElement& element, calc::Diagnostics& diagnos
                   "the number before");
   }
   for (double& value : scale.values) value *= scale.unit.factor;
+  read_use_of_scale(reader, scale);
   return scale;
 }
 

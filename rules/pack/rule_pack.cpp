@@ -75,6 +75,24 @@ bool RuleRow::has_modified_level() const {
                      [](const RuleValue& value) { return value.modified.has_value(); });
 }
 
+calc::Names RulePack::levels_of(const RuleRow& row) const {
+  const auto may_step = [&](int steps) {
+    return std::any_of(row.values.begin(), row.values.end(), [&](const RuleValue& value) {
+      const RuleScale* scale = find_scale_of(value.parameter);
+      return value.required.has_value() && scale != nullptr && -scale->most_down <= steps &&
+             steps <= scale->most_up;
+    });
+  };
+  calc::Names names;
+  for (const auto& name : level_names()) {
+    const RowLevel level = level_named(name);
+    const bool is_there = level == RowLevel::required ||
+                          (level.is_modified ? row.has_modified_level() : may_step(level.steps));
+    if (is_there) names.push_back(name);
+  }
+  return names;
+}
+
 const RuleRow* RulePack::find_row(std::string_view ref) const {
   return find_item(rows, ref, &RuleRow::ref);
 }
@@ -86,6 +104,9 @@ const RuleTable* RulePack::find_table(std::string_view table_id) const {
 }
 const RuleScale* RulePack::find_scale(std::string_view scale_id) const {
   return find_item(scales, scale_id, &RuleScale::id);
+}
+const RuleScale* RulePack::find_scale_of(std::string_view parameter_id) const {
+  return find_item(scales, parameter_id, &RuleScale::parameter);
 }
 const RuleName* RulePack::find_parameter(std::string_view parameter_id) const {
   return find_item(parameters, parameter_id, &RuleName::id);

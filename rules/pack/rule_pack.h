@@ -20,8 +20,6 @@
 
 namespace rules {
 
-enum class RowLevel { required, modified };
-
 // How well a number is known, best first.
 enum class Trust {
   confirmed,      // two or more independent public sources, or public law as printed
@@ -126,6 +124,11 @@ struct RuleScale {
   std::string id;
   Unit unit{"none", Dimension::plain, 1.0};
   std::vector<double> values;
+  // The parameter whose required value a project may take so many steps along it, with a reason;
+  // "": none.
+  std::string parameter;
+  int most_down = 0, most_up = 0;
+  Trust trust = Trust::confirmed;  // of that
   calc::SourceLocation where;
 };
 
@@ -273,6 +276,9 @@ struct RulePack {
   const RuleCheck* find_check(std::string_view check_id) const;
   const RuleTable* find_table(std::string_view table_id) const;
   const RuleScale* find_scale(std::string_view scale_id) const;
+  const RuleScale* find_scale_of(std::string_view parameter_id) const;
+  // "required" and those of level_names() that change something in the row.
+  calc::Names levels_of(const RuleRow& row) const;
   const RuleName* find_parameter(std::string_view parameter_id) const;
   const RuleName* find_fact(std::string_view fact_id) const;
   const RuleGrid* find_grid(std::string_view grid_id) const;

@@ -248,11 +248,32 @@ void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
 }
 
+// A parameter has one scale at most, of its own unit.
+void check_scales(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  for (const RuleScale& scale : pack.scales) {
+    if (scale.parameter.empty()) continue;
+    check_ids({scale.parameter}, ids_of(pack.parameters), "of", "scale", "parameter", scale.where,
+              diagnostics);
+    const RuleName* parameter = pack.find_parameter(scale.parameter);
+    if (parameter == nullptr) continue;
+    const auto refuse = [&](const std::string& needed) {
+      diagnostics.report(DiagnosticId::missing_form, scale.where, "scale", needed);
+    };
+    if (parameter->unit.dimension != scale.unit.dimension) {
+      refuse(fmt::format("a parameter of {} in 'of'", dimension_name(scale.unit.dimension)));
+    }
+    if (pack.find_scale_of(scale.parameter) != &scale) {
+      refuse("another parameter in 'of': this one has a scale already");
+    }
+  }
+}
+
 }  // namespace
 
 void check_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleCheck& check : pack.checks) FormulaCheck(pack, check, diagnostics).run();
   DependencyCheck(pack, diagnostics).run();
+  check_scales(pack, diagnostics);
   const calc::Names checks = ids_of(pack.checks);
   for (const RuleAggregate& aggregate : pack.aggregates) {
     check_ids(aggregate.checks, checks, "of", "aggregate", "check", aggregate.where, diagnostics);

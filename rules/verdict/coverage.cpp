@@ -17,7 +17,7 @@ namespace {
 struct Asked {
   const RulePack* pack = nullptr;
   const RuleRow* row = nullptr;
-  RowLevel level = RowLevel::required;
+  RowLevel level;
   std::map<std::string, double> facts;
   const calc::Workplace* workplace = nullptr;  // null: <require> elements
   std::vector<std::pair<const RuleCheck*, const Finding*>> findings;
@@ -51,13 +51,12 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
       const RuleRow* row = pack->find_row(origin.row);
       const RuleCheck* check = pack->find_check(origin.check);
       if (row == nullptr || check == nullptr) continue;
-      const RowLevel level = origin.is_modified ? RowLevel::modified : RowLevel::required;
       auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
-        return asked.pack == &*pack && asked.row == row && asked.level == level &&
+        return asked.pack == &*pack && asked.row == row && asked.level == origin.level &&
                asked.workplace == workplace;
       });
       if (same == all.end()) {
-        all.push_back({&*pack, row, level, origin.facts, workplace, {}});
+        all.push_back({&*pack, row, origin.level, origin.facts, workplace, {}});
         same = std::prev(all.end());
       }
       same->findings.emplace_back(check, &finding);
@@ -152,8 +151,9 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
   for (const Asked& asked : asked_in(space, planes, packs)) {
     RowCoverage row;
     row.workplace = asked.workplace == nullptr ? "" : asked.workplace->id;
+    const std::string level = level_words(asked.level);
     row.clause = fmt::format("{}:{} {}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
-                             asked.level == RowLevel::modified ? " (modified)" : "");
+                             level.empty() ? "" : fmt::format(" ({})", level));
     for (const std::string& role : asked.pack->roles()) {
       if (std::optional<RoleCoverage> covered = cover(asked, role)) {
         row.roles.push_back(std::move(*covered));

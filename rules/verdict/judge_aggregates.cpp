@@ -71,12 +71,12 @@ bool is_same_element(const Entry& a, const Entry& b) {
   const Requirement &left = a.finding->requirement, &right = b.finding->requirement;
   return a.place->plane == b.place->plane && is_same_place(left.where, right.where) &&
          left.origin.row == right.origin.row && left.scene == right.scene &&
-         left.origin.is_modified == right.origin.is_modified;
+         left.origin.level == right.origin.level;
 }
 
 bool is_same_use(const Entry& a, const Entry& b) {
   return a.place->space == b.place->space && a.origin().row == b.origin().row &&
-         a.origin().is_modified == b.origin().is_modified && a.origin().facts == b.origin().facts;
+         a.origin().level == b.origin().level && a.origin().facts == b.origin().facts;
 }
 
 bool is_same_plane(const Entry& a, const Entry& b) { return a.place->plane == b.place->plane; }
@@ -91,8 +91,7 @@ bool is_about_one_part(const std::vector<std::string>& checks, const RulePack& p
 }
 
 LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
-  return {pack, pack.find_row(origin.row),
-          origin.is_modified ? RowLevel::modified : RowLevel::required, origin.facts};
+  return {pack, pack.find_row(origin.row), origin.level, origin.facts};
 }
 
 // As much as can be said of all of them together. Other than in a batch a member that fails comes
@@ -324,7 +323,8 @@ std::string clause_of(const RulePack& pack, const std::string& clause, const Gro
   const RuleOrigin& origin = group.front().origin();
   const std::string& ref = clause.empty() ? origin.row : clause;
   if (!ref.empty()) text += " " + ref;
-  if (origin.is_modified && clause.empty()) text += " (modified)";
+  const std::string level = level_words(origin.level);
+  if (!level.empty() && clause.empty()) text += fmt::format(" ({})", level);
   if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
   return text;
 }

@@ -208,7 +208,7 @@ std::string sources_text(const RulePack& pack, const std::vector<std::string>& i
 
 // The limit of a check for a row, at the levels that differ.
 std::string limits_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row) {
-  const auto limit_at = [&](rules::RowLevel level) {
+  const auto limit_at = [&](const rules::RowLevel& level) {
     const rules::Limit limit = evaluate_limit(check, {pack, row, level});
     if (limit.status != rules::LimitStatus::known) return limit.reason;
     std::string text = with_unit(limit.value.value, base_unit(check.dimension()));
@@ -218,9 +218,12 @@ std::string limits_text(const RulePack& pack, const RuleCheck& check, const Rule
     return text;
   };
   const std::string required = limit_at(rules::RowLevel::required);
-  const std::string modified = limit_at(rules::RowLevel::modified);
-  return "    here: " + required +
-         (modified == required ? "\n" : "; level modified: " + modified + "\n");
+  std::string text = "    here: " + required;
+  for (const auto& name : row == nullptr ? calc::Names() : pack.levels_of(*row)) {
+    const std::string other = limit_at(rules::level_named(name));
+    if (other != required) text += fmt::format("; level {}: {}", name, other);
+  }
+  return text + "\n";
 }
 
 std::string joined(const std::vector<std::string>& words) {
