@@ -206,6 +206,8 @@ constexpr std::string_view kOfAssembly =
 <xs:unique name="partLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>)";
 constexpr std::string_view kOfWorkplace =
     R"(<xs:unique name="zoneRole"><xs:selector xpath="zone|without"/><xs:field xpath="@role"/></xs:unique>)";
+constexpr std::string_view kOfWorkplaceGrid =
+    R"(<xs:unique name="zoneRoleOfGrid"><xs:selector xpath="zone|without"/><xs:field xpath="@role"/></xs:unique>)";
 constexpr std::string_view kOfRoom =
     R"(<xs:unique name="roomMapName"><xs:selector xpath="map"/><xs:field xpath="@name"/></xs:unique>
 <xs:unique name="roomObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
@@ -511,7 +513,20 @@ const ElementRow kWorkplaceElement{
 rules/README.md.)",
     .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
                    kZoneFootprintAttribute, kHeightAboveFloorAttribute},
-    .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
+    .children = {
+        {"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
+
+const ElementRow kWorkplaceGridElement = [] {
+  ElementRow grid = kWorkplaceElement;
+  grid.type = "workplaceGrid";
+  grid.meaning =
+      R"(The same workplace several times: "id[0,0]", "id[1,0]" ..., its area and those of its zones moved by step along x
+and y. The area is given. Walls and ceiling are made once, as for all workplaces of a room.)";
+  grid.attributes.push_back(
+      {"repeat", &kCounts2Type, required, "Numbers of copies along x and y."});
+  grid.attributes.push_back({"step", &kVector2Type, required, "Distances of the copies."});
+  return grid;
+}();
 
 // Rooms and the root.
 const ElementRow kPrismRoomElement{
@@ -538,19 +553,22 @@ own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in 
     .children = {{.group = &kObjects},
                  {"plane", &kPlaneElement},
                  {"workplace", &kWorkplaceElement, kOfWorkplace},
+                 {"workplace-grid", &kWorkplaceGridElement, kOfWorkplaceGrid},
                  {"energy", &kEnergyElement, kOfEnergy}}};
 
-const ElementRow kGbxmlRoomElement{.type = "room",
-                                   .attributes = {{"id", &kRoomIdType, required},
-                                                  kNameAttribute,
-                                                  {"file", &kTextType},
-                                                  {"space", &kTextType},
-                                                  kMaterialOfOthersAttribute},
-                                   .children = {{.group = &kObjects},
-                                                {"plane", &kPlaneElement},
-                                                {"workplace", &kWorkplaceElement, kOfWorkplace},
-                                                {"energy", &kEnergyElement, kOfEnergy},
-                                                {"map", &kMapElement}}};
+const ElementRow kGbxmlRoomElement{
+    .type = "room",
+    .attributes = {{"id", &kRoomIdType, required},
+                   kNameAttribute,
+                   {"file", &kTextType},
+                   {"space", &kTextType},
+                   kMaterialOfOthersAttribute},
+    .children = {{.group = &kObjects},
+                 {"plane", &kPlaneElement},
+                 {"workplace", &kWorkplaceElement, kOfWorkplace},
+                 {"workplace-grid", &kWorkplaceGridElement, kOfWorkplaceGrid},
+                 {"energy", &kEnergyElement, kOfEnergy},
+                 {"map", &kMapElement}}};
 
 namespace {
 

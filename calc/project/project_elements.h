@@ -37,7 +37,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
 // A room of either form; the schema has one for both.
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRequireElement;
-extern const ElementRow kWorkplaceElement, kZoneElement, kWithoutElement;
+extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;
 // Without its attributes: see rules/binding/deviation_xml.h.
 extern const ElementRow kDeviationElement;
 

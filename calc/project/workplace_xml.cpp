@@ -16,13 +16,25 @@
 namespace calc {
 namespace {
 
+// Of a counter-clockwise area, less what may come from rounding; 0 of no area.
+double area_outside_m2(const std::vector<glm::dvec2>& corners, const RoomShell& room) {
+  if (corners.empty()) return 0.0;
+  double outside_m2 = 0.0;
+  for (const auto& piece : pieces_outside(corners, room.footprint_m)) {
+    outside_m2 += signed_area(piece);
+  }
+  constexpr double kRounding = 1.0e-6;  // of the area: corners written to be on a wall
+  return outside_m2 <= kRounding * signed_area(corners) ? 0.0 : outside_m2;
+}
+
 class WorkplaceReader {
  public:
   WorkplaceReader(ProjectContext& context, const PlaneSurroundings& around, const Space& space)
       : context_(context), around_(around), space_(space) {}
 
+  // Of a <workplace>, or the first copy of a <workplace-grid>.
   Workplace read(ElementReader& reader) {
-    reader.allow_children(kWorkplaceElement);
+    reader.allow_children(kWorkplaceElement);  // those of a grid, too
     Workplace workplace;
     workplace.where = reader.where();
     workplace.id = reader.id();
@@ -134,13 +146,9 @@ class WorkplaceReader {
 
   void check_within_room(ElementReader& reader, const char* name,
                          const std::vector<glm::dvec2>& corners) {
-    double outside_m2 = 0.0;
-    for (const auto& piece : pieces_outside(corners, space_.shell->footprint_m)) {
-      outside_m2 += signed_area(piece);
-    }
-    constexpr double kRounding = 1.0e-6;  // of the area: corners written to be on a wall
+    const double outside_m2 = area_outside_m2(corners, *space_.shell);
+    if (outside_m2 == 0.0) return;
     const double whole_m2 = signed_area(corners);
-    if (outside_m2 <= kRounding * whole_m2) return;
     reader.report(DiagnosticId::area_outside_room, reader.where(name), name, reader.element().name,
                   outside_m2, whole_m2, space_.id);
   }
@@ -150,13 +158,84 @@ class WorkplaceReader {
   const Space& space_;
 };
 
+// What a <workplace-grid> adds.
+struct Copies {
+  int columns = 1, rows = 1;
+  glm::dvec2 step_m{0.0};
+};
+
+// More than any room needs.
+constexpr double kMostCopies = 4000.0;
+
+Copies read_copies(const ProjectContext& context, ElementReader& reader) {
+  const std::vector<int> count = reader.integers("repeat", 2, "2 whole numbers (along x and y)", 1);
+  const std::vector<double> step = reader.numbers("step", 2, "2 numbers (x y)");
+  if (!reader.has("size") && !reader.has("footprint")) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "workplace-grid",
+                  "the area of its first copy: 'origin' and 'size', or 'footprint'");
+  }
+  if (!reader.ok()) return {};
+  if (static_cast<double>(count[0]) * count[1] > kMostCopies) {
+    reader.report(DiagnosticId::number_out_of_range, reader.where("repeat"), "repeat",
+                  "workplace-grid", reader.text("repeat"),
+                  fmt::format("at most {} copies", kMostCopies));
+    return {};
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (count[i] == 1 || step[i] != 0.0) continue;
+    reader.report(DiagnosticId::number_out_of_range, reader.where("step"), "step", "workplace-grid",
+                  0, "a distance other than 0 wherever 'repeat' is above 1");
+  }
+  const glm::dvec2 step_m = glm::dvec2(step[0], step[1]) * context.metres_per_unit;
+  return {count[0], count[1], step_m};
+}
+
+Workplace moved(Workplace workplace, const glm::dvec2& by_m) {
+  for (glm::dvec2& corner : workplace.task_m) corner += by_m;
+  for (ZoneText& zone : workplace.zones) {
+    for (glm::dvec2& corner : zone.area_m) corner += by_m;
+  }
+  return workplace;
+}
+
+// No copy without its area in the room; the first is checked where it is read.
+void check_copy(ElementReader& reader, const Workplace& copy, const Space& space) {
+  if (!space.shell) return;
+  double outside_m2 = area_outside_m2(copy.task_m, *space.shell);
+  for (const ZoneText& zone : copy.zones) outside_m2 += area_outside_m2(zone.area_m, *space.shell);
+  if (outside_m2 == 0.0) return;
+  reader.report(DiagnosticId::copy_outside_room, reader.where("step"), copy.id, outside_m2,
+                space.id);
+}
+
+// The first copy is there.
+void add_copies(const Copies& copies, ElementReader& reader, const Space& space,
+                std::vector<Workplace>& workplaces) {
+  const Workplace first = workplaces.back();
+  workplaces.pop_back();
+  for (int row = 0; row < copies.rows; ++row) {
+    for (int column = 0; column < copies.columns; ++column) {
+      const std::string index = fmt::format("[{},{}]", column, row);
+      Workplace copy = moved(first, copies.step_m * glm::dvec2(column, row));
+      copy.id += index;
+      if (!copy.name.empty()) copy.name += " " + index;
+      copy.is_further_copy = column > 0 || row > 0;
+      check_copy(reader, copy, space);
+      if (!reader.ok()) copy.is_good = false;
+      workplaces.push_back(std::move(copy));
+      if (!reader.ok()) return;
+    }
+  }
+}
+
 }  // namespace
 
 void read_workplaces(ProjectContext& context, const XmlElement& room,
                      const PlaneSurroundings& surroundings, Space& space) {
   std::map<std::string, int> line_of_id;
   for (const XmlElement& child : room.children) {
-    if (child.name != "workplace") continue;
+    const bool is_grid = child.name == "workplace-grid";
+    if (child.name != "workplace" && !is_grid) continue;
     ElementReader reader(child, context.diagnostics);
     Workplace workplace = WorkplaceReader(context, surroundings, space).read(reader);
     if (surroundings.is_gbxml) reader.report(DiagnosticId::workplace_needs_room, child.where);
@@ -165,8 +244,12 @@ void read_workplaces(ProjectContext& context, const XmlElement& room,
       reader.report(DiagnosticId::duplicate_id, reader.where("id"), "workplace", workplace.id,
                     first->second);
     }
+    const Copies copies = is_grid ? read_copies(context, reader) : Copies();
     workplace.is_good = surroundings.room_is_good && reader.ok();
     space.workplaces.push_back(std::move(workplace));
+    if (is_grid && space.workplaces.back().is_good) {
+      add_copies(copies, reader, space, space.workplaces);
+    }
   }
 }
 

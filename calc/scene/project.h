@@ -95,14 +95,17 @@ struct GridByRule {
   double factor_m = 0.2, base = 5.0, max_spacing_m = 10.0;
   double shorter_from_ratio = 2.0;
   GridRounding rounding = GridRounding::nearest;
+  bool operator==(const GridByRule&) const = default;
 };
 struct GridByCount {
   int columns = 0, rows = 0;
+  bool operator==(const GridByCount&) const = default;
 };
 // Rounded up: no cell is larger.
 struct GridBySpacing {
   double along_u_m = 0.0, along_v_m = 0.0;
   std::string name;  // of whoever asks for it; "" = the project
+  bool operator==(const GridBySpacing&) const = default;
 };
 using GridRule = std::variant<GridByRule, GridByCount, GridBySpacing>;
 
@@ -117,6 +120,7 @@ struct PlanarArea {
   GridRule grid;
 
   glm::dvec3 normal() const { return glm::cross(u, v); }
+  bool operator==(const PlanarArea&) const = default;
 };
 
 // Points and unit normals as given, e.g. of a site measurement.
@@ -131,7 +135,8 @@ struct PointList {
 // knows the grammar.
 struct RequirementText {
   XmlElement element;
-  std::string role;  // "" of a <require>
+  std::string role{};                     // "" of a <require>
+  std::vector<std::string> workplaces{};  // ids of all that ask for this; none: a <require>
 };
 
 struct CalcPlane {
@@ -151,6 +156,7 @@ struct CalcPlane {
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;
   // else "".
   std::string made_by, changed;
+  std::optional<double> own_margin_m;  // what the project says instead of the rule's
   SourceLocation where;
 };
 
@@ -183,6 +189,7 @@ struct Workplace {
   std::vector<ZoneText> zones;
   std::vector<UnmadeZone> unmade;  // known once its planes are made
   bool is_good = true;             // false after an error in it or in the shape of its room
+  bool is_further_copy = false;    // of a grid: what is wrong with it is said of the first copy
   SourceLocation where;
 };
 

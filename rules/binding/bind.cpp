@@ -44,22 +44,6 @@ class PlaneIds {
   std::set<std::string> made_;
 };
 
-// The margin that a project gives to a zone of a workplace, of which this plane is made.
-std::optional<double> own_margin_m(const calc::Space& space, const calc::CalcPlane& plane) {
-  if (plane.made_by.empty()) return std::nullopt;
-  for (const calc::Workplace& workplace : space.workplaces) {
-    if (!plane.id.starts_with(workplace.id + ".")) continue;
-    const std::string name = plane.id.substr(workplace.id.size() + 1);
-    const calc::ZoneText* found = nullptr;
-    for (const calc::ZoneText& zone : workplace.zones) {
-      if (zone.role == name) return zone.margin_m;
-      if (name.starts_with(zone.role + ".")) found = &zone;
-    }
-    if (found != nullptr) return found->margin_m;
-  }
-  return std::nullopt;
-}
-
 // What the project has let into the zone must count, too.
 void narrow_strips(Mask& mask, double margin_m) {
   for (MaskOperation& operation : mask.operations) {
@@ -89,11 +73,10 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
                 const PowerOfSpace& of_space, calc::Diagnostics& diagnostics,
                 std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
-  const std::optional<double> margin_m = own_margin_m(*context.space, plane);
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
-      if (margin_m) narrow_strips(requirement.mask, *margin_m);
+      if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
       if (is_about_power(requirement.metric)) set_power(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       bound.push_back(std::move(requirement));

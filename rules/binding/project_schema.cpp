@@ -8,10 +8,11 @@
 namespace rules {
 
 std::string project_schema() {
-  return calc::xml_schema({"'luxgate schema'",
-                           calc::kProjectMeaning,
-                           calc::kProjectRoot,
-                           {require_element(), workplace_element(), deviation_element()}});
+  return calc::xml_schema(
+      {"'luxgate schema'",
+       calc::kProjectMeaning,
+       calc::kProjectRoot,
+       {require_element(), workplace_element(), workplace_grid_element(), deviation_element()}});
 }
 
 }  // namespace rules

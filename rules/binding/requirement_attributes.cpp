@@ -85,8 +85,7 @@ calc::ElementRow make_require_element() {
   return element;
 }
 
-calc::ElementRow make_workplace_element() {
-  calc::ElementRow element = calc::kWorkplaceElement;
+calc::ElementRow with_row(calc::ElementRow element) {
   for (const RequirementAttribute& attribute : requirement_attributes()) {
     if (!attribute.of_workplace) continue;
     element.attributes.push_back(
@@ -118,7 +117,12 @@ const calc::ElementRow& require_element() {
 }
 
 const calc::ElementRow& workplace_element() {
-  static const calc::ElementRow kElement = make_workplace_element();
+  static const calc::ElementRow kElement = with_row(calc::kWorkplaceElement);
+  return kElement;
+}
+
+const calc::ElementRow& workplace_grid_element() {
+  static const calc::ElementRow kElement = with_row(calc::kWorkplaceGridElement);
   return kElement;
 }
 

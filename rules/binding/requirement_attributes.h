@@ -41,6 +41,7 @@ const RequirementAttribute& requirement_attribute(std::string_view name);
 // As the tables of the project file would have them, which know no rules.
 const calc::ElementRow& require_element();
 const calc::ElementRow& workplace_element();
+const calc::ElementRow& workplace_grid_element();
 
 // What `at` holds.
 inline constexpr std::string_view kPointWords = "3 numbers (x y z) in metres, in world coordinates";

@@ -287,6 +287,7 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   const std::vector<StatedDeviation> stated = read_deviations(reader, text.role);
   for (Requirement& requirement : requirements) {
     requirement.derived = context.derived;
+    requirement.origin.workplaces = text.workplaces;
     if (!requirement.origin.pack.empty()) requirement.stated_deviations = stated;
   }
   if (!reader.ok()) requirements.clear();

@@ -7,6 +7,7 @@
 #include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"
+#include "rules/binding/shared_surfaces.h"
 #include "rules/pack/limit.h"
 #include "rules/pack/pack_parts.h"
 #include "rules/zones/straight_walls.h"
@@ -111,24 +112,34 @@ class WorkplaceMaker {
       diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
                           fmt::format(", for row '{}' or any other", row_.ref));
     }
-    check_size(total);
-    for (const calc::CalcPlane& plane : planes_) {
+    std::vector<calc::CalcPlane> own;
+    std::vector<std::pair<std::size_t, calc::CalcPlane>> shared;  // with that plane of the space
+    for (calc::CalcPlane& plane : planes_) {
+      if (const auto twin = same_surface(plane, pack_, space_)) {
+        shared.emplace_back(*twin, std::move(plane));
+      } else {
+        own.push_back(std::move(plane));
+      }
+    }
+    check_size(own, total);
+    for (const calc::CalcPlane& plane : own) {
       const auto [first, is_new] = ids.try_emplace(plane.id, plane.where.line);
       if (is_new) continue;
       diagnostics_.report(DiagnosticId::duplicate_id, workplace_.where, "plane", plane.id,
                           first->second);
     }
     if (diagnostics_.error_count() > errors) return;
-    for (calc::CalcPlane& plane : planes_) space_.planes.push_back(std::move(plane));
+    for (const auto& [twin, plane] : shared) ask_also(space_.planes[twin], plane);
+    for (calc::CalcPlane& plane : own) space_.planes.push_back(std::move(plane));
     if (const std::string note = note_words(); !note.empty()) space_.notes.push_back(note);
   }
 
  private:
   static bool has_area(const RulePlane& plane) { return plane.area != ZoneArea::none; }
 
-  void check_size(Total& total) {
-    total.planes += planes_.size();
-    for (const calc::CalcPlane& plane : planes_) {
+  void check_size(const std::vector<calc::CalcPlane>& planes, Total& total) {
+    total.planes += planes.size();
+    for (const calc::CalcPlane& plane : planes) {
       total.points += cells_of(std::get<calc::PlanarArea>(plane.area));
     }
     if (total.planes <= kMostPlanes && total.points <= kMostPoints) return;
@@ -241,7 +252,10 @@ class WorkplaceMaker {
     // A requirement of the row must not go away because a wall is drawn in pieces.
     const bool is_surface = plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling;
     if (!is_surface || not_made_.size() == not_made) return;
-    if (planes_.size() > before) return warn_of_unchecked(not_made);
+    if (planes_.size() > before) {
+      if (!workplace_.is_further_copy) warn_of_unchecked(not_made);
+      return;
+    }
     diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role,
                         not_made_[not_made], role, role);
   }
@@ -288,7 +302,8 @@ class WorkplaceMaker {
     plane.made_by =
         fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, made.words);
     plane.changed = std::move(made.changed);
-    plane.requirements.push_back({workplace_.element, rule.role});
+    if (zone != nullptr) plane.own_margin_m = zone->margin_m;
+    plane.requirements.push_back({workplace_.element, rule.role, {workplace_.id}});
   }
 
   std::string rule_words() const {
@@ -334,7 +349,8 @@ void make_planes(Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
                  PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
-  reader.allow_attributes(workplace_element());
+  const bool is_grid = workplace.element.name == "workplace-grid";
+  reader.allow_attributes(is_grid ? workplace_grid_element() : workplace_element());
   check_scene(reader, scenes);
   if (!reader.has("row")) reader.text("row");  // reports its absence
   const RulePack* pack = find_pack(reader, packs);
@@ -362,9 +378,13 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
   }
   for (calc::Space& space : project.spaces) {
+    std::size_t errors = 0;  // before the first copy
     for (Workplace& workplace : space.workplaces) {
+      if (!workplace.is_further_copy) errors = diagnostics.error_count();
+      if (workplace.is_further_copy && diagnostics.error_count() > errors) continue;
       make_planes(workplace, space, project.scenes, packs, ids, total, diagnostics);
     }
+    name_shared_planes(space);
   }
 }
 

@@ -23,24 +23,33 @@ struct Asked {
   std::vector<std::pair<const RuleCheck*, const Finding*>> findings;
 };
 
-bool belongs_to(const calc::CalcPlane& plane, const calc::Workplace& workplace) {
-  return !plane.made_by.empty() && plane.id.starts_with(workplace.id + ".");
-}
-
-const calc::Workplace* workplace_of(const calc::Space& space, const calc::CalcPlane& plane) {
-  const calc::Workplace* found = nullptr;
+// Null of <require> elements.
+std::vector<const calc::Workplace*> workplaces_of(const calc::Space& space,
+                                                  const RuleOrigin& origin) {
+  if (origin.workplaces.empty()) return {nullptr};
+  std::vector<const calc::Workplace*> found;
   for (const calc::Workplace& workplace : space.workplaces) {
-    if (!belongs_to(plane, workplace)) continue;
-    if (found == nullptr || workplace.id.size() > found->id.size()) found = &workplace;
+    const bool asks = std::find(origin.workplaces.begin(), origin.workplaces.end(), workplace.id) !=
+                      origin.workplaces.end();
+    if (asks) found.push_back(&workplace);
   }
   return found;
+}
+
+// The one of them that is about the same, or a new one.
+Asked& asked_by(std::vector<Asked>& all, Asked about) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
+    return asked.pack == about.pack && asked.row == about.row && asked.level == about.level &&
+           asked.workplace == about.workplace;
+  });
+  if (same != all.end()) return *same;
+  return all.emplace_back(std::move(about));
 }
 
 std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPlane>& planes,
                             const std::vector<RulePack>& packs) {
   std::vector<Asked> all;
   for (const JudgedPlane& judged : planes) {
-    const calc::Workplace* workplace = workplace_of(space, *judged.plane);
     for (const Finding& finding : *judged.findings) {
       const RuleOrigin& origin = finding.requirement.origin;
       if (origin.row.empty()) continue;
@@ -51,15 +60,10 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
       const RuleRow* row = pack->find_row(origin.row);
       const RuleCheck* check = pack->find_check(origin.check);
       if (row == nullptr || check == nullptr) continue;
-      auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
-        return asked.pack == &*pack && asked.row == row && asked.level == origin.level &&
-               asked.workplace == workplace;
-      });
-      if (same == all.end()) {
-        all.push_back({&*pack, row, origin.level, origin.facts, workplace, {}});
-        same = std::prev(all.end());
+      for (const calc::Workplace* workplace : workplaces_of(space, origin)) {
+        asked_by(all, {&*pack, row, origin.level, origin.facts, workplace, {}})
+            .findings.emplace_back(check, &finding);
       }
-      same->findings.emplace_back(check, &finding);
     }
   }
   std::stable_partition(all.begin(), all.end(),

@@ -1,4 +1,5 @@
-# Runs one example from its own folder and compares the exit code with the file expected_exit.
+# Runs one example from its own folder, with what its file `arguments` says, a word a line, if it has one, and compares the
+# exit code with the file expected_exit.
 #   cmake -DLUXGATE=<binary> -DEXAMPLE=<folder> -DWORK=<scratch> -P run_example.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -9,7 +10,11 @@ foreach(file README.md project.xml expected_exit)
 endforeach()
 file(STRINGS ${EXAMPLE}/expected_exit expected)
 file(REMOVE_RECURSE ${WORK})
-execute_process(COMMAND ${LUXGATE} check project.xml --output ${WORK} --images --pictures off
+set(arguments)
+if(EXISTS ${EXAMPLE}/arguments)
+  file(STRINGS ${EXAMPLE}/arguments arguments)
+endif()
+execute_process(COMMAND ${LUXGATE} check project.xml ${arguments} --output ${WORK} --images --pictures off
   WORKING_DIRECTORY ${EXAMPLE} RESULT_VARIABLE exit_code OUTPUT_VARIABLE out ERROR_VARIABLE err)
 message("${out}${err}")
 if(NOT exit_code STREQUAL expected)

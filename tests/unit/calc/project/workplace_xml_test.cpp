@@ -61,6 +61,40 @@ TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
   EXPECT_FALSE(loaded.project->spaces.at(0).workplaces.at(0).height_m);
 }
 
+Loaded load_grid(const std::string& attributes) {
+  return load(in_room("<workplace-grid id='g' pack='p' row='1' " + attributes + "/>"));
+}
+
+TEST(WorkplaceGridXml, CopiesAreCountedAlongXFirst) {
+  const Loaded loaded =
+      load_grid("name='Desk' origin='0.5 0.5' size='1 0.8' repeat='2 2' step='1.5 1.2'");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const std::vector<Workplace>& all = loaded.project->spaces.at(0).workplaces;
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[1].id, "g[1,0]");
+  EXPECT_EQ(all[2].id, "g[0,1]");
+  EXPECT_EQ(all[3].name, "Desk [1,1]");
+  EXPECT_EQ(all[3].task_m.at(0), glm::dvec2(2.0, 1.7));
+  EXPECT_FALSE(all[0].is_further_copy);
+  EXPECT_TRUE(all[1].is_further_copy);
+}
+
+TEST(WorkplaceGridXmlMessage, CopiesThatCannotBe) {
+  const std::string area = "origin='0.5 0.5' size='1 0.8' ";
+  expect_message(load_grid("repeat='2 1' step='1 0'"),
+                 "<workplace-grid> needs the area of its first copy: 'origin' and 'size', or "
+                 "'footprint'");
+  expect_message(load_grid(area + "repeat='2 1' step='0 1'"),
+                 "attribute 'step' of <workplace-grid>: 0 is not allowed; expected a distance "
+                 "other than 0 wherever 'repeat' is above 1");
+  expect_message(load_grid(area + "repeat='100000 100000' step='1 1'"), "at most 4000 copies");
+  expect_message(load_grid(area + "repeat='2 0' step='1 1'"), "attribute 'repeat'");
+  expect_message(load_grid(area + "repeat='2 1'"), "<workplace-grid> needs 'step'");
+  expect_message(load_grid(area + "repeat='4 1' step='1.2 0'"),
+                 "error[copy-outside-room]: copy 'g[3,0]': 0.88 m2 of its areas lie outside room "
+                 "'r'; all copies must lie within the room");
+}
+
 TEST(WorkplacesXmlMessage, TaskLargerThanTheRoom) {
   expect_message(
       load_workplace("origin='1 1' size='4 1'"),

@@ -184,6 +184,33 @@ TEST(BindRequirements, TakesTheModifiedLevelWhereTheRowHasOne) {
   EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2021 34.2");
 }
 
+TEST(BindRequirements, TakesStepsAlongTheStandardsScaleWithTheReason) {
+  const Bound bound = bind_one({{"pack", "en12464-1:2021"},
+                                {"row", "34.2"},
+                                {"level", "-1"},
+                                {"level-because", "used for an hour a week"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  ASSERT_EQ(bound.requirements.size(), 2u);
+  const Requirement& average = bound.requirements[0];
+  EXPECT_EQ(average.limit, 300);
+  EXPECT_EQ(average.clause, "EN 12464-1:2021 34.2 (-1 step) [unverified requirement]");
+  EXPECT_THAT(average.note, testing::HasSubstr("level -1 step: used for an hour a week"));
+  EXPECT_EQ(average.origin.level, (RowLevel{.steps = -1}));
+  // What no scale is about stays what it is, and needs no word.
+  EXPECT_EQ(bound.requirements[1].limit, 0.6);
+  EXPECT_EQ(bound.requirements[1].clause, "EN 12464-1:2021 34.2");
+  EXPECT_EQ(bound.requirements[1].note, "");
+}
+
+TEST(BindRequirements, AReasonMayGoWithTheModifiedLevel) {
+  const Bound bound = bind_one({{"pack", "en12464-1:2021"},
+                                {"row", "34.2"},
+                                {"level", "modified"},
+                                {"level-because", "older staff"}});
+  EXPECT_THAT(bound.messages, IsEmpty());
+  EXPECT_EQ(bound.requirements.at(0).note, "level modified: older staff");
+}
+
 TEST(BindRequirements, ABareIdMeansTheEditionInForce) {
   EXPECT_EQ(bind_one({{"pack", "en12464-1"}, {"row", "34.2"}}).requirements.at(0).clause,
             "EN 12464-1:2021 34.2");
@@ -687,8 +714,8 @@ TEST(BindRequirementsMessage, LevelWithoutPack) {
 TEST(BindRequirementsMessage, UnknownLevel) {
   EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"level", "require"}}),
               ElementsAre("project.xml:7:30: error[unknown-value]: attribute 'level' of <require>: "
-                          "unknown value 'require'; allowed: required or modified; did you mean "
-                          "'required'?"));
+                          "unknown value 'require'; allowed: required, modified, -3, -2, -1, +1, "
+                          "+2 or +3; did you mean 'required'?"));
 }
 
 TEST(BindRequirementsMessage, UnknownPack) {
@@ -814,8 +841,30 @@ TEST(BindRequirementsMessage, NoModifiedLevel) {
   const Bound bound = bind_project(project, {small_pack("own", "1", 1)});
   EXPECT_THAT(bound.requirements, IsEmpty());
   EXPECT_THAT(bound.messages,
-              ElementsAre("project.xml:7:30: error[no-modified-level]: row 'r1' of rule pack "
-                          "'own:1' has no modified values; use level=\"required\""));
+              ElementsAre("project.xml:7:30: error[no-such-level]: row 'r1' of rule pack "
+                          "'own:1' has no values of level 'modified'; allowed: required"));
+}
+
+TEST(BindRequirementsMessage, StepsThatTheStandardDoesNotHave) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"},
+                           {"row", "34.2"},
+                           {"level", "-2"},
+                           {"level-because", "seldom used"}}),
+              ElementsAre("project.xml:7:30: error[no-such-level]: row '34.2' of rule pack "
+                          "'en12464-1:2021' has no values of level '-2'; allowed: required, "
+                          "modified, -1, +1 or +2"));
+}
+
+TEST(BindRequirementsMessage, StepsWithoutAReason) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"level", "+1"}}),
+              ElementsAre("project.xml:7:30: error[missing-partner]: <require> has 'level' "
+                          "without 'level-because'; the two belong together"));
+}
+
+TEST(BindRequirementsMessage, AReasonForNoOtherLevel) {
+  EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.2"}, {"level-because", "why"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: "
+                          "'level-because' has no meaning together with 'level=\"required\"'"));
 }
 
 TEST(BindRequirementsMessage, ListsAFewOfManyRows) {

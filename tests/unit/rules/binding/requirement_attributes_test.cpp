@@ -11,7 +11,7 @@ namespace {
 TEST(RequirementAttributes, WorkplaceHasItsOwnAndThoseOfRules) {
   EXPECT_EQ(calc::attribute_names(workplace_element()),
             (calc::Names{"id", "name", "origin", "size", "footprint", "height", "scene", "pack",
-                         "row", "level", "facts"}));
+                         "row", "level", "level-because", "facts"}));
 }
 
 TEST(RequirementAttributes, NoNameTwiceAndEachWithAMeaning) {

@@ -569,6 +569,86 @@ TEST(WorkplaceMessage, SurfacesStayWhereTheyAre) {
                                     "'role=\"wall.1\"'")));
 }
 
+const std::string kGrid =
+    "<workplace-grid id='g' name='Desk' pack='en12464-1:2021' row='34.2' origin='2 1.5' "
+    "size='1.6 1.4' repeat='3 2' step='3.2 3'";
+
+TEST(WorkplaceGrid, WallsAndCeilingAreMadeOnce) {
+  const Made made = make(kGrid + "/>");
+  EXPECT_THAT(made.messages, IsEmpty());
+  const std::vector<std::string> ids = made.ids();
+  const auto count = [&](const std::string& part) {
+    return std::count_if(ids.begin(), ids.end(),
+                         [&](const std::string& id) { return id.find(part) != std::string::npos; });
+  };
+  EXPECT_EQ(count(".task"), 6);
+  EXPECT_EQ(count(".surround"), 6);
+  EXPECT_EQ(count(".wall."), 4);
+  EXPECT_EQ(count(".ceiling"), 1);
+  EXPECT_EQ(made.area("g[2,1].task").origin_m, glm::dvec3(10 + 2 + 6.4, 20 + 1.5 + 3, 1.75));
+  EXPECT_EQ(made.plane("g[2,1].task").name, "Desk [2,1]: task");
+  // One finding for all six, and it says for whom.
+  EXPECT_THAT(limits_of(made, "g[0,0].wall.2"), ElementsAre(150, 0.1));
+  const calc::CalcPlane& wall = made.plane("g[0,0].wall.2");
+  EXPECT_EQ(wall.name, "wall 2");
+  EXPECT_THAT(wall.made_by, HasSubstr("; the same for g[1,0], g[2,0], g[0,1] and 2 more"));
+  EXPECT_EQ(requirements_of_plane(made.requirements, wall.id).at(0).origin.workplaces.size(), 6u);
+}
+
+TEST(Workplace, ASurfaceThatTwoRowsAskForIsJudgedByBoth) {
+  const Made made =
+      make(workplace(kDesk) +
+           "<workplace id='v' pack='en12464-1:2021' row='34.7' origin='8 5' size='2 1'/>");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(limits_of(made, "w.ceiling"), ElementsAre(100, 0.1, 50, 0.1));
+  const auto requirements = requirements_of_plane(made.requirements, "w.ceiling");
+  EXPECT_EQ(requirements.at(0).origin.workplaces, std::vector<std::string>{"w"});
+  EXPECT_EQ(requirements.at(2).origin.workplaces, std::vector<std::string>{"v"});
+  EXPECT_EQ(requirements.at(2).id, "average-2");
+}
+
+// Nothing is shared that is not the same: other points, another level, scene or deviation.
+TEST(Workplace, WhatDiffersIsNotShared) {
+  const auto ceilings = [](const std::string& attributes, const std::string& children) {
+    const Made made = make(workplace(kDesk) +
+                           "<workplace id='v' pack='en12464-1:2021' row='34.2' origin='8 5' "
+                           "size='2 1' " +
+                           attributes + ">" + children + "</workplace>");
+    EXPECT_THAT(made.messages, IsEmpty());
+    std::size_t planes = 0;
+    for (const std::string& id : made.ids()) planes += id.find("ceiling") != std::string::npos;
+    return std::pair(planes, requirements_of_plane(made.requirements, "w.ceiling").size());
+  };
+  EXPECT_EQ(ceilings("", ""), std::pair(std::size_t{1}, std::size_t{2}));
+  EXPECT_EQ(ceilings("scene='night'", ""), std::pair(std::size_t{1}, std::size_t{4}));
+  EXPECT_EQ(ceilings("level='modified'", ""), std::pair(std::size_t{1}, std::size_t{4}));
+  EXPECT_EQ(ceilings("",
+                     "<deviation role='ceiling' in='grid' because='b' by='m' "
+                     "until='2999-01-01'/>"),
+            std::pair(std::size_t{1}, std::size_t{4}));
+  EXPECT_EQ(ceilings("", "<zone role='ceiling' margin='0.2' because='b'/>"),
+            std::pair(std::size_t{2}, std::size_t{2}));
+}
+
+TEST(Workplace, ASurfaceThatTheFirstLeavesOutTheSecondHas) {
+  const Made made = make(workplace(kDesk, "<without role='ceiling' because='open'/>") +
+                         "<workplace id='v' pack='en12464-1:2021' row='34.2' origin='8 5' "
+                         "size='2 1'/>");
+  EXPECT_THAT(limits_of(made, "v.ceiling"), ElementsAre(100, 0.1));
+}
+
+TEST(WorkplaceGridMessage, AnErrorOfTheElementIsSaidOnce) {
+  EXPECT_THAT(make(kGrid + " scene='day'/>").messages,
+              ElementsAre(HasSubstr("error[unknown-reference]: attribute 'scene' of "
+                                    "<workplace-grid>: there is no scene 'day'")));
+  EXPECT_THAT(make(kGrid + "><zone role='wal' margin='1'/></workplace-grid>").messages,
+              ElementsAre(HasSubstr("there is no zone 'wal'")));
+  EXPECT_THAT(make(kGrid + "><deviation in='grid' because='b' by='m' "
+                           "until='2026-02-30' role='task'/></workplace-grid>")
+                  .messages,
+              testing::SizeIs(1));
+}
+
 TEST(WorkplaceMessage, AnIdThatIsTaken) {
   EXPECT_THAT(make("<plane id='w.task' height='1'/>\n" + workplace(kDesk)).messages,
               ElementsAre(HasSubstr("p.xml:6:1: error[duplicate-id]: the plane 'w.task' is given "

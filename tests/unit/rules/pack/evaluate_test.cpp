@@ -74,6 +74,27 @@ TEST(EvaluateLimit, StepsUpAndDownTheScale) {
   EXPECT_EQ(limit_of("step(210 lx, +1, steps)"), "210 lx is not on scale 'steps'");
 }
 
+// Of the required value, also where the row has a modified one; limits that follow go with it.
+TEST(EvaluateLimit, TakesAParameterAlongItsScale) {
+  const std::string scale =
+      "<scale id='of-E' unit='fc' values='10 20 30' of='E' down='1' up='1' trust='unverified'/>";
+  const std::string row = "<row ref='9' name='a' trust='confirmed'><value of='E' required='";
+  const auto limit_at = [&](int steps, const std::string& required, const std::string& formula) {
+    const RulePack pack = pack_of(scale + row + required + "'/></row>" + check("x", formula));
+    const Limit limit =
+        evaluate_limit(pack.checks.at(0), {pack, pack.find_row("9"), RowLevel{.steps = steps}});
+    if (limit.status != LimitStatus::known) return limit.reason;
+    EXPECT_EQ(limit.trust, Trust::unverified);
+    EXPECT_EQ(limit.level.steps, steps);
+    return std::to_string(limit.value.value).substr(0, 7);
+  };
+  const std::string ten_fc = "107.639104167097", twenty_fc = "215.278208334194";
+  EXPECT_EQ(limit_at(1, ten_fc, "row(E)"), "215.278");
+  EXPECT_EQ(limit_at(-1, twenty_fc, "2 * row(E)"), "215.278");
+  EXPECT_EQ(limit_at(-1, ten_fc, "row(E)"), "scale 'of-E' ends before -1 steps from 107.639104 lx");
+  EXPECT_EQ(limit_at(1, "120", "row(E)"), "120 lx is not on scale 'of-E'");
+}
+
 TEST(EvaluateLimit, SaysWhatIsMissing) {
   EXPECT_EQ(limit_of("fact(need)"), "fact 'need' is not stated");
   EXPECT_EQ(limit_of("row(E) + fact(need)", RowLevel::required, {}, "2"), "row 2: E is unknown");

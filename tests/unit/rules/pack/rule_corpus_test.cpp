@@ -51,7 +51,7 @@ std::string expect_case(const calc::XmlElement& item, const RulePack& pack,
                         const RuleCheck& check) {
   const std::string ref = text_of(item, "row");
   const RowLevel level =
-      text_of(item, "level") == "modified" ? RowLevel::modified : RowLevel::required;
+      item.find("level") == nullptr ? RowLevel::required : level_named(text_of(item, "level"));
   Evidence evidence{pack, pack.find_row(ref), level, facts_of(item)};
   EXPECT_EQ(evidence.row == nullptr, ref.empty()) << "row " << ref;
   evidence.measured[check.id] = {number_of(item, "value"), number_of(item, "low"),

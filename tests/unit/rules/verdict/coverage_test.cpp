@@ -102,6 +102,23 @@ TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
   EXPECT_EQ(roles[4].words, "open");
 }
 
+// Walls and ceiling are there once, and each workplace has asked for them.
+TEST(RowCoverage, EachOfSeveralWorkplacesHasItsWholeRow) {
+  const std::string grid =
+      "<workplace-grid id='g' pack='en12464-1:2021' row='34.2' origin='2 2' size='1.6 1.4' "
+      "repeat='2 1' step='4 0'/>";
+  const std::string other =
+      "<workplace id='w' pack='en12464-1:2021' row='34.7' origin='8 5' size='2 1'/>";
+  const Covered covered = cover(grid + other);
+  ASSERT_EQ(covered.rows.size(), 3u);
+  EXPECT_EQ(covered.rows[0].workplace, "g[0,0]");
+  EXPECT_EQ(covered.rows[1].workplace, "g[1,0]");
+  EXPECT_EQ(covered.rows[2].workplace, "w");
+  EXPECT_EQ(covered.rows[2].clause, "EN 12464-1:2021 34.7");
+  for (const RowCoverage& row : covered.rows) EXPECT_TRUE(row.is_whole()) << row.workplace;
+  EXPECT_EQ(covered.roles(1), covered.roles(0));
+}
+
 TEST(RowCoverage, ARoleIsWhatItsGravestFindingIs) {
   EXPECT_EQ(cover(kTask, Verdict::fail).roles()[0], "task failed");
   EXPECT_EQ(cover(kTask, Verdict::undecided).roles()[0], "task undecided");

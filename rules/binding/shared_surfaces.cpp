@@ -1,0 +1,117 @@
+#include "rules/binding/shared_surfaces.h"
+
+#include "rules/binding/requirement_attributes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace rules {
+namespace {
+
+bool is_surface(const calc::CalcPlane& plane, const RulePack& pack) {
+  const RulePlane* rule = pack.find_plane(plane.requirements.front().role);
+  return rule != nullptr && (rule->area == ZoneArea::walls || rule->area == ZoneArea::ceiling);
+}
+
+bool has_same_points(const calc::CalcPlane& a, const calc::CalcPlane& b) {
+  return std::get<calc::PlanarArea>(a.area) == std::get<calc::PlanarArea>(b.area) &&
+         a.kernel == b.kernel && a.derived == b.derived && a.direction == b.direction &&
+         a.own_margin_m == b.own_margin_m && a.changed == b.changed;
+}
+
+std::string_view attribute_of(const calc::XmlElement& element, std::string_view name) {
+  const calc::XmlAttribute* found = element.find(name);
+  return found == nullptr ? std::string_view() : std::string_view(found->value);
+}
+
+bool has_same_attributes(const calc::XmlElement& a, const calc::XmlElement& b) {
+  return a.attributes.size() == b.attributes.size() &&
+         std::all_of(a.attributes.begin(), a.attributes.end(),
+                     [&](const calc::XmlAttribute& attribute) {
+                       const calc::XmlAttribute* other = b.find(attribute.name);
+                       return other != nullptr && other->value == attribute.value;
+                     });
+}
+
+// <zone> and <without> say which planes there are; everything else, what is asked of them.
+std::vector<const calc::XmlElement*> children_that_ask(const calc::XmlElement& workplace) {
+  std::vector<const calc::XmlElement*> children;
+  for (const calc::XmlElement& child : workplace.children) {
+    if (child.name != "zone" && child.name != "without") children.push_back(&child);
+  }
+  return children;
+}
+
+bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
+  for (const RequirementAttribute& attribute : requirement_attributes()) {
+    if (attribute_of(a, attribute.name) != attribute_of(b, attribute.name)) return false;
+  }
+  const auto ours = children_that_ask(a), theirs = children_that_ask(b);
+  return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                    [](const calc::XmlElement* one, const calc::XmlElement* other) {
+                      return one->name == other->name && has_same_attributes(*one, *other);
+                    });
+}
+
+// "a, b and 3 more"
+std::string shared_with(const calc::CalcPlane& plane) {
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> ids;
+  for (const calc::RequirementText& text : plane.requirements) {
+    ids.insert(ids.end(), text.workplaces.begin(), text.workplaces.end());
+  }
+  ids.erase(ids.begin());  // who has made it
+  const std::size_t named = std::min(ids.size(), kMostNamed);
+  std::string words = fmt::format(
+      "{}", fmt::join(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  if (ids.size() > named) words += fmt::format(" and {} more", ids.size() - named);
+  return words;
+}
+
+}  // namespace
+
+std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RulePack& pack,
+                                        const calc::Space& space) {
+  if (!is_surface(made, pack)) return std::nullopt;
+  const auto twin =
+      std::find_if(space.planes.begin(), space.planes.end(), [&](const calc::CalcPlane& plane) {
+        return !plane.made_by.empty() && has_same_points(plane, made);
+      });
+  if (twin == space.planes.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(space.planes.begin(), twin));
+}
+
+void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made) {
+  for (const calc::RequirementText& text : made.requirements) {
+    const auto same =
+        std::find_if(plane.requirements.begin(), plane.requirements.end(),
+                     [&](const calc::RequirementText& other) {
+                       return other.role == text.role && asks_the_same(other.element, text.element);
+                     });
+    if (same == plane.requirements.end()) {
+      plane.requirements.push_back(text);
+    } else {
+      same->workplaces.insert(same->workplaces.end(), text.workplaces.begin(),
+                              text.workplaces.end());
+    }
+  }
+}
+
+void name_shared_planes(calc::Space& space) {
+  for (calc::CalcPlane& plane : space.planes) {
+    if (plane.made_by.empty()) continue;
+    const std::string words = shared_with(plane);
+    if (words.empty()) continue;
+    plane.made_by += "; the same for " + words;
+    const std::string& maker = plane.requirements.front().workplaces.front();
+    plane.name = plane.id.substr(maker.size() + 1);  // "wall.1": of the room, not of one workplace
+    std::replace(plane.name.begin(), plane.name.end(), '.', ' ');
+  }
+}
+
+}  // namespace rules
