@@ -1,13 +1,19 @@
 #include "report/formats/console.h"
 
+#include "report/formats/folded_passes.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -143,6 +149,122 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   add_doubt(t, plane, lines);
 }
 
+// "Desk [0,0]" and "task" of "Desk [0,0]: task"; of what the room's workplaces share there is one
+// part only.
+std::pair<std::string, std::string> place_and_role(const PlanePart& plane, bool of_several) {
+  const std::string title(title_of(plane.name, plane.id));
+  const std::size_t colon = title.rfind(": ");
+  if (of_several || colon == std::string::npos) return {"", title};
+  return {title.substr(0, colon), title.substr(colon + 2)};
+}
+
+std::string folded_words(const Texts& t, const FoldedPasses& folded) {
+  std::string roles;
+  for (const PlanePart* plane : folded.planes) {
+    roles += (roles.empty() ? "" : ", ") + place_and_role(*plane, folded.of_several).second;
+    const bool is_advice = std::all_of(
+        plane->findings.begin(), plane->findings.end(), [](const rules::Finding& finding) {
+          return finding.requirement.severity == rules::Severity::advice;
+        });
+    if (is_advice) roles += fmt::format(" ({})", t[Text::note_advice]);
+  }
+  const rules::Finding& nearest = folded.nearest();
+  const rules::Requirement& requirement = nearest.requirement;
+  const char* unit = rules::unit_of(requirement);
+  const Threshold threshold{requirement.limit, requirement.comparison};
+  const PlanePart& plane = folded.plane_of_nearest();
+  return printable(t.say<Text::folded_passes>(
+      roles, place_and_role(plane, folded.of_several).second,
+      quantity_words(t, requirement, plane.kernel) + scene_words(t, requirement),
+      format_measured(t, nearest.measured, unit, threshold), format_required(t, threshold, unit)));
+}
+
+// What must be read with any of them, each text once. Masks are the standard's own and no doubt,
+// and that a role is advice only is said beside it.
+std::vector<std::string> folded_notes(const Texts& t, const FoldedPasses& folded) {
+  std::vector<std::string> notes;
+  const auto add = [&](const std::string& note) {
+    const bool is_new = std::find(notes.begin(), notes.end(), note) == notes.end();
+    if (!note.empty() && is_new) notes.push_back(note);
+  };
+  for (const PlanePart* plane : folded.planes) {
+    for (rules::Finding finding : plane->findings) {
+      finding.requirement.mask.id.clear();
+      finding.requirement.severity = rules::Severity::shall;
+      add(printable(note_words(t, finding)));
+    }
+    for (const std::string& remark : plane->remarks) add(printable(remark));
+  }
+  return notes;
+}
+
+void add_folded(const Texts& t, const SpacePart& space, const FoldedPasses& folded,
+                std::vector<TableLine>& lines) {
+  TableLine line;
+  line.colour = verdict_colour(rules::Verdict::pass);
+  line.cells[kVerdict] = verdict_cell(t, rules::Verdict::pass);
+  const std::string place = place_and_role(*folded.planes.front(), folded.of_several).first;
+  line.cells[kPlace] =
+      printable(title_of(space.name, space.id)) + (place.empty() ? "" : " / " + printable(place));
+  line.cells[kQuantity] = t.say<Text::requirements>(folded.requirements());
+  line.cells[kMargin] = format_margin(t, folded.nearest().margin);
+  lines.push_back(std::move(line));
+  lines.emplace_back().note = folded_words(t, folded);
+  for (std::string& note : folded_notes(t, folded)) lines.emplace_back().note = std::move(note);
+}
+
+// Folded passes stand where the first of their planes would.
+void add_planes(const Texts& t, const SpacePart& space, bool lists_passes,
+                std::vector<TableLine>& lines) {
+  const std::vector<FoldedPasses> all =
+      lists_passes ? std::vector<FoldedPasses>() : folded_passes(space);
+  for (const PlanePart& plane : space.planes) {
+    const auto folded = std::find_if(all.begin(), all.end(), [&](const FoldedPasses& one) {
+      return std::find(one.planes.begin(), one.planes.end(), &plane) != one.planes.end();
+    });
+    if (folded == all.end()) {
+      add_plane(t, space, plane, lines);
+    } else if (folded->planes.front() == &plane) {
+      add_folded(t, space, *folded, lines);
+    }
+  }
+}
+
+// "a, b, c and 3 more"
+std::string some_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 3;
+  const std::size_t named = std::min(names.size(), kMostNamed);
+  std::string text = fmt::format(
+      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  if (names.size() > named) text += fmt::format(" and {} more", names.size() - named);
+  return text;
+}
+
+// A long note that several requirements have is said once, "[1] ...", and then referred to.
+void number_repeated_notes(std::vector<TableLine>& lines) {
+  constexpr std::size_t kWorthIt = 60;  // characters; shorter ones are read as fast as a number
+  std::map<std::string, int> count, number;
+  for (const TableLine& line : lines) ++count[line.note];
+  std::vector<TableLine> shorter;
+  bool is_after_reference = false;
+  for (TableLine& line : lines) {
+    const std::string note = line.note;
+    const bool is_repeated = display_width(note) > kWorthIt && count[note] > 1;
+    const auto [mark, is_first] =
+        is_repeated ? number.try_emplace(note, static_cast<int>(number.size()) + 1)
+                    : std::pair(number.end(), false);
+    if (is_repeated) line.note = fmt::format("[{}]{}", mark->second, is_first ? " " + note : "");
+    const bool is_reference = is_repeated && !is_first;
+    if (is_reference && is_after_reference) {
+      shorter.back().note += " " + line.note;
+    } else {
+      shorter.push_back(std::move(line));
+    }
+    is_after_reference = is_reference;
+  }
+  lines = std::move(shorter);
+}
+
 void add_aggregate(const Texts& t, const ProjectPart& project,
                    const rules::AggregateFinding& finding, std::vector<TableLine>& lines) {
   TableLine line;
@@ -234,18 +356,39 @@ std::string render_line(const TableLine& line, const Widths& widths, bool colour
   return text + "\n";
 }
 
-std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project) {
+// Rows of workplaces of which the same is to be said, as one: "a, b and 6 more".
+std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowCoverage> rows) {
+  std::map<std::string, std::vector<std::string>> workplaces;  // by what is said
+  const auto said = [&](rules::RowCoverage row) {
+    if (!row.workplace.empty()) row.workplace = "?";
+    return coverage_words(t, row);
+  };
+  for (const rules::RowCoverage& row : rows) workplaces[said(row)].push_back(row.workplace);
+  std::vector<rules::RowCoverage> result;
+  for (rules::RowCoverage& row : rows) {
+    const auto names = workplaces.find(said(row));
+    if (names == workplaces.end()) continue;
+    row.workplace = some_names(names->second);
+    workplaces.erase(names);
+    result.push_back(std::move(row));
+  }
+  return result;
+}
+
+std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
+                                     bool lists_passes) {
   std::vector<TableLine> lines;
   for (const SpacePart& space : project.spaces) {
-    for (const PlanePart& plane : space.planes) add_plane(t, space, plane, lines);
+    add_planes(t, space, lists_passes, lines);
     for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
-    for (const rules::RowCoverage& row : space.coverage) {
+    for (const rules::RowCoverage& row : together(t, space.coverage)) {
       lines.emplace_back().note = coverage_words(t, row);
     }
   }
   for (const rules::AggregateFinding& finding : project.aggregates) {
     add_aggregate(t, project, finding, lines);
   }
+  number_repeated_notes(lines);
   if (!lines.empty()) lines.insert(lines.begin(), heading(t));
   return lines;
 }
@@ -268,7 +411,9 @@ std::string messages(const ProjectPart& project) {
 
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
   std::vector<std::vector<TableLine>> tables;
-  for (const ProjectPart& project : document.projects) tables.push_back(project_lines(t, project));
+  for (const ProjectPart& project : document.projects) {
+    tables.push_back(project_lines(t, project, options.lists_passes));
+  }
   const Widths widths = column_widths(t, tables, options.width);
   std::string text;
   for (std::size_t i = 0; i < tables.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-// The document as a table for terminals and logs: verdicts first, one line per requirement.
+// The document as a table for terminals and logs: verdicts first, one line per requirement; those
+// of workplaces that pass share lines, see folded_passes.h.
 
 #include "report/document/document.h"
 #include "report/text/texts.h"
@@ -12,7 +13,8 @@ struct TextOptions {
   bool colour = false;  // ANSI colours, beside words and symbols, never instead of them
   int width =
       0;  // columns of the terminal; 0: as wide as needed. Names are shortened, numbers never
-  bool has_messages = true;  // warnings and errors below each table; else they are said elsewhere
+  bool lists_passes = false;  // each by itself; else those of a workplace share a line
+  bool has_messages = true;   // warnings and errors below each table; else they are said elsewhere
 };
 
 // UTF-8, every line ends in '\n'. Holds the table of each project and one summary line, which

@@ -101,6 +101,13 @@ std::vector<Option> output_options(OutputOptions& options) {
        &options.redact}};
 }
 
+Option passes_option(bool& lists_passes) {
+  return {"--passes", "HOW",
+          "fold: in text, requirements of a workplace that pass with nothing to add share a line;\n"
+          "list: each has its own; default fold",
+          choice<bool>(lists_passes, {{"fold", false}, {"list", true}})};
+}
+
 Option color_option(ColorChoice& target) {
   return {"--color", "WHEN",
           "auto, always or never; auto obeys NO_COLOR, CLICOLOR_FORCE, TERM=dumb and the terminal",

@@ -28,12 +28,15 @@ struct OutputOptions {
   report::Language language = report::Language::english;  // of HTML, Markdown and text
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
   bool redact = false;                                    // see report::redact()
+  bool lists_passes = false;                              // see report::TextOptions
   bool quiet = false;                                     // no text unless asked for
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   ColorChoice color = ColorChoice::automatic;
 };
 
 std::vector<Option> output_options(OutputOptions& options);
+// --passes
+Option passes_option(bool& lists_passes);
 // --color
 Option color_option(ColorChoice& target);
 // "" = nothing is wrong.

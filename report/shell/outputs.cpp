@@ -260,11 +260,13 @@ std::vector<std::string> write_outputs(const OutputOptions& options,
                                        const std::set<std::string>& inputs) {
   Writer writer(inputs);
   const report::Texts t = report_texts(options);
+  report::TextOptions files;
+  files.lists_passes = options.lists_passes;
   for (const OutputFormat& format : planned_files(options)) {
     if (format.format->is_html && options.html_split) {
       write_html_pages(format.file, document, t, writer);
     } else {
-      writer.write(format.file, [&] { return format.format->render(document, {{}, t}); });
+      writer.write(format.file, [&] { return format.format->render(document, {files, t}); });
     }
   }
   if (options.images) write_images(options.folder, document, t, writer);
@@ -280,7 +282,8 @@ bool write_results(const OutputOptions& options, const Environment& environment,
   }
   if (const report::Format* format = stdout_format(options)) {
     const report::TextOptions terminal{use_color(options.color, environment),
-                                       environment.stdout_columns, !options.are_messages_printed};
+                                       environment.stdout_columns, options.lists_passes,
+                                       !options.are_messages_printed};
     if (!print_result(format->render(document, {terminal, report_texts(options)}))) {
       print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
       is_written = false;

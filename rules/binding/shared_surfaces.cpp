@@ -58,22 +58,26 @@ bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
                     });
 }
 
-// "a, b and 3 more"
+// Of a plane that several workplaces ask for, the others than the first.
 std::string shared_with(const calc::CalcPlane& plane) {
-  constexpr std::size_t kMostNamed = 3;
   std::vector<std::string> ids;
   for (const calc::RequirementText& text : plane.requirements) {
     ids.insert(ids.end(), text.workplaces.begin(), text.workplaces.end());
   }
   ids.erase(ids.begin());  // who has made it
-  const std::size_t named = std::min(ids.size(), kMostNamed);
-  std::string words = fmt::format(
-      "{}", fmt::join(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(named), ", "));
-  if (ids.size() > named) words += fmt::format(" and {} more", ids.size() - named);
-  return words;
+  return some_names(ids);
 }
 
 }  // namespace
+
+std::string some_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 3;
+  const std::size_t named = std::min(names.size(), kMostNamed);
+  std::string words = fmt::format(
+      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  if (names.size() > named) words += fmt::format(" and {} more", names.size() - named);
+  return words;
+}
 
 std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RulePack& pack,
                                         const calc::Space& space) {

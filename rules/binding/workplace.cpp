@@ -103,6 +103,8 @@ class WorkplaceMaker {
 
   // By run().
   const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
+  // "EN 12464-1:2021 34.2: left out: ceiling (open)"; "" = there is nothing to say.
+  std::string note() const { return note_words(); }
 
   // After check_zones() without an error. Nothing is added after an error.
   void run(PlaneIds& ids, Total& total) {
@@ -131,7 +133,6 @@ class WorkplaceMaker {
     if (diagnostics_.error_count() > errors) return;
     for (const auto& [twin, plane] : shared) ask_also(space_.planes[twin], plane);
     for (calc::CalcPlane& plane : own) space_.planes.push_back(std::move(plane));
-    if (const std::string note = note_words(); !note.empty()) space_.notes.push_back(note);
   }
 
  private:
@@ -315,7 +316,7 @@ class WorkplaceMaker {
     const auto joined = [](const std::vector<std::string>& list) {
       return fmt::format("{}", fmt::join(list, ", "));
     };
-    std::string text = fmt::format("workplace {}, {}: ", workplace_.id, rule_words());
+    std::string text = rule_words() + ": ";
     if (!left_out_.empty()) text += "left out: " + joined(left_out_);
     if (!left_out_.empty() && !not_made_.empty()) text += "; ";
     if (!not_made_.empty()) text += "not made: " + joined(not_made_);
@@ -345,9 +346,27 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
                       scene, names);
 }
 
+// By workplace, in their order; "" = nothing to say.
+using WorkplaceNotes = std::vector<std::pair<std::string, std::string>>;
+
+// What is the same of several is said once: "workplaces a, b and 6 more, ...".
+void add_notes(const WorkplaceNotes& notes, calc::Space& space) {
+  std::map<std::string, std::vector<std::string>> ids;  // by note
+  for (const auto& [id, note] : notes) ids[note].push_back(id);
+  for (const auto& [id, note] : notes) {
+    const auto of_note = ids.find(note);
+    if (note.empty() || of_note == ids.end()) continue;
+    const bool is_one = of_note->second.size() == 1;
+    space.notes.push_back(
+        fmt::format("workplace{} {}, {}", is_one ? "" : "s", some_names(of_note->second), note));
+    ids.erase(of_note);
+  }
+}
+
 void make_planes(Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
-                 PlaneIds& ids, Total& total, calc::Diagnostics& diagnostics) {
+                 PlaneIds& ids, Total& total, WorkplaceNotes& notes,
+                 calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
   const bool is_grid = workplace.element.name == "workplace-grid";
   reader.allow_attributes(is_grid ? workplace_grid_element() : workplace_element());
@@ -366,6 +385,7 @@ void make_planes(Workplace& workplace, calc::Space& space,
   if (!workplace.is_good || !reader.ok()) return;
   maker.run(ids, total);
   workplace.unmade = maker.unmade();
+  if (reader.ok()) notes.emplace_back(workplace.id, maker.note());
 }
 
 }  // namespace
@@ -378,12 +398,14 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
   }
   for (calc::Space& space : project.spaces) {
+    WorkplaceNotes notes;
     std::size_t errors = 0;  // before the first copy
     for (Workplace& workplace : space.workplaces) {
       if (!workplace.is_further_copy) errors = diagnostics.error_count();
       if (workplace.is_further_copy && diagnostics.error_count() > errors) continue;
-      make_planes(workplace, space, project.scenes, packs, ids, total, diagnostics);
+      make_planes(workplace, space, project.scenes, packs, ids, total, notes, diagnostics);
     }
+    add_notes(notes, space);
     name_shared_planes(space);
   }
 }

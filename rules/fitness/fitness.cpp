@@ -2,6 +2,7 @@
 
 #include "calc/base/names.h"
 #include "rules/fitness/lost_points.h"
+#include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
 
 #include <fmt/format.h>
@@ -195,7 +196,21 @@ class PlaneFit {
 
   std::string points(const Meant& meant) const {
     if (lost().share() <= meant.plane.missing_share) return {};
+    if (is_beside_the_task(meant.plane) && share_lost_otherwise() <= meant.plane.missing_share) {
+      return {};
+    }
     return lost().words;
+  }
+
+  // A band goes as far as there is room, to a wall or a rack.
+  static bool is_beside_the_task(const RulePlane& role) {
+    return role.area == ZoneArea::band || role.area == ZoneArea::task_and_band;
+  }
+
+  // Of the points that are not in obstacles, those that are left out.
+  double share_lost_otherwise() const {
+    const std::size_t in_obstacles = points_in_obstacles(context_.grid, context_.space);
+    return LostPoints{lost().lost - in_obstacles, lost().all - in_obstacles, ""}.share();
   }
 
   const FitContext& context_;

@@ -46,6 +46,40 @@ Asked& asked_by(std::vector<Asked>& all, Asked about) {
   return all.emplace_back(std::move(about));
 }
 
+// That it could not make a plane of the role, and by itself asks nothing of it.
+bool lacks(const Asked& asked, const std::string& role) {
+  const std::vector<calc::UnmadeZone>& unmade = asked.workplace->unmade;
+  return std::any_of(unmade.begin(), unmade.end(),
+                     [&](const calc::UnmadeZone& zone) {
+                       return zone.role == role && !zone.is_left_out;
+                     }) &&
+         std::none_of(asked.findings.begin(), asked.findings.end(),
+                      [&](const auto& finding) { return finding.first->role == role; });
+}
+
+// A board that the project draws itself belongs to the row of the classroom's workplace, which
+// could not know where it hangs: <require> elements of the same row are part of what is asked
+// there.
+void join_planes(std::vector<Asked>& all) {
+  for (Asked& planes : all) {
+    if (planes.workplace != nullptr) continue;
+    std::vector<std::pair<const RuleCheck*, const Finding*>> apart;
+    std::vector<std::pair<Asked*, decltype(apart)::value_type>> joined;
+    for (const auto& finding : planes.findings) {
+      const std::size_t before = joined.size();
+      for (Asked& asked : all) {
+        const bool is_same_row = asked.workplace != nullptr && asked.pack == planes.pack &&
+                                 asked.row == planes.row && asked.level == planes.level;
+        if (is_same_row && lacks(asked, finding.first->role)) joined.emplace_back(&asked, finding);
+      }
+      if (joined.size() == before) apart.push_back(finding);
+    }
+    for (const auto& [asked, finding] : joined) asked->findings.push_back(finding);
+    planes.findings = std::move(apart);
+  }
+  std::erase_if(all, [](const Asked& asked) { return asked.findings.empty(); });
+}
+
 std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPlane>& planes,
                             const std::vector<RulePack>& packs) {
   std::vector<Asked> all;
@@ -68,6 +102,7 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
   }
   std::stable_partition(all.begin(), all.end(),
                         [](const Asked& asked) { return asked.workplace != nullptr; });
+  join_planes(all);
   return all;
 }
 

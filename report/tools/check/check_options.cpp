@@ -35,6 +35,7 @@ std::vector<Option> document_options(CheckOptions& options) {
       {"--explain-cost", "",
        "Print predicted beside true work to standard error: see 'luxgate plan'",
        &options.explain_cost},
+      passes_option(options.output.lists_passes),
       color_option(options.output.color)};
 }
 

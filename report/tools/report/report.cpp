@@ -48,7 +48,8 @@ Command report_syntax(ReportOptions& options) {
   command.places = {
       {"result", "RESULT.json", "A file that 'check --format json' wrote", &options.result_file}};
   command.options = output_options(options.output);
-  add(command.options, {color_option(options.output.color), quiet_option(options.output.quiet)});
+  add(command.options, {passes_option(options.output.lists_passes),
+                        color_option(options.output.color), quiet_option(options.output.quiet)});
   command.footer = "Exit codes: 0 written, whatever the verdicts are; 2 an error.";
   command.complete = [&options](const Environment&) {
     return output_contradiction(options.output);

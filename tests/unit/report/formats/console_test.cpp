@@ -52,6 +52,105 @@ TEST(Console, WhatAProjectChangesAboutAZoneAndLeavesOutIsTold) {
   EXPECT_THAT(render_text(document), HasSubstr("└ workplace desk: left out: ceiling (open)\n"));
 }
 
+// Two planes of a workplace that pass, and one that does not.
+Document workplace_document() {
+  Document document = small_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes[0].findings.resize(1);  // that passes
+  planes[0].made_by = "workplace desk, task: the whole room";
+  planes[0].findings[0].requirement.origin.workplaces = {"desk"};
+  const auto add = [&](const std::string& role) {
+    planes.push_back(planes[0]);
+    planes.back().name = "Desk: " + role;
+  };
+  add("surround");
+  add("observer 1");
+  planes[0].name = "Desk: task";
+  planes[2].findings[0].verdict = rules::Verdict::fail;
+  planes[1].findings[0].margin = 0.01;
+  return document;
+}
+
+TEST(Console, PassesOfAWorkplaceShareALine) {
+  Document document = workplace_document();
+  EXPECT_EQ(render_text(document),
+            R"(office.xml: Small office
+  verdict  room / plane                quantity        required        measured  margin
+  ✓ pass   Office / Desk               2 requirements                            +1.0 %
+           └ task, surround; nearest to its limit: surround, average 512.5 ± 4.0 lx, required ≥ 500 lx
+  ✗ FAIL   Office / Desk: observer 1   average         ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
+
+3 requirements: 2 pass, 1 fail
+)");
+  TextOptions options;
+  options.lists_passes = true;
+  EXPECT_THAT(render_text(document, options), HasSubstr("Office / Desk: task"));
+}
+
+// Nothing that somebody has to decide about disappears in a line with others.
+TEST(Console, WhatHasToBeReadIsNotFolded) {
+  const auto folds = [](auto&& change) {
+    Document document = workplace_document();
+    change(document.projects[0].spaces[0].planes[1]);
+    return render_text(document).find("2 requirements:") == std::string::npos &&
+           render_text(document).find("nearest to its limit") != std::string::npos;
+  };
+  EXPECT_TRUE(folds([](PlanePart&) {}));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.changed = "height 1 m instead of 0.75 m"; }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.single_sample_points = 2; }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].is_close = true; }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].by_tolerance = true; }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].reason = "because"; }));
+  EXPECT_FALSE(
+      folds([](PlanePart& plane) { plane.findings[0].requirement.deviations.emplace_back(); }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.findings[0].requirement.waiver.emplace(); }));
+  EXPECT_FALSE(folds([](PlanePart& plane) { plane.made_by.clear(); }));
+}
+
+TEST(Console, AdviceAmongFoldedPassesIsNamed) {
+  Document document = workplace_document();
+  document.projects[0].spaces[0].planes[1].findings[0].requirement.severity =
+      rules::Severity::advice;
+  EXPECT_THAT(render_text(document),
+              HasSubstr("└ task, surround (advice: does not count); nearest to its limit: task, "));
+}
+
+TEST(Console, NotesOfFoldedPassesAreSaid) {
+  Document document = workplace_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes[1].findings[0].requirement.note = "one public source";
+  planes[1].remarks = {"a remark"};
+  EXPECT_THAT(render_text(document), HasSubstr("└ one public source\n           └ a remark\n"));
+}
+
+TEST(Console, LongNotesThatComeAgainAreNumbered) {
+  Document document = workplace_document();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  const std::string lengthy(80, 'x');
+  for (PlanePart& plane : planes) plane.findings[0].requirement.note = lengthy;
+  TextOptions options;
+  options.lists_passes = true;
+  const std::string text = render_text(document, options);
+  EXPECT_THAT(text, HasSubstr("└ [1] " + lengthy + "\n"));
+  EXPECT_EQ(text.find(lengthy), text.rfind(lengthy));
+  EXPECT_THAT(text, HasSubstr("surround    average"));
+  EXPECT_THAT(text, HasSubstr("└ [1]\n"));
+}
+
+TEST(Console, RowsOfWhichTheSameIsToBeSaidShareALine) {
+  Document document = small_document();
+  rules::RowCoverage row{"g[0,0]", "EN 12464-1:2021 34.2", {{"task", rules::RoleState::met, ""}}};
+  std::vector<rules::RowCoverage>& rows = document.projects[0].spaces[0].coverage;
+  for (const char* id : {"a", "b", "c", "d", "e"}) {
+    row.workplace = id;
+    rows.push_back(row);
+  }
+  rows[1].roles[0].state = rules::RoleState::never_asked;
+  const std::string text = render_text(document);
+  EXPECT_THAT(text, HasSubstr("└ a, c, d and 1 more, EN 12464-1:2021 34.2: the whole row is met"));
+  EXPECT_THAT(text, HasSubstr("└ b, EN 12464-1:2021 34.2: not the whole row is asked"));
+}
+
 TEST(Console, QuantitiesThatAreNotPlanarAreNamed) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];

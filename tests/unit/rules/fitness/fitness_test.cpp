@@ -211,6 +211,23 @@ TEST(Fitness, PointsThatAreLostAreNamedWithEveryRequirement) {
   EXPECT_THAT(fit(setting).aspects("task.Em"), ElementsAre("points"));
 }
 
+// A band round a task ends at a rack as at a wall, but not at a table top drawn too high; and the
+// task itself may not be in a rack.
+TEST(Fitness, ABandEndsAtWhatStandsThere) {
+  Setting setting{"height='0.75' margin='0.5'", "pack='en12464-1:2021' row='34.2' role='surround'"};
+  const auto refused = [&](const std::string& box) {
+    setting.objects = "<box id='b' " + box + " material='m'/>";
+    return fit(setting).aspects("surround.Em");
+  };
+  EXPECT_THAT(refused("size='6 8 1.4' position='0 0 0'"), IsEmpty());
+  EXPECT_THAT(fit(setting).first().note, HasSubstr("points are left out:"));
+  EXPECT_THAT(refused("size='6 8 1.2' position='0 0 0'"), ElementsAre("points"));
+  EXPECT_THAT(refused("size='6 8 0.1' position='0 0 0.7'"), ElementsAre("points"));
+  setting.require = kDeskWork;
+  setting.objects = "<box id='b' size='6 8 1.4' position='0 0 0' material='m'/>";
+  EXPECT_THAT(fit(setting).aspects("task.Em"), ElementsAre("points"));
+}
+
 TEST(Fitness, AListMayNotFaceElsewhere) {
   calc::CalcPlane list;
   list.area = calc::PointList{"", {{0, 0, 1}, {1, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}, {}};
@@ -293,6 +310,7 @@ TEST(Fitness, AFloatingPlaneIsNoWall) {
 // What fits, and how each aspect is spoilt, by role. In a room of 12 m x 8 m x 3 m.
 struct RolePlane {
   std::string fits, turned, lifted, drawn;
+  double top_m = 3.0;  // of what swallows points
 };
 
 RolePlane plane_of(const std::string& role) {
@@ -311,20 +329,20 @@ RolePlane plane_of(const std::string& role) {
   if (role == "vertical" || role == "safety-item") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
   }
-  if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), ""};
+  if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), "", 1.1};
   if (role == "cylinder") {
     const std::string quantity = " quantity='cylindrical'";
-    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, "", 1.5};
   }
   if (role == "modelling") {
     const std::string quantity = " quantity='modelling'";
-    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, "", 1.5};
   }
   if (role == "observer") {
     const std::string quantity = " quantity='ugr' direction='1 0 0'";
-    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, ""};
+    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, "", 1.5};
   }
-  return {flat(0), turned(0), flat(1), ""};
+  return {flat(0), turned(0), flat(1), "", 0.4};
 }
 
 Setting spoilt(const Setting& whole, const RolePlane& plane, const std::string& aspect) {
@@ -338,8 +356,9 @@ Setting spoilt(const Setting& whole, const RolePlane& plane, const std::string& 
     if (own != std::string::npos) setting.plane.resize(own);
     setting.plane += " margin='0.75'";
   }
-  if (aspect == "points") {
-    setting.objects = "<box id='b' size='8 3 3' position='3.3 0 0' material='m'/>";
+  if (aspect == "points") {  // less than 0.5 m above the plane: no rack, where a band would end
+    setting.objects =
+        fmt::format("<box id='b' size='8 3 {}' position='3.3 0 0' material='m'/>", plane.top_m);
   }
   if (aspect == "maintenance") setting.root = "";
   return setting;

@@ -33,7 +33,8 @@ struct Covered {
   }
 };
 
-Covered cover(const std::string& inside, Verdict verdict = Verdict::pass) {
+Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
+              const std::vector<RulePack>& packs = builtin_rule_packs()) {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.7'/>"
       "<luminaire-type id='spot' photometry='spot.ies'/><scene id='em'><dim group='e' level='1'/>"
@@ -42,7 +43,6 @@ Covered cover(const std::string& inside, Verdict verdict = Verdict::pass) {
   calc::Diagnostics diagnostics;
   Covered covered;
   const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
-  const std::vector<RulePack> packs = builtin_rule_packs();
   const auto judged = load_judged_project(files, "p.xml", packs, diagnostics);
   for (const auto& d : diagnostics.all()) {
     if (d.severity() == calc::Severity::error) ADD_FAILURE() << format_diagnostic(d);
@@ -117,6 +117,44 @@ TEST(RowCoverage, EachOfSeveralWorkplacesHasItsWholeRow) {
   EXPECT_EQ(covered.rows[2].clause, "EN 12464-1:2021 34.7");
   for (const RowCoverage& row : covered.rows) EXPECT_TRUE(row.is_whole()) << row.workplace;
   EXPECT_EQ(covered.roles(1), covered.roles(0));
+}
+
+// A pack whose workplaces make the desks, and cannot know where the board hangs.
+std::vector<RulePack> school() {
+  const std::string xml =
+      "<rule-pack id='school' edition='1' title='School' version='1' kind='contract' "
+      "status='published' licence='internal' role='task'>"
+      "<parameter id='E' unit='lx' meaning='m'/>"
+      "<plane role='task' orientation='horizontal-up' area='task' height='0.75'/>"
+      "<plane role='board' orientation='vertical'/>"
+      "<row ref='class' name='c' trust='confirmed'><value of='E' required='300'/></row>"
+      "<check id='task.Em' role='task' quantity='planar' statistic='average' at-least='row(E)' "
+      "trust='confirmed'/>"
+      "<check id='board.Em' role='board' quantity='planar' statistic='average' at-least='row(E)' "
+      "trust='confirmed'/></rule-pack>";
+  calc::Diagnostics diagnostics;
+  std::vector<RulePack> packs{parse_rule_pack(xml, "own.xml", diagnostics).value_or(RulePack{})};
+  for (const auto& d : diagnostics.all()) ADD_FAILURE() << format_diagnostic(d);
+  return packs;
+}
+
+TEST(RowCoverage, APlaneOfTheProjectIsPartOfTheRowOfAWorkplaceThatLacksIt) {
+  const std::string desks = "<workplace id='w' pack='school' row='class'/>";
+  const std::string board =
+      "<plane id='b' origin='1 0.1 1' u='-1 0 0' v='0 0 1'><require pack='school' row='class' "
+      "role='board'/></plane>";
+  EXPECT_THAT(cover(desks, Verdict::pass, school()).roles(),
+              ElementsAre("task met", "board not-made"));
+  const Covered both = cover(desks + board, Verdict::pass, school());
+  ASSERT_EQ(both.rows.size(), 1u);
+  EXPECT_EQ(both.rows[0].workplace, "w");
+  EXPECT_THAT(both.roles(), ElementsAre("task met", "board met"));
+  EXPECT_THAT(cover(desks + board, Verdict::fail, school()).roles(),
+              ElementsAre("task failed", "board failed"));
+  // A second task is nothing that the workplace lacks.
+  const std::string task =
+      "<plane id='t' height='0.75'><require pack='school' row='class'/></plane>";
+  EXPECT_EQ(cover(desks + task, Verdict::pass, school()).rows.size(), 2u);
 }
 
 TEST(RowCoverage, ARoleIsWhatItsGravestFindingIs) {
