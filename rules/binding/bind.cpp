@@ -11,6 +11,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace rules {
 namespace {
@@ -52,6 +54,24 @@ void narrow_strips(Mask& mask, double margin_m) {
   }
 }
 
+// Copies of a workplace have one element, and what is wrong with it is said once.
+class ElementsOnce {
+ public:
+  std::vector<Requirement> read(const calc::RequirementText& text,
+                                const RequirementContext& context, calc::Diagnostics& diagnostics) {
+    const calc::SourceLocation& where = text.element.where;
+    const auto key = std::tuple(where.file, where.line, where.column, text.role);
+    if (wrong_.contains(key)) return {};
+    const std::size_t errors = diagnostics.error_count();
+    std::vector<Requirement> requirements = read_requirement(text, context, diagnostics);
+    if (diagnostics.error_count() > errors) wrong_.insert(key);
+    return requirements;
+  }
+
+ private:
+  std::set<std::tuple<std::string, int, int, std::string>> wrong_;
+};
+
 struct PowerOfSpace {
   calc::InstalledPower power;
   calc::LightingEnergy energy;
@@ -70,11 +90,11 @@ void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
 }
 
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
-                const PowerOfSpace& of_space, calc::Diagnostics& diagnostics,
-                std::vector<Requirement>& bound) {
+                const PowerOfSpace& of_space, ElementsOnce& elements,
+                calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   for (const calc::RequirementText& text : plane.requirements) {
-    for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
+    for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
       if (is_about_power(requirement.metric)) set_power(of_space, requirement);
@@ -121,12 +141,13 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            const std::vector<RulePack>& packs,
                                            calc::Diagnostics& diagnostics) {
   std::vector<Requirement> bound;
+  ElementsOnce elements;
   for (const calc::Space& space : project.spaces) {
     const calc::InstalledPower power = calc::installed_power(project, space);
     const PowerOfSpace of_space{power, calc::lighting_energy(project, space, power)};
     for (const calc::CalcPlane& plane : space.planes) {
       bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
-                 of_space, diagnostics, bound);
+                 of_space, elements, diagnostics, bound);
     }
   }
   warn_about_maintenance(project, bound, diagnostics);
@@ -135,6 +156,7 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
 
 void check_requirements(const calc::Project& project, const std::vector<RulePack>& packs,
                         calc::Diagnostics& diagnostics) {
+  ElementsOnce elements;
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
       const RequirementContext context{
@@ -142,7 +164,7 @@ void check_requirements(const calc::Project& project, const std::vector<RulePack
           plane.derived, plane.is_quantity_known};
       const PlaneIds ids(plane, diagnostics);
       for (const calc::RequirementText& text : plane.requirements) {
-        read_requirement(text, context, diagnostics);
+        elements.read(text, context, diagnostics);
       }
     }
   }

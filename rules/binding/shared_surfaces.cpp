@@ -49,6 +49,7 @@ std::vector<const calc::XmlElement*> children_that_ask(const calc::XmlElement& w
 
 bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
   for (const RequirementAttribute& attribute : requirement_attributes()) {
+    if (!attribute.of_workplace) continue;
     if (attribute_of(a, attribute.name) != attribute_of(b, attribute.name)) return false;
   }
   const auto ours = children_that_ask(a), theirs = children_that_ask(b);

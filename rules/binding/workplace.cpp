@@ -342,8 +342,8 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
   calc::Names names;
   for (const calc::LightScene& candidate : scenes) names.emplace_back(candidate.id);
   if (scene.empty() || std::find(names.begin(), names.end(), scene) != names.end()) return;
-  report_unknown_name(reader.diagnostics(), reader.where("scene"), "scene", "workplace", "scene",
-                      scene, names);
+  report_unknown_name(reader.diagnostics(), reader.where("scene"), "scene", reader.element().name,
+                      "scene", scene, names);
 }
 
 // By workplace, in their order; "" = nothing to say.

@@ -234,7 +234,7 @@ TEST(Fitness, AListMayNotFaceElsewhere) {
   calc::SensorGrid grid;
   grid.position_m = std::get<calc::PointList>(list.area).position_m;
   Requirement requirement;
-  requirement.origin = {"rp-8:2014", "vertical.min", "medium", false, {}};
+  requirement.origin = {"rp-8:2014", "vertical.min", "medium", {}, {}};
   std::vector<Requirement> requirements{requirement};
   const std::vector<RulePack> packs = builtin_rule_packs();
   check_fitness({calc::Project{}, calc::Space{}, list, grid, packs, kToday}, requirements);
