@@ -1,5 +1,6 @@
 #include "rules/measure/measure.h"
 
+#include "calc/scene/polygon.h"
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
@@ -32,8 +33,19 @@ std::size_t nearest_point(const calc::SensorGrid& grid, const glm::dvec3& wanted
   return static_cast<std::size_t>(nearest - grid.position_m.begin());
 }
 
+// In the cell of the point, or on its edge, and not a step above or below it.
+bool is_near_on_route(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& wanted_m) {
+  constexpr double kSameStep_m = 0.1;
+  const calc::RouteCells cells = grid.route->cells(grid.rows);
+  return std::abs(grid.position_m[point].z - wanted_m.z) <= kSameStep_m &&
+         calc::contains_point(cells.corners_m(grid.column[point], grid.row[point]),
+                              glm::dvec2(wanted_m));
+}
+
 // Within half a cell along the plane's axes and, across the plane, half of the cell's shorter side.
-bool is_near(const calc::SensorGrid& grid, const glm::dvec3& offset_m) {
+bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& wanted_m) {
+  if (grid.route) return is_near_on_route(grid, point, wanted_m);
+  const glm::dvec3 offset_m = grid.position_m[point] - wanted_m;
   if (grid.columns == 0) return glm::length(offset_m) <= kListPointToleranceMetres;
   constexpr double kBinaryNoise_m = 1e-9;  // a place midway between two points is near both
   const double half_u = 0.5 * grid.spacing_u_m + kBinaryNoise_m;
@@ -279,7 +291,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     const glm::dvec3 wanted_m = requirement.point_m.value();
     point = nearest_point(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
-    if (!is_near(grid, nearest_m - wanted_m)) {
+    if (!is_near(grid, *point, wanted_m)) {
       return nothing_to_measure(
           fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
                       point_text(wanted_m), point_text(nearest_m)));
