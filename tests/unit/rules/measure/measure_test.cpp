@@ -187,6 +187,8 @@ TEST(Measure, AValueOnARouteIsOfTheCellAround) {
   };
   const glm::dvec3 third = grid.position_m[2];
   EXPECT_EQ(measured(third + glm::dvec3(0.3, 0.15, 0)).metric->estimate.value, 2.0);
+  // In the last cell of the outer row before the mitre, but nearer to the centre of the next one.
+  EXPECT_EQ(measured({4.58, -0.585, 0}).metric->estimate.value, 4.0);
   EXPECT_FALSE(measured(third + glm::dvec3(0, 0, 0.2)).metric);
   EXPECT_FALSE(measured(third - glm::dvec3(0, 0.3, 0)).metric);
   EXPECT_THAT(measured({4.5, -5, 0}).reason, testing::HasSubstr("no calculation point within"));
