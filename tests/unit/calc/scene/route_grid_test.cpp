@@ -118,6 +118,7 @@ TEST(RouteGrid, LiesOnTheGroundInTheOpen) {
   const Made made = make(route_of({{1, 0, 0.1}, {4, 0, 0.2}}, 1.5, 0.02));
   EXPECT_EQ(made.messages, "");
   EXPECT_EQ(made.grid->columns, 6);
+  EXPECT_DOUBLE_EQ(made.grid->route->height_m, 0.02);
   EXPECT_EQ(made.grid->position_m.size(), 30u);
   for (const glm::dvec3& point : made.grid->position_m) EXPECT_DOUBLE_EQ(point.z, 0.02);
   for (const glm::dvec3& normal : made.grid->normal) EXPECT_EQ(normal, glm::dvec3(0, 0, 1));

@@ -65,7 +65,11 @@ class Site {
     area.outline_m = square(side_m);
     plane.area = area;
     if (side_m == 0.0) plane.area = calc::PointList{};
-    if (side_m < 0.0) plane.area = calc::EscapeRoute{{{{0, 0, 0}, {-side_m, 0, 0}}, -side_m}};
+    if (side_m < 0.0) {
+      calc::EscapeRoute route;
+      route.line = {{{0, 0, 0}, {-side_m, 0, 0}}, -side_m};
+      plane.area = route;
+    }
     findings_.emplace_back();
     judged_.push_back({&rooms_.back(), &plane, &findings_.back()});
   }
