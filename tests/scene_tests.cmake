@@ -9,6 +9,8 @@ luxgate_test(scene_tests
     unit/calc/scene/polygon_cut_test.cpp
     unit/calc/scene/polygon_test.cpp
     unit/calc/scene/prepared_scene_test.cpp
+    unit/calc/scene/route_grid_test.cpp
+    unit/calc/scene/route_shape_test.cpp
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
     unit/calc/base/csv_test.cpp
@@ -33,6 +35,7 @@ luxgate_test(scene_tests
     unit/calc/project/project_xml_object_messages_test.cpp
     unit/calc/project/project_xml_plane_messages_test.cpp
     unit/calc/project/project_xml_test.cpp
+    unit/calc/project/route_xml_test.cpp
     unit/calc/project/spaces_xml_test.cpp
     unit/calc/project/workplace_xml_test.cpp
     unit/calc/scene/zone_shapes_test.cpp

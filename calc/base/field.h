@@ -108,6 +108,8 @@ struct PlaneField {
   // illuminance (all channels at full output), >= 0. Near 1 or above the value rests on one sample
   // and its t-interval is not to be trusted. Empty when nothing was sampled.
   std::vector<float> largest_share;
+  // [point]: what it counts in averages, in any unit; empty: all alike. See point_weights().
+  std::vector<double> point_weight;
   // Looks that the plane might have taken, a number fixed before the first: its intervals hold over
   // all of them together. 1: only one was planned, or nothing was sampled.
   int looks_planned = 1;

@@ -59,7 +59,7 @@ class PlaneReader {
   PlaneReader(ProjectContext& context, ElementReader& reader, const PlaneSurroundings& around)
       : context_(context), reader_(reader), around_(around) {}
 
-  std::optional<std::variant<PlanarArea, PointList>> read() {
+  std::optional<PlaneArea> read() {
     const std::string_view form = find_form();
     if (form.empty()) return std::nullopt;
     if (around_.is_gbxml && !fits_gbxml_room(form)) return std::nullopt;
@@ -231,7 +231,7 @@ class PlaneReader {
     report_unknown_reference(reader_, "on-top-of", "box", id, known);
   }
 
-  std::optional<std::variant<PlanarArea, PointList>> read_point_list() {
+  std::optional<PlaneArea> read_point_list() {
     for (const std::string_view name : {"margin", "count", "spacing", "rounding"}) {
       if (!reader_.has(name)) continue;
       reader_.report(DiagnosticId::attribute_without_meaning, reader_.where(name), "plane", name,
@@ -350,9 +350,7 @@ GridText read_grid(ProjectContext& context, ElementReader& reader) {
   return {read_grid_rule(context, reader), is_given};
 }
 
-CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
-                     const PlaneSurroundings& surroundings) {
-  reader.allow(kPlaneElement);
+CalcPlane read_named_plane(ProjectContext& context, ElementReader& reader) {
   CalcPlane plane;
   plane.id = reader.id();
   context.planes.add(reader, plane.id, 0);
@@ -361,6 +359,13 @@ CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
   for (const XmlElement& child : reader.element().children) {
     if (child.name == "require") plane.requirements.push_back({child, ""});
   }
+  return plane;
+}
+
+CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
+                     const PlaneSurroundings& surroundings) {
+  reader.allow(kPlaneElement);
+  CalcPlane plane = read_named_plane(context, reader);
   auto area = PlaneReader(context, reader, surroundings).read();
   read_quantity(reader, plane);
   plane.travel = read_travel(reader);

@@ -31,6 +31,9 @@ struct GridText {
 };
 GridText read_grid(ProjectContext& context, ElementReader& reader);
 
+// What every element has that is a plane: id, name, place and requirements.
+CalcPlane read_named_plane(ProjectContext& context, ElementReader& reader);
+
 // After an error only its id and its requirements are of use.
 CalcPlane read_plane(ProjectContext& context, ElementReader& reader,
                      const PlaneSurroundings& surroundings);

@@ -112,6 +112,12 @@ const ValueType kCornersType{
     .item = &kNumberType,
     .least = 3 * 3,
     .most = 3 * kCornerLimit};
+const ValueType kRouteLineType{.name = "routeLine",
+                               .meaning = "2 to 200 corners x y z, in order.",
+                               .pattern = "[^ ]+ [^ ]+ [^ ]+( [^ ]+ [^ ]+ [^ ]+)*",
+                               .item = &kNumberType,
+                               .least = 3 * 2,
+                               .most = 3 * kRouteCornerLimit};
 
 // Of single attributes.
 const ValueType kMeshFormatType{
@@ -183,7 +189,7 @@ constexpr std::string_view kOfRoot =
 <xs:key name="luminaireTypeId"><xs:selector xpath="luminaire-type"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="sceneId"><xs:selector xpath="scene"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="roomId"><xs:selector xpath="room"/><xs:field xpath="@id"/></xs:key>
-<xs:key name="planeId"><xs:selector xpath=".//plane"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="planeId"><xs:selector xpath=".//plane|.//route"/><xs:field xpath="@id"/></xs:key>
 <xs:unique name="openObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
 <xs:unique name="openLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>
 <xs:keyref name="sceneOfRequirement" refer="sceneId"><xs:selector xpath=".//require|.//workplace"/><xs:field xpath="@scene"/></xs:keyref>
@@ -481,6 +487,26 @@ four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylind
                     "less than twice the other, else they go along the longer one."}},
     .children = {{"hole", &kHoleElement}, {"require", &kRequireElement}}};
 
+const ElementRow kRouteElement{
+    .type = "route",
+    .meaning =
+        R"(An escape route: a strip of a width about a centre line, which may have bends and stairs. Its points follow the
+line in rows, an odd number of them, so that one is on the line; their normals are vertical, and they lie on the
+surface that people walk on: the highest one between 0.5 m below and 0.3 m above the line. What is higher, up to 1 m,
+stands in the way. A room's floor is such a surface, in the open z = 0 where there is none below. Masks of rule packs
+go by the line and the width.)",
+    .attributes = {kIdAttribute,
+                   kNameAttribute,
+                   {"points", &kRouteLineType, required,
+                    "The centre line; z: the walking surface about there."},
+                   {"width", &kPositiveType, required},
+                   {"height", &kNonNegativeType, optional,
+                    "Of the points above the walking surface (0)."},
+                   {"spacing", &kSpacingsType, optional,
+                    "Largest distance of points, or one along and one across the route; 0.5 m and "
+                    "at least 5 rows if not given."}},
+    .children = {{"require", &kRequireElement}}};
+
 // Workplaces.
 const ElementRow kZoneElement{
     .type = "zone",
@@ -552,6 +578,7 @@ own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in 
                    {"wall-materials", &kIdsType}},
     .children = {{.group = &kObjects},
                  {"plane", &kPlaneElement},
+                 {"route", &kRouteElement},
                  {"workplace", &kWorkplaceElement, kOfWorkplace},
                  {"workplace-grid", &kWorkplaceGridElement, kOfWorkplaceGrid},
                  {"energy", &kEnergyElement, kOfEnergy}}};
@@ -565,6 +592,7 @@ const ElementRow kGbxmlRoomElement{
                    kMaterialOfOthersAttribute},
     .children = {{.group = &kObjects},
                  {"plane", &kPlaneElement},
+                 {"route", &kRouteElement},
                  {"workplace", &kWorkplaceElement, kOfWorkplace},
                  {"workplace-grid", &kWorkplaceGridElement, kOfWorkplaceGrid},
                  {"energy", &kEnergyElement, kOfEnergy},
@@ -592,6 +620,7 @@ const ElementRow kProjectElement{
                  {"scene", &kSceneElement, kOfScene},
                  {"room", &kRoomElement, kOfRoom},
                  {"plane", &kPlaneElement},
+                 {"route", &kRouteElement},
                  {"energy", &kEnergyElement, kOfCommonEnergy},
                  {.group = &kObjects}}};
 

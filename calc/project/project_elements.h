@@ -11,6 +11,7 @@ namespace calc {
 
 inline constexpr std::size_t kCornerLimit = 2000;
 inline constexpr std::size_t kZoneCornerLimit = 100;
+inline constexpr std::size_t kRouteCornerLimit = 200;
 
 inline constexpr double kYear_h = 8760.0;
 inline constexpr NumberRange kHours{0.0, kYear_h, false,
@@ -36,7 +37,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
 
 // A room of either form; the schema has one for both.
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
-extern const ElementRow kPlaneElement, kHoleElement, kRequireElement;
+extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;
 // Without its attributes: see rules/binding/deviation_xml.h.
 extern const ElementRow kDeviationElement;

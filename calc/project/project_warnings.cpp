@@ -413,6 +413,12 @@ bool faces_away(const Project& project, const Space& space, const CalcPlane& pla
   if (const auto* area = std::get_if<PlanarArea>(&plane.area)) {
     return sees_none(area->origin_m, area->normal());
   }
+  if (const auto* route = std::get_if<EscapeRoute>(&plane.area)) {
+    const std::vector<glm::dvec3>& corners_m = route->line.corner_m;
+    return std::all_of(corners_m.begin(), corners_m.end(), [&](const glm::dvec3& corner_m) {
+      return sees_none(corner_m, glm::dvec3(0, 0, 1));
+    });
+  }
   const auto& list = std::get<PointList>(plane.area);
   for (std::size_t i = 0; i < list.position_m.size(); ++i) {
     if (!sees_none(list.position_m[i], list.normal[i])) return false;

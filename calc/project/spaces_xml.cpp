@@ -6,6 +6,7 @@
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_elements.h"
 #include "calc/project/room_plan.h"
+#include "calc/project/route_xml.h"
 #include "calc/project/workplace_xml.h"
 #include "calc/scene/polygon.h"
 
@@ -108,9 +109,11 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
 void read_planes(ProjectContext& context, const XmlElement& parent,
                  const PlaneSurroundings& surroundings, Space& space) {
   for (const XmlElement& child : parent.children) {
-    if (child.name != "plane") continue;
+    if (child.name != "plane" && child.name != "route") continue;
     ElementReader reader(child, context.diagnostics);
-    space.planes.push_back(read_plane(context, reader, surroundings));
+    space.planes.push_back(child.name == "route"
+                               ? read_route(context, reader, surroundings.origin_m)
+                               : read_plane(context, reader, surroundings));
   }
 }
 

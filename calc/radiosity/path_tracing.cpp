@@ -94,6 +94,7 @@ PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
   PlaneField field;
   field.plane_id = plane_id;
   field.points = points;
+  field.point_weight = point_weights(grid);
   field.replicates = static_cast<std::size_t>(settings.replicates);
   field.channels = tracer.scene().channels;
   field.direct_exact_lx.assign(channels * points, 0.0);

@@ -41,6 +41,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
+  field_.point_weight = point_weights(grid);
   field_.replicates = replicates;
   field_.channels = tracer.scene().channels;
   field_.direct_exact_lx.assign(channels() * points(), 0.0);

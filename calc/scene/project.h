@@ -6,6 +6,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
+#include "calc/scene/route_shape.h"
 
 #include <glm/glm.hpp>
 
@@ -130,6 +131,19 @@ struct PointList {
   std::vector<int> line;  // of the file, as many
 };
 
+// An escape route: points at `height_m` above the surface that people walk on, facing up.
+struct EscapeRoute {
+  RouteLine line;  // without fault
+  double height_m = 0.0;
+  // Largest distances of points; the rows are an odd number, so that one is on the line.
+  GridBySpacing spacing;
+  bool is_spacing_given = false;  // else there are kLeastRouteRows rows at least
+};
+inline constexpr double kRouteSpacing_m = 0.5;
+inline constexpr int kLeastRouteRows = 5;
+
+using PlaneArea = std::variant<PlanarArea, PointList, EscapeRoute>;
+
 // What asks something of a plane: a <require>, or the <workplace> that has made the plane, which
 // then has this role in it. As written, not even the names of its attributes are checked: rules/
 // knows the grammar.
@@ -142,7 +156,7 @@ struct RequirementText {
 struct CalcPlane {
   std::string id;  // unique in the project
   std::string name;
-  std::variant<PlanarArea, PointList> area;
+  PlaneArea area;
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
   bool is_quantity_known = true;  // false after an error in it: the two above say nothing

@@ -4,6 +4,7 @@
 #include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
+#include "calc/scene/walking_surface.h"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,24 @@ Rectangle bounding_rectangle(const std::vector<glm::dvec2>& outline) {
   return box;
 }
 
+// Rows are odd in number, so that one is on the line.
+Counts route_counts(const EscapeRoute& route, const std::vector<double>& stations) {
+  const double least = route.is_spacing_given ? 1.0 : kLeastRouteRows;
+  const double rows =
+      std::max(least, cells_by_spacing(route.line.width_m, route.spacing.along_v_m));
+  double columns = 0.0;
+  for (const double count : stations) columns += count;
+  return {columns, std::fmod(rows, 2.0) < 0.5 ? rows + 1.0 : rows};
+}
+
+std::string route_words(const EscapeRoute& route) {
+  return fmt::format(
+      "along the line of the route: at most {:.4g} m along and {:.4g} m across, an odd number of "
+      "rows{}",
+      route.spacing.along_u_m, route.spacing.along_v_m,
+      route.is_spacing_given ? "" : fmt::format(", {} at least", kLeastRouteRows));
+}
+
 // Decides which points of a space can be measured at: within the room and in no solid.
 class SpaceFilter {
  public:
@@ -121,6 +140,10 @@ class SpaceFilter {
       return DropReason::inside_solid;
     }
     return std::nullopt;
+  }
+
+  bool is_beside_room(const glm::dvec3& point) const {
+    return shell_ && !contains_point(shell_->footprint_m, glm::dvec2(point));
   }
 
  private:
@@ -167,14 +190,28 @@ class GridBuilder {
            int row, std::optional<DropReason> reason = std::nullopt) {
     std::string body;
     if (!reason) reason = filter_.reason_to_drop(point, front, body);
-    if (reason) {
-      grid_.dropped.push_back({point, column, row, *reason, std::move(body)});
-      return;
-    }
+    if (reason) return drop({point, column, row, *reason, std::move(body)});
     grid_.position_m.push_back(point);
     grid_.normal.push_back(axis);
     grid_.column.push_back(column);
     grid_.row.push_back(row);
+  }
+
+  void drop(DroppedPoint point) { grid_.dropped.push_back(std::move(point)); }
+
+  // A point of a route, above what is walked on below `on_line`.
+  void add_above(const WalkingSurface& surface, const glm::dvec3& on_line, double height_m,
+                 int column, int row) {
+    constexpr glm::dvec3 kUp(0.0, 0.0, 1.0);
+    if (filter_.is_beside_room(on_line)) {
+      return drop({on_line, column, row, DropReason::outside_room, {}});
+    }
+    const WalkingSurface::Found found = surface.below(on_line);
+    if (found.obstacle != nullptr) {
+      return drop({on_line, column, row, DropReason::in_the_way, *found.obstacle});
+    }
+    if (!found.z_m) return drop({on_line, column, row, DropReason::without_floor, {}});
+    add({on_line.x, on_line.y, *found.z_m + height_m}, kUp, kUp, column, row);
   }
 
  private:
@@ -193,10 +230,13 @@ class GridMaker {
     grid_.travel = plane_.travel;
     grid_.room_m = space_.shell ? space_.shell->footprint_m : space_.outline_m;
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
-    const auto* area = std::get_if<PlanarArea>(&plane_.area);
-    const bool made = area ? fill(*area) : fill(std::get<PointList>(plane_.area));
+    const bool made = std::visit([this](const auto& area) { return fill(area); }, plane_.area);
     if (!made || is_empty() || is_in_furniture()) return std::nullopt;
-    warn_about_lost_points(area == nullptr);
+    if (grid_.route) {
+      warn_about_missing_floor();
+    } else {
+      warn_about_lost_points(std::holds_alternative<PointList>(plane_.area));
+    }
     return std::move(grid_);
   }
 
@@ -229,6 +269,44 @@ class GridMaker {
     check_cell_shape(area);
     add_cells(area, inner);
     return true;
+  }
+
+  bool fill(const EscapeRoute& route) {
+    const std::vector<double> stations = route_stations(route.line, route.spacing.along_u_m);
+    const Counts counts = route_counts(route, stations);
+    if (!is_small_enough(counts)) return false;
+    grid_.rule = route_words(route);
+    grid_.route = RouteGrid{route.line, {stations.begin(), stations.end()}, route.height_m};
+    grid_.columns = static_cast<int>(counts.columns);
+    grid_.rows = static_cast<int>(counts.rows);
+    grid_.spacing_v_m = route.line.width_m / grid_.rows;
+    const std::vector<RouteLeg> legs = route_legs(route.line);
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      grid_.spacing_u_m =
+          std::max(grid_.spacing_u_m, legs[i].longer_edge_m(route.line.width_m) / stations[i]);
+    }
+    grid_.outline_m = route_outline_m(route.line);
+    const Rectangle bounds = bounding_rectangle(grid_.outline_m);
+    grid_.origin_m = {bounds.lower, route.line.corner_m[0].z + route.height_m};
+    for (glm::dvec2& corner : grid_.outline_m) corner -= bounds.lower;
+    add_cells(route, bounds);
+    return true;
+  }
+
+  void add_cells(const EscapeRoute& route, const Rectangle& bounds) {
+    double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+    for (const glm::dvec3& corner : route.line.corner_m) {
+      low_m = std::min(low_m, corner.z);
+      high_m = std::max(high_m, corner.z);
+    }
+    const WalkingSurface surface(space_, {bounds.lower, low_m}, {bounds.upper, high_m});
+    const RouteCells cells = grid_.route->cells(grid_.rows);
+    GridBuilder builder(space_, grid_);
+    for (int row = 0; row < grid_.rows; ++row) {
+      for (int column = 0; column < grid_.columns; ++column) {
+        builder.add_above(surface, cells.centre_m(column, row), route.height_m, column, row);
+      }
+    }
   }
 
   bool is_small_enough(const Counts& counts) {
@@ -343,6 +421,24 @@ class GridMaker {
                         grid_.position_m.size() + grid_.dropped.size(), outside, inside);
   }
 
+  // Furniture on a route may be meant, a hole or a wall in it is not.
+  void warn_about_missing_floor() {
+    const DroppedPoint* first = nullptr;
+    std::size_t outside = 0, floorless = 0;
+    for (const DroppedPoint& point : grid_.dropped) {
+      const bool is_outside = point.reason == DropReason::outside_room;
+      if (!is_outside && point.reason != DropReason::without_floor) continue;
+      if (first == nullptr) first = &point;
+      ++(is_outside ? outside : floorless);
+    }
+    if (first == nullptr) return;
+    const glm::dvec3& at = first->position_m;
+    diagnostics_.report(DiagnosticId::route_points_left_out, plane_.where, plane_.id,
+                        outside + floorless, grid_.position_m.size() + grid_.dropped.size(),
+                        floorless, kWalkingSearchDown_m, kWalkingStepUp_m, outside, at.x, at.y,
+                        at.z);
+  }
+
   // Where people work there is air: a desk top that swallows the points on it must not leave only
   // those beside it. Of planes that a project has placed itself it is known what was meant; a floor
   // is taken up by furniture.
@@ -381,9 +477,16 @@ class GridMaker {
   // A plane without points would pass every limit unnoticed.
   bool is_empty() {
     if (!grid_.position_m.empty()) return false;
-    std::array<std::size_t, 4> dropped{};
+    std::array<std::size_t, std::size(EnumNames<DropReason>::list)> dropped{};
     for (const DroppedPoint& point : grid_.dropped)
       ++dropped[static_cast<std::size_t>(point.reason)];
+    if (grid_.route) {
+      const glm::dvec3& at = grid_.dropped.front().position_m;
+      diagnostics_.report(DiagnosticId::route_without_points, plane_.where, plane_.id,
+                          grid_.dropped.size(), dropped[4], kWalkingSearchDown_m, kWalkingStepUp_m,
+                          dropped[5], dropped[3], dropped[2], at.x, at.y, at.z);
+      return true;
+    }
     diagnostics_.report(DiagnosticId::grid_without_points, plane_.where, plane_.id,
                         grid_.dropped.size(), dropped[0], dropped[1], dropped[2], dropped[3]);
     return true;
@@ -396,6 +499,18 @@ class GridMaker {
 };
 
 }  // namespace
+
+std::vector<double> point_weights(const SensorGrid& grid) {
+  if (!grid.route) return {};
+  const RouteCells cells = grid.route->cells(grid.rows);
+  std::vector<double> area_m2;
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    area_m2.push_back(cells.area_m2(grid.column[i], grid.row[i]));
+  }
+  const auto [least, most] = std::minmax_element(area_m2.begin(), area_m2.end());
+  if (area_m2.empty() || *most <= *least * (1.0 + kTie)) return {};
+  return area_m2;
+}
 
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
   constexpr std::array kRounded{"rounded to the nearest number", "rounded up",

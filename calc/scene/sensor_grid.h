@@ -14,36 +14,55 @@
 
 namespace calc {
 
-enum class DropReason { outside_area, within_margin, outside_room, inside_solid };
+enum class DropReason {
+  outside_area,
+  within_margin,
+  outside_room,
+  inside_solid,
+  without_floor,  // of a route: nothing to walk on
+  in_the_way      // of a route: something stands there that nobody walks on
+};
 
 template <>
 struct EnumNames<DropReason> {
-  static constexpr EnumName<DropReason> list[] = {{DropReason::outside_area, "outside-area"},
-                                                  {DropReason::within_margin, "within-margin"},
-                                                  {DropReason::outside_room, "outside-room"},
-                                                  {DropReason::inside_solid, "inside-solid"}};
+  static constexpr EnumName<DropReason> list[] = {
+      {DropReason::outside_area, "outside-area"},   {DropReason::within_margin, "within-margin"},
+      {DropReason::outside_room, "outside-room"},   {DropReason::inside_solid, "inside-solid"},
+      {DropReason::without_floor, "without-floor"}, {DropReason::in_the_way, "in-the-way"}};
 };
 
 struct DroppedPoint {
   glm::dvec3 position_m;
   int column, row;
   DropReason reason;
-  std::string body;  // id of the solid for inside_solid
+  std::string body;  // its id, for inside_solid and in_the_way
+};
+
+// The cells of an escape route, see RouteCells.
+struct RouteGrid {
+  RouteLine line;
+  std::vector<int> stations;  // of each leg; all together the grid's columns
+  double height_m = 0.0;      // of the points above the walking surface
+
+  RouteCells cells(int rows) const { return {line, stations, rows}; }
 };
 
 // Points of one plane. Grid planes: point i sits in cell (column[i], row[i]) of columns x rows
 // cells, u to the right and v up; point lists have columns = rows = 0 and no cells: column[i] is
-// then the place in the list, row[i] 0.
+// then the place in the list, row[i] 0. Of routes columns are stations along the line, rows go from
+// its right side to its left one, and u and v are the world's x and y.
 struct SensorGrid {
   // Words: "count", "spacing", "point list", or the whole derivation: see grid_words().
   std::string rule;
   int columns = 0, rows = 0;
-  double spacing_u_m = 0.0, spacing_v_m = 0.0;  // cell size; 0 for point lists
+  // Cell size; 0 for point lists; of routes the largest one along, and across.
+  double spacing_u_m = 0.0, spacing_v_m = 0.0;
   double margin_m = 0.0;
   glm::dvec3 origin_m{0.0}, u{1, 0, 0}, v{0, 1, 0};  // lower left corner of cell (0, 0) and axes
   std::vector<glm::dvec2> outline_m;  // of the plane's area, along u and v from origin_m
   std::vector<glm::dvec2> room_m;     // walls around it, world x and y; empty: none
   bool has_unknown_walls = false;     // in a room of a building file without outline
+  std::optional<RouteGrid> route;
   std::vector<glm::dvec3> position_m;
   glm::dvec3 travel{0.0};  // as the plane's
   ReceiverKernel kernel = ReceiverKernel::planar;
@@ -57,6 +76,10 @@ struct SensorGrid {
   // normal, whatever the axis; a list has nothing but its normals. Unit.
   glm::dvec3 front(std::size_t i) const { return columns > 0 ? glm::cross(u, v) : normal[i]; }
 };
+
+// What each point counts in averages: of a route the area of its cell, m2, as its cells differ at
+// bends. Empty where all count alike.
+std::vector<double> point_weights(const SensorGrid& grid);
 
 // Cells along both sides by a rule; the number is side / p, rounded as the rule says, at least 1
 // (of EN 12464-1 to the nearest one; EN 12464-1:2021, 4.4). Sides in metres, > 0. Ties, whole
@@ -80,7 +103,9 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
 // cell of a rule reaches (see grid_coverage.h), even if each is divided into 3, 5 or 7 along both
 // sides; more than a tenth of the points inside solids, if a workplace has made the plane and it is
 // horizontal and above the floor. Cells that are given by count or spacing stay as they are: a part
-// that they miss is a warning, if it is larger than a cell of EN 12464-1.
+// that they miss is a warning, if it is larger than a cell of EN 12464-1. The points of a
+// route lie above the walking surface (walking_surface.h); where there is none, or something stands
+// in the way, they are left out, and it is an error if no point has a floor.
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,
                                            Diagnostics& diagnostics);
 

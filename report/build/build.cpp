@@ -273,6 +273,7 @@ PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid
     }
     add_illuminances(field, maintained, level, part);
   }
+  if (grid.route) part.outline_m = grid.outline_m;
   if (const auto* area = std::get_if<calc::PlanarArea>(&plane.area)) {
     part.outline_m = from_grid_origin(area->outline_m, *area, grid);
     for (const auto& hole : area->holes_m) {

@@ -27,10 +27,14 @@ class FieldReader {
 
   Light light(std::size_t channel, std::size_t replicate) const {
     Light light;
+    const std::vector<double>& weight = field_.point_weight;
+    const double weights = weight.empty() ? static_cast<double>(points_)
+                                          : std::accumulate(weight.begin(), weight.end(), 0.0);
     for (std::size_t i = 0; i < points_; ++i) {
       const auto [all_lx, direct_lx] = at_point(channel, replicate, i);
-      light.average_lx += all_lx / static_cast<double>(points_);
-      light.direct_lx += direct_lx / static_cast<double>(points_);
+      const double counts = weight.empty() ? 1.0 : weight[i];
+      light.average_lx += counts * all_lx / weights;
+      light.direct_lx += counts * direct_lx / weights;
       if (i != minimum_point_) continue;
       light.minimum_lx = all_lx;
       light.minimum_direct_lx = direct_lx;

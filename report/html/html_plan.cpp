@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,11 @@ constexpr std::size_t kMostIsoluxPoints = 20000;
 constexpr double kBelowPlan = 26;     // px: room for the scale bar
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
+std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
+  return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
+                     svg_number(size.x), svg_number(size.y), svg_number(size.x));
+}
+
 struct Drawing {
   const Texts& t;
   const PlanePart& plane;
@@ -38,9 +44,22 @@ struct Drawing {
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
   std::vector<IsoluxLevel> isolux = {};
+  std::optional<calc::RouteCells> route = {};  // whose cells lie along a line
 
+  // Of a route a square that fits into its cells; some at bends are smaller.
   glm::dvec2 cell_px() const {
-    return glm::dvec2(plane.grid.spacing_u_m, plane.grid.spacing_v_m) * layout.pixels_per_metre;
+    const glm::dvec2 size_m(plane.grid.spacing_u_m, plane.grid.spacing_v_m);
+    return (route ? glm::dvec2(std::min(size_m.x, size_m.y)) : size_m) * layout.pixels_per_metre;
+  }
+  glm::dvec2 cell_middle_px(int column, int row) const {
+    if (!route) return cell_corner_px(column, row) + 0.5 * cell_px();
+    return layout.pixel(glm::dvec2(route->centre_m(column, row) - plane.grid.origin_m));
+  }
+  std::string cell_path(int column, int row) const {
+    if (!route) return rectangle(cell_corner_px(column, row), cell_px());
+    std::vector<glm::dvec2> corners_m = route->corners_m(column, row);
+    for (glm::dvec2& corner : corners_m) corner -= glm::dvec2(plane.grid.origin_m);
+    return svg_path(layout, corners_m);
   }
   // Upper left corner of a cell in the picture.
   glm::dvec2 cell_corner_px(int column, int row) const {
@@ -70,11 +89,6 @@ ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimi
   return make_colour_scale(low, high);
 }
 
-std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
-  return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
-                     svg_number(size.x), svg_number(size.y), svg_number(size.x));
-}
-
 bool has_direction(const PlanLuminaire& sign) { return glm::length(sign.c0) > 0.1; }
 
 const PointRow& lowest_point(const PlanePart& plane) {
@@ -94,13 +108,12 @@ std::map<int, std::vector<const PointRow*>> by_band(const Drawing& drawing) {
 
 std::string svg_cells(const Drawing& drawing) {
   std::string svg;
-  const glm::dvec2 size = drawing.cell_px();
   for (const auto& [band, points] : by_band(drawing)) {
     const std::string colour = hex_colour(band_colour(drawing.scale, band));
     svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
     for (const PointRow* point : points) {
       svg += fmt::format("<path d=\"{}\"><title>{}</title></path>\n",
-                         rectangle(drawing.cell_corner_px(point->column, point->row), size),
+                         drawing.cell_path(point->column, point->row),
                          drawing.t.say<Text::cell_title>(
                              format_measured(drawing.t, point->measured, plane_unit(drawing.plane),
                                              drawing.thresholds()),
@@ -108,6 +121,18 @@ std::string svg_cells(const Drawing& drawing) {
                              format_cell(drawing.t, point->indirect_lx)));
     }
     svg += "</g>\n";
+  }
+  return svg;
+}
+
+// One path for each colour: cells that are too many for titles, and in no raster.
+std::string plain_cells(const Drawing& drawing) {
+  std::string svg;
+  for (const auto& [band, points] : by_band(drawing)) {
+    const std::string colour = hex_colour(band_colour(drawing.scale, band));
+    svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"", colour);
+    for (const PointRow* point : points) svg += drawing.cell_path(point->column, point->row);
+    svg += "\"/>\n";
   }
   return svg;
 }
@@ -138,6 +163,10 @@ std::string svg_hatch(const Drawing& drawing) {
     while (first != cells.end() && first->first == std::pair(row, column + count)) {
       ++count;
       ++first;
+    }
+    if (drawing.route) {
+      for (int k = 0; k < count; ++k) path += drawing.cell_path(column + k, row);
+      continue;
     }
     const glm::dvec2 size = drawing.cell_px();
     path += rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
@@ -172,8 +201,7 @@ std::string svg_numbers(const Drawing& drawing) {
                        needs_dark_text(colour) ? "#000" : "#fff", hex_colour(colour),
                        svg_number(size));
     for (const PointRow* point : points) {
-      const glm::dvec2 middle =
-          drawing.cell_corner_px(point->column, point->row) + 0.5 * drawing.cell_px();
+      const glm::dvec2 middle = drawing.cell_middle_px(point->column, point->row);
       svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(middle.x),
                          svg_number(middle.y + 0.36 * size),
                          cell_text(drawing, point->measured.value));
@@ -231,8 +259,7 @@ std::vector<LabelBox> taken_places(const Drawing& drawing) {
   std::vector<LabelBox> taken;
   if (const double size = number_size_px(drawing); size > 0.0) {
     for (const PointRow& point : drawing.plane.points) {
-      const glm::dvec2 middle =
-          drawing.cell_corner_px(point.column, point.row) + 0.5 * drawing.cell_px();
+      const glm::dvec2 middle = drawing.cell_middle_px(point.column, point.row);
       const auto digits = static_cast<double>(cell_text(drawing, point.measured.value).size());
       taken.push_back(box_around(middle, {kDigitWidth * size * digits, size}));
     }
@@ -248,7 +275,9 @@ std::string svg_minimum(const Drawing& drawing) {
   const PointRow& point = lowest_point(drawing.plane);
   const glm::dvec2 cell = drawing.cell_px();
   const glm::dvec2 size = glm::max(cell, glm::dvec2(kSmallest));
-  const glm::dvec2 corner = drawing.cell_corner_px(point.column, point.row) + 0.5 * (cell - size);
+  const glm::dvec2 corner =
+      drawing.route ? drawing.cell_middle_px(point.column, point.row) - 0.5 * size
+                    : drawing.cell_corner_px(point.column, point.row) + 0.5 * (cell - size);
   const std::string path = rectangle(corner, size);
   return fmt::format("<path class=\"min-halo\" d=\"{0}\"/><path class=\"min-mark\" d=\"{0}\"/>\n",
                      path);
@@ -302,7 +331,11 @@ std::string svg_plan(const Drawing& drawing) {
                      svg_number(layout.height_px()));
   const std::string room = svg_path(layout, layout.room_m);
   if (!room.empty()) svg += fmt::format("<path class=\"floor\" d=\"{}\"/>\n", room);
-  svg += drawing.plane.points.size() > kMostSvgCells ? png_cells(drawing) : svg_cells(drawing);
+  if (drawing.plane.points.size() <= kMostSvgCells) {
+    svg += svg_cells(drawing);
+  } else {
+    svg += drawing.route ? plain_cells(drawing) : png_cells(drawing);
+  }
   svg += svg_hatch(drawing);
   std::string outline = svg_path(layout, drawing.plane.outline_m);
   for (const auto& hole : drawing.plane.holes_m) outline += svg_path(layout, hole);
@@ -398,6 +431,7 @@ Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& pl
                   point_threshold(plane, PointSide::from_below),
                   point_threshold(plane, PointSide::from_above),
                   std::string(anchor)};
+  if (plane.grid.route) drawing.route.emplace(plane.grid.route->cells(plane.grid.rows));
   // Lines between numbers must leave them readable.
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
   has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);

@@ -152,6 +152,22 @@ std::string quantity_fact(const Texts& t, const PlanePart& plane) {
   return words + ", " + t.say<Text::looking_to>(with_minus(heading_words(t, look)));
 }
 
+std::string place_facts(const Texts& t, const SpacePart& space, const calc::SensorGrid& grid) {
+  const glm::dvec3 normal = glm::cross(grid.u, grid.v);
+  return fact(t[Text::grid_margin], format_metres(t, grid.margin_m) + " m") +
+         fact(t[Text::position],
+              with_minus(orientation_words(t, normal)) + height_words(t, space, grid, normal));
+}
+
+std::string route_facts(const Texts& t, const calc::RouteGrid& route) {
+  return fact(
+             t[Text::escape_route],
+             t.say<Text::route_size>(format_metres(t, calc::route_length_m(route.line)),
+                                     format_metres(t, route.line.width_m), route.stations.size())) +
+         fact(t[Text::position],
+              t.say<Text::above_walking_surface>(format_metres(t, route.height_m)));
+}
+
 std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
   std::string rows = fact(t[Text::quantity], quantity_fact(t, plane));
@@ -164,10 +180,7 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
     rows += fact(t[Text::cells], fmt::format("{} × {}", grid.columns, grid.rows));
     rows += fact(t[Text::spacing], fmt::format("{} × {} m", format_metres(t, grid.spacing_u_m),
                                                format_metres(t, grid.spacing_v_m)));
-    rows += fact(t[Text::grid_margin], format_metres(t, grid.margin_m) + " m");
-    const glm::dvec3 normal = glm::cross(grid.u, grid.v);
-    rows += fact(t[Text::position],
-                 with_minus(orientation_words(t, normal)) + height_words(t, space, grid, normal));
+    rows += grid.route ? route_facts(t, *grid.route) : place_facts(t, space, grid);
   }
   for (const std::string& remark : plane.remarks)
     rows += fact(t[Text::method], t.english_html(escape_html(remark)));
@@ -184,6 +197,33 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }
 
+std::string matrix_caption(const Texts& t, const PlanePart& plane) {
+  const std::string words = values_words(t, plane);
+  return plane.grid.route ? t.say<Text::route_matrix_caption>(words)
+                          : t.say<Text::matrix_caption>(words);
+}
+
+// What stands above the columns and before the rows: of a route the stations along its line and
+// the distances from it, as if it were straight.
+struct MatrixHeads {
+  std::vector<double> u_m, v_m;
+};
+
+MatrixHeads matrix_heads(const calc::SensorGrid& grid) {
+  MatrixHeads heads;
+  if (grid.route) {
+    const calc::RouteCells cells = grid.route->cells(grid.rows);
+    for (int column = 0; column < grid.columns; ++column)
+      heads.u_m.push_back(cells.station_m(column));
+    for (int row = 0; row < grid.rows; ++row) heads.v_m.push_back(cells.offset_m(row));
+    return heads;
+  }
+  for (int column = 0; column < grid.columns; ++column)
+    heads.u_m.push_back((column + 0.5) * grid.spacing_u_m);
+  for (int row = 0; row < grid.rows; ++row) heads.v_m.push_back((row + 0.5) * grid.spacing_v_m);
+  return heads;
+}
+
 // Values as they lie in the plane: rows from large v to small, as in the drawing.
 std::string value_matrix(const Texts& t, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
@@ -191,17 +231,17 @@ std::string value_matrix(const Texts& t, const PlanePart& plane) {
   std::map<std::pair<int, int>, double> value_of_cell;
   for (const PointRow& point : plane.points)
     value_of_cell[{point.row, point.column}] = point.measured.value;
-  std::string html = "<table class=\"matrix\"><caption>" +
-                     t.say<Text::matrix_caption>(values_words(t, plane)) +
+  std::string html = "<table class=\"matrix\"><caption>" + matrix_caption(t, plane) +
                      "</caption><thead><tr><th scope=\"col\">v \\ u</th>";
+  const MatrixHeads heads = matrix_heads(grid);
   for (int column = 0; column < grid.columns; ++column) {
     html += fmt::format("<th scope=\"col\">{}</th>",
-                        format_metres(t, (column + 0.5) * grid.spacing_u_m));
+                        format_metres(t, heads.u_m[static_cast<std::size_t>(column)]));
   }
   html += "</tr></thead><tbody>\n";
   for (int row = grid.rows - 1; row >= 0; --row) {
     html += fmt::format("<tr><th scope=\"row\">{}</th>",
-                        format_metres(t, (row + 0.5) * grid.spacing_v_m));
+                        with_minus(format_metres(t, heads.v_m[static_cast<std::size_t>(row)])));
     for (int column = 0; column < grid.columns; ++column) {
       const auto found = value_of_cell.find({row, column});
       html += found == value_of_cell.end()

@@ -25,6 +25,7 @@ class Squares {
       : grid_(plane.grid), level_(level), value_(cells(), kNone) {
     for (const PointRow& point : plane.points)
       value_[index(point.column, point.row)] = point.measured.value;
+    if (grid_.route) cells_of_route_.emplace(grid_.route->cells(grid_.rows));
   }
 
   std::vector<IsoluxLine> lines() {
@@ -51,6 +52,12 @@ class Squares {
     const int dx = side.is_upright ? 0 : 1, dy = side.is_upright ? 1 : 0;
     const double from = at(side.column, side.row), to = at(side.column + dx, side.row + dy);
     const double part = (level_ - from) / (to - from);
+    if (cells_of_route_) {
+      const glm::dvec2 origin_m(grid_.origin_m);
+      const glm::dvec2 start_m(cells_of_route_->centre_m(side.column, side.row));
+      const glm::dvec2 end_m(cells_of_route_->centre_m(side.column + dx, side.row + dy));
+      return start_m + part * (end_m - start_m) - origin_m;
+    }
     return {(side.column + 0.5 + part * dx) * grid_.spacing_u_m,
             (side.row + 0.5 + part * dy) * grid_.spacing_v_m};
   }
@@ -146,7 +153,8 @@ class Squares {
 
   const calc::SensorGrid& grid_;
   double level_;
-  std::vector<double> value_;  // NaN: no point
+  std::vector<double> value_;
+  std::optional<calc::RouteCells> cells_of_route_;  // NaN: no point
   std::map<Side, std::vector<Side>> neighbours_;
 };
 

@@ -39,8 +39,11 @@ glm::dvec2 in_plane(const calc::SensorGrid& grid, const glm::dvec3& world_m) {
 
 Box plane_box(const PlanePart& plane) {
   Box box;
-  box.add({0.0, 0.0});
-  box.add({plane.grid.columns * plane.grid.spacing_u_m, plane.grid.rows * plane.grid.spacing_v_m});
+  if (!plane.grid.route) {
+    box.add({0.0, 0.0});
+    box.add(
+        {plane.grid.columns * plane.grid.spacing_u_m, plane.grid.rows * plane.grid.spacing_v_m});
+  }
   for (const glm::dvec2& corner : plane.outline_m) box.add(corner);
   return box;
 }

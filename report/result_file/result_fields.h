@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -262,6 +263,33 @@ void describe(auto& v, Is<calc::DroppedPoint> auto& point) {
   v.field("body", point.body, {.presence = only_if(!point.body.empty())});
 }
 
+// Whether the cells of pictures can be made from it.
+inline bool is_whole(const calc::RouteGrid& route, const calc::SensorGrid& grid) {
+  const std::vector<int>& stations = route.stations;
+  return !stations.empty() && stations.size() + 1 == route.line.corner_m.size() &&
+         *std::min_element(stations.begin(), stations.end()) > 0 && grid.rows > 0 &&
+         std::accumulate(stations.begin(), stations.end(), std::int64_t{0}) == grid.columns;
+}
+
+void describe_route(auto& v, Is<calc::SensorGrid> auto& grid) {
+  const auto fields = [&](auto& o) {
+    calc::RouteGrid route = grid.route.value_or(calc::RouteGrid{});
+    o.field("line_m", route.line.corner_m, {.words = "The corners of its centre line."});
+    o.field("width_m", route.line.width_m);
+    o.field("height_m", route.height_m, {.words = "Of the points above the walking surface."});
+    o.field("stations", route.stations, {.words = "Columns of cells on each leg of the line."});
+    o.refuse_if(!(route.line.width_m > 0.0), "width_m", "a number above 0 is needed");
+    o.refuse_if(!is_whole(route, grid), "stations", "each leg needs its columns of the grid");
+    o.refuse_if(!calc::route_fault(route.line).empty(), "line_m", "it is no line of a route");
+    assign(grid.route, std::optional(route));
+  };
+  v.object(
+      "route", fields,
+      {.words = "Of an escape route: its columns are stations along the line, its rows go from "
+                "the right side to the left one.",
+       .presence = only_if(grid.route.has_value())});
+}
+
 // Of the grid and of the plane's area.
 void describe_grid(auto& v, Is<PlanePart> auto& plane) {
   // As many as a plane may have; a file must not make pictures of any size.
@@ -281,6 +309,7 @@ void describe_grid(auto& v, Is<PlanePart> auto& plane) {
   v.field("v", grid.v);
   v.field("outline_m", plane.outline_m);
   v.field("holes_m", plane.holes_m);
+  describe_route(v, grid);
   v.field("dropped", grid.dropped);
 }
 

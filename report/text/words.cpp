@@ -324,6 +324,10 @@ const char* drop_words(const Texts& t, calc::DropReason reason) {
       return t[Text::drop_within_margin];
     case calc::DropReason::outside_room:
       return t[Text::drop_outside_room];
+    case calc::DropReason::without_floor:
+      return t[Text::drop_without_floor];
+    case calc::DropReason::in_the_way:
+      return t[Text::drop_in_the_way];
     case calc::DropReason::inside_solid:
       break;
   }

@@ -1,6 +1,7 @@
 #include "rules/catalogue/mask.h"
 
 #include "calc/scene/polygon.h"
+#include "calc/scene/route_shape.h"
 
 #include <fmt/format.h>
 
@@ -84,14 +85,16 @@ bool needs_rectangle(const MaskOperation& operation) {
   return operation.step != MaskStep::inset || operation.up_to_width_m > 0.0;
 }
 
+bool is_off_walls(const MaskOperation& operation, const calc::SensorGrid& grid, std::size_t point) {
+  const glm::dvec2 at(grid.position_m[point]);
+  return grid.room_m.empty() ||
+         calc::distance_to_boundary(grid.room_m, at) >= operation.metres - kTolerance_m;
+}
+
 // rectangle: of the plane, or null if it is none.
 bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::size_t point,
             const Rectangle* rectangle) {
-  if (operation.step == MaskStep::walls) {
-    const glm::dvec2 at(grid.position_m[point]);
-    return grid.room_m.empty() ||
-           calc::distance_to_boundary(grid.room_m, at) >= operation.metres - kTolerance_m;
-  }
+  if (operation.step == MaskStep::walls) return is_off_walls(operation, grid, point);
   if (rectangle == nullptr) {
     const glm::dvec3 offset_m = grid.position_m[point] - grid.origin_m;
     const glm::dvec2 at(glm::dot(offset_m, grid.u), glm::dot(offset_m, grid.v));
@@ -101,9 +104,63 @@ bool counts(const MaskOperation& operation, const calc::SensorGrid& grid, std::s
 }
 
 // Of a wide hall a line says nothing: it must be judged strip by strip.
-bool is_too_wide(const MaskOperation& operation, const Rectangle& rectangle) {
+bool is_too_wide(const MaskOperation& operation, double width_m) {
   return operation.step == MaskStep::centre_line && operation.up_to_width_m > 0.0 &&
-         rectangle.width_m > operation.up_to_width_m + kTolerance_m;
+         width_m > operation.up_to_width_m + kTolerance_m;
+}
+
+// A route knows its way: strips run along its line, and an inset is one at both ends, too.
+bool counts_on_route(const MaskOperation& operation, const calc::RouteCells& cells,
+                     const calc::SensorGrid& grid, std::size_t point) {
+  const double width_m = grid.route->line.width_m;
+  const double strip = strip_m(operation, width_m);
+  const int column = grid.column[point], row = grid.row[point];
+  const bool is_within_width = is_within(cells.offset_m(row) + 0.5 * width_m, strip, width_m);
+  switch (operation.step) {
+    case MaskStep::inset:
+      return is_within_width && cells.from_begin_m(column, row) >= strip - kTolerance_m &&
+             cells.from_end_m(column, row) >= strip - kTolerance_m;
+    case MaskStep::across:
+      return is_within_width;
+    case MaskStep::walls:
+      return is_off_walls(operation, grid, point);
+    case MaskStep::centre_line:
+      break;
+  }
+  return 2 * row + 1 == grid.rows;
+}
+
+std::vector<std::size_t> points_on_route(const Mask& mask, const calc::SensorGrid& grid) {
+  const calc::RouteCells cells = grid.route->cells(grid.rows);
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    const bool is_in = std::all_of(
+        mask.operations.begin(), mask.operations.end(),
+        [&](const MaskOperation& operation) { return counts_on_route(operation, cells, grid, i); });
+    if (is_in) points.push_back(i);
+  }
+  return points;
+}
+
+std::vector<std::size_t> points_on_plane(const Mask& mask, const calc::SensorGrid& grid) {
+  const Rectangle rectangle = rectangle_of(grid);
+  const Rectangle* known = is_rectangle(grid) ? &rectangle : nullptr;
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    const bool is_in = std::all_of(
+        mask.operations.begin(), mask.operations.end(),
+        [&](const MaskOperation& operation) { return counts(operation, grid, i, known); });
+    if (is_in) points.push_back(i);
+  }
+  return points;
+}
+
+std::string too_wide_words(const Mask& mask, const MaskOperation& operation, const char* what,
+                           double width_m) {
+  return fmt::format(
+      "mask '{}' needs a {} at most {:.6g} m wide, this one is {:.6g} m: divide it into "
+      "strips",
+      mask.id, what, operation.up_to_width_m, width_m);
 }
 
 std::string problem_of(const Mask& mask, const MaskOperation& operation,
@@ -115,16 +172,18 @@ std::string problem_of(const Mask& mask, const MaskOperation& operation,
         "room",
         mask.id);
   }
+  if (grid.route) {
+    const double width_m = grid.route->line.width_m;
+    if (!is_too_wide(operation, width_m)) return {};
+    return too_wide_words(mask, operation, "route", width_m);
+  }
   const bool has_outline = grid.columns > 0 && !grid.outline_m.empty();
   if (!is_rectangle(grid) && (needs_rectangle(operation) || !has_outline)) {
-    return fmt::format("mask '{}' needs a plane that is a rectangle", mask.id);
+    return fmt::format("mask '{}' needs a plane that is a rectangle, or a <route>", mask.id);
   }
   const Rectangle rectangle = rectangle_of(grid);
-  if (is_too_wide(operation, rectangle)) {
-    return fmt::format(
-        "mask '{}' needs a plane at most {:.6g} m wide, this one is {:.6g} m: divide it into "
-        "strips",
-        mask.id, operation.up_to_width_m, rectangle.width_m);
+  if (is_too_wide(operation, rectangle.width_m)) {
+    return too_wide_words(mask, operation, "plane", rectangle.width_m);
   }
   const bool has_way =
       operation.step == MaskStep::across || operation.step == MaskStep::centre_line;
@@ -151,14 +210,7 @@ MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
     result.problem = problem_of(mask, operation, grid);
     if (!result.problem.empty()) return result;
   }
-  const Rectangle rectangle = rectangle_of(grid);
-  const Rectangle* known = is_rectangle(grid) ? &rectangle : nullptr;
-  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
-    const bool is_in = std::all_of(
-        mask.operations.begin(), mask.operations.end(),
-        [&](const MaskOperation& operation) { return counts(operation, grid, i, known); });
-    if (is_in) result.points.push_back(i);
-  }
+  result.points = grid.route ? points_on_route(mask, grid) : points_on_plane(mask, grid);
   if (result.points.empty()) {
     result.problem =
         fmt::format("mask '{}' leaves none of {} points", mask.id, grid.position_m.size());

@@ -43,7 +43,8 @@ struct MaskedPoints {
 // centre_line are refused there if the sides are too alike to tell. Distances from walls are
 // horizontal, from the room's footprint, and for lists of points, too. In the open space there are
 // no walls. An inset works for every outline, but for shares of a width, across and centre_line the
-// plane must be a rectangle.
+// plane must be a rectangle or a route. Of a route the width and the way are its own: its strips
+// run along the line, its centre line is the middle row, and an inset takes both ends, too.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
 }  // namespace rules

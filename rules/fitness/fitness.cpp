@@ -79,6 +79,9 @@ class PlaneFit {
  private:
   const calc::CalcPlane& plane() const { return context_.plane; }
 
+  bool is_route() const { return std::holds_alternative<calc::EscapeRoute>(plane().area); }
+  const char* noun() const { return is_route() ? "route" : "plane"; }
+
   const LostPoints& lost() const {
     if (!lost_) lost_ = lost_points(context_.grid);
     return *lost_;
@@ -98,20 +101,22 @@ class PlaneFit {
       return faces(meant.plane, normal);
     });
     if (!fits) {
-      return fmt::format("{} is about a plane that is {}, and this one is not", role_words(meant),
-                         orientation_words(meant.plane));
+      return fmt::format("{} is about a plane that is {}, and {}", role_words(meant),
+                         orientation_words(meant.plane),
+                         is_route() ? "the points of a route face up" : "this one is not");
     }
     if (is_lower_limit(meant.check.comparison) || !faces_away(plane(), context_.space)) return {};
-    return "a limit from above says nothing here: the plane faces away from every luminaire";
+    return fmt::format(
+        "a limit from above says nothing here: the {} faces away from every luminaire", noun());
   }
 
   std::string place(const Meant& meant) const {
     if (meant.plane.area == ZoneArea::walls && !lies_on(plane(), context_.space, ".wall")) {
-      return fmt::format("{} is about walls, and this plane lies on none", role_words(meant));
+      return fmt::format("{} is about walls, and this {} lies on none", role_words(meant), noun());
     }
     if (meant.plane.area == ZoneArea::ceiling && !lies_on(plane(), context_.space, ".ceiling")) {
-      return fmt::format("{} is about the ceiling, and this plane does not lie on it",
-                         role_words(meant));
+      return fmt::format("{} is about the ceiling, and this {} does not lie on it",
+                         role_words(meant), noun());
     }
     return {};
   }
@@ -133,9 +138,10 @@ class PlaneFit {
                                          : fmt::format("{:.3g} to {:.3g} m", low, high);
     };
     const bool is_of_row = !role.has_heights || from_m != role.lowest_m || to_m != role.highest_m;
-    return fmt::format("planes of {} are {}{} above the floor{}, and this one is {}",
-                       role_words(meant), role.are_heights_usual && !is_of_row ? "usually " : "",
-                       range(from_m, to_m), is_of_row ? " in row " + meant.row->ref : "",
+    return fmt::format("planes of {} are {}{} above the floor{}, and {} {}", role_words(meant),
+                       role.are_heights_usual && !is_of_row ? "usually " : "", range(from_m, to_m),
+                       is_of_row ? " in row " + meant.row->ref : "",
+                       is_route() ? "the points of this route are" : "this one is",
                        range(lowest_m, highest_m));
   }
 
@@ -148,6 +154,7 @@ class PlaneFit {
     if (own.columns == 0) {
       return fmt::format("its points are a list, where {} asks for a grid", role_words(meant));
     }
+    if (own.route) return grid_of_route(meant, *rule->rule);
     const double u_m = own.columns * own.spacing_u_m, v_m = own.rows * own.spacing_v_m;
     const calc::GridCounts asked = counts_by(*rule->rule, u_m, v_m);
     if (own.columns < asked.columns || own.rows < asked.rows) {
@@ -156,6 +163,29 @@ class PlaneFit {
     }
     if (!(own.missed_m2 > 0.0)) return {};
     return fmt::format("its grid leaves {:.2g} m2 of the area without a point", own.missed_m2);
+  }
+
+  // Leg by leg, each as an area of its own; a number of cells is of the whole route.
+  std::string grid_of_route(const Meant& meant, const calc::GridRule& rule) const {
+    const calc::SensorGrid& own = context_.grid;
+    const calc::RouteLine& line = own.route->line;
+    const double width_m = line.width_m, whole_m = calc::route_length_m(line);
+    const auto problem = [&](int columns, const calc::GridCounts& asked, const std::string& where) {
+      if (columns >= asked.columns && own.rows >= asked.rows) return std::string();
+      return fmt::format("{} x {} points along and across {}, where {} asks for {} x {}", columns,
+                         own.rows, where, role_words(meant), asked.columns, asked.rows);
+    };
+    if (std::holds_alternative<calc::GridByCount>(rule)) {
+      return problem(own.columns, counts_by(rule, whole_m, width_m), "the route");
+    }
+    const std::vector<calc::RouteLeg> legs = calc::route_legs(line);
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      const calc::GridCounts asked = counts_by(rule, legs[i].longer_edge_m(width_m), width_m);
+      std::string words =
+          problem(own.route->stations[i], asked, fmt::format("leg {} of the route", i + 1));
+      if (!words.empty()) return words;
+    }
+    return {};
   }
 
   static calc::GridCounts counts_by(const calc::GridRule& rule, double u_m, double v_m) {
@@ -299,6 +329,11 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
         requirement.deviations.begin(), requirement.deviations.end(),
         [](const Deviation& deviation) { return deviation.aspect == FitAspect::points; });
     if (!is_told) add_words(requirement.note, fit.lost_words());
+    const bool counts_points =
+        requirement.metric == Metric::percentile || requirement.metric == Metric::share;
+    if (counts_points && !calc::point_weights(context.grid).empty()) {
+      add_words(requirement.note, "points count alike, though cells at bends differ in area");
+    }
     if (check == nullptr || !requirement.problem.empty()) continue;
     requirement.problem = maintenance_problem(context, requirement);
     if (requirement.problem.empty()) requirement.problem = open;

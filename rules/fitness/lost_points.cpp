@@ -12,16 +12,19 @@ double LostPoints::share() const {
 
 LostPoints lost_points(const calc::SensorGrid& grid) {
   constexpr std::size_t kMostNamed = 3;
-  std::map<std::string, std::size_t> inside;  // by body
-  std::size_t outside = 0, in_bodies = 0;
+  std::map<std::string, std::size_t> inside;  // by place: "inside 'desk'"
+  std::size_t outside = 0, in_bodies = 0, floorless = 0;
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_room) ++outside;
-    if (point.reason != calc::DropReason::inside_solid) continue;
-    ++inside[point.body];
+    if (point.reason == calc::DropReason::without_floor) ++floorless;
+    const bool is_in_the_way = point.reason == calc::DropReason::in_the_way;
+    if (point.reason != calc::DropReason::inside_solid && !is_in_the_way) continue;
+    ++inside[is_in_the_way ? fmt::format("where '{}' stands", point.body)
+                           : fmt::format("inside '{}'", point.body)];
     ++in_bodies;
   }
   LostPoints result;
-  result.lost = outside + in_bodies;
+  result.lost = outside + in_bodies + floorless;
   result.all = grid.position_m.size() + result.lost;
   if (result.lost == 0) return result;
   std::string places;
@@ -29,12 +32,13 @@ LostPoints lost_points(const calc::SensorGrid& grid) {
     places += fmt::format("{}{} {}", places.empty() ? "" : ", ", count, where);
   };
   std::size_t named = 0, rest = in_bodies;
-  for (const auto& [body, count] : inside) {
+  for (const auto& [place, count] : inside) {
     if (named++ == kMostNamed) break;
-    add(count, fmt::format("inside '{}'", body));
+    add(count, place);
     rest -= count;
   }
   if (rest > 0) add(rest, "inside other bodies");
+  if (floorless > 0) add(floorless, "without a floor");
   if (outside > 0) add(outside, "outside the room");
   result.words = fmt::format("{} of {} points are left out: {}", result.lost, result.all, places);
   return result;

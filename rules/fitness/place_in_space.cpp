@@ -1,5 +1,7 @@
 #include "rules/fitness/place_in_space.h"
 
+#include "calc/scene/walking_surface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,22 +33,12 @@ bool contains(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& point) 
   return (d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0);
 }
 
-// Height at which a vertical line meets a triangle; empty: nowhere, or all along.
-std::optional<double> height_at(const std::array<glm::dvec3, 3>& corner, const glm::dvec2& at) {
-  const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-  if (normal.z == 0.0) return std::nullopt;
-  if (!contains({glm::dvec2(corner[0]), glm::dvec2(corner[1]), glm::dvec2(corner[2])}, at)) {
-    return std::nullopt;
-  }
-  const glm::dvec2 offset = at - glm::dvec2(corner[0]);
-  return corner[0].z - (normal.x * offset.x + normal.y * offset.y) / normal.z;
-}
-
 double surface_below_m(const calc::Space& space, const glm::dvec3& place) {
   std::optional<double> highest;
   for (const calc::Body& body : space.bodies) {
     for (const glm::uvec3& triangle : body.triangle) {
-      const std::optional<double> z = height_at(corners_of(body, triangle), glm::dvec2(place));
+      const std::optional<double> z =
+          calc::height_at(corners_of(body, triangle), glm::dvec2(place));
       if (z && *z <= place.z + kLift_m && (!highest || *z > *highest)) highest = z;
     }
   }
@@ -93,6 +85,7 @@ bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
 
 std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane) {
   if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->position_m;
+  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) return route->line.corner_m;
   const auto& area = std::get<calc::PlanarArea>(plane.area);
   std::vector<glm::dvec3> places;
   for (const glm::dvec2& corner : area.outline_m) {
@@ -103,12 +96,18 @@ std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane) {
 
 std::vector<glm::dvec3> normals_of(const calc::CalcPlane& plane) {
   if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->normal;
+  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
+    return std::vector<glm::dvec3>(route->line.corner_m.size(), glm::dvec3(0, 0, 1));
+  }
   const auto& area = std::get<calc::PlanarArea>(plane.area);
   return std::vector<glm::dvec3>(area.outline_m.size(), area.normal());
 }
 
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space) {
+  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
+    return {route->height_m, route->height_m};
+  }
   const bool is_open = !space.shell && space.surfaces_file.empty();
   const double floor_m = space.shell ? space.shell->floor_z_m
                          : is_open   ? 0.0

@@ -11,14 +11,15 @@
 
 namespace rules {
 
-// The corners of an area, or the points of a list; world coordinates.
+// The corners of an area or of the line of a route, or the points of a list; world coordinates.
 std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane);
 // One for each place; of an area all are alike. Unit.
 std::vector<glm::dvec3> normals_of(const calc::CalcPlane& plane);
 
 // Lowest and highest place above the floor, in metres. The floor is a room's own; of a room from a
 // building file the lowest corner of its surfaces; in the open space the highest surface below the
-// place, or z = 0 where there is none.
+// place, or z = 0 where there is none. Of a route it is what it states: its points follow the
+// floor.
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rules {
 namespace {
@@ -95,10 +96,15 @@ Marks extreme_points(const PointValues& values, double alpha) {
 // point averages out over the others.
 Marks average_spoilers(const PointValues& values) {
   const ReplicateSample all = summarize(values, 0, values.replicates);
-  const double sum_lx = all.plane_mean_lx * static_cast<double>(values.points);
+  const bool is_weighted = !values.weight.empty();
+  const double weights = is_weighted
+                             ? std::accumulate(values.weight.begin(), values.weight.end(), 0.0)
+                             : static_cast<double>(values.points);
+  const double sum_lx = all.plane_mean_lx * weights;
   Marks marks(values.points, 0);
   for (std::size_t i = 0; i < values.points; ++i) {
-    const double sample_lx = untrusted_share(values, i) * all.mean_lx[i];
+    const double weight = is_weighted ? values.weight[i] : 1.0;
+    const double sample_lx = weight * untrusted_share(values, i) * all.mean_lx[i];
     if (sample_lx > static_cast<double>(kLargestTrustedShare) * sum_lx) marks[i] = 1;
   }
   return marks;

@@ -116,6 +116,7 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
   }
   PointValues values;
   values.points = field.points;
+  values.weight = field.point_weight;
   const std::vector<double> weights = channel_weights(field, state, level_of_group);
   // A scene that dims everything to 0 is exactly dark, whatever was sampled.
   const bool has_light =
@@ -150,6 +151,7 @@ PointValues select_points(const PointValues& values, const std::vector<std::size
     if (!values.largest_share.empty()) {
       selected.largest_share.push_back(values.largest_share[point]);
     }
+    if (!values.weight.empty()) selected.weight.push_back(values.weight[point]);
   }
   return selected;
 }

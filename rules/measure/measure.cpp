@@ -1,5 +1,6 @@
 #include "rules/measure/measure.h"
 
+#include "calc/scene/polygon.h"
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
@@ -24,7 +25,24 @@ std::string point_text(const glm::dvec3& p) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", p.x, p.y, p.z);
 }
 
-std::size_t nearest_point(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
+constexpr double kSameStep_m = 0.1;  // of a route's points: not a tread further up or down
+
+// In the cell of the point, or on its edge.
+bool is_in_cell(const calc::SensorGrid& grid, const calc::RouteCells& cells, std::size_t point,
+                const glm::dvec3& place_m) {
+  return std::abs(grid.position_m[point].z - place_m.z) <= kSameStep_m &&
+         calc::contains_point(cells.corners_m(grid.column[point], grid.row[point]),
+                              glm::dvec2(place_m));
+}
+
+// Cells at bends are no rectangles: the nearest centre may be that of the next cell.
+std::size_t point_at(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
+  if (grid.route) {
+    const calc::RouteCells cells = grid.route->cells(grid.rows);
+    for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+      if (is_in_cell(grid, cells, i, wanted_m)) return i;
+    }
+  }
   const auto distance = [&](const glm::dvec3& p) { return glm::length(p - wanted_m); };
   const auto nearest = std::min_element(
       grid.position_m.begin(), grid.position_m.end(),
@@ -32,8 +50,11 @@ std::size_t nearest_point(const calc::SensorGrid& grid, const glm::dvec3& wanted
   return static_cast<std::size_t>(nearest - grid.position_m.begin());
 }
 
-// Within half a cell along the plane's axes and, across the plane, half of the cell's shorter side.
-bool is_near(const calc::SensorGrid& grid, const glm::dvec3& offset_m) {
+// Within half a cell along the plane's axes and, across the plane, half of the cell's shorter side;
+// of a route in the cell itself.
+bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& wanted_m) {
+  if (grid.route) return is_in_cell(grid, grid.route->cells(grid.rows), point, wanted_m);
+  const glm::dvec3 offset_m = grid.position_m[point] - wanted_m;
   if (grid.columns == 0) return glm::length(offset_m) <= kListPointToleranceMetres;
   constexpr double kBinaryNoise_m = 1e-9;  // a place midway between two points is near both
   const double half_u = 0.5 * grid.spacing_u_m + kBinaryNoise_m;
@@ -45,6 +66,7 @@ bool is_near(const calc::SensorGrid& grid, const glm::dvec3& offset_m) {
 
 std::string near_text(const calc::SensorGrid& grid) {
   if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
+  if (grid.route) return fmt::format("its cell and {} m of height", kSameStep_m);
   return fmt::format("half a cell ({:.3f} x {:.3f} m)", 0.5 * grid.spacing_u_m,
                      0.5 * grid.spacing_v_m);
 }
@@ -277,9 +299,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   std::optional<std::size_t> point;
   if (requirement.metric == Metric::value_at_point) {
     const glm::dvec3 wanted_m = requirement.point_m.value();
-    point = nearest_point(grid, wanted_m);
+    point = point_at(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
-    if (!is_near(grid, nearest_m - wanted_m)) {
+    if (!is_near(grid, *point, wanted_m)) {
       return nothing_to_measure(
           fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
                       point_text(wanted_m), point_text(nearest_m)));

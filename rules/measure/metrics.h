@@ -32,6 +32,8 @@ struct PointValues {
   // [point]: the largest single sample's share of the value, >= 0; see calc::PlaneField. May be
   // empty.
   std::vector<float> largest_share = {};
+  // [point]: what it counts in averages, > 0, in any unit. Empty: all alike.
+  std::vector<double> weight = {};
 
   bool is_exact() const { return replicates == 1; }
   bool is_unseen(std::size_t point) const { return !unseen.empty() && unseen[point] != 0; }

@@ -9,10 +9,29 @@
 
 namespace rules {
 
+namespace {
+
+// Differences, as below.
+double weighted_mean(const PointValues& values, std::size_t replicate) {
+  const double first = values.at(replicate, 0);
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < values.points; ++i) {
+    sum += values.weight[i] * (values.at(replicate, i) - first);
+    weights += values.weight[i];
+  }
+  return first + sum / weights;
+}
+
+}  // namespace
+
 std::vector<double> plane_means(const PointValues& values) {
   std::vector<double> means;
   means.reserve(values.replicates);
   for (std::size_t r = 0; r < values.replicates; ++r) {
+    if (!values.weight.empty()) {
+      means.push_back(weighted_mean(values, r));
+      continue;
+    }
     const double first =
         values.at(r, 0);  // differences: a uniform plane has exactly its value as mean
     double sum = 0.0;

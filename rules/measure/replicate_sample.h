@@ -16,7 +16,7 @@ struct ReplicateSample {
   std::vector<double> mean_lx;     // per point
   std::vector<double> variance;    // per point
   std::vector<double> covariance;  // per point, of its mean with the plane's mean
-  double plane_mean_lx = 0.0;      // mean over the points
+  double plane_mean_lx = 0.0;      // mean over the points, by their weights
   double plane_variance = 0.0;
 };
 

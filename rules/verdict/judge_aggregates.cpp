@@ -181,6 +181,9 @@ std::vector<Part> parts_by_check(const RulePack& pack, const std::vector<std::st
 }
 
 std::optional<double> area_of(const calc::CalcPlane& plane) {
+  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
+    return calc::route_length_m(route->line) * route->line.width_m;
+  }
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   if (area == nullptr) return std::nullopt;
   double area_m2 = std::abs(calc::signed_area(area->outline_m));

@@ -344,4 +344,27 @@ inline Document sample_document() {
   return document;
 }
 
+// small_document() with a route in place of its plane: 4 m along x, then 3 m along y, 1.2 m wide;
+// the value of a point is the number of its column, so that lines of equal value run across.
+inline Document route_document(double spacing_m = 0.5) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  calc::EscapeRoute route;
+  route.line = {{{1, 1, 0}, {5, 1, 0}, {5, 4, 0}}, 1.2};
+  route.spacing = {spacing_m, 0.4, {}};
+  route.is_spacing_given = true;
+  calc::CalcPlane of;
+  of.area = route;
+  calc::Diagnostics diagnostics;
+  plane.grid = calc::make_sensor_grid(of, calc::Space{}, diagnostics).value();
+  plane.outline_m = plane.grid.outline_m;
+  plane.points.clear();
+  for (std::size_t i = 0; i < plane.grid.position_m.size(); ++i) {
+    plane.points.push_back(sample_point(plane.grid.column[i], plane.grid.row[i],
+                                        plane.grid.position_m[i],
+                                        estimate(100.0 + plane.grid.column[i], 0), 0));
+  }
+  return document;
+}
+
 }  // namespace report

@@ -388,6 +388,28 @@ TEST(Html, HistogramCountsEveryPoint) {
             document.projects[0].spaces[0].planes[0].points.size());
 }
 
+// Cells lie where they are; the table of values goes along the line.
+TEST(Html, ARouteIsDrawnAlongItsLine) {
+  const Document document = route_document();
+  const std::string html = render_html(document);
+  EXPECT_NE(html.find("7.00 m long, 1.20 m wide, 2 legs"), std::string::npos);
+  EXPECT_NE(html.find("distances along the line of the route (columns)"), std::string::npos);
+  EXPECT_NE(html.find("<th scope=\"row\">−0.40</th>"), std::string::npos);
+  const pugi::xml_document tree = parsed(html);
+  const auto cells = tree.select_nodes("//g[@class='cells']/path");
+  EXPECT_EQ(cells.size(), document.projects[0].spaces[0].planes[0].points.size());
+  for (const pugi::xpath_node& cell : cells) {
+    EXPECT_EQ(std::string(cell.node().attribute("d").value()).find('h'), std::string::npos);
+  }
+}
+
+TEST(Html, ALongRouteIsOnePathForEachColour) {
+  const Document document = route_document(0.004);
+  const std::string html = render_html(document);
+  EXPECT_EQ(html.find("class=\"cells\""), std::string::npos);
+  EXPECT_EQ(html.find("image-rendering:pixelated"), std::string::npos);
+}
+
 TEST(Html, LargeGridIsOnePicture) {
   Document document = sample_document();
   document.projects[0].spaces.erase(document.projects[0].spaces.begin());

@@ -137,5 +137,22 @@ TEST(IsoluxLevels, AreRoundAndHoldTheLimit) {
   EXPECT_EQ(isolux_levels(plane, scale, {{"average ≥ 5000 lx", 5000}}, 9).size(), 9U);
 }
 
+// The value is the number of the column: the line between two stations of the first leg lies where
+// they meet, on all rows, and that of the mitre runs through the corner.
+TEST(Isolux, OfARouteFollowItsCells) {
+  const Document document = route_document();
+  const PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  const calc::RouteCells cells = plane.grid.route->cells(plane.grid.rows);
+  const std::vector<IsoluxLine> lines = isolux_lines(plane, 102.5);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].points_m.size(), 3U);
+  for (const glm::dvec2& p : lines[0].points_m) {
+    const glm::dvec2 world_m = p + glm::dvec2(plane.grid.origin_m);
+    const int row = world_m.y < 0.8 ? 0 : world_m.y < 1.2 ? 1 : 2;
+    EXPECT_NEAR(world_m.y - 1.0, cells.offset_m(row), 1e-12);
+    EXPECT_NEAR(world_m.x, 0.5 * (cells.centre_m(2, row).x + cells.centre_m(3, row).x), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace report

@@ -119,5 +119,16 @@ TEST(ScaleBar, IsRoundAndAtMostAThird) {
   EXPECT_DOUBLE_EQ(scale_bar_m(2.6), 0.5);
 }
 
+// A route is as large as its outline, not as its cells in a row.
+TEST(PlanLayout, OfARouteIsAroundItsOutline) {
+  Document document = route_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.footprint_m.clear();
+  const PlanLayout layout = lay_out_plan(space, space.planes[0], {640, 460});
+  const double width_m = layout.high_m.x - layout.low_m.x;
+  EXPECT_GT(width_m, 4.6);
+  EXPECT_LT(width_m, 6.0);
+}
+
 }  // namespace
 }  // namespace report

@@ -270,6 +270,48 @@ TEST(ReadJson, AggregatesCountByThemselvesOrNotAtAll) {
             "/projects/0/aggregates/0/severity: one of 'shall', 'advice' is needed");
 }
 
+TEST(ReadJson, ARouteIsWrittenAndReadAgain) {
+  const Document document = route_document();
+  EXPECT_EQ(render_json(read_again(document)), render_json(document));
+  EXPECT_EQ(render_html(read_again(document)), render_html(document));
+}
+
+// Pictures are made from its cells.
+TEST(ReadJson, RefusesARouteWithoutItsCells) {
+  const json good = json::parse(render_json(route_document()));
+  const std::string at = "/projects/0/spaces/0/planes/0/grid/route";
+  const auto with = [&](const std::string& key, const json& value) {
+    json changed = good;
+    changed[json::json_pointer(at + key)] = value;
+    return problem_with(changed);
+  };
+  const std::string needs = at + "/stations: each leg needs its columns of the grid";
+  EXPECT_EQ(with("/stations", {10, 9}), needs);
+  EXPECT_EQ(with("/stations", {18}), needs);
+  EXPECT_EQ(with("/stations", {18, 0}), needs);
+  EXPECT_EQ(with("/stations", json::array()), needs);
+  EXPECT_EQ(with("/width_m", 0), at + "/width_m: a number above 0 is needed");
+  EXPECT_EQ(with("/width_m", 7), at + "/line_m: it is no line of a route");
+}
+
+TEST(ReadJson, SurvivesAnyReplacedValueOfARoute) {
+  const json good = json::parse(render_json(route_document()));
+  std::string problem;
+  const json flat = good["projects"][0]["spaces"][0]["planes"][0]["grid"].flatten();
+  for (const auto& item : flat.items()) {
+    for (const json& value : {json(), json(-1), json(1e300), json("x"), json::array(),
+                              json::object(), json(true), json(std::uint64_t{1} << 63)}) {
+      json changed = good;
+      changed["projects"][0]["spaces"][0]["planes"][0]["grid"][json::json_pointer(item.key())] =
+          value;
+      const std::optional<Document> read = read_json(changed.dump(), problem);
+      if (read) {
+        EXPECT_FALSE(render_html(*read).empty());
+      }
+    }
+  }
+}
+
 TEST(ReadJson, RefusesWhatIsNoJson) {
   std::string problem;
   for (const char* text :

@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace rules {
 namespace {
@@ -126,6 +130,69 @@ TEST(Mask, TakesTheLongerSideWhereThatIsClear) {
   EXPECT_NE(apply_mask(mask, less).problem, "");
 }
 
+// The grid of a route, as make_sensor_grid() makes it, with spacings of the cells at most.
+calc::SensorGrid route_grid(std::vector<glm::dvec3> corner_m, double width_m, double along_m,
+                            double across_m) {
+  calc::EscapeRoute route;
+  route.line = {std::move(corner_m), width_m};
+  route.spacing = {along_m, across_m, {}};
+  route.is_spacing_given = true;
+  calc::CalcPlane plane;
+  plane.area = route;
+  calc::Diagnostics diagnostics;
+  return calc::make_sensor_grid(plane, calc::Space{}, diagnostics).value();
+}
+
+// The same piece as above: its line says the way, 3 m wide and 2 m long, or the other way round.
+TEST(Mask, OfARouteGoesByItsLine) {
+  const Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2.0);
+  const calc::SensorGrid wide = route_grid({{0, 0, 0}, {2, 0, 0}}, 3.0, 0.5, 0.45);  // 7 rows
+  EXPECT_THAT(rows_of(apply_mask(mask, wide), wide), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_EQ(apply_mask(mask, wide).points.size(), 5u * 4u);
+  const calc::SensorGrid narrow = route_grid({{0, 0, 0}, {0, 3, 0}}, 2.0, 0.5, 0.3);  // 7 rows
+  EXPECT_THAT(rows_of(apply_mask(mask, narrow), narrow), ElementsAre(2, 3, 4));
+  EXPECT_EQ(apply_mask(mask, narrow).points.size(), 3u * 6u);
+}
+
+TEST(Mask, OfARouteGoesRoundCorners) {
+  const calc::SensorGrid grid = route_grid({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, 1.5, 0.5, 0.3);
+  ASSERT_EQ(grid.rows, 5);
+  const MaskedPoints line = apply_mask(mask_of(MaskStep::centre_line, 0, 0, 2.0), grid);
+  EXPECT_THAT(rows_of(line, grid), ElementsAre(2));
+  EXPECT_EQ(line.points.size(), static_cast<std::size_t>(grid.columns));
+  for (const std::size_t i : line.points) {
+    const glm::dvec3& p = grid.position_m[i];
+    EXPECT_NEAR(std::min(std::abs(p.y), std::abs(p.x - 4.0)), 0.0, 1e-12);
+  }
+  const MaskedPoints half = apply_mask(mask_of(MaskStep::across, 0.0, 0.25, 2.0), grid);
+  EXPECT_THAT(rows_of(half, grid), ElementsAre(1, 2, 3));
+}
+
+TEST(Mask, OfARouteTakesBothEndsWithAnInset) {
+  const calc::SensorGrid grid = route_grid({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, 2.5, 0.5, 0.5);
+  const MaskedPoints inner = apply_mask(mask_of(MaskStep::inset, 0.6), grid);
+  EXPECT_THAT(rows_of(inner, grid), ElementsAre(1, 2, 3));
+  for (const std::size_t i : inner.points) {
+    EXPECT_TRUE(grid.position_m[i].x >= 0.6 && grid.position_m[i].y <= 2.4);
+  }
+  // Of the middle row, 11 + 9 points 0.36 m and 0.33 m apart, each end loses two.
+  EXPECT_EQ(std::count_if(inner.points.begin(), inner.points.end(),
+                          [&](std::size_t i) { return grid.row[i] == 2; }),
+            grid.columns - 4);
+}
+
+TEST(Mask, OfAWideRouteHasNoCentreLine) {
+  const calc::SensorGrid grid = route_grid({{0, 0, 0}, {4, 0, 0}}, 2.5, 0.5, 0.5);
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::centre_line, 0, 0, 2.0), grid).problem,
+            "mask 'm' needs a route at most 2 m wide, this one is 2.5 m: divide it into strips");
+}
+
+TEST(Mask, OfARouteWithLostPointsStaysWhatItIs) {
+  calc::SensorGrid grid = route_grid({{0, 0, 0}, {4, 0, 0}}, 1.5, 0.5, 0.3);
+  grid.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
+  EXPECT_EQ(apply_mask(mask_of(MaskStep::centre_line), grid).points.size(), 8u);
+}
+
 TEST(Mask, SaysWhenNothingIsLeft) {
   const MaskedPoints masked = apply_mask(mask_of(MaskStep::inset, 3), grid_of(4, 4, 4, 4));
   EXPECT_THAT(masked.points, IsEmpty());
@@ -160,18 +227,18 @@ TEST(Mask, InsetWorksForEveryOutline) {
   // Of the twelve points only (1.5, 1.5) is farther than 0.6 m from every side.
   EXPECT_THAT(apply_mask(mask_of(MaskStep::inset, 0.6), grid).points, ElementsAre(5));
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 0.6, 0.1, 2.0), grid).problem,
-            "mask 'm' needs a plane that is a rectangle");
+            "mask 'm' needs a plane that is a rectangle, or a <route>");
 }
 
 TEST(Mask, IsForRectanglesOnly) {
   calc::SensorGrid list = grid_of(4, 4, 4, 4);
   list.columns = list.rows = 0;
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), list).problem,
-            "mask 'm' needs a plane that is a rectangle");
+            "mask 'm' needs a plane that is a rectangle, or a <route>");
   calc::SensorGrid polygon = grid_of(4, 4, 4, 4);
   polygon.dropped.push_back({{}, 0, 0, calc::DropReason::outside_area, ""});
   EXPECT_EQ(apply_mask(mask_of(MaskStep::inset, 1), polygon).problem,
-            "mask 'm' needs a plane that is a rectangle");
+            "mask 'm' needs a plane that is a rectangle, or a <route>");
   EXPECT_EQ(apply_mask({}, list).points.size(), 16u);
 }
 

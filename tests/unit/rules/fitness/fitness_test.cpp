@@ -42,6 +42,7 @@ struct Setting {
   std::string room = "<room id='r' size='12 8 3' ceiling='m' walls='m' floor='m'>";
   std::string objects{};
   std::string root = "maintenance-factor='0.8'";
+  std::string element = "plane";
 };
 
 struct Fitted {
@@ -64,8 +65,9 @@ struct Fitted {
 Fitted fit(const Setting& setting) {
   const bool is_open = setting.room.empty();
   const std::string lamp = "<luminaire id='l' type='spot' position='6 4 2.9' group='e'/>" +
-                           setting.objects + "<plane id='p' " + setting.plane + "><require " +
-                           setting.require + ">" + setting.inside + "</require></plane>";
+                           setting.objects + "<" + setting.element + " id='p' " + setting.plane +
+                           "><require " + setting.require + ">" + setting.inside + "</require></" +
+                           setting.element + ">";
   const std::string xml = "<luxgate version='1' " + setting.root +
                           "><material id='m' reflectance='0.5'/><luminaire-type id='spot' "
                           "photometry='spot.ies'/>" +
@@ -294,6 +296,86 @@ TEST(Fitness, ALimitFromAboveNeedsLightFromThatSide) {
   EXPECT_THAT(fit(setting).aspects("P.not-too-much"), IsEmpty());
   setting.plane = "origin='4 2 5' u='8 0 0' v='0 2 0'";  // above the only luminaire
   EXPECT_THAT(fit(setting).aspects("P.not-too-much"), ElementsAre("orientation", "height"));
+}
+
+const std::string kEmergency = "pack='en1838:2013' scene='em'";
+
+Fitted fit_route(const std::string& route, const std::string& require = kEmergency,
+                 const std::string& objects = "") {
+  Setting setting{route, require};
+  setting.objects = objects;
+  setting.element = "route";
+  return fit(setting);
+}
+
+TEST(FitnessOfRoute, FollowsItsLineAndTheFloor) {
+  const Fitted fitted = fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'");
+  EXPECT_THAT(fitted.messages, IsEmpty());
+  ASSERT_EQ(fitted.requirements.size(), 3u);
+  for (const Requirement& requirement : fitted.requirements) {
+    EXPECT_THAT(requirement.deviations, IsEmpty());
+    EXPECT_EQ(requirement.problem, "");
+    EXPECT_EQ(requirement.note, "");
+  }
+}
+
+// The pack allows 1 m. The second leg is 5.75 m long at its outer edge.
+TEST(FitnessOfRoute, NeedsThePacksPointsOnEveryLeg) {
+  const Fitted coarse = fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5' spacing='1.5 0.5'");
+  EXPECT_THAT(coarse.aspects("route.line"), ElementsAre("grid"));
+  EXPECT_EQ(coarse.first().problem,
+            "6 x 3 points along and across leg 1 of the route, where role 'route' of en1838:2013 "
+            "asks for 9 x 2 (a <deviation in=\"grid\"> would state it)");
+  const Fitted narrow = fit_route("points='1 1 0  9 1 0' width='1.5' spacing='0.5 2'");
+  EXPECT_THAT(narrow.aspects("route.line"), ElementsAre("grid"));
+  EXPECT_THAT(fit_route("points='1 1 0  9 1 0' width='1.5' spacing='1'").aspects("route.line"),
+              IsEmpty());
+}
+
+TEST(FitnessOfRoute, ItsHeightIsWhatItStates) {
+  const std::string line = "points='1 1 0.2  9 1 0.2' width='1.5' height=";
+  EXPECT_THAT(fit_route(line + "'0.2'").aspects("route.line"), IsEmpty());
+  const Fitted high = fit_route(line + "'0.5'");
+  EXPECT_THAT(high.aspects("route.line"), ElementsAre("height"));
+  EXPECT_THAT(high.first().problem,
+              HasSubstr("above the floor, and the points of this route are 0.5 m"));
+}
+
+TEST(FitnessOfRoute, IsNoUprightPlane) {
+  const Fitted fitted = fit_route("points='1 1 0  9 1 0' width='1.5'",
+                                  "pack='en1838:2024' role='safety-item' scene='em'");
+  EXPECT_THAT(fitted.first().problem,
+              HasSubstr("is about a plane that is vertical, and the points of a route face up"));
+}
+
+// 16 stations: a table as long as one of them takes 1/16 of the points, as long as three 3/16.
+TEST(FitnessOfRoute, ATableInTheWayIsNamedAndWhatItTakesCounts) {
+  const auto with_table = [](const std::string& size) {
+    return fit_route("points='1 1 0  9 1 0' width='1.5'", kEmergency,
+                     "<box id='table' size='" + size + " 2 0.72' position='3 0 0' material='m'/>");
+  };
+  const Fitted small = with_table("0.5");
+  EXPECT_EQ(small.first().problem, "");
+  EXPECT_THAT(small.first().note, HasSubstr("5 of 80 points are left out: 5 where 'table' stands"));
+  const Fitted large = with_table("1.5");
+  EXPECT_THAT(large.aspects("route.line"), ElementsAre("points"));
+  EXPECT_THAT(large.first().problem,
+              HasSubstr("15 of 80 points are left out: 15 where 'table' stands"));
+}
+
+// A line that climbs where there is no stair: from 0.5 m on nothing is below it.
+TEST(FitnessOfRoute, AMissingStairIsNoFloor) {
+  const Fitted fitted = fit_route("points='1 1 0  9 1 2' width='1.5'");
+  EXPECT_THAT(fitted.aspects("route.line"), ElementsAre("points"));
+  EXPECT_THAT(fitted.first().problem,
+              HasSubstr("60 of 80 points are left out: 60 without a floor"));
+}
+
+TEST(FitnessOfRoute, SaysThatPointsCountAlikeInAShare) {
+  const std::string share = "quantity='percentile' percent='50' at-least='1'";
+  EXPECT_THAT(fit_route("points='1 1 0  9 1 0  9 6 0' width='1.5'", share).first().note,
+              HasSubstr("points count alike, though cells at bends differ in area"));
+  EXPECT_EQ(fit_route("points='1 1 0  9 1 0' width='1.5'", share).first().note, "");
 }
 
 TEST(Fitness, AFloatingPlaneIsNoWall) {

@@ -162,5 +162,37 @@ TEST(Measure, SharesOfPoints) {
   EXPECT_EQ(result.metric->estimate.low, 0.5);
 }
 
+// A place on a route is in a cell, and at its height.
+TEST(Measure, AValueOnARouteIsOfTheCellAround) {
+  calc::EscapeRoute route;
+  route.line = {{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, 1.2};
+  route.spacing = {1.0, 0.4, {}};
+  route.is_spacing_given = true;
+  calc::CalcPlane plane;
+  plane.area = route;
+  calc::Diagnostics diagnostics;
+  const calc::SensorGrid grid = calc::make_sensor_grid(plane, calc::Space{}, diagnostics).value();
+  calc::PlaneField field;
+  field.points = grid.position_m.size();
+  field.replicates = 2;
+  field.channels = {{"", 1.0}};
+  for (std::size_t i = 0; i < field.points; ++i) {
+    field.direct_exact_lx.push_back(static_cast<double>(i));
+  }
+  const auto measured = [&](const glm::dvec3& at_m) {
+    Requirement requirement = minimum_at_least(1);
+    requirement.metric = Metric::value_at_point;
+    requirement.point_m = at_m;
+    return measure(requirement, grid, field, {}, 0.95);
+  };
+  const glm::dvec3 third = grid.position_m[2];
+  EXPECT_EQ(measured(third + glm::dvec3(0.3, 0.15, 0)).metric->estimate.value, 2.0);
+  // In the last cell of the outer row before the mitre, but nearer to the centre of the next one.
+  EXPECT_EQ(measured({4.58, -0.585, 0}).metric->estimate.value, 4.0);
+  EXPECT_FALSE(measured(third + glm::dvec3(0, 0, 0.2)).metric);
+  EXPECT_FALSE(measured(third - glm::dvec3(0, 0.3, 0)).metric);
+  EXPECT_THAT(measured({4.5, -5, 0}).reason, testing::HasSubstr("no calculation point within"));
+}
+
 }  // namespace
 }  // namespace rules

@@ -100,6 +100,20 @@ TEST(Average, IsTheTIntervalOfThePlanesMeans) {
   expect_estimate(metric_of(three_points(), Metric::average), 22 - half_width, 22, 22 + half_width);
 }
 
+// Of a route: cells at bends differ, and the average is that of the area.
+TEST(Average, CountsPointsByTheirWeights) {
+  PointValues values = exact({10, 20, 60});
+  values.weight = {2, 1, 1};
+  const auto of = [&](Metric metric) {
+    return compute_metric(values, metric, 0.0, std::nullopt, 0.95)->estimate.value;
+  };
+  EXPECT_DOUBLE_EQ(of(Metric::average), 25.0);
+  EXPECT_DOUBLE_EQ(of(Metric::uniformity_min_avg), 0.4);
+  EXPECT_DOUBLE_EQ(of(Metric::minimum), 10.0);
+  values = select_points(values, {0, 2});
+  EXPECT_NEAR(of(Metric::average), (2 * 10 + 60) / 3.0, 1e-12);
+}
+
 TEST(ValueAtPoint, IsTheTIntervalOfThePoint) {
   const double half_width = kT3_025 * std::sqrt(24.0 / 12.0);  // 20 20 26 22
   const auto result = compute_metric(three_points(), Metric::value_at_point, 0, 1, 0.95);

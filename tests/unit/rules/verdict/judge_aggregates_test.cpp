@@ -57,7 +57,7 @@ class Site {
     if (side_m > 0.0) space.outline_m = square(side_m);
     return space;
   }
-  // side_m 0: a list of points.
+  // side_m 0: a list of points; < 0: a route.
   void plane(const std::string& id, double side_m = 1.0) {
     calc::CalcPlane& plane = planes_.emplace_back();
     plane.id = id;
@@ -65,6 +65,11 @@ class Site {
     area.outline_m = square(side_m);
     plane.area = area;
     if (side_m == 0.0) plane.area = calc::PointList{};
+    if (side_m < 0.0) {
+      calc::EscapeRoute route;
+      route.line = {{{0, 0, 0}, {-side_m, 0, 0}}, -side_m};
+      plane.area = route;
+    }
     findings_.emplace_back();
     judged_.push_back({&rooms_.back(), &plane, &findings_.back()});
   }
@@ -233,6 +238,8 @@ TEST(JudgeAggregates, SharesOfPlanesByCountAndByArea) {
   EXPECT_EQ(verdict("area", 1.0), kPass);  // 9 of 10 m2
   EXPECT_EQ(verdict("area", 3.0), kFail);
   EXPECT_EQ(verdict("area", 0.0), kNone);  // of points, which have no area
+  EXPECT_EQ(verdict("area", -1.0), kPass);
+  EXPECT_EQ(verdict("area", -3.0), kFail);
 }
 
 TEST(JudgeAggregates, RoomsPassWithAllThatIsAskedOfThem) {
