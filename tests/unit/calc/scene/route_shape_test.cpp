@@ -162,7 +162,7 @@ TEST(RouteShape, RefusesToCoverAPlaceTwice) {
   const std::vector<glm::dvec3> crossing{{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {3, 4, 0}, {3, -4, 0}};
   EXPECT_THAT(route_fault(line_of(crossing, 1.0)),
               HasSubstr("the legs from corner 1 to 2 and from corner 4 to 5 lie on each other"));
-  const std::vector<glm::dvec3> loop{{0, 0, 0}, {6, 0, 0}, {4.3, 2.94, 0}, {2, -1, 0}};
+  const std::vector<glm::dvec3> loop{{0, 0, 0}, {6, 0, 0}, {4.6, 2.94, 0}, {1.8, -1, 0}};
   EXPECT_THAT(route_fault(line_of(loop, 1.0)), HasSubstr("corner 1 to 2 and from corner 3 to 4"));
   // The lines are 1.5 m apart, the edges overlap by 0.1 m.
   const std::vector<glm::dvec3> beside{{0, 0, 0}, {6, 0, 0},   {6, 4, 0},
