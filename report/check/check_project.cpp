@@ -18,12 +18,11 @@
 #include "rules/verdict/stop_rule.h"
 #include "rules/verdict/waiver.h"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -65,12 +64,6 @@ report::ProjectPart unreadable_project(const std::string& path,
   return part;
 }
 
-std::string today(const Settings& settings) {
-  if (!settings.today.empty()) return settings.today;
-  const std::time_t now = std::time(nullptr);
-  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
-}
-
 // A plane on its way; without a grid `reason` says why it cannot be computed.
 struct PlaneJob {
   const calc::CalcPlane* plane;
@@ -95,7 +88,7 @@ std::vector<PlaneJob> make_grids(const calc::Space& space, const rules::JudgedPr
 // What does not fit is not judged, and so needs no light.
 void check_fitness(const calc::Space& space, const rules::JudgedProject& loaded,
                    const Context& context, std::vector<PlaneJob>& jobs) {
-  const std::string day = today(context.settings);
+  const std::string day = day_of(context.settings);
   for (PlaneJob& job : jobs) {
     if (!job.grid) continue;
     rules::check_fitness({loaded.project, space, *job.plane, *job.grid, context.packs, day},
@@ -209,7 +202,7 @@ report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
   }
   std::vector<rules::Finding> findings =
       rules::judge_plane(job.requirements, *job.grid, *field, scenes, settings.confidence);
-  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(settings));
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, day_of(settings));
   return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
                              settings.confidence);
 }

@@ -18,6 +18,9 @@ struct Settings {
   std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
 };
 
+// The day itself, the clock's if the settings have none.
+std::string day_of(const Settings& settings);
+
 // "" if all values are allowed, else what is wrong and what is allowed.
 std::string problem_with(const Settings& settings);
 

@@ -44,6 +44,11 @@ struct RuleOrigin {
   std::map<std::string, double> facts;  // by id, in base units
 };
 
+// Which of a project's requirements: plane ids are unique in it.
+struct RequirementName {
+  std::string plane_id, id;
+};
+
 struct Requirement {
   std::string plane_id;
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
