@@ -511,7 +511,8 @@ const ElementRow kWorkplaceElement{
 rules/README.md.)",
     .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
                    kZoneFootprintAttribute, kHeightAboveFloorAttribute},
-    .children = {{"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
+    .children = {
+        {"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
 
 // Rooms and the root.
 const ElementRow kPrismRoomElement{
