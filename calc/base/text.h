@@ -24,9 +24,8 @@ std::optional<int> parse_integer(std::string_view text);
 // "a, b or c"
 std::string join_choices(const std::vector<std::string_view>& choices);
 
-// Of a list that is cut short, for the end of what is told: " and 3 more"; "" where nothing is left
-// out.
-std::string and_more(std::size_t left_out);
+// Of a list that is cut short, for its end: "and 3 more", or with `what` "and 3 more rooms".
+std::string and_more(std::size_t left_out, std::string_view what = {});
 
 // "a, b, c and 3 more": at most so many by name.
 std::string list_names(const std::vector<std::string>& names, std::size_t most);

@@ -6,8 +6,8 @@
 
 namespace check {
 
-std::string day_of(const Settings& settings) {
-  if (!settings.today.empty()) return settings.today;
+std::string day_or_today(const std::string& day) {
+  if (!day.empty()) return day;
   const std::time_t now = std::time(nullptr);
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }

@@ -156,8 +156,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   const check::BackendChoice backend =
       check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(
-            check::plan_projects(options.input.projects, files, *packs, radiosity));
+        return first_look_work(check::plan_projects(options.input.projects, files, *packs,
+                                                    radiosity, options.settings.today));
       });
   const std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
