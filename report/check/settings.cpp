@@ -1,6 +1,7 @@
 #include "report/check/settings.h"
 
 #include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include <ctime>
 
