@@ -2,6 +2,7 @@
 luxgate_test(aggregate_tests
   SOURCES
     unit/report/formats/aggregates_test.cpp
+    unit/report/result_file/corpus_results_test.cpp
     unit/rules/verdict/aggregate_corpus_test.cpp
     unit/rules/verdict/judge_aggregates_test.cpp
   LIBRARIES report nlohmann_json::nlohmann_json pugixml::pugixml)

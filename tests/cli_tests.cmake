@@ -8,6 +8,7 @@ luxgate_test(cli_tests
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/init/init_test.cpp
+    unit/report/result_file/contradiction_test.cpp
     unit/report/shell/command_line_test.cpp
     unit/report/shell/outputs_test.cpp
     unit/report/shell/warning_tally_test.cpp
@@ -28,6 +29,10 @@ foreach(case IN LISTS golden_cases)
       -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_golden.cmake)
   endif()
 endforeach()
+
+add_test(NAME cli.results_are_read COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+  -DGOLDEN=${CMAKE_CURRENT_SOURCE_DIR}/golden -DWORK=${CMAKE_CURRENT_BINARY_DIR}/results_are_read
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_results_are_read.cmake)
 
 # Every numbered folder in examples/ is a test of its exit code; one without expected_exit fails.
 file(GLOB examples CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/examples/[0-9]*)

@@ -74,6 +74,19 @@ std::string join_choices(const std::vector<std::string_view>& choices) {
   return text;
 }
 
+std::string and_more(std::size_t left_out, std::string_view what) {
+  std::string text = "and " + std::to_string(left_out) + " more";
+  if (!what.empty()) text.append(" ").append(what);
+  return text;
+}
+
+std::string list_names(const std::vector<std::string>& names, std::size_t most) {
+  const std::size_t told = std::min(names.size(), most);
+  std::string text;
+  for (std::size_t i = 0; i < told; ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > told ? text + " " + and_more(names.size() - told) : text;
+}
+
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices) {
   std::string_view best;
   std::size_t best_distance = 0;

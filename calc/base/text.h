@@ -1,6 +1,7 @@
 #pragma once
 // Locale-free text helpers shared by all readers.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ std::optional<int> parse_integer(std::string_view text);
 
 // "a, b or c"
 std::string join_choices(const std::vector<std::string_view>& choices);
+
+// Of a list that is cut short, for its end: "and 3 more", or with `what` "and 3 more rooms".
+std::string and_more(std::size_t left_out, std::string_view what = {});
+
+// "a, b, c and 3 more": at most so many by name.
+std::string list_names(const std::vector<std::string>& names, std::size_t most);
 
 // "; did you mean 'x'?" for the closest choice within a third of its length, else "".
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices);

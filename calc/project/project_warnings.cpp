@@ -1,5 +1,6 @@
 #include "calc/project/project_warnings.h"
 
+#include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/project/surface_overlap.h"
 #include "calc/scene/opening_fit.h"
@@ -37,7 +38,7 @@ bool room_contains(const RoomShell& shell, const glm::dvec3& point_m) {
 }
 
 std::string and_others(std::size_t others) {
-  return others == 0 ? std::string() : fmt::format(" (and {} more of this element)", others);
+  return others == 0 ? std::string() : fmt::format(" ({})", and_more(others, "of this element"));
 }
 
 // Things that come from one element of the file get one warning: the first one's id, and how many
@@ -71,7 +72,7 @@ void warn_of_first_few(const std::vector<Thing>& things, const char* kind,
   constexpr std::size_t kNamed = 3;
   for (std::size_t i = 0; i < std::min(things.size(), kNamed); ++i) {
     const bool has_more = i + 1 == kNamed && things.size() > kNamed;
-    warn(things[i], has_more ? fmt::format(" (and {} more {})", things.size() - kNamed, kind) : "");
+    warn(things[i], has_more ? fmt::format(" ({})", and_more(things.size() - kNamed, kind)) : "");
   }
 }
 
@@ -233,11 +234,11 @@ void warn_coincident_luminaires(const Space& space, Diagnostics& diagnostics) {
   const std::string place = first->where.file == pasted->where.file
                                 ? fmt::format("line {}", first->where.line)
                                 : fmt::format("{}:{}", first->where.file, first->where.line);
-  diagnostics.report(DiagnosticId::luminaires_coincide, pasted->where, luminaire_words(*pasted),
-                     luminaire_words(*first), place, kSamePlace_m * 1.0e3,
-                     others == 0
-                         ? std::string()
-                         : fmt::format(" (and {} more luminaires of this space likewise)", others));
+  diagnostics.report(
+      DiagnosticId::luminaires_coincide, pasted->where, luminaire_words(*pasted),
+      luminaire_words(*first), place, kSamePlace_m * 1.0e3,
+      others == 0 ? std::string()
+                  : fmt::format(" ({})", and_more(others, "luminaires of this space likewise")));
 }
 
 void warn_efficacies(const Project& project, Diagnostics& diagnostics) {

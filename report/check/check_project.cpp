@@ -8,9 +8,8 @@
 #include "report/build/build_evidence.h"
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
-#include "rules/binding/bind.h"
+#include "report/check/plane_jobs.h"
 #include "rules/binding/judged_project.h"
-#include "rules/fitness/fitness.h"
 #include "rules/measure/error_spending.h"
 #include "rules/verdict/coverage.h"
 #include "rules/verdict/judge.h"
@@ -18,12 +17,11 @@
 #include "rules/verdict/stop_rule.h"
 #include "rules/verdict/waiver.h"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -63,44 +61,6 @@ report::ProjectPart unreadable_project(const std::string& path,
   part.path = path;
   part.diagnostics = diagnostics.all();
   return part;
-}
-
-std::string today(const Settings& settings) {
-  if (!settings.today.empty()) return settings.today;
-  const std::time_t now = std::time(nullptr);
-  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
-}
-
-// A plane on its way; without a grid `reason` says why it cannot be computed.
-struct PlaneJob {
-  const calc::CalcPlane* plane;
-  std::vector<rules::Requirement> requirements;
-  std::optional<calc::SensorGrid> grid;
-  std::string reason;
-};
-
-std::vector<PlaneJob> make_grids(const calc::Space& space, const rules::JudgedProject& loaded,
-                                 calc::Diagnostics& diagnostics) {
-  std::vector<PlaneJob> jobs;
-  for (const calc::CalcPlane& plane : space.planes) {
-    PlaneJob& job = jobs.emplace_back();
-    job.plane = &plane;
-    job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
-    job.grid = calc::make_sensor_grid(plane, space, diagnostics);
-    if (!job.grid) job.reason = diagnostics.all().back().message;
-  }
-  return jobs;
-}
-
-// What does not fit is not judged, and so needs no light.
-void check_fitness(const calc::Space& space, const rules::JudgedProject& loaded,
-                   const Context& context, std::vector<PlaneJob>& jobs) {
-  const std::string day = today(context.settings);
-  for (PlaneJob& job : jobs) {
-    if (!job.grid) continue;
-    rules::check_fitness({loaded.project, space, *job.plane, *job.grid, context.packs, day},
-                         job.requirements);
-  }
 }
 
 // The planes that have points; tasks keep their order.
@@ -209,7 +169,7 @@ report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
   }
   std::vector<rules::Finding> findings =
       rules::judge_plane(job.requirements, *job.grid, *field, scenes, settings.confidence);
-  for (rules::Finding& finding : findings) rules::apply_waiver(finding, today(settings));
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, day_of(settings));
   return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
                              settings.confidence);
 }
@@ -236,8 +196,8 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
                               const Context& context, const Stopwatch& watch,
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
-  std::vector<PlaneJob> jobs = make_grids(space, loaded, diagnostics);
-  check_fitness(space, loaded, context, jobs);
+  std::vector<PlaneJob> jobs =
+      make_plane_jobs(space, loaded, context.packs, day_of(context.settings), diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
   Tasks tasks = make_tasks(jobs);
   std::optional<calc::PreparedScene> apart;
@@ -359,13 +319,16 @@ report::ProjectPart check_project(const std::string& path, const Settings& setti
 }
 
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
-                                     const std::vector<rules::RulePack>& packs) {
+                                     const std::vector<rules::RulePack>& packs,
+                                     std::string_view day) {
   calc::Diagnostics diagnostics;
   const std::optional<rules::JudgedProject> loaded = load(path, files, packs, diagnostics);
   if (!loaded) return unreadable_project(path, diagnostics);
 
   report::ProjectPart part = report::build_project(loaded->project);
-  for (const calc::Space& space : loaded->project.spaces) make_grids(space, *loaded, diagnostics);
+  for (const calc::Space& space : loaded->project.spaces) {
+    warn_of_unjudged(make_plane_jobs(space, *loaded, packs, day, diagnostics), diagnostics);
+  }
   part.is_judged = !diagnostics.has_errors();
   part.diagnostics = diagnostics.all();
   return part;

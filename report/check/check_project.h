@@ -11,6 +11,7 @@
 #include "rules/pack/rule_pack.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace check {
@@ -34,8 +35,10 @@ report::ProjectPart check_project(const std::string& path, const Context& contex
 // The same on the processor, with nobody watching; files of the disk, delivered rule packs only.
 report::ProjectPart check_project(const std::string& path, const Settings& settings = {});
 
-// Everything that check_project() reads and checks, without calculation.
+// Everything that check_project() reads and checks, without calculation; what will not be judged,
+// whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
-                                     const std::vector<rules::RulePack>& packs);
+                                     const std::vector<rules::RulePack>& packs,
+                                     std::string_view day);
 
 }  // namespace check

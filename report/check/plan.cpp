@@ -2,6 +2,7 @@
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/check/plane_jobs.h"
 #include "rules/binding/judged_project.h"
 
 #include <fmt/format.h>
@@ -25,20 +26,16 @@ std::string grid_text(const calc::SensorGrid& grid) {
                      grid.margin_m);
 }
 
+// jobs: of the space.
 SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
-                     const calc::RadiositySettings& settings, calc::Diagnostics& diagnostics) {
-  std::vector<calc::SensorGrid> grids;
-  std::vector<const calc::CalcPlane*> planes;
-  for (const calc::CalcPlane& plane : space.planes) {
-    std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
-    if (!grid) continue;
-    grids.push_back(std::move(*grid));
-    planes.push_back(&plane);
-  }
+                     const std::vector<PlaneJob>& jobs, const calc::RadiositySettings& settings) {
   std::vector<std::string> rule_of_grid;
-  for (const calc::SensorGrid& grid : grids) rule_of_grid.push_back(grid_text(grid));
   std::vector<calc::PlaneTask> tasks;
-  for (std::size_t p = 0; p < planes.size(); ++p) tasks.push_back({planes[p]->id, &grids[p]});
+  for (const PlaneJob& job : jobs) {
+    if (!job.grid) continue;
+    rule_of_grid.push_back(grid_text(*job.grid));
+    tasks.push_back({job.plane->id, &*job.grid});
+  }
 
   const calc::PreparedScene scene = calc::prepare_scene(project, space);
   SpacePlan result;
@@ -58,7 +55,7 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
 
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
-                         const calc::RadiositySettings& settings) {
+                         const calc::RadiositySettings& settings, std::string_view day) {
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
@@ -66,7 +63,9 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
     const calc::Project& project = judged->project;
     plan.name = project.name;
     for (const calc::Space& space : project.spaces) {
-      plan.spaces.push_back(plan_space(project, space, settings, diagnostics));
+      const std::vector<PlaneJob> jobs = make_plane_jobs(space, *judged, packs, day, diagnostics);
+      warn_of_unjudged(jobs, diagnostics);
+      plan.spaces.push_back(plan_space(project, space, jobs, settings));
     }
   }
   plan.is_planned = !diagnostics.has_errors();
@@ -77,10 +76,11 @@ ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
-                                       const calc::RadiositySettings& settings) {
+                                       const calc::RadiositySettings& settings,
+                                       std::string_view day) {
   std::vector<ProjectPlan> plans;
   for (const std::string& path : paths) {
-    plans.push_back(plan_project(path, files, packs, settings));
+    plans.push_back(plan_project(path, files, packs, settings, day));
   }
   return plans;
 }

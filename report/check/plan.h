@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace check {
@@ -30,15 +31,17 @@ struct ProjectPlan {
 };
 
 // Reads everything that a check reads. A plane without points is an error; the others are planned.
+// What will not be judged, whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
-                         const calc::RadiositySettings& settings);
+                         const calc::RadiositySettings& settings, std::string_view day);
 
 // Of each.
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
-                                       const calc::RadiositySettings& settings);
+                                       const calc::RadiositySettings& settings,
+                                       std::string_view day);
 
 // What the first look at these projects gathers, as far as they are planned.
 GatherWork first_look_work(const std::vector<ProjectPlan>& projects);

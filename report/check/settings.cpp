@@ -1,6 +1,17 @@
 #include "report/check/settings.h"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
 namespace check {
+
+std::string day_or_today(const std::string& day) {
+  if (!day.empty()) return day;
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
 
 std::string problem_with(const Settings& settings) {
   if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {

@@ -18,6 +18,10 @@ struct Settings {
   std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
 };
 
+// The clock's day, UTC, if there is none.
+std::string day_or_today(const std::string& day);
+inline std::string day_of(const Settings& settings) { return day_or_today(settings.today); }
+
 // "" if all values are allowed, else what is wrong and what is allowed.
 std::string problem_with(const Settings& settings);
 

@@ -122,6 +122,25 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   return counts;
 }
 
+bool hangs_on_the_day(const Document& document) {
+  const auto is_stated = [](const rules::Deviation& deviation) {
+    return deviation.stated.has_value();
+  };
+  const auto is_one = [&](const rules::Finding& finding) {
+    const auto& deviations = finding.requirement.deviations;
+    return finding.requirement.waiver ||
+           std::any_of(deviations.begin(), deviations.end(), is_stated);
+  };
+  for (const ProjectPart& project : document.projects) {
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        if (std::any_of(plane.findings.begin(), plane.findings.end(), is_one)) return true;
+      }
+    }
+  }
+  return false;
+}
+
 int count_rows_in_part(const Document& document) {
   int count = 0;
   for (const ProjectPart& project : document.projects) {

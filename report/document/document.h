@@ -41,6 +41,7 @@ struct Provenance {
   std::string program_version;  // "0.1.0"
   std::string command_line;     // copyable: "luxgate check office.xml --seed 1"
   std::string timestamp;        // "" unless asked for (--timestamp or SOURCE_DATE_EPOCH)
+  std::string judged_on;        // day by which waivers lasted; "" = no waiver, nothing stated
   std::uint64_t seed = 0;
   double confidence = 0.95;  // over all looks of a plane
   rules::Goal goal = rules::Goal::verdict;
@@ -235,6 +236,9 @@ calc::Estimate no_estimate();
 calc::Estimate settled(const calc::Estimate& estimate);
 // All of a plane's.
 void settle_estimates(PlanePart& plane);
+
+// It has a waiver or a stated deviation, so that its verdicts hang on the day.
+bool hangs_on_the_day(const Document& document);
 
 // Rows of rule packs of which something was never asked.
 int count_rows_in_part(const Document& document);

@@ -1,5 +1,6 @@
 #include "report/formats/console.h"
 
+#include "calc/base/text.h"
 #include "report/formats/folded_passes.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
@@ -230,16 +231,6 @@ void add_planes(const Texts& t, const SpacePart& space, bool lists_passes,
   }
 }
 
-// "a, b, c and 3 more"
-std::string some_names(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 3;
-  const std::size_t named = std::min(names.size(), kMostNamed);
-  std::string text = fmt::format(
-      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "));
-  if (names.size() > named) text += fmt::format(" and {} more", names.size() - named);
-  return text;
-}
-
 // A long note that several requirements have is said once, "[1] ...", and then referred to.
 void number_repeated_notes(std::vector<TableLine>& lines) {
   constexpr std::size_t kWorthIt = 60;  // characters; shorter ones are read as fast as a number
@@ -368,7 +359,7 @@ std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowC
   for (rules::RowCoverage& row : rows) {
     const auto names = workplaces.find(said(row));
     if (names == workplaces.end()) continue;
-    row.workplace = some_names(names->second);
+    row.workplace = calc::list_names(names->second, 3);
     workplaces.erase(names);
     result.push_back(std::move(row));
   }

@@ -68,16 +68,24 @@ std::string waiver_words(const rules::Finding& finding) {
                      finding.is_waived ? "" : " (does not apply)");
 }
 
+// What is required, and of what; space_id and plane_id may be "".
+ResultRow row_of(const ProjectPart& project, const std::string& space_id,
+                 const std::string& plane_id, const std::string& id, std::string_view quantity) {
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("space", field(space_id));
+  row.set("plane", field(plane_id));
+  row.set("requirement", field(id));
+  row.set("quantity", std::string(quantity));
+  return row;
+}
+
 void add_finding(const ProjectPart& project, const SpacePart& space, const PlanePart& plane,
                  const rules::Finding& finding, std::string& csv) {
   const rules::Requirement& requirement = finding.requirement;
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  ResultRow row;
-  row.set("project", field(project.path));
-  row.set("space", field(space.id));
-  row.set("plane", field(plane.id));
-  row.set("requirement", field(requirement.id));
-  row.set("quantity", std::string(calc::name_of(requirement.metric)));
+  ResultRow row =
+      row_of(project, space.id, plane.id, requirement.id, calc::name_of(requirement.metric));
   if (requirement.metric == rules::Metric::percentile) {
     row.set("percent", number(requirement.percent));
   }
@@ -122,12 +130,8 @@ void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& fi
                    std::string& csv) {
   std::string words = aggregate_required({}, finding) + ": " + aggregate_measured({}, finding);
   if (!finding.reason.empty()) words += "; " + finding.reason;
-  ResultRow row;
-  row.set("project", field(project.path));
-  row.set("space", field(finding.space_id));
-  row.set("plane", field(finding.plane_id));
-  row.set("requirement", field(finding.id));
-  row.set("quantity", std::string(calc::name_of(finding.kind)));
+  ResultRow row =
+      row_of(project, finding.space_id, finding.plane_id, finding.id, calc::name_of(finding.kind));
   row.set("clause", field(finding.clause));
   row.set("verdict", rules::verdict_name(finding.verdict));
   row.set("reason", field(words));

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -69,12 +70,17 @@ std::string entry_words(const Texts& t, const CiFinding& entry) {
   return is_member ? t.say<Text::verdict_in_aggregate>(words) : t.say<Text::verdict_advice>(words);
 }
 
-std::string table(const Texts& t, const std::vector<CiFinding>& findings) {
-  std::string text = t[Text::markdown_head];
-  text += "\n| --- | --- | --- | ---: | ---: | ---: |\n";
+// has_projects: the first column says which project it is.
+std::string table(const Texts& t, const std::vector<CiFinding>& findings, bool has_projects) {
+  std::string text;
+  if (has_projects) text += std::string("| ") + t[Text::markdown_project] + " ";
+  text += std::string(t[Text::markdown_head]) + "\n";
+  text += has_projects ? "| --- " : "";
+  text += "| --- | --- | --- | ---: | ---: | ---: |\n";
   std::size_t rows = 0;
   for (const CiFinding& entry : findings) {
     if (++rows > kMostRows) break;
+    if (has_projects) text += fmt::format("| {} ", escape_markdown(entry.project->path));
     text += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
                         entry_words(t, entry), escape_markdown(entry.place), cells(t, entry));
   }
@@ -82,6 +88,22 @@ std::string table(const Texts& t, const std::vector<CiFinding>& findings) {
     text += "\n" + t.say<Text::more_left_out>(findings.size() - kMostRows) + "\n";
   }
   return text;
+}
+
+// What each of them came to: two variants of a design have the same rooms and planes.
+std::string projects(const Texts& t, const Document& document) {
+  constexpr std::size_t kMost = 50;
+  std::string text = "\n";
+  for (std::size_t p = 0; p < std::min(document.projects.size(), kMost); ++p) {
+    const ProjectPart& project = document.projects[p];
+    const rules::Outcome outcome = outcome_of(project);
+    text += fmt::format("- {} {}: {}", outcome_symbol(outcome), outcome_words(t, outcome),
+                        escape_markdown(project.path));
+    if (!project.name.empty()) text += ", " + escape_markdown(project.name);
+    text += "\n";
+  }
+  if (document.projects.size() <= kMost) return text;
+  return text + "\n" + t.say<Text::more_left_out>(document.projects.size() - kMost) + "\n";
 }
 
 std::string warnings(const Texts& t, const ProjectPart& project) {
@@ -110,7 +132,9 @@ std::string render_markdown(const Document& document, const Texts& t) {
   const rules::Outcome outcome = outcome_of(document);
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t, outcome), summary_words(t, document));
-  if (!others.empty()) text += "\n" + table(t, others);
+  const bool has_projects = document.projects.size() > 1;
+  if (has_projects) text += projects(t, document);
+  if (!others.empty()) text += "\n" + table(t, others, has_projects);
   for (const ProjectPart& project : document.projects) text += warnings(t, project);
   for (const ProjectPart& project : document.projects) {
     const std::vector<std::string> notes = ci_notes(project, t);
@@ -120,7 +144,7 @@ std::string render_markdown(const Document& document, const Texts& t) {
   }
   if (!passed.empty()) {
     text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
-                        t.say<Text::passed>(passed.size()), table(t, passed));
+                        t.say<Text::passed>(passed.size()), table(t, passed, has_projects));
   }
   if (const std::string words = redaction_words(document, t); !words.empty())
     text += "\n" + words + "\n";

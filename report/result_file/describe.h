@@ -43,7 +43,7 @@ enum class Holds { text, file, own_file, prose };
 struct About {
   const char* words = "";  // for the schema
   Presence presence = kAlways;
-  std::optional<bool> null_if = {};  // true: null is written, and whatever is there is not read
+  std::optional<bool> null_if = {};  // true: null is written and needed, since nothing is judged
   Holds holds = Holds::text;
   // Range of a number: least and most, or above and below. Of whole numbers `least` alone, else 0.
   std::optional<double> least = {}, most = {}, above = {}, below = {};

@@ -31,6 +31,7 @@ class JsonCursor {
   JsonCursor operator[](std::string_view key) const;  // must be there
   std::optional<JsonCursor> find(std::string_view key) const;
   bool is_null() const;
+  const nlohmann::json& raw() const { return *json_; }
 
   std::string text() const;
   bool flag() const;

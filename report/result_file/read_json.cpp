@@ -1,14 +1,16 @@
 #include "report/result_file/read_json.h"
 
+#include "report/result_file/contradiction.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
 #include "report/result_file/result_fields.h"
+#include "report/result_file/written_check.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace report {
 namespace {
@@ -43,7 +45,9 @@ class Reader : public Visitor {
   template <class T>
   void field(const char* key, T&& value, const About& about = {}) {
     const std::optional<JsonCursor> found = find(key, about);
-    if (found && !about.null_if.value_or(false)) read(*found, value, about);
+    if (!found) return;
+    if (!about.null_if.value_or(false)) return read(*found, value, about);
+    if (!found->is_null()) found->refuse("null is needed, since nothing is judged");
   }
   template <class Fields>
   void object(const char* key, const Fields& fields, const About& about = {}) {
@@ -172,6 +176,8 @@ std::optional<Document> read_json(std::string_view bytes, std::string& problem) 
         for (PlanePart& plane : space.planes) complete(space, plane);
       }
     }
+    refuse_contradictions(document);
+    check_written(JsonCursor(json), document);
     return document;
   } catch (const BadJson& bad) {
     problem = bad.what();

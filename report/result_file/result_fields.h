@@ -1,22 +1,18 @@
 #pragma once
 // The result file, said once: of each part of a document its keys, in the order in which they are
-// written, with what they hold, where they may be missing and what the schema says of them. Four
-// visitors go through it (describe.h): the writer (json.cpp), the reader (read_json.cpp), the
-// schema (result_schema.cpp) and the redaction (redact.cpp). A new key is a line here.
+// written, with what they hold, where they may be missing and what the schema says of them. Five
+// visitors go through it (describe.h): the writer (json_writer.h), the reader (read_json.cpp), what
+// holds a file against what follows from it (written_check.cpp), the schema (result_schema.cpp) and
+// the redaction (redact.cpp). A new key is a line here, in finding_fields.h or in plane_fields.h.
 
 #include "calc/base/names.h"
 #include "report/document/document.h"
 #include "report/result_file/describe.h"
-#include "report/text/words.h"
+#include "report/result_file/finding_fields.h"
+#include "report/result_file/plane_fields.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace report {
@@ -78,6 +74,10 @@ void describe(auto& v, Is<Provenance> auto& p) {
       "same_bits_on", p.same_bits,
       {.words = "any-processor: any x86-64 processor. same-device: the same graphics device and "
                 "driver. nowhere: time or an interruption cut the calculation short."});
+  v.field("judged_on", p.judged_on,
+          {.words = "The day by which waivers and stated deviations were held to last; there if "
+                    "the result has any.",
+           .presence = only_if(!p.judged_on.empty())});
   v.field("timestamp", p.timestamp,
           {.words = "Only if asked for.", .presence = only_if(!p.timestamp.empty())});
   v.field("redacted", p.is_redacted,
@@ -141,351 +141,6 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
        .presence = kSinceLater});
 }
 
-void describe(auto& v, Is<rules::DecisionPolicy> auto& policy) {
-  v.field("compares_rounded", policy.compares_rounded);
-  v.field("rounding", policy.rounding);
-  v.field("illuminance_digits", policy.illuminance_digits);
-  v.field("ratio_digits", policy.ratio_digits);
-  v.field("other_digits", policy.other_digits);
-  v.field("tolerance", policy.tolerance);
-  v.field("tolerance_reason", policy.tolerance_reason, {.holds = Holds::prose});
-  v.field("guard", policy.guard);
-}
-
-// Units of everything that can be required, each once.
-inline std::vector<std::string_view> requirement_units() {
-  std::vector<std::string_view> units;
-  for (const auto& metric : calc::EnumNames<rules::Metric>::list) {
-    const std::string_view unit = rules::metric_unit(metric.value);
-    if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
-  }
-  return units;
-}
-
-void describe(auto& v, Is<rules::Deviation> auto& deviation) {
-  v.is("deviation");
-  v.field("in", deviation.aspect);
-  v.field("words", deviation.words, {.holds = Holds::prose});
-  v.field("accepted", deviation.is_accepted,
-          {.words = "The project states it, and its last day is not over."});
-  const auto by = [&](auto& o) {
-    rules::Waiver of = deviation.stated.value_or(rules::Waiver{});
-    o.field("reason", of.reason);
-    o.field("owner", of.owner);
-    o.field("until", of.until);
-    assign(deviation.stated, of);
-  };
-  v.object("stated", by, {.presence = only_if(deviation.stated.has_value())});
-}
-
-void describe(auto& v, Is<rules::Finding> auto& finding) {
-  auto& requirement = finding.requirement;
-  v.is("finding");
-  v.field("requirement", requirement.id, {.words = "Its id, unique within the plane."});
-  v.field("quantity", requirement.metric, {.unknown = "no quantity has that name"});
-  v.written("unit", [&] { return std::string_view(rules::unit_of(requirement)); },
-            {.choices = requirement_units()});
-  v.field("comparison", requirement.comparison);
-  v.field("limit", or_null(requirement.limit));
-  v.field("state", requirement.state);
-  v.field("scene", requirement.scene, {.words = "'': every luminaire at full output."});
-  v.field("clause", requirement.clause);
-  v.field("where", requirement.where);
-  v.field("verdict", finding.verdict);
-  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  v.refuse_if(is_judged && std::isnan(requirement.limit), "limit", "a number is needed");
-  v.field("measured", finding.measured, {.null_if = !is_judged});
-  v.field("margin", or_null(finding.margin),
-          {.words = "(measured - limit) / limit, the sign turned for at_most: positive is good.",
-           .null_if = !is_judged});
-  v.field("is_close", finding.is_close, {.words = "Usual rounding would change the verdict."});
-  v.field("place_m", finding.place_m, {.null_if = !is_judged});
-  v.field("reason", finding.reason, {.holds = Holds::prose});
-  v.written("note", [&] { return note_words(finding); },
-            {.words = "What must be read with the finding, in words."});
-  v.written("policy", [&] { return rules::policy_text(requirement.policy); },
-            {.words = "How values are compared, in words."});
-  v.field("decision", requirement.policy);
-  v.field("requirement_note", requirement.note, {.holds = Holds::prose});
-  v.field("severity", requirement.severity);
-  v.field("direct_only", requirement.direct_only);
-  v.field("by_tolerance", finding.by_tolerance);
-  const auto waiver = [&](auto& o) {
-    rules::Waiver of = requirement.waiver.value_or(rules::Waiver{});
-    o.field("reason", of.reason);
-    o.field("owner", of.owner);
-    o.field("until", of.until);
-    assign(requirement.waiver, of);
-    o.field("applies", finding.is_waived);
-    const bool may_be_waived =
-        finding.verdict == rules::Verdict::fail || finding.verdict == rules::Verdict::undecided;
-    o.refuse_if(finding.is_waived && !may_be_waived, "applies",
-                "only 'fail' and 'undecided' can be waived");
-  };
-  v.object("waiver", waiver, {.presence = only_if(requirement.waiver.has_value())});
-  const auto rule = [&](auto& o) {
-    o.field("pack", requirement.origin.pack, {.words = "With its edition: en12464-1:2021."});
-    o.field("row", requirement.origin.row);
-    o.field("check", requirement.origin.check);
-  };
-  v.object("rule", rule, {.presence = only_if(!requirement.origin.pack.empty())});
-  v.field("deviations", requirement.deviations,
-          {.words = "In what the plane is not the one that the rule pack's number is about.",
-           .presence = only_if(!requirement.deviations.empty())});
-  // The ends of a range have one name where they are in lx, and one where they have no unit.
-  const bool is_share = requirement.metric == rules::Metric::share;
-  const bool is_plain = calc::is_plain_number(requirement.derived);
-  constexpr double kOpen = std::numeric_limits<double>::infinity();
-  v.field(
-      "from", requirement.range.from,
-      {.words = "Of quantities without unit, as to.", .presence = only_if(is_share && is_plain)});
-  v.field("to", or_null(requirement.range.to, kOpen),
-          {.words = "null: no upper end.", .presence = only_if(is_share && is_plain)});
-  v.field("from_lx", requirement.range.from, {.presence = only_if(is_share && !is_plain)});
-  v.field("to_lx", or_null(requirement.range.to, kOpen),
-          {.words = "null: no upper end.", .presence = only_if(is_share && !is_plain)});
-  const auto mask = [&](auto& o) {
-    o.field("id", requirement.mask.id);
-    o.field("points_used", finding.points_used);
-  };
-  v.object("mask", mask, {.presence = only_if(!requirement.mask.id.empty())});
-  v.field("percent", requirement.percent,
-          {.presence = only_if(requirement.metric == rules::Metric::percentile)});
-  v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});
-}
-
-void describe(auto& v, Is<calc::DroppedPoint> auto& point) {
-  v.is("dropped");
-  v.field("column", point.column);
-  v.field("row", point.row);
-  v.field("position_m", point.position_m);
-  v.field("reason", point.reason);
-  v.field("body", point.body, {.presence = only_if(!point.body.empty())});
-}
-
-// Whether the cells of pictures can be made from it.
-inline bool is_whole(const calc::RouteGrid& route, const calc::SensorGrid& grid) {
-  const std::vector<int>& stations = route.stations;
-  return !stations.empty() && stations.size() + 1 == route.line.corner_m.size() &&
-         *std::min_element(stations.begin(), stations.end()) > 0 && grid.rows > 0 &&
-         std::accumulate(stations.begin(), stations.end(), std::int64_t{0}) == grid.columns;
-}
-
-void describe_route(auto& v, Is<calc::SensorGrid> auto& grid) {
-  const auto fields = [&](auto& o) {
-    calc::RouteGrid route = grid.route.value_or(calc::RouteGrid{});
-    o.field("line_m", route.line.corner_m, {.words = "The corners of its centre line."});
-    o.field("width_m", route.line.width_m);
-    o.field("height_m", route.height_m, {.words = "Of the points above the walking surface."});
-    o.field("stations", route.stations, {.words = "Columns of cells on each leg of the line."});
-    o.refuse_if(!(route.line.width_m > 0.0), "width_m", "a number above 0 is needed");
-    o.refuse_if(!is_whole(route, grid), "stations", "each leg needs its columns of the grid");
-    o.refuse_if(!calc::route_fault(route.line).empty(), "line_m", "it is no line of a route");
-    assign(grid.route, std::optional(route));
-  };
-  v.object(
-      "route", fields,
-      {.words = "Of an escape route: its columns are stations along the line, its rows go from "
-                "the right side to the left one.",
-       .presence = only_if(grid.route.has_value())});
-}
-
-// Of the grid and of the plane's area.
-void describe_grid(auto& v, Is<PlanePart> auto& plane) {
-  // As many as a plane may have; a file must not make pictures of any size.
-  constexpr std::int64_t kMostCells = 4'000'000;
-  auto& grid = plane.grid;
-  v.is("grid");
-  v.field("rule", grid.rule);
-  v.field("columns", grid.columns);
-  v.field("rows", grid.rows);
-  v.refuse_if(std::int64_t{grid.columns} * grid.rows > kMostCells, "columns",
-              "the grid has too many cells");
-  v.field("spacing_u_m", grid.spacing_u_m);
-  v.field("spacing_v_m", grid.spacing_v_m);
-  v.field("margin_m", grid.margin_m);
-  v.field("origin_m", grid.origin_m);
-  v.field("u", grid.u);
-  v.field("v", grid.v);
-  v.field("outline_m", plane.outline_m);
-  v.field("holes_m", plane.holes_m);
-  describe_route(v, grid);
-  v.field("dropped", grid.dropped);
-}
-
-inline std::vector<std::string_view> point_columns(calc::DerivedQuantity derived) {
-  const bool is_plain = calc::is_plain_number(derived);
-  return {"column",
-          "row",
-          "x_m",
-          "y_m",
-          "z_m",
-          "nx",
-          "ny",
-          "nz",
-          value_key(derived),
-          is_plain ? "low" : "low_lx",
-          is_plain ? "high" : "high_lx",
-          "direct_lx",
-          "indirect_lx"};
-}
-
-void describe_points(auto& v, Is<PlanePart> auto& plane) {
-  using enum calc::DerivedQuantity;
-  v.is("points", "Maintained illuminance of every luminaire at full output, one row per point.");
-  v.written(
-      "columns", [&] { return point_columns(plane.derived); },
-      {.words = "ugr and modelling have no unit. Of ugr the light is the reflected light at the "
-                "eye."},
-      std::vector{point_columns(none), point_columns(ugr), point_columns(modelling)});
-  v.rows("rows", plane.points, [&](auto& row, auto& p) {
-    row(p.column, p.row, p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y,
-        p.normal.z, or_null(p.measured.value), or_null(p.measured.low), or_null(p.measured.high),
-        or_null(p.direct_lx), or_null(p.indirect_lx));
-    // Pictures rely on it.
-    const calc::SensorGrid& grid = plane.grid;
-    row.refuse_if(grid.columns > 0 && (p.column >= grid.columns || p.row >= grid.rows),
-                  "the cell is outside the grid");
-  });
-}
-
-void describe(auto& v, Is<GroupShare> auto& share) {
-  v.field("group", share.group);
-  v.field("average_lx", share.average_lx);
-  v.field("direct_lx", or_null(share.direct_lx));
-}
-
-void describe_light(auto& v, Is<LuminaireShare> auto& share) {
-  v.field("average_lx", share.average_lx);
-  v.field("direct_lx", or_null(share.direct_lx));
-  v.field("minimum_lx", share.minimum_lx);
-  v.field("minimum_direct_lx", or_null(share.minimum_direct_lx));
-}
-
-void describe(auto& v, Is<LuminaireShare> auto& share) {
-  v.field("id", share.id);
-  v.field("type", share.type_id);
-  v.field("group", share.group);
-  v.field("position_m", share.position_m);
-  describe_light(v, share);
-}
-
-void describe(auto& v, Is<LuminaireShares> auto& shares) {
-  v.field("minimum_at_m", shares.minimum_at_m,
-          {.words = "Of the point with the least light, which minimum_lx and minimum_direct_lx are "
-                    "of."});
-  v.field("largest", shares.largest);
-  const auto others = [&](auto& o) {
-    o.field("count", shares.others, {.least = 2.0});
-    describe_light(o, shares.rest);
-  };
-  v.object("others", others, {.presence = only_if(shares.others > 0)});
-}
-
-void describe(auto& v, Is<LookFinding> auto& finding) {
-  v.field("verdict", finding.verdict);
-  v.field("measured", finding.measured, {.null_if = finding.verdict == rules::Verdict::not_judged});
-}
-
-void describe(auto& v, Is<PlaneLook> auto& look) {
-  v.field("paths", look.paths);
-  v.field("rays", look.rays);
-  v.field("points", look.points);
-  v.field("average_lx", look.average);
-  v.field("findings", look.findings, {.words = "In the order of the plane's findings."});
-}
-
-// Ratings and ratios of points have no average that would mean anything.
-void describe_statistics(auto& v, Is<PlanePart> auto& plane) {
-  const auto of_light = [&] {
-    v.field("average_lx", plane.average);
-    v.field("minimum_lx", plane.minimum);
-    v.field("maximum_lx", plane.maximum);
-    v.field("uniformity_min_avg", plane.uniformity_min_avg);
-    v.field("uniformity_min_max", plane.uniformity_min_max);
-  };
-  const auto of_plain_numbers = [&] {
-    v.field("minimum", plane.minimum);
-    v.field("maximum", plane.maximum);
-  };
-  v.either(!calc::is_plain_number(plane.derived), of_light, of_plain_numbers);
-}
-
-// What only planes have that were computed.
-void describe_results(auto& v, Is<PlanePart> auto& plane) {
-  auto& counters = plane.counters;
-  v.field("remarks", plane.remarks,
-          {.words = "How the quantity was come by.",
-           .presence = only_if(!plane.remarks.empty()),
-           .holds = Holds::prose});
-  v.object("statistics", [&](auto& o) { describe_statistics(o, plane); },
-           {.words = "Of ugr and modelling, which have no unit: minimum and maximum alone."});
-  v.field("stop", plane.stop, {.words = "Why the work on the plane ended."});
-  v.written("looks", [&] { return counters.active_points.size(); });
-  v.field("points_per_look", counters.active_points);
-  v.field("looks_planned", plane.looks_planned);
-  v.field("unseen_points", plane.unseen_points);
-  v.field("single_sample_points", plane.single_sample_points);
-  v.object("counters", [&](auto& o) {
-    o.field("paths", counters.paths);
-    o.field("direct_rays", counters.direct_rays);
-    o.field("connection_rays", counters.connection_rays);
-    o.field("near_rays", counters.near_rays);
-  });
-  v.field("groups", plane.groups,
-          {.words = "Dimming groups, each alone at full output, maintained, reflections included; "
-                    "averages add up to the plane's.",
-           .presence = kSinceLater});
-  v.field("by_luminaire", plane.by_luminaire,
-          {.words = "Only if asked for: what single luminaires give, each alone at full output, "
-                    "maintained, reflections included; averages of the largest and of all others "
-                    "together add up to the plane's.",
-           .presence = only_if(!plane.by_luminaire.largest.empty())});
-  v.field("look_results", plane.looks,
-          {.words = "The plane after each look at its growing results.", .presence = kSinceLater});
-  const auto lacks_findings = [&](const PlaneLook& look) {
-    return look.findings.size() != plane.findings.size();
-  };
-  v.refuse_if(std::any_of(plane.looks.begin(), plane.looks.end(), lacks_findings), "look_results",
-              "each look needs as many findings as the plane has");
-  v.object("grid", [&](auto& o) { describe_grid(o, plane); });
-  v.object("points", [&](auto& o) { describe_points(o, plane); });
-}
-
-inline std::vector<std::string_view> plane_quantities() {
-  std::vector<std::string_view> names;
-  for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) names.push_back(known.name);
-  return names;
-}
-
-void describe(auto& v, Is<PlanePart> auto& plane) {
-  v.is("plane");
-  v.field("id", plane.id);
-  v.field("name", plane.name);
-  v.field("where", plane.where);
-  // Two members have one name.
-  std::string quantity(calc::quantity_name(plane.kernel, plane.derived));
-  v.field("quantity", quantity,
-          {.choices = plane_quantities(), .unknown = "no kind of point has that name"});
-  for (const calc::PlaneQuantity& known : calc::kPlaneQuantities) {
-    if (known.name != quantity) continue;
-    assign(plane.kernel, known.kernel);
-    assign(plane.derived, known.derived);
-  }
-  v.field("is_computed", plane.is_computed);
-  v.field("reason", plane.reason, {.words = "Why it was not computed.", .holds = Holds::prose});
-  v.field("findings", plane.findings);
-  const auto zone = [&](auto& o) {
-    o.field("made_by", plane.made_by, {.holds = Holds::prose});
-    o.field("changed", plane.changed, {.holds = Holds::prose});
-  };
-  v.object("zone", zone,
-           {.words = "Only of planes that a workplace has made: from what, and what the project "
-                     "changed.",
-            .presence = only_if(!plane.made_by.empty())});
-  v.if_true("is_computed", plane.is_computed, [&] { describe_results(v, plane); });
-}
-
 void describe(auto& v, Is<LuminaireMark> auto& mark) {
   v.field("type", mark.type_id);
   v.field("position_m", mark.position_m);
@@ -516,23 +171,6 @@ void describe(auto& v, Is<calc::FluxBalance> auto& balance) {
   v.field("escaped_lm", balance.escaped_lm);
 }
 
-void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
-  v.is("role_coverage");
-  v.field("role", role.role);
-  v.field("state", role.state);
-  v.field("words", role.words, {.holds = Holds::prose});
-}
-
-void describe(auto& v, Is<rules::RowCoverage> auto& row) {
-  v.is("row_coverage");
-  v.field("workplace", row.workplace, {.words = "'': the require elements of the space's planes."});
-  v.field("clause", row.clause);
-  v.written("is_whole", [&] { return row.is_whole(); },
-            {.words = "Nothing of the row was never asked."});
-  v.written("is_met", [&] { return row.is_met(); });
-  v.field("roles", row.roles);
-}
-
 void describe(auto& v, Is<SpacePart> auto& space) {
   v.is("space");
   v.field("id", space.id);
@@ -561,47 +199,6 @@ void describe(auto& v, Is<SpacePart> auto& space) {
           {.words = "Zones of workplaces that were not made, and why.",
            .presence = only_if(!space.notes.empty()),
            .holds = Holds::prose});
-}
-
-void describe(auto& v, Is<rules::AggregateMember> auto& member) {
-  v.field("name", member.name);
-  v.field("verdict", member.verdict);
-  v.field("is_waived", member.is_waived);
-  v.field("area_m2", member.area_m2);
-  v.field("reason", member.reason, {.holds = Holds::prose});
-}
-
-void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
-  v.is("aggregate",
-       "Several requirements as one, as a rule pack has them: an aggregate, or a class of rows. "
-       "What "
-       "is about one plane names it; without plane it is about the room, without space about the "
-       "project.");
-  v.field("kind", finding.kind);
-  v.field("id", finding.id);
-  v.field("space", finding.space_id);
-  v.field("plane", finding.plane_id);
-  v.field("clause", finding.clause);
-  v.field("note", finding.note, {.holds = Holds::prose});
-  v.field("where", finding.where);
-  v.field("rule", finding.rule);
-  v.field("over", finding.over, {.words = "What the members are."});
-  v.field("count", finding.count, {.words = "Of at-least."});
-  v.field("share", finding.share, {.words = "Of share.", .least = 0.0, .most = 1.0});
-  v.field("by_area", finding.by_area);
-  // An aggregate counts by itself or not at all, never in another one.
-  v.field("severity", finding.severity, {.choices = {"shall", "advice"}});
-  v.field("verdict", finding.verdict);
-  v.field("is_waived", finding.is_waived);
-  v.refuse_if(finding.is_waived && finding.verdict == rules::Verdict::pass, "is_waived",
-              "what passes cannot be waived");
-  v.field("reason", finding.reason, {.holds = Holds::prose});
-  v.field("members", finding.members);
-  v.field("asked", finding.asked,
-          {.words = "Of classes: the one asked for, the best that is reached for certain, the best "
-                    "that may be; empty: none."});
-  v.field("reached", finding.reached);
-  v.field("possible", finding.possible);
 }
 
 void describe(auto& v, Is<PhaseTimes> auto& times) {

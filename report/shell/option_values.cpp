@@ -151,6 +151,17 @@ ValueParser moment(std::string& target) {
   };
 }
 
+std::string take_source_date(const std::string& epoch, std::string& target) {
+  if (epoch.empty()) return "";
+  if (epoch != "now" && moment(target)(epoch).empty()) return "";
+  return fmt::format("SOURCE_DATE_EPOCH is '{}': whole seconds since 1970 are needed", epoch);
+}
+
+std::string day_of_moment(const std::string& moment) {
+  constexpr std::size_t kDateLength = 10;
+  return moment.substr(0, kDateLength);
+}
+
 Option rules_option(std::vector<std::string>& target) {
   return {"--rules", "FILE|DIR",
           "Rule pack, or folder of rule packs, to know besides those delivered;\nmay be repeated",

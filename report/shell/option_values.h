@@ -37,6 +37,11 @@ ValueParser any_text(std::string& target);
 ValueParser seconds(double& target);
 // "now" or seconds since 1970; the target becomes "2024-05-01T12:00:00Z".
 ValueParser moment(std::string& target);
+// SOURCE_DATE_EPOCH as a moment; `target` stays if it is not set. Returns what is wrong with it, ""
+// = nothing.
+std::string take_source_date(const std::string& epoch, std::string& target);
+// Of a moment; "" stays "".
+std::string day_of_moment(const std::string& moment);
 
 // Options that several commands have, with the same words.
 // --rules: packs besides those delivered, or folders of them.

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace report {
@@ -62,6 +63,43 @@ bool tells_the_truth(const calc::Estimate& estimate, double spread, int decimals
   const double width = rounded(spread, decimals);
   return are_alike(value - width, estimate.value - spread, thresholds) &&
          are_alike(value + width, estimate.value + spread, thresholds);
+}
+
+// Decimals with which all of them are on their true side; kMostDecimals + 1: there are none.
+int true_decimals(std::initializer_list<double> values, int from, const Thresholds& thresholds) {
+  int decimals = from;
+  while (decimals <= kMostDecimals && !std::all_of(values.begin(), values.end(), [&](double value) {
+           return are_alike(rounded(value, decimals), value, thresholds);
+         })) {
+    ++decimals;
+  }
+  return decimals;
+}
+
+int decimals_of(const std::string& number) {
+  const std::size_t point = number.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(number.size() - point - 1);
+}
+
+// Both sides look alike in so many decimals.
+bool is_symmetric(const calc::Estimate& estimate, int decimals) {
+  const double below = estimate.value - estimate.low, above = estimate.high - estimate.value;
+  constexpr double kNoise = 1e-9;  // of differences of printed numbers
+  return std::abs(above - below) <= kNoise * std::abs(estimate.value) ||
+         format_fixed(below, decimals) == format_fixed(above, decimals);
+}
+
+// "21.35 (20.90 to 21.40)"
+std::string with_ends(const calc::Estimate& estimate, std::string_view unit,
+                      const Thresholds& thresholds, std::string_view to) {
+  const int decimals =
+      true_decimals({estimate.value, estimate.low, estimate.high},
+                    plain_decimals(estimate.value, spread_of(estimate), unit), thresholds);
+  const auto text = [&](double value) {
+    return decimals > kMostDecimals ? format_shortest(value) : format_fixed(value, decimals);
+  };
+  return fmt::format("{} ({} {} {})", text(estimate.value), text(estimate.low), to,
+                     text(estimate.high));
 }
 
 std::string with_unit(std::string text, std::string_view unit) {
@@ -121,8 +159,12 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
 }
 
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
-                            const Thresholds& thresholds) {
+                            const Thresholds& thresholds, std::string_view to) {
   const EstimateText text = format_estimate(estimate, unit, thresholds);
+  const bool is_open = text.spread.empty() || text.spread == kNoNumber;
+  if (!is_open && !is_symmetric(estimate, decimals_of(text.value))) {
+    return with_unit(with_ends(estimate, unit, thresholds, to), unit);
+  }
   return with_unit(text.spread.empty() ? text.value : text.value + " ± " + text.spread, unit);
 }
 
@@ -130,15 +172,9 @@ std::string format_interval(const calc::Estimate& estimate, std::string_view uni
                             const Thresholds& thresholds) {
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return kNoNumber;
   if (estimate.low == estimate.high) return "exact";
-  int decimals = plain_decimals(estimate.value, spread_of(estimate), unit);
-  for (int tried = decimals; tried <= kMostDecimals; ++tried) {
-    if (!are_alike(rounded(estimate.low, tried), estimate.low, thresholds) ||
-        !are_alike(rounded(estimate.high, tried), estimate.high, thresholds)) {
-      continue;
-    }
-    decimals = tried;
-    break;
-  }
+  const int plain = plain_decimals(estimate.value, spread_of(estimate), unit);
+  const int wanted = true_decimals({estimate.low, estimate.high}, plain, thresholds);
+  const int decimals = wanted > kMostDecimals ? plain : wanted;
   return with_unit(
       format_fixed(estimate.low, decimals) + " – " + format_fixed(estimate.high, decimals), unit);
 }

@@ -55,9 +55,10 @@ struct EstimateText {
 EstimateText format_estimate(const calc::Estimate& estimate, std::string_view unit,
                              const Thresholds& thresholds = {});
 
-// "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact.
+// "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact; "21.35 (20.90 to 21.40)" where one side
+// of the interval is wider than the other in the digits shown. to: the word between the ends.
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
-                            const Thresholds& thresholds = {});
+                            const Thresholds& thresholds = {}, std::string_view to = "to");
 
 // "508.2 – 516.4 lx"; "exact" when nothing was sampled. Both ends are on their true side.
 std::string format_interval(const calc::Estimate& estimate, std::string_view unit,

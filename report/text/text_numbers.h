@@ -18,7 +18,7 @@ inline std::string format_shortest(const Texts& t, double value) {
 }
 inline std::string format_measured(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {
-  return t.number(format_measured(estimate, unit, thresholds));
+  return t.number(format_measured(estimate, unit, thresholds, t[Text::interval_to]));
 }
 inline std::string format_interval(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {

@@ -1,5 +1,6 @@
 #include "rules/binding/bind.h"
 
+#include "calc/base/text.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
 #include "rules/binding/requirement_reader.h"
@@ -128,11 +129,8 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
     names.push_back("'" + type.id + "'");
   }
   if (first == nullptr) return;
-  std::string text = names[0];
-  for (std::size_t i = 1; i < std::min(names.size(), kMostNamed); ++i) text += ", " + names[i];
-  if (names.size() > kMostNamed) text += fmt::format(" and {} more", names.size() - kMostNamed);
   diagnostics.report(calc::DiagnosticId::maintenance_not_stated, first->where,
-                     names.size() == 1 ? "" : "s", text);
+                     names.size() == 1 ? "" : "s", calc::list_names(names, kMostNamed));
 }
 
 }  // namespace

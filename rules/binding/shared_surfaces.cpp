@@ -1,5 +1,6 @@
 #include "rules/binding/shared_surfaces.h"
 
+#include "calc/base/text.h"
 #include "rules/binding/requirement_attributes.h"
 
 #include <fmt/format.h>
@@ -66,19 +67,10 @@ std::string shared_with(const calc::CalcPlane& plane) {
     ids.insert(ids.end(), text.workplaces.begin(), text.workplaces.end());
   }
   ids.erase(ids.begin());  // who has made it
-  return some_names(ids);
+  return calc::list_names(ids, 3);
 }
 
 }  // namespace
-
-std::string some_names(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 3;
-  const std::size_t named = std::min(names.size(), kMostNamed);
-  std::string words = fmt::format(
-      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(named), ", "));
-  if (names.size() > named) words += fmt::format(" and {} more", names.size() - named);
-  return words;
-}
 
 std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RulePack& pack,
                                         const calc::Space& space) {

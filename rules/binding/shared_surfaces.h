@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace rules {
@@ -19,9 +18,6 @@ std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RuleP
 
 // Has `plane` asked for what `made` would be: beside what it is asked for, unless that is the same.
 void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made);
-
-// "a, b, c and 3 more"
-std::string some_names(const std::vector<std::string>& names);
 
 // At the end: names and origins of planes that several workplaces ask something of.
 void name_shared_planes(calc::Space& space);

@@ -265,12 +265,10 @@ class WorkplaceMaker {
   // judge, and the others are judged for themselves; but that must be seen, and said by somebody.
   void warn_of_unchecked(std::size_t first) {
     constexpr std::size_t kMostNamed = 4;
-    const std::size_t count = not_made_.size() - first;
-    const auto begin = not_made_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(count, kMostNamed));
-    std::string names = fmt::format("{}", fmt::join(begin, end, ", "));
-    if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
-    diagnostics_.report(DiagnosticId::zone_not_checked, workplace_.where, workplace_.id, names);
+    const std::vector<std::string> names(not_made_.begin() + static_cast<std::ptrdiff_t>(first),
+                                         not_made_.end());
+    diagnostics_.report(DiagnosticId::zone_not_checked, workplace_.where, workplace_.id,
+                        calc::list_names(names, kMostNamed));
   }
 
   void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
@@ -357,8 +355,8 @@ void add_notes(const WorkplaceNotes& notes, calc::Space& space) {
     const auto of_note = ids.find(note);
     if (note.empty() || of_note == ids.end()) continue;
     const bool is_one = of_note->second.size() == 1;
-    space.notes.push_back(
-        fmt::format("workplace{} {}, {}", is_one ? "" : "s", some_names(of_note->second), note));
+    space.notes.push_back(fmt::format("workplace{} {}, {}", is_one ? "" : "s",
+                                      calc::list_names(of_note->second, 3), note));
     ids.erase(of_note);
   }
 }

@@ -30,6 +30,8 @@ struct AggregateMember {
   bool is_waived = false;                 // something in it is, see waiver.h
   std::optional<double> area_m2 = {};     // its weight in shares of area
   std::string reason = {};                // why it does not pass
+  // What it is made of; besides these it may lack checks that nothing asks for.
+  std::vector<RequirementName> of = {};
 };
 
 struct AggregateFinding {

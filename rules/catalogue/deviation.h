@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace rules {
 
@@ -12,6 +13,12 @@ namespace rules {
 struct Waiver {
   std::string reason, owner, until;
 };
+
+// "2027-06-30", a day that there is.
+bool is_day(std::string_view text);
+
+// Its last day is not over. day: YYYY-MM-DD.
+bool lasts(const Waiver& waiver, std::string_view day);
 
 enum class FitAspect {
   orientation,  // it faces another way

@@ -46,6 +46,11 @@ struct RuleOrigin {
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
 };
 
+// Which of a project's requirements: plane ids are unique in it.
+struct RequirementName {
+  std::string plane_id, id;
+};
+
 struct Requirement {
   std::string plane_id;
   std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats

@@ -23,8 +23,10 @@ inline constexpr RowLevel RowLevel::modified{.is_modified = true};
 
 // "required", "modified", "-1", "+1" ...: as projects write them. At most 3 steps.
 const calc::Names& level_names();
-// Of one of these names.
+// Of one of these names; `required` of any other.
 RowLevel level_named(std::string_view name);
+// At most 3 steps.
+std::string level_name(const RowLevel& level);
 
 // As reports say it behind the row: "" of required, "modified", "+1 step", "-2 steps".
 std::string level_words(const RowLevel& level);

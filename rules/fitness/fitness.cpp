@@ -1,6 +1,7 @@
 #include "rules/fitness/fitness.h"
 
 #include "calc/base/names.h"
+#include "calc/base/text.h"
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
@@ -253,7 +254,8 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
   for (const calc::Luminaire& luminaire : context.space.luminaires) {
     const calc::LuminaireType& type = context.project.luminaire_types[luminaire.type];
     if (type.maintenance.is_stated) continue;
-    if (std::find(ids.begin(), ids.end(), type.id) == ids.end()) ids.push_back(type.id);
+    std::string id = "'" + type.id + "'";
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(std::move(id));
   }
   return ids;
 }
@@ -262,9 +264,12 @@ std::string maintenance_problem(const FitContext& context, const Requirement& re
   if (requirement.state == LightState::initial || is_of_space(requirement.metric)) return {};
   const std::vector<std::string> ids = types_without_factor(context);
   if (ids.empty()) return {};
+  constexpr std::size_t kMostNamed = 3;
+  const bool is_one = ids.size() == 1;
   return fmt::format(
-      "it is about maintained light, and luminaire type '{}'{} states no maintenance-factor",
-      ids[0], ids.size() > 1 ? fmt::format(" (and {} more)", ids.size() - 1) : "");
+      "it is about maintained light, and luminaire type{} {} state{} no "
+      "maintenance-factor",
+      is_one ? "" : "s", calc::list_names(ids, kMostNamed), is_one ? "s" : "");
 }
 
 // What is stated, but is not so: somebody has mended the plane, or meant another one.
@@ -293,7 +298,7 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
     });
     if (stated != all.end()) {
       deviation.stated = stated->by;
-      deviation.is_accepted = today <= std::string_view(stated->by.until);
+      deviation.is_accepted = lasts(stated->by, today);
     }
     if (deviation.is_accepted) continue;
     add_words(open, deviation.words);

@@ -101,7 +101,7 @@ void report_unknown_name(calc::Diagnostics& diagnostics, const calc::SourceLocat
                  : "allowed: " +
                        calc::join_choices(calc::Names(
                            choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(shown)));
-  if (shown < choices.size()) allowed += fmt::format(" and {} more", choices.size() - shown);
+  if (shown < choices.size()) allowed += " " + calc::and_more(choices.size() - shown);
   diagnostics.report(DiagnosticId::unknown_reference, where, attribute, element, kind, found,
                      allowed, calc::suggestion(found, choices));
 }

@@ -1,7 +1,6 @@
 #include "rules/verdict/coverage.h"
 
 #include "rules/pack/limit.h"
-#include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 
@@ -106,24 +105,6 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
   return all;
 }
 
-RoleState state_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::pass:
-      return RoleState::met;
-    case Outcome::fail:
-      return RoleState::failed;
-    case Outcome::undecided:
-      return RoleState::undecided;
-    case Outcome::waived:
-      return RoleState::waived;
-    case Outcome::not_judged:
-    case Outcome::warned:
-    case Outcome::nothing_asked:
-      break;
-  }
-  return RoleState::not_judged;
-}
-
 // Of a role and its parts ("wall.1"): why there is no plane of them.
 std::string unmade_words(const calc::Workplace& workplace, const std::string& role,
                          bool is_left_out) {
@@ -150,6 +131,7 @@ std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role) {
   for (const auto& [check, finding] : asked.findings) {
     if (check->role != role || check->severity == Severity::advice) continue;
     outcome = graver(outcome, outcome_of(*finding));
+    coverage.of.push_back({finding->requirement.plane_id, finding->requirement.id});
     is_asked = true;
   }
   if (is_asked) coverage.state = state_of(outcome);
@@ -168,6 +150,24 @@ std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role) {
 }
 
 }  // namespace
+
+RoleState state_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::pass:
+      return RoleState::met;
+    case Outcome::fail:
+      return RoleState::failed;
+    case Outcome::undecided:
+      return RoleState::undecided;
+    case Outcome::waived:
+      return RoleState::waived;
+    case Outcome::not_judged:
+    case Outcome::warned:
+    case Outcome::nothing_asked:
+      break;
+  }
+  return RoleState::not_judged;
+}
 
 bool RowCoverage::is_whole() const {
   return std::none_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {

@@ -5,6 +5,7 @@
 #include "calc/scene/project.h"
 #include "rules/pack/rule_pack.h"
 #include "rules/verdict/judge_aggregates.h"
+#include "rules/verdict/outcome.h"
 
 #include <string>
 #include <vector>
@@ -23,11 +24,17 @@ enum class RoleState {
   never_asked,
 };
 
+// Of a role that is asked for: what everything that is asked came to.
+RoleState state_of(Outcome outcome);
+// Something is asked for, and this is what it came to.
+constexpr bool is_of_findings(RoleState state) { return state <= RoleState::waived; }
+
 // One role: task, surround, wall, ...
 struct RoleCoverage {
   std::string role;
   RoleState state = RoleState::never_asked;
   std::string words;  // of left_out, not_made and not_possible: why; parts of a role: which
+  std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
 };
 
 // One row in a room, by a workplace or by the <require> elements of the room's planes together.

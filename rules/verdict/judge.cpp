@@ -65,6 +65,12 @@ int digits_of(const Requirement& requirement) {
 
 }  // namespace
 
+Decision decide(const Requirement& requirement, const calc::Estimate& measured) {
+  const double limit = requirement.limit;
+  return decide({measured, requirement.comparison, {limit, limit, limit}, digits_of(requirement)},
+                requirement.policy);
+}
+
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid) {
   Finding finding;
@@ -81,9 +87,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   }
   const double limit = requirement.limit;
   finding.measured = estimate;
-  const Decision decision =
-      decide({estimate, requirement.comparison, {limit, limit, limit}, digits_of(requirement)},
-             requirement.policy);
+  const Decision decision = decide(requirement, estimate);
   finding.verdict = decision.verdict;
   finding.is_close = decision.is_close;
   finding.by_tolerance = decision.by_tolerance;

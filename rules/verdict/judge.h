@@ -39,6 +39,10 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence);
 
+// What a value says about its requirement's limit; doubts of sampling are not in it. measured:
+// finite, in unit_of(requirement).
+Decision decide(const Requirement& requirement, const calc::Estimate& measured);
+
 // What a measurement says about its requirement.
 Finding judge_measurement(const Requirement& requirement, const Measurement& measurement,
                           const calc::SensorGrid& grid);

@@ -1,8 +1,10 @@
 #include "rules/verdict/judge_aggregates.h"
 
+#include "calc/base/text.h"
 #include "calc/scene/polygon.h"
 #include "rules/pack/evaluate.h"
 #include "rules/pack/limit.h"
+#include "rules/verdict/members.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
@@ -94,27 +96,16 @@ LimitScope scope_of(const RulePack& pack, const RuleOrigin& origin) {
   return {pack, pack.find_row(origin.row), origin.level, origin.facts};
 }
 
-// As much as can be said of all of them together. Other than in a batch a member that fails comes
-// before one that cannot be judged: whatever the latter is, not all of them are met.
-Verdict verdict_of_both(Verdict a, Verdict b) {
-  return a == Verdict::fail || b == Verdict::fail ? Verdict::fail : graver(a, b);
-}
-
 // A member with what it would be if everything waived were met.
 struct Part {
   AggregateMember member;
   Verdict lived_with = Verdict::pass;
 };
 
-// "a, b and 3 more"
+constexpr std::size_t kMostToldMembers = 4;
+
 std::string list_text(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 4;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
-    text += (i == 0 ? "" : ", ") + names[i];
-  }
-  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
-  return text;
+  return calc::list_names(names, kMostToldMembers);
 }
 
 // Where a member has its verdict from, if that is not a pass: planes and the first reason.
@@ -141,6 +132,7 @@ Part part_of(std::string name, const std::vector<Entry>& entries) {
     part.lived_with =
         verdict_of_both(part.lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
     part.member.is_waived = part.member.is_waived || finding.is_waived;
+    part.member.of.push_back({finding.requirement.plane_id, finding.requirement.id});
   }
   part.member.reason = where_from(entries, part.member.verdict);
   return part;
@@ -228,52 +220,17 @@ std::vector<Part> parts_by_room(const RulePack& pack, const std::vector<std::str
   return parts;
 }
 
-bool lacks_areas(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
-  return aggregate.by_area && std::any_of(parts.begin(), parts.end(),
-                                          [](const Part& part) { return !part.member.area_m2; });
+std::vector<AggregateMember> members_of(const std::vector<Part>& parts) {
+  std::vector<AggregateMember> members;
+  for (const Part& part : parts) members.push_back(part.member);
+  return members;
 }
 
-bool lacks_members(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
-  return aggregate.rule == AggregateRule::at_least && !parts.empty() &&
-         parts.size() < static_cast<std::size_t>(aggregate.count);
-}
-
-// Empty: nothing is required.
-std::optional<Verdict> combined(const RuleAggregate& aggregate, const std::vector<Part>& parts,
-                                Verdict Part::*lived_with) {
-  std::vector<WeightedStatus> members;
-  bool is_one_missing = false;
-  for (const Part& part : parts) {
-    const Verdict verdict = lived_with == nullptr ? part.member.verdict : part.*lived_with;
-    is_one_missing = is_one_missing || verdict == Verdict::not_judged;
-    members.push_back(
-        {status_of(verdict), aggregate.by_area ? part.member.area_m2.value_or(0.0) : 1.0});
-  }
-  RuleAggregate rule = aggregate;
-  if (lacks_areas(aggregate, parts)) {
-    // What is the same for all is the same for any share of them.
-    const bool all_fail = std::all_of(members.begin(), members.end(), [](const auto& member) {
-      return member.status == CheckStatus::fail;
-    });
-    if (all_fail) return Verdict::fail;
-    rule.rule = AggregateRule::all;
-    return combine_statuses(rule, members) == CheckStatus::pass ? Verdict::pass
-                                                                : Verdict::not_judged;
-  }
-  // Of fewer than are needed nobody can say that they are not met.
-  if (lacks_members(aggregate, parts)) return Verdict::not_judged;
-  switch (combine_statuses(rule, members)) {
-    case CheckStatus::pass:
-      return Verdict::pass;
-    case CheckStatus::fail:
-      return Verdict::fail;
-    case CheckStatus::not_applicable:
-      return std::nullopt;
-    case CheckStatus::undecided:
-    case CheckStatus::not_evaluated:
-      break;
-  }
-  return is_one_missing ? Verdict::not_judged : Verdict::undecided;
+// If everything waived were met.
+std::optional<Verdict> lived_with(const RuleAggregate& aggregate, const std::vector<Part>& parts) {
+  std::vector<AggregateMember> members = members_of(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) members[i].verdict = parts[i].lived_with;
+  return combined_verdict(aggregate, members);
 }
 
 // "fail: glare (desk.observer.1); not judged: luminance (luminance is not calculated)"
@@ -342,19 +299,20 @@ std::string note_of(const RulePack& pack, const std::string& own, Trust trust) {
   return note;
 }
 
-void settle(AggregateFinding& finding, const std::vector<Part>& parts, Verdict lived_with,
-            const Group& group) {
-  finding.is_waived = finding.verdict != Verdict::pass && lived_with == Verdict::pass;
+void settle(AggregateFinding& finding, const RuleAggregate& aggregate,
+            const std::vector<Part>& parts, const Group& group) {
+  finding.is_waived = finding.verdict != Verdict::pass &&
+                      lived_with(aggregate, parts).value_or(Verdict::pass) == Verdict::pass;
   if (finding.verdict != Verdict::pass) finding.reason = reason_text(parts);
   if (finding.is_waived) finding.reason += "; " + waiver_text(group);
-  for (const Part& part : parts) finding.members.push_back(part.member);
+  finding.members = members_of(parts);
 }
 
 std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
                                                   const RuleAggregate& aggregate,
                                                   const Group& group,
                                                   const std::vector<Part>& parts) {
-  const std::optional<Verdict> verdict = combined(aggregate, parts, nullptr);
+  const std::optional<Verdict> verdict = combined_verdict(aggregate, members_of(parts));
   if (!verdict) return std::nullopt;
   AggregateFinding finding;
   finding.id = aggregate.id;
@@ -378,15 +336,14 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
       is_of_room ? aggregate.clause : (aggregate.clause.empty() ? aggregate.id : aggregate.clause),
       group, trust);
   finding.note = note_of(pack, aggregate.note, trust);
-  settle(finding, parts, combined(aggregate, parts, &Part::lived_with).value_or(Verdict::pass),
-         group);
+  settle(finding, aggregate, parts, group);
   const auto add_reason = [&finding](std::string_view text) {
     finding.reason += finding.reason.empty() ? "" : "; ";
     finding.reason += text;
   };
-  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, parts))
+  if (*verdict == Verdict::not_judged && lacks_areas(aggregate, finding.members))
     add_reason("an area is not known");
-  if (lacks_members(aggregate, parts)) {
+  if (lacks_members(aggregate, finding.members)) {
     add_reason(fmt::format("at least {} must be met, and this many apply here: {}", aggregate.count,
                            parts.size()));
   }
@@ -472,7 +429,7 @@ void judge_class(const std::vector<JudgedPlane>& planes, const RulePack& pack,
   const bool is_of_plane = is_about_one_part(item.checks, pack);
   for (const Group& group : grouped(entries, is_of_plane ? is_same_element : is_same_use)) {
     const std::vector<Part> parts = parts_by_check(pack, item.checks, group);
-    const std::optional<Verdict> verdict = combined(RuleAggregate{}, parts, nullptr);
+    const std::optional<Verdict> verdict = combined_verdict(RuleAggregate{}, members_of(parts));
     if (!verdict) continue;
     AggregateFinding finding;
     finding.kind = AggregateKind::row_class;
@@ -496,8 +453,7 @@ void judge_class(const std::vector<JudgedPlane>& planes, const RulePack& pack,
       finding.reached = ref;
       break;
     }
-    settle(finding, parts,
-           combined(RuleAggregate{}, parts, &Part::lived_with).value_or(Verdict::pass), group);
+    settle(finding, RuleAggregate{}, parts, group);
     findings.push_back(std::move(finding));
   }
 }

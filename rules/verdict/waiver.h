@@ -17,6 +17,11 @@ std::optional<Waiver> read_waiver(calc::ElementReader& reader);
 // The day of an attribute that must be there, YYYY-MM-DD; "" after an error.
 std::string read_day(calc::ElementReader& reader, std::string_view name);
 
+// A verdict that somebody may live without.
+constexpr bool can_be_waived(Verdict verdict) {
+  return verdict == Verdict::fail || verdict == Verdict::undecided;
+}
+
 // A finding that fails or is undecided is waived up to the last day, and then does not count; its
 // verdict stays. The reason says so, or that the waiver has ended. today: YYYY-MM-DD.
 void apply_waiver(Finding& finding, std::string_view today);

@@ -23,6 +23,11 @@ endif()
 if(NOT err STREQUAL "")
   message(FATAL_ERROR "an example must run without warnings")
 endif()
+# Whatever the program writes as a result it must read again, to the byte.
+execute_process(COMMAND ${LUXGATE} report ${WORK}/result.json --quiet --format json=${WORK}/again.json
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/result.json ${WORK}/again.json
+  COMMAND_ERROR_IS_FATAL ANY)
 foreach(file results.csv points.csv result.json report.html)
   if(NOT EXISTS ${WORK}/${file})
     message(FATAL_ERROR "${file} was not written")

@@ -136,6 +136,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const calc::DiskFileReader disk;
   const RecordingReader files(disk);
   CheckOptions options = asked;
+  options.settings.today = day_of(options.settings);  // one for all, also over midnight
   std::optional<check::VertexSource> vertices;
   if (!options.vpl_file.empty()) {
     calc::Diagnostics diagnostics;
@@ -155,8 +156,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   const check::BackendChoice backend =
       check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(
-            check::plan_projects(options.input.projects, files, *packs, radiosity));
+        return first_look_work(check::plan_projects(options.input.projects, files, *packs,
+                                                    radiosity, options.settings.today));
       });
   const std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
@@ -183,6 +184,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     print_diagnostics(project.diagnostics, options.output.quiet);
     if (options.settings.has_times && project.is_judged) print_timing(project);
   }
+  if (hangs_on_the_day(document)) document.provenance.judged_on = options.settings.today;
   document.provenance.same_bits =
       report::same_bits_of(document, backend.backend == check::Backend::gpu);
   if (options.explain_cost) {

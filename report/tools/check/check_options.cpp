@@ -66,14 +66,11 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
 }
 
 std::string complete(CheckOptions& options, const Environment& environment) {
-  const std::string& epoch = environment.source_date_epoch;
-  if (options.timestamp.empty() && !epoch.empty()) {
-    if (epoch == "now" || !moment(options.timestamp)(epoch).empty()) {
-      return fmt::format("SOURCE_DATE_EPOCH is '{}': whole seconds since 1970 are needed", epoch);
-    }
+  if (options.timestamp.empty()) {
+    std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
+    if (!problem.empty()) return problem;
   }
-  constexpr std::size_t kDateLength = 10;
-  options.settings.today = options.timestamp.substr(0, kDateLength);
+  options.settings.today = day_of_moment(options.timestamp);
   if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
     return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
   }

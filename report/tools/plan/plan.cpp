@@ -1,6 +1,7 @@
 #include "report/tools/plan/plan.h"
 
 #include "calc/base/file_reader.h"
+#include "report/check/settings.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
@@ -20,7 +21,8 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   Outcome outcome = Outcome::nothing_asked;
   WarningTally warnings(options.strict);
   const std::vector<check::ProjectPlan> plans =
-      check::plan_projects(options.input.projects, files, *packs, options.radiosity);
+      check::plan_projects(options.input.projects, files, *packs, options.radiosity,
+                           check::day_or_today(day_of_moment(options.date)));
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
     warnings.add(plan.diagnostics);
@@ -53,8 +55,9 @@ Command plan_syntax(PlanOptions& options) {
                         quiet_option_with_count(options.quiet)});
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
-  command.complete = [&options](const Environment&) {
-    const std::string problem = complete_work(options.radiosity, options.backend);
+  command.complete = [&options](const Environment& environment) {
+    std::string problem = take_source_date(environment.source_date_epoch, options.date);
+    if (problem.empty()) problem = complete_work(options.radiosity, options.backend);
     return problem.empty() ? project_contradiction(options.input) : problem;
   };
   return command;

@@ -18,6 +18,7 @@ struct PlanOptions {
   bool as_json = false;
   StrictWarnings strict;
   bool quiet = false;
+  std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's
 };
 
 Command plan_syntax(PlanOptions& options);

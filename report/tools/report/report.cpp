@@ -50,7 +50,9 @@ Command report_syntax(ReportOptions& options) {
   command.options = output_options(options.output);
   add(command.options, {passes_option(options.output.lists_passes),
                         color_option(options.output.color), quiet_option(options.output.quiet)});
-  command.footer = "Exit codes: 0 written, whatever the verdicts are; 2 an error.";
+  command.footer =
+      "Exit codes: 0 written, whatever the verdicts are; 2 an error, also a result whose verdicts\n"
+      "or counts do not follow from its numbers.";
   command.complete = [&options](const Environment&) {
     return output_contradiction(options.output);
   };

@@ -2,6 +2,7 @@
 
 #include "calc/base/file_reader.h"
 #include "report/check/check_project.h"
+#include "report/check/settings.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
@@ -22,16 +23,18 @@ struct ValidateOptions {
   ProjectOptions input;
   StrictWarnings strict;
   bool quiet = false;
+  std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's
 };
 
 ExitCode run_validate(const ValidateOptions& options) {
+  const std::string day = check::day_or_today(day_of_moment(options.date));
   const calc::DiskFileReader files;
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
   WarningTally warnings(options.strict);
   for (const std::string& path : options.input.projects) {
-    const report::ProjectPart part = check::validate_project(path, files, *packs);
+    const report::ProjectPart part = check::validate_project(path, files, *packs, day);
     print_diagnostics(part.diagnostics, options.quiet);
     warnings.add(part.diagnostics);
     if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
@@ -55,8 +58,9 @@ Command validate_command() {
                      quiet_option_with_count(options->quiet)};
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
-  command.complete = [options](const Environment&) {
-    return project_contradiction(options->input);
+  command.complete = [options](const Environment& environment) {
+    const std::string problem = take_source_date(environment.source_date_epoch, options->date);
+    return problem.empty() ? project_contradiction(options->input) : problem;
   };
   command.run = [options](const RunContext&) { return run_validate(*options); };
   return command;

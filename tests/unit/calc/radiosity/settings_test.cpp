@@ -24,8 +24,7 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
             "max paths is 128; allowed: a power of two, 1024 to 1073741824");
   settings = {};
   settings.first_paths = 0;
-  EXPECT_EQ(calc::validate(settings),
-            "first paths is 0; allowed: a power of two, 1 to 1073741824");
+  EXPECT_EQ(calc::validate(settings), "first paths is 0; allowed: a power of two, 1 to 1073741824");
   settings = {};
   settings.first_paths = settings.max_paths = calc::kFewestPaths;
   EXPECT_EQ(calc::validate(settings), "");

@@ -206,6 +206,26 @@ TEST(CiFormats, NamesStayText) {
   }
 }
 
+// Two variants of a design have the same rooms and planes.
+TEST(Markdown, NamesTheProjectWhereThereAreSeveral) {
+  Document two = small_document();
+  two.projects.push_back(two.projects[0]);
+  two.projects[1].path = "variants/b|c.xml";
+  two.projects[1].name.clear();
+  two.projects[1].spaces[0].planes[0].findings.pop_back();
+  const std::string text = render_markdown(two);
+  EXPECT_THAT(text, HasSubstr("\n- ✗ fail: office.xml, Small office\n"
+                              "- ✓ pass: variants/b&#124;c.xml\n"));
+  EXPECT_THAT(text, HasSubstr("\n| project | verdict | where | quantity | required | measured | "
+                              "margin |\n| --- | --- | --- | --- | ---: | ---: | ---: |\n"
+                              "| office.xml | ✗ fail | Office / Work plane | minimum |"));
+  EXPECT_THAT(text,
+              HasSubstr("\n| variants/b&#124;c.xml | ✓ pass | Office / Work plane | average"));
+  const std::string one = render_markdown(small_document());
+  EXPECT_THAT(one, Not(HasSubstr("office.xml")));
+  EXPECT_THAT(one, Not(HasSubstr("| project |")));
+}
+
 TEST(Markdown, SaysWhatALongTableLeavesOut) {
   Document document = small_document();
   PlanePart& plane = document.projects[0].spaces[0].planes[0];

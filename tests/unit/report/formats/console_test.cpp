@@ -186,7 +186,9 @@ TEST(Console, RatingsHaveNoUnit) {
 }
 
 TEST(Console, WhatWasNotJudgedSaysWhy) {
-  const std::string text = render_text(sample_document());
+  Document document = sample_document();
+  document.projects[0].spaces[0].planes[1].findings[0].is_close = true;
+  const std::string text = render_text(document);
   EXPECT_THAT(text, HasSubstr("– not judged  Sports hall / Stand"));
   EXPECT_THAT(text, HasSubstr("└ the plane was not computed\n"));
   EXPECT_THAT(text, HasSubstr("yard.xml\n  – not judged: it could not be read"));

@@ -14,16 +14,17 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Csv, ResultsOfSmallDocument) {
-  EXPECT_EQ(render_results_csv(small_document()),
-            "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,"
-            "limit,value,low,"
-            "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m,pack,row,check,severity,waiver,"
-            "note\r\n"
-            "office.xml,r1,work,average,average,,lx,,maintained,EN 12464-1:2021 "
-            "34.2,at_least,500,512.5,508.5,"
-            "516.5,0.025,pass,,,,,,,,shall,,\r\n"
-            "office.xml,r1,work,minimum,minimum,,lx,,maintained,,at_least,450,424.5,420.25,428.75,"
-            "-0.056666666666666664,fail,,2.75,1,0.8,,,,shall,,\r\n");
+  EXPECT_EQ(
+      render_results_csv(small_document()),
+      "project,space,plane,requirement,quantity,percent,unit,scene,state,clause,comparison,"
+      "limit,value,low,"
+      "high,margin,verdict,reason,place_x_m,place_y_m,place_z_m,pack,row,check,severity,waiver,"
+      "note\r\n"
+      "office.xml,r1,work,average,average,,lx,,maintained,EN 12464-1:2021 "
+      "34.2,at_least,500,512.5,508.5,"
+      "516.5,0.025,pass,,,,,,,,shall,,\r\n"
+      "office.xml,r1,work,minimum,minimum,,lx,,maintained,,at_least,450,424.5,420.25,428.75,"
+      "-0.056666666666666664,fail,,2.75,1,0.8,,,,shall,,\r\n");
 }
 
 TEST(Csv, PointsOfSmallDocument) {
@@ -75,8 +76,10 @@ TEST(Csv, UnjudgedThingsAreRowsWithoutNumbers) {
   const std::string csv = render_results_csv(sample_document());
   EXPECT_THAT(
       csv,
-      HasSubstr("\r\nyard.xml,,,,,,,,,,,,,,,,not judged,could not be read or calculated,,,,,,,,,\r\n"));
-  EXPECT_THAT(csv, HasSubstr("at_least,200,,,,,not judged,the plane was not computed,,,,,,,shall,,\r\n"));
+      HasSubstr(
+          "\r\nyard.xml,,,,,,,,,,,,,,,,not judged,could not be read or calculated,,,,,,,,,\r\n"));
+  EXPECT_THAT(
+      csv, HasSubstr("at_least,200,,,,,not judged,the plane was not computed,,,,,,,shall,,\r\n"));
 }
 
 TEST(Csv, UnknownLimitIsEmpty) {

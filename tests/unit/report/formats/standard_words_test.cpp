@@ -27,10 +27,11 @@ Document deviating() {
   finding.requirement.origin = {"en12464-1:2021", "task.Em", "34.2", false, {}};
   finding.requirement.deviations = {{rules::FitAspect::grid, "4 points where 54 are asked for",
                                      rules::Waiver{"as measured", "A. Meier", "2027-01-31"}, true}};
-  space.coverage = {
-      {"",
-       "EN 12464-1:2021 34.2",
-       {{"task", rules::RoleState::failed, ""}, {"observer", rules::RoleState::never_asked, ""}}}};
+  space.coverage = {{"",
+                     "EN 12464-1:2021 34.2",
+                     {{"task", rules::RoleState::failed, "", {{"work", "minimum"}}},
+                      {"observer", rules::RoleState::never_asked, ""}}}};
+  document.provenance.judged_on = "2027-01-31";
   return document;
 }
 

@@ -238,7 +238,7 @@ TEST(Html, NoFieldEscapesItsPlace) {
   const std::string evil = "\"'><img onerror=x>]]>&\x01\xFF";
   Document document = sample_document();
   ProjectPart& project = document.projects[0];
-  document.provenance = {evil, evil, evil, 0, 0.95, rules::Goal::verdict, 0.02, 0, 0, evil};
+  document.provenance = {evil, evil, evil, evil, 0, 0.95, rules::Goal::verdict, 0.02, 0, 0, evil};
   project.path = project.name = evil;
   for (SpacePart& space : project.spaces) {
     space.id = space.name = evil;

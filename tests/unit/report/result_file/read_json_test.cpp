@@ -68,9 +68,13 @@ Document rich_document() {
   share.requirement.policy.tolerance = 0.05;
   share.requirement.policy.tolerance_reason = "agreed";
   share.requirement.policy.rounding = rules::Rounding::half_even;
-  share.by_tolerance = true;
   share.requirement.waiver = rules::Waiver{"old hall", "A. Client", "2030-12-31"};
   share.is_waived = true;
+  for (rules::Finding* finding : {&value, &share}) judge_again(*finding);
+  percentile.is_doubtful = true;
+  percentile.verdict = rules::Verdict::undecided;
+  percentile.reason = "the result rests on single samples";
+  percentile.is_close = false;
   plane.findings.push_back(share);
   plane.findings.push_back(value);
   plane.findings.push_back(percentile);
@@ -94,6 +98,7 @@ Document rich_document() {
   project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}}};
   project.spaces[0].bodies_left_out = 3;
   document.provenance.timestamp = "2024-05-01T12:00:00Z";
+  document.provenance.judged_on = "2024-05-01";
   document.provenance.goal = rules::Goal::accuracy;
   return document;
 }
@@ -132,7 +137,10 @@ Document rated_document() {
   rules::Finding share = sample_finding(rules::Metric::share, 0.9, estimate(0.8, 0.05));
   share.requirement.range.to = 19;
   plane.findings = {maximum, share};
-  for (rules::Finding& finding : plane.findings) finding.requirement.derived = plane.derived;
+  for (rules::Finding& finding : plane.findings) {
+    finding.requirement.derived = plane.derived;
+    judge_again(finding);
+  }
   return document;
 }
 
@@ -155,8 +163,9 @@ TEST(ReadJson, RatingsAreReadBack) {
 
 TEST(ReadJson, WhatIsNotFiniteStaysSo) {
   Document document = small_document();
-  document.projects[0].spaces[0].planes[0].findings[0].measured.high =
-      std::numeric_limits<double>::infinity();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];
+  finding.measured.high = std::numeric_limits<double>::infinity();
+  finding.verdict = rules::Verdict::undecided;
   const Document again = read_again(document);
   EXPECT_FALSE(std::isfinite(again.projects[0].spaces[0].planes[0].findings[0].measured.high));
 }
@@ -173,6 +182,7 @@ TEST(ReadJson, OpenIntervalsAreShownTheSameAgain) {
     Document document = small_document();
     PlanePart& plane = document.projects[0].spaces[0].planes[0];
     plane.findings[0].measured = plane.average = plane.points[0].measured = measured;
+    plane.findings[0].verdict = rules::Verdict::undecided;
     plane.groups = {{"row", measured, 200}, {"", estimate(100, 1), 50}};
     PlaneLook look{1024, 4096, 2, measured, {}};
     for (const rules::Finding& finding : plane.findings)

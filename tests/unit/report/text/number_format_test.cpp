@@ -43,8 +43,18 @@ TEST(NumberFormat, RatiosHaveThreeDecimals) {
   EXPECT_EQ(format_measured(plus_minus(0.61234, 0.0041), ""), "0.612 ± 0.004");
 }
 
-TEST(NumberFormat, WiderSideOfALopsidedIntervalIsShown) {
-  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx"), "100.0 ± 5.0 lx");
+// "21.35 ± 0.68" would say that 22 may be passed, and the interval ends before.
+TEST(NumberFormat, ALopsidedIntervalIsShownByItsEnds) {
+  EXPECT_EQ(format_measured({21.35, 20.67, 21.95}, "", Threshold{22, rules::Comparison::at_most}),
+            "21.35 (20.67 to 21.95)");
+  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx"), "100.0 (95.0 to 101.0) lx");
+  EXPECT_EQ(format_measured({100.0, 95.0, 101.0}, "lx", {}, "bis"), "100.0 (95.0 bis 101.0) lx");
+  EXPECT_EQ(format_measured({0.5, 0.5, 0.6}, ""), "0.50 (0.50 to 0.60)");
+  // Both ends stay on their side of the limit, as all digits do.
+  EXPECT_EQ(format_measured({505.0, 499.96, 520.0}, "lx", at_least(500)),
+            "505.00 (499.96 to 520.00) lx");
+  // Not seen in these digits.
+  EXPECT_EQ(format_measured({512.3, 508.2004, 516.4}, "lx"), "512.3 ± 4.1 lx");
   EXPECT_EQ(format_interval({100.0, 95.0, 101.0}, "lx"), "95.0 – 101.0 lx");
 }
 

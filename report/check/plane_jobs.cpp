@@ -1,0 +1,69 @@
+#include "report/check/plane_jobs.h"
+
+#include "calc/base/text.h"
+#include "rules/binding/bind.h"
+#include "rules/fitness/fitness.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace check {
+namespace {
+
+// Requirements of one plane and one place that have the same problem.
+struct Unjudged {
+  const rules::Requirement* first;
+  std::vector<std::string> ids;
+};
+
+bool is_like(const rules::Requirement& a, const rules::Requirement& b) {
+  return a.problem == b.problem && a.where.file == b.where.file && a.where.line == b.where.line &&
+         a.where.column == b.where.column;
+}
+
+std::vector<Unjudged> unjudged_of(const PlaneJob& job) {
+  std::vector<Unjudged> list;
+  for (const rules::Requirement& requirement : job.requirements) {
+    if (requirement.problem.empty() || requirement.severity == rules::Severity::advice) continue;
+    auto same = std::find_if(list.begin(), list.end(), [&](const Unjudged& known) {
+      return is_like(*known.first, requirement);
+    });
+    if (same == list.end()) same = list.insert(list.end(), {&requirement, {}});
+    same->ids.push_back(requirement.id);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
+                                      const std::vector<rules::RulePack>& packs,
+                                      std::string_view day, calc::Diagnostics& diagnostics) {
+  std::vector<PlaneJob> jobs;
+  for (const calc::CalcPlane& plane : space.planes) {
+    PlaneJob& job = jobs.emplace_back();
+    job.plane = &plane;
+    job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
+    job.grid = calc::make_sensor_grid(plane, space, diagnostics);
+    if (job.grid) {
+      rules::check_fitness({loaded.project, space, plane, *job.grid, packs, day}, job.requirements);
+    } else {
+      job.reason = diagnostics.all().back().message;
+    }
+  }
+  return jobs;
+}
+
+void warn_of_unjudged(const std::vector<PlaneJob>& jobs, calc::Diagnostics& diagnostics) {
+  constexpr std::size_t kMostNamed = 4;
+  for (const PlaneJob& job : jobs) {
+    if (!job.grid) continue;  // an error already
+    for (const Unjudged& unjudged : unjudged_of(job)) {
+      diagnostics.report(calc::DiagnosticId::will_not_be_judged, unjudged.first->where,
+                         job.plane->id, calc::list_names(unjudged.ids, kMostNamed),
+                         unjudged.first->problem);
+    }
+  }
+}
+
+}  // namespace check

@@ -1,0 +1,36 @@
+#pragma once
+// The planes of a space before any light: their points, and whether their requirements can be
+// judged on them. check, validate and plan say the same of them.
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/project.h"
+#include "calc/scene/sensor_grid.h"
+#include "rules/binding/judged_project.h"
+#include "rules/catalogue/requirement.h"
+#include "rules/pack/rule_pack.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace check {
+
+// A plane on its way; without a grid `reason` says why it cannot be computed.
+struct PlaneJob {
+  const calc::CalcPlane* plane;
+  std::vector<rules::Requirement> requirements;  // with the problems of those that do not fit
+  std::optional<calc::SensorGrid> grid;
+  std::string reason;
+};
+
+// Of all planes of the space, in order. A plane without a grid is an error. day: YYYY-MM-DD, by
+// which stated deviations end.
+std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
+                                      const std::vector<rules::RulePack>& packs,
+                                      std::string_view day, calc::Diagnostics& diagnostics);
+
+// A warning for each <require> that counts and has a problem, whatever the light will be.
+void warn_of_unjudged(const std::vector<PlaneJob>& jobs, calc::Diagnostics& diagnostics);
+
+}  // namespace check

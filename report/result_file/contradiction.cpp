@@ -1,0 +1,365 @@
+#include "report/result_file/contradiction.h"
+
+#include "calc/base/names.h"
+#include "report/result_file/json_cursor.h"
+#include "report/text/number_format.h"
+#include "report/text/plain_text.h"
+#include "rules/verdict/coverage.h"
+#include "rules/verdict/members.h"
+#include "rules/verdict/waiver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+using rules::Verdict;
+
+// Where in the file, and in words.
+struct Place {
+  std::string path;   // "/projects/0/spaces/0/planes/0"
+  std::string words;  // "project 'office.xml', plane 'work'"
+
+  Place at(std::string_view list, std::size_t index, const std::string& name = {}) const {
+    return {fmt::format("{}/{}/{}", path, list, index), name.empty() ? words : words + ", " + name};
+  }
+};
+
+std::string shown(bool is_so) { return is_so ? "true" : "false"; }
+std::string shown(double number) { return std::isnan(number) ? "null" : format_shortest(number); }
+template <class Enum>
+requires std::is_enum_v<Enum> std::string shown(Enum value) {
+  return fmt::format("'{}'", calc::name_of(value));
+}
+
+template <class T>
+[[noreturn]] void refuse(const Place& place, std::string_view key, const T& says, const T& follows,
+                         std::string_view why) {
+  throw BadJson(
+      printable(fmt::format("{}/{}: the file says {}, but {} follows from the rest of it ({}: {})",
+                            place.path, key, shown(says), shown(follows), place.words, why)));
+}
+
+template <class T>
+void expect(const Place& place, std::string_view key, const T& says, const T& follows,
+            std::string_view why) {
+  if (says != follows) refuse(place, key, says, follows, why);
+}
+
+[[noreturn]] void refuse_place(const Place& place, std::string_view key, std::string_view what) {
+  throw BadJson(printable(fmt::format("{}/{}: {} ({})", place.path, key, what, place.words)));
+}
+
+bool is_finite(const calc::Estimate& estimate) {
+  return std::isfinite(estimate.low) && std::isfinite(estimate.value) &&
+         std::isfinite(estimate.high);
+}
+
+// "between 420.25 and 428.75 lx, required ≥ 450 lx"
+std::string grounds(const rules::Finding& finding, const calc::Estimate& measured) {
+  const rules::Requirement& requirement = finding.requirement;
+  return fmt::format(
+      "{} to {}, required {}", shown(measured.low), shown(measured.high),
+      format_required({requirement.limit, requirement.comparison}, rules::unit_of(requirement)));
+}
+
+// What an interval proves: one that is open towards a side, or cannot be trusted, nothing.
+Verdict proved(const rules::Finding& finding, const calc::Estimate& measured) {
+  if (finding.is_doubtful || !is_finite(measured) || measured.low > measured.high) {
+    return Verdict::undecided;
+  }
+  return rules::decide(finding.requirement, measured).verdict;
+}
+
+// ---- a finding
+
+const char* unfit_words(const SpacePart& space, const ProjectPart& project,
+                        const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const bool is_open = std::any_of(requirement.deviations.begin(), requirement.deviations.end(),
+                                   [](const auto& deviation) { return !deviation.is_accepted; });
+  if (is_open) return "the plane deviates in what nobody accepts";
+  if (requirement.origin.pack.empty() || requirement.state == rules::LightState::initial ||
+      rules::is_of_space(requirement.metric)) {
+    return nullptr;
+  }
+  const auto has_no_factor = [&](const LuminaireMark& mark) {
+    return std::any_of(project.luminaires.begin(), project.luminaires.end(),
+                       [&](const LuminaireRow& row) {
+                         return row.type_id == mark.type_id && !row.maintenance.is_stated;
+                       });
+  };
+  return std::any_of(space.luminaires.begin(), space.luminaires.end(), has_no_factor)
+             ? "a luminaire states no maintenance factor"
+             : nullptr;
+}
+
+void check_decision(const Place& place, const rules::Finding& finding) {
+  const calc::Estimate& measured = finding.measured;
+  const std::string why = grounds(finding, measured);
+  expect(place, "verdict", finding.verdict, proved(finding, measured), why);
+  if (!is_finite(measured)) return;
+  const double margin =
+      rules::margin(measured.value, finding.requirement.comparison, finding.requirement.limit);
+  // Files of other programs may have rounded it.
+  constexpr double kSame = 1e-9;
+  if (!(std::abs(finding.margin - margin) <= kSame * std::max(1.0, std::abs(margin)))) {
+    refuse(place, "margin", finding.margin, margin, why);
+  }
+  rules::Decision decision = rules::decide(finding.requirement, measured);
+  if (finding.is_doubtful) decision = {};
+  expect(place, "is_close", finding.is_close, decision.is_close, why);
+  expect(place, "by_tolerance", finding.by_tolerance, decision.by_tolerance, why);
+}
+
+// Waivers and stated deviations last up to their last day, by the day of the result.
+void check_days(const Place& place, const rules::Finding& finding, std::string_view day) {
+  const std::string why = fmt::format("judged on {}", day);
+  const std::optional<rules::Waiver>& waiver = finding.requirement.waiver;
+  if (waiver) {
+    const bool applies = rules::can_be_waived(finding.verdict) && rules::lasts(*waiver, day);
+    expect(place, "waiver/applies", finding.is_waived, applies, why + ", until " + waiver->until);
+  }
+  const auto& deviations = finding.requirement.deviations;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const rules::Deviation& deviation = deviations[i];
+    const bool lasts = deviation.stated && rules::lasts(*deviation.stated, day);
+    expect(place.at("deviations", i), "accepted", deviation.is_accepted, lasts, why);
+  }
+}
+
+void check_finding(const Place& place, const rules::Finding& finding, std::string_view day) {
+  check_days(place, finding, day);
+  if (finding.verdict != Verdict::not_judged) return check_decision(place, finding);
+  constexpr const char* kWhy = "what is not judged is neither close nor within a tolerance";
+  expect(place, "is_close", finding.is_close, false, kWhy);
+  expect(place, "by_tolerance", finding.by_tolerance, false, kWhy);
+  expect(place, "doubtful", finding.is_doubtful, false, kWhy);
+}
+
+// ---- a plane
+
+// A look does not say whether it could trust its interval: undecided it may always be.
+void check_look(const Place& place, const PlaneLook& look, const PlanePart& plane) {
+  for (std::size_t i = 0; i < look.findings.size(); ++i) {
+    const LookFinding& seen = look.findings[i];
+    if (seen.verdict == Verdict::not_judged || seen.verdict == Verdict::undecided) continue;
+    rules::Finding finding = plane.findings[i];
+    finding.is_doubtful = false;
+    expect(place.at("findings", i), "verdict", seen.verdict, proved(finding, seen.measured),
+           grounds(finding, seen.measured));
+  }
+}
+
+void check_plane(const Place& place, const ProjectPart& project, const SpacePart& space,
+                 const PlanePart& plane, std::string_view day) {
+  for (std::size_t i = 0; i < plane.findings.size(); ++i) {
+    const rules::Finding& finding = plane.findings[i];
+    const Place own =
+        place.at("findings", i, fmt::format("requirement '{}'", finding.requirement.id));
+    const char* obstacle =
+        plane.is_computed ? unfit_words(space, project, finding) : "the plane was not computed";
+    if (obstacle != nullptr) {
+      expect(own, "verdict", finding.verdict, Verdict::not_judged, obstacle);
+    }
+    check_finding(own, finding, day);
+  }
+  for (std::size_t i = 0; i < plane.looks.size(); ++i) {
+    check_look(place.at("look_results", i), plane.looks[i], plane);
+  }
+}
+
+// ---- what is made of findings
+
+// Of a project, by plane and requirement.
+class Findings {
+ public:
+  explicit Findings(const ProjectPart& project) {
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        for (const rules::Finding& finding : plane.findings) {
+          found_.emplace(std::pair(plane.id, finding.requirement.id), Named{&finding, &space});
+        }
+      }
+    }
+  }
+
+  struct Named {
+    const rules::Finding* finding;
+    const SpacePart* space;
+  };
+
+  Named of(const Place& place, std::size_t index, const rules::RequirementName& name) const {
+    const auto found = found_.find(std::pair(name.plane_id, name.id));
+    if (found != found_.end()) return found->second;
+    refuse_place(place.at("of", index), "requirement",
+                 fmt::format("plane '{}' has no requirement '{}'", name.plane_id, name.id));
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, Named> found_;
+};
+
+// It is of the member's check, plane or room.
+bool belongs_to(const Findings::Named& named, const rules::AggregateMember& member,
+                rules::AggregateOver over) {
+  switch (over) {
+    case rules::AggregateOver::planes:
+      return named.finding->requirement.plane_id == member.name;
+    case rules::AggregateOver::rooms:
+      return named.space->id == member.name;
+    case rules::AggregateOver::checks:
+      break;
+  }
+  return named.finding->requirement.origin.check == member.name;
+}
+
+// Returns the verdict with everything waived taken as met, as far as the document tells.
+Verdict check_member(const Place& place, const Findings& findings,
+                     const rules::AggregateMember& member, rules::AggregateOver over) {
+  Verdict verdict = Verdict::pass, lived_with = Verdict::pass;
+  bool is_waived = false;
+  for (std::size_t i = 0; i < member.of.size(); ++i) {
+    const Findings::Named named = findings.of(place, i, member.of[i]);
+    if (!belongs_to(named, member, over)) {
+      refuse_place(place.at("of", i), "requirement", "it is no part of this member");
+    }
+    const rules::Finding& finding = *named.finding;
+    verdict = verdict_of_both(verdict, finding.verdict);
+    lived_with = verdict_of_both(lived_with, finding.is_waived ? Verdict::pass : finding.verdict);
+    is_waived = is_waived || finding.is_waived;
+  }
+  constexpr const char* kWhy = "from what it is made of";
+  expect(place, "is_waived", member.is_waived, is_waived, kWhy);
+  const bool may_lack_checks = member.of.empty() || over == rules::AggregateOver::rooms;
+  if (may_lack_checks && member.verdict == verdict_of_both(verdict, Verdict::not_judged)) {
+    return verdict_of_both(lived_with,
+                           member.verdict == verdict ? lived_with : Verdict::not_judged);
+  }
+  expect(place, "verdict", member.verdict, member.of.empty() ? Verdict::not_judged : verdict, kWhy);
+  return lived_with;
+}
+
+void check_aggregate(const Place& place, const Findings& findings,
+                     const rules::AggregateFinding& finding) {
+  std::vector<rules::AggregateMember> lived_with = finding.members;
+  for (std::size_t i = 0; i < finding.members.size(); ++i) {
+    lived_with[i].verdict =
+        check_member(place.at("members", i), findings, finding.members[i], finding.over);
+  }
+  rules::RuleAggregate terms;
+  terms.rule = finding.rule;
+  terms.count = finding.count;
+  terms.share = finding.share;
+  terms.by_area = finding.by_area;
+  const std::optional<Verdict> verdict = combined_verdict(terms, finding.members);
+  if (!verdict) refuse_place(place, "members", "of these nothing is required");
+  constexpr const char* kWhy = "from its members";
+  expect(place, "verdict", finding.verdict, *verdict, kWhy);
+  const bool may_be_waived =
+      *verdict != Verdict::pass &&
+      combined_verdict(terms, lived_with).value_or(Verdict::pass) == Verdict::pass;
+  // A room may lack a check, which then is not met whatever is waived.
+  const bool is_sure = finding.over != rules::AggregateOver::rooms;
+  if (is_sure || finding.is_waived) {
+    expect(place, "is_waived", finding.is_waived, may_be_waived, kWhy);
+  }
+  if (finding.kind != rules::AggregateKind::row_class) return;
+  expect(place, "severity", finding.severity, rules::Severity::advice, "classes are advice");
+  if (*verdict == Verdict::fail && finding.reached == finding.asked) {
+    refuse_place(place, "reached", "what was asked for fails, and is not reached");
+  }
+}
+
+void check_role(const Place& place, const Findings& findings, const rules::RoleCoverage& role) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  for (std::size_t i = 0; i < role.of.size(); ++i) {
+    outcome = graver(outcome, outcome_of(*findings.of(place, i, role.of[i]).finding));
+  }
+  if (!role.of.empty()) {
+    expect(place, "state", role.state, rules::state_of(outcome), "from what is asked");
+  } else if (rules::is_of_findings(role.state)) {
+    expect(place, "state", role.state, rules::RoleState::never_asked, "nothing is asked");
+  }
+}
+
+void check_coverage(const Place& place, const Findings& findings, const SpacePart& space) {
+  for (std::size_t r = 0; r < space.coverage.size(); ++r) {
+    const rules::RowCoverage& row = space.coverage[r];
+    const Place own = place.at("coverage", r, "row " + row.clause);
+    for (std::size_t k = 0; k < row.roles.size(); ++k) {
+      check_role(own.at("roles", k, fmt::format("role '{}'", row.roles[k].role)), findings,
+                 row.roles[k]);
+    }
+  }
+}
+
+// ---- a project
+
+// Every error costs a verdict.
+void check_errors(const Place& place, const ProjectPart& project) {
+  if (!project.is_judged || outcome_of(project) == rules::Outcome::not_judged) return;
+  const bool has_error =
+      std::any_of(project.diagnostics.begin(), project.diagnostics.end(),
+                  [](const auto& one) { return one.severity() == calc::Severity::error; });
+  if (has_error) expect(place, "is_judged", true, false, "it has errors");
+}
+
+void check_project(const Place& place, const ProjectPart& project, std::string_view day) {
+  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+    const SpacePart& space = project.spaces[s];
+    for (std::size_t k = 0; k < space.planes.size(); ++k) {
+      check_plane(
+          place.at("spaces", s).at("planes", k, fmt::format("plane '{}'", space.planes[k].id)),
+          project, space, space.planes[k], day);
+    }
+  }
+  const Findings findings(project);
+  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+    check_coverage(place.at("spaces", s), findings, project.spaces[s]);
+  }
+  for (std::size_t i = 0; i < project.aggregates.size(); ++i) {
+    const rules::AggregateFinding& aggregate = project.aggregates[i];
+    check_aggregate(place.at("aggregates", i,
+                             fmt::format("{} '{}'", calc::name_of(aggregate.kind), aggregate.id)),
+                    findings, aggregate);
+  }
+  check_errors(place, project);
+}
+
+// The day that waivers are held against; "" where nothing hangs on it.
+std::string checked_day(const Document& document) {
+  const Place place{"/provenance", "waivers and stated deviations end"};
+  const std::string& day = document.provenance.judged_on;
+  if (day.empty() && !hangs_on_the_day(document)) return day;
+  if (!rules::is_day(day)) refuse_place(place, "judged_on", "a day, YYYY-MM-DD, is needed");
+  const std::string& timestamp = document.provenance.timestamp;
+  if (!timestamp.empty() && !timestamp.starts_with(day)) {
+    refuse_place(place, "judged_on", "it is not the day of the timestamp");
+  }
+  return day;
+}
+
+}  // namespace
+
+void refuse_contradictions(const Document& document) {
+  const std::string day = checked_day(document);
+  const Place root{"", ""};
+  for (std::size_t p = 0; p < document.projects.size(); ++p) {
+    const ProjectPart& project = document.projects[p];
+    Place place = root.at("projects", p);
+    place.words = fmt::format("project '{}'", project.path);
+    check_project(place, project, day);
+  }
+}
+
+}  // namespace report

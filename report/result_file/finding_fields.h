@@ -1,0 +1,211 @@
+#pragma once
+// The result file, what was judged: requirements with their verdicts, aggregates, rows of rule
+// packs. See result_fields.h.
+
+#include "calc/base/names.h"
+#include "report/result_file/describe.h"
+#include "report/text/words.h"
+#include "rules/catalogue/aggregate.h"
+#include "rules/verdict/coverage.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/waiver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace report {
+
+void describe(auto& v, Is<rules::DecisionPolicy> auto& policy) {
+  v.field("compares_rounded", policy.compares_rounded);
+  v.field("rounding", policy.rounding);
+  v.field("illuminance_digits", policy.illuminance_digits);
+  v.field("ratio_digits", policy.ratio_digits);
+  v.field("other_digits", policy.other_digits);
+  v.field("tolerance", policy.tolerance);
+  v.field("tolerance_reason", policy.tolerance_reason, {.holds = Holds::prose});
+  v.field("guard", policy.guard);
+}
+
+// Units of everything that can be required, each once.
+inline std::vector<std::string_view> requirement_units() {
+  std::vector<std::string_view> units;
+  for (const auto& metric : calc::EnumNames<rules::Metric>::list) {
+    const std::string_view unit = rules::metric_unit(metric.value);
+    if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
+  }
+  return units;
+}
+
+void describe(auto& v, Is<rules::Waiver> auto& waiver) {
+  v.field("reason", waiver.reason);
+  v.field("owner", waiver.owner);
+  v.field("until", waiver.until);
+  v.refuse_if(!rules::is_day(waiver.until), "until", "a day, YYYY-MM-DD, is needed");
+}
+
+void describe(auto& v, Is<rules::RequirementName> auto& name) {
+  v.is("requirement_name", "One of the project's requirements.");
+  v.field("plane", name.plane_id);
+  v.field("requirement", name.id);
+}
+
+void describe(auto& v, Is<rules::Deviation> auto& deviation) {
+  v.is("deviation");
+  v.field("in", deviation.aspect);
+  v.field("words", deviation.words, {.holds = Holds::prose});
+  v.field("accepted", deviation.is_accepted,
+          {.words = "The project states it, and its last day is not over."});
+  v.field("stated", deviation.stated, {.presence = only_if(deviation.stated.has_value())});
+}
+
+void describe(auto& v, Is<rules::Finding> auto& finding) {
+  auto& requirement = finding.requirement;
+  v.is("finding");
+  v.field("requirement", requirement.id, {.words = "Its id, unique within the plane."});
+  v.field("quantity", requirement.metric, {.unknown = "no quantity has that name"});
+  v.written("unit", [&] { return std::string_view(rules::unit_of(requirement)); },
+            {.choices = requirement_units()});
+  v.field("comparison", requirement.comparison);
+  v.field("limit", or_null(requirement.limit));
+  v.field("state", requirement.state);
+  v.field("scene", requirement.scene, {.words = "'': every luminaire at full output."});
+  v.field("clause", requirement.clause);
+  v.field("where", requirement.where);
+  v.field("verdict", finding.verdict);
+  const bool is_judged = finding.verdict != rules::Verdict::not_judged;
+  v.refuse_if(is_judged && std::isnan(requirement.limit), "limit", "a number is needed");
+  v.field("measured", finding.measured, {.null_if = !is_judged});
+  v.field("margin", or_null(finding.margin),
+          {.words = "(measured - limit) / limit, the sign turned for at_most: positive is good.",
+           .null_if = !is_judged});
+  v.field("is_close", finding.is_close, {.words = "Usual rounding would change the verdict."});
+  v.field("place_m", finding.place_m, {.null_if = !is_judged});
+  v.field("reason", finding.reason, {.holds = Holds::prose});
+  v.field("doubtful", finding.is_doubtful,
+          {.words = "There if samples do not show that the interval can be trusted: undecided, "
+                    "wherever it lies.",
+           .presence = only_if(finding.is_doubtful),
+           .is_mark = true});
+  v.written("note", [&] { return note_words(finding); },
+            {.words = "What must be read with the finding, in words.", .holds = Holds::prose});
+  v.written("policy", [&] { return rules::policy_text(requirement.policy); },
+            {.words = "How values are compared, in words.", .holds = Holds::prose});
+  v.field("decision", requirement.policy);
+  v.field("requirement_note", requirement.note, {.holds = Holds::prose});
+  v.field("severity", requirement.severity);
+  v.field("direct_only", requirement.direct_only);
+  v.field("by_tolerance", finding.by_tolerance);
+  const auto waiver = [&](auto& o) {
+    rules::Waiver of = requirement.waiver.value_or(rules::Waiver{});
+    describe(o, of);
+    assign(requirement.waiver, of);
+    o.field("applies", finding.is_waived);
+    o.refuse_if(finding.is_waived && !rules::can_be_waived(finding.verdict), "applies",
+                "only 'fail' and 'undecided' can be waived");
+  };
+  v.object("waiver", waiver, {.presence = only_if(requirement.waiver.has_value())});
+  const auto rule = [&](auto& o) {
+    o.field("pack", requirement.origin.pack, {.words = "With its edition: en12464-1:2021."});
+    o.field("row", requirement.origin.row);
+    o.field("check", requirement.origin.check);
+    std::string level = rules::level_name(requirement.origin.level);
+    o.field("level", level,
+            {.words = "Which values of the row count.",
+             .presence = kSinceLater,
+             .choices = rules::level_names()});
+    assign(requirement.origin.level, rules::level_named(level));
+    o.field("workplaces", requirement.origin.workplaces,
+            {.words = "Ids of those that ask for it; none: a <require>.",
+             .presence = only_if(!requirement.origin.workplaces.empty())});
+  };
+  v.object("rule", rule, {.presence = only_if(!requirement.origin.pack.empty())});
+  v.field("deviations", requirement.deviations,
+          {.words = "In what the plane is not the one that the rule pack's number is about.",
+           .presence = only_if(!requirement.deviations.empty())});
+  // The ends of a range have one name where they are in lx, and one where they have no unit.
+  const bool is_share = requirement.metric == rules::Metric::share;
+  const bool is_plain = calc::is_plain_number(requirement.derived);
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  v.field(
+      "from", requirement.range.from,
+      {.words = "Of quantities without unit, as to.", .presence = only_if(is_share && is_plain)});
+  v.field("to", or_null(requirement.range.to, kOpen),
+          {.words = "null: no upper end.", .presence = only_if(is_share && is_plain)});
+  v.field("from_lx", requirement.range.from, {.presence = only_if(is_share && !is_plain)});
+  v.field("to_lx", or_null(requirement.range.to, kOpen),
+          {.words = "null: no upper end.", .presence = only_if(is_share && !is_plain)});
+  const auto mask = [&](auto& o) {
+    o.field("id", requirement.mask.id);
+    o.field("points_used", finding.points_used);
+  };
+  v.object("mask", mask, {.presence = only_if(!requirement.mask.id.empty())});
+  v.field("percent", requirement.percent,
+          {.presence = only_if(requirement.metric == rules::Metric::percentile)});
+  v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});
+}
+
+void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
+  v.is("role_coverage");
+  v.field("role", role.role);
+  v.field("state", role.state);
+  v.field("words", role.words, {.holds = Holds::prose});
+  v.field("of", role.of, {.words = "What the state is from; empty: nothing is asked."});
+}
+
+void describe(auto& v, Is<rules::RowCoverage> auto& row) {
+  v.is("row_coverage");
+  v.field("workplace", row.workplace, {.words = "'': the require elements of the space's planes."});
+  v.field("clause", row.clause);
+  v.written("is_whole", [&] { return row.is_whole(); },
+            {.words = "Nothing of the row was never asked."});
+  v.written("is_met", [&] { return row.is_met(); });
+  v.field("roles", row.roles);
+}
+
+void describe(auto& v, Is<rules::AggregateMember> auto& member) {
+  v.field("name", member.name);
+  v.field("verdict", member.verdict);
+  v.field("is_waived", member.is_waived);
+  v.field("area_m2", member.area_m2);
+  v.field("reason", member.reason, {.holds = Holds::prose});
+  v.field("of", member.of, {.words = "What it is made of, beside checks that nothing asks for."});
+}
+
+void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
+  v.is("aggregate",
+       "Several requirements as one, as a rule pack has them: an aggregate, or a class of rows. "
+       "What "
+       "is about one plane names it; without plane it is about the room, without space about the "
+       "project.");
+  v.field("kind", finding.kind);
+  v.field("id", finding.id);
+  v.field("space", finding.space_id);
+  v.field("plane", finding.plane_id);
+  v.field("clause", finding.clause);
+  v.field("note", finding.note, {.holds = Holds::prose});
+  v.field("where", finding.where);
+  v.field("rule", finding.rule);
+  v.field("over", finding.over, {.words = "What the members are."});
+  v.field("count", finding.count, {.words = "Of at-least."});
+  v.field("share", finding.share, {.words = "Of share.", .least = 0.0, .most = 1.0});
+  v.field("by_area", finding.by_area);
+  // An aggregate counts by itself or not at all, never in another one.
+  v.field("severity", finding.severity, {.choices = {"shall", "advice"}});
+  v.field("verdict", finding.verdict);
+  v.field("is_waived", finding.is_waived);
+  v.refuse_if(finding.is_waived && finding.verdict == rules::Verdict::pass, "is_waived",
+              "what passes cannot be waived");
+  v.field("reason", finding.reason, {.holds = Holds::prose});
+  v.field("members", finding.members);
+  v.field("asked", finding.asked,
+          {.words = "Of classes: the one asked for, the best that is reached for certain, the best "
+                    "that may be; empty: none."});
+  v.field("reached", finding.reached);
+  v.field("possible", finding.possible);
+}
+
+}  // namespace report
