@@ -177,6 +177,19 @@ TEST(ProjectWarnings, APlaneThatFacesAwayFromEveryLuminaireGetsReflectedLightOnl
               HasSubstr("plane-faces-away"));
 }
 
+TEST(ProjectWarnings, ALevelPanelDoesNotLightWhatIsAboveItHoweverWideItIs) {
+  const auto above = [](double z) {
+    return messages(in_project(fmt::format(
+        "<luminaire-type id=\"panel\" photometry=\"panel.ies\"/>\n"
+        "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">\n"
+        "<luminaire id=\"l\" type=\"panel\" position=\"2 1.5 2\"/>\n"
+        "<plane id=\"p\" origin=\"1 1 {}\" u=\"1 0 0\" v=\"0 1 0\"/>\n</room>",
+        z)));
+  };
+  EXPECT_THAT(above(2.1), HasSubstr("plane-faces-away"));
+  EXPECT_EQ(above(1.9), "");
+}
+
 TEST(ProjectWarnings, WhatIsInASurfaceOrSeesAllAroundFacesNowhereByMistake) {
   EXPECT_EQ(messages(in_room(R"(<plane id="p" on="ceiling"/>)")), "");
   EXPECT_EQ(messages(in_room(
