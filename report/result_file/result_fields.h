@@ -161,6 +161,13 @@ inline std::vector<std::string_view> requirement_units() {
   return units;
 }
 
+// Of everything that somebody lives with: why, who, up to which day.
+void describe_waiver(auto& v, Is<rules::Waiver> auto& waiver) {
+  v.field("reason", waiver.reason);
+  v.field("owner", waiver.owner);
+  v.field("until", waiver.until, {.words = "The last day, YYYY-MM-DD."});
+}
+
 void describe(auto& v, Is<rules::Deviation> auto& deviation) {
   v.is("deviation");
   v.field("in", deviation.aspect);
@@ -169,9 +176,7 @@ void describe(auto& v, Is<rules::Deviation> auto& deviation) {
           {.words = "The project states it, and its last day is not over."});
   const auto by = [&](auto& o) {
     rules::Waiver of = deviation.stated.value_or(rules::Waiver{});
-    o.field("reason", of.reason);
-    o.field("owner", of.owner);
-    o.field("until", of.until);
+    describe_waiver(o, of);
     assign(deviation.stated, of);
   };
   v.object("stated", by, {.presence = only_if(deviation.stated.has_value())});
@@ -211,9 +216,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("by_tolerance", finding.by_tolerance);
   const auto waiver = [&](auto& o) {
     rules::Waiver of = requirement.waiver.value_or(rules::Waiver{});
-    o.field("reason", of.reason);
-    o.field("owner", of.owner);
-    o.field("until", of.until);
+    describe_waiver(o, of);
     assign(requirement.waiver, of);
     o.field("applies", finding.is_waived);
     const bool may_be_waived =
@@ -487,11 +490,22 @@ void describe(auto& v, Is<calc::FluxBalance> auto& balance) {
   v.field("escaped_lm", balance.escaped_lm);
 }
 
+void describe(auto& v, Is<rules::LeftOutZone> auto& zone) {
+  v.is("left_out_zone");
+  v.field("zone", zone.zone, {.words = "The role, or a part of it: wall.2."});
+  describe_waiver(v, zone.by);
+  v.field("has_ended", zone.has_ended,
+          {.words = "The last day is over: the zone counts as not judged."});
+}
+
 void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
   v.is("role_coverage");
   v.field("role", role.role);
   v.field("state", role.state);
   v.field("words", role.words, {.holds = Holds::prose});
+  v.field("left_out", role.left_out,
+          {.words = "What of the role the project leaves out.",
+           .presence = only_if(!role.left_out.empty())});
 }
 
 void describe(auto& v, Is<rules::RowCoverage> auto& row) {

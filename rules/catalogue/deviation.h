@@ -2,16 +2,14 @@
 // In what a plane may differ from the one that a standard's number is about.
 
 #include "calc/base/names.h"
+#include "calc/scene/waiver.h"
 
 #include <optional>
 #include <string>
 
 namespace rules {
 
-// Somebody has decided to live with something, up to the last day ("2027-06-30").
-struct Waiver {
-  std::string reason, owner, until;
-};
+using calc::Waiver;
 
 enum class FitAspect {
   orientation,  // it faces another way

@@ -245,7 +245,7 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
     });
     if (stated != all.end()) {
       deviation.stated = stated->by;
-      deviation.is_accepted = today <= std::string_view(stated->by.until);
+      deviation.is_accepted = stated->by.holds_on(today);
     }
     if (deviation.is_accepted) continue;
     add_words(open, deviation.words);
