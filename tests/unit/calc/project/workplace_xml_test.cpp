@@ -54,7 +54,7 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
   ASSERT_TRUE(w.zones[2].left_out);
   EXPECT_EQ(w.zones[2].left_out->owner, "A. Meier");
   EXPECT_EQ(w.zones[2].left_out->until, "2099-12-31");
-  EXPECT_EQ(w.zones[2].because, "glass");
+  EXPECT_EQ(w.zones[2].left_out->reason, "glass");
 }
 
 TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {

@@ -252,7 +252,8 @@ TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
       workplace("", "<without role='wall.3' because='a pier' by='A. Meier' until='2099-12-31'/>"),
       kNarrowWall);
   EXPECT_THAT(said.messages, IsEmpty());
-  EXPECT_THAT(said.space().notes.at(0), HasSubstr("left out: wall.3 (a pier)"));
+  EXPECT_THAT(said.space().notes.at(0),
+              HasSubstr("left out: wall.3 (a pier, by A. Meier until 2099-12-31)"));
   const Made judged = make(workplace("", "<zone role='wall.3' margin='0.1'/>"), kNarrowWall);
   EXPECT_THAT(judged.messages, IsEmpty());
   EXPECT_THAT(judged.ids(), testing::Contains("w.wall.3"));
@@ -309,7 +310,9 @@ TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
   EXPECT_EQ(made.grid("w.background").rule, "spacing");
   EXPECT_EQ(made.area("w.wall.1").margin_m, 0.3);
   EXPECT_EQ(made.area("w.wall.2").margin_m, 0.1);
-  EXPECT_THAT(made.space().notes.at(0), HasSubstr("left out: wall.3 (glass), ceiling (open); not"));
+  EXPECT_THAT(made.space().notes.at(0),
+              HasSubstr("left out: wall.3 (glass, by A. Meier until 2099-12-31), ceiling (open, by "
+                        "A. Meier until 2099-12-31); not made"));
   EXPECT_EQ(requirements_of_plane(made.requirements, "w.task").at(0).limit, 1000);
 }
 
