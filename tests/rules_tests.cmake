@@ -2,6 +2,7 @@ luxgate_test(rules_tests
   SOURCES
     statistical/metric_coverage_test.cpp
     statistical/stop_rule_test.cpp
+    unit/calc/base/day_test.cpp
     unit/calc/base/statistics_test.cpp
     unit/rules/binding/bind_test.cpp
     unit/rules/measure/candidates_test.cpp
@@ -33,7 +34,9 @@ luxgate_test(rules_tests
     unit/rules/pack/rule_pack_test.cpp
     unit/rules/measure/share_test.cpp
     unit/rules/verdict/stop_rule_test.cpp
+    unit/rules/verdict/waiver_remarks_test.cpp
     unit/rules/verdict/waiver_test.cpp
+    unit/rules/binding/waiver_xml_test.cpp
     unit/rules/binding/workplace_test.cpp
     unit/rules/verdict/worked_example_test.cpp
   LIBRARIES rules)

@@ -46,6 +46,7 @@ struct ValueType {
 inline const ValueType kAnyText{"xs:string"};
 inline const ValueType kAnyDouble{"xs:double"};
 inline const ValueType kAnyInt{"xs:int"};
+inline const ValueType kAnyDate{"xs:date"};
 
 enum class Presence { optional, required };
 

@@ -26,6 +26,9 @@ struct Estimate {
 struct LightChannel {
   std::string group;
   double maintenance_factor = 1.0;
+  // Some of its luminaires have an opening, so that their direct light may be sampled; false: it is
+  // exact.
+  bool may_sample_direct = true;
 };
 
 // Why the work on a plane ended. exact: nothing was sampled; decided: every verdict stands;

@@ -44,6 +44,13 @@ const ValueType kRingTurnType{.name = "ringTurn", .base = &kAnyText, .words = {"
 const ValueType kPlaneQuantityType{
     .name = "planeQuantity", .base = &kAnyText, .words = plane_quantity_names()};
 
+// Of waivers.
+const ValueType kDayType{.name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
+const AttributeRow kBecauseAttribute{"because", &kTextType, required, "Why."};
+const AttributeRow kByAttribute{"by", &kTextType, required, "Who lives with it."};
+const AttributeRow kUntilAttribute{"until", &kDayType, required,
+                                   "The last day, YYYY-MM-DD; after it this holds no more."};
+
 // Numbers.
 const ValueType kDecimalType{.name = "decimal",
                              .base = &kAnyDouble,
@@ -441,10 +448,16 @@ const ElementRow kDeviationElement{
         "The plane is not quite the one that the standard's number is about; the number is "
         "compared all the same, and every report says so."};
 
+const ElementRow kWaiverElement{
+    .type = "waiver",
+    .meaning =
+        "Somebody lives without these checks of the row, up to a last day: if they fail or are "
+        "undecided they do not count."};
+
 const ElementRow kRequireElement{
     .type = "requirement",
     .meaning = "What the plane must meet; see rules/README.md for the meaning of the attributes.",
-    .children = {{"deviation", &kDeviationElement}}};
+    .children = {{"deviation", &kDeviationElement}, {"waiver", &kWaiverElement}}};
 
 const ElementRow kPlaneElement{
     .type = "plane",
@@ -528,8 +541,9 @@ const ElementRow kZoneElement{
 
 const ElementRow kWithoutElement{
     .type = "zoneLeftOut",
-    .meaning = "Leaves a role out, with the reason.",
-    .attributes = {{"role", &kIdType, required}, {"because", &kTextType, required}}};
+    .meaning =
+        "Leaves a role, but the task, out, up to a last day; after it the row is not judged.",
+    .attributes = {{"role", &kIdType, required}, kBecauseAttribute, kByAttribute, kUntilAttribute}};
 
 const ElementRow kWorkplaceElement{
     .type = "workplace",
@@ -539,8 +553,10 @@ const ElementRow kWorkplaceElement{
 rules/README.md.)",
     .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
                    kZoneFootprintAttribute, kHeightAboveFloorAttribute},
-    .children = {
-        {"zone", &kZoneElement}, {"without", &kWithoutElement}, {"deviation", &kDeviationElement}}};
+    .children = {{"zone", &kZoneElement},
+                 {"without", &kWithoutElement},
+                 {"deviation", &kDeviationElement},
+                 {"waiver", &kWaiverElement}}};
 
 const ElementRow kWorkplaceGridElement = [] {
   ElementRow grid = kWorkplaceElement;

@@ -21,6 +21,10 @@ inline constexpr NumberRange kHours{0.0, kYear_h, false,
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kVectorType;
 extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
     kLineEndsType, kRingTurnType, kPlaneQuantityType;
+// A last day, YYYY-MM-DD.
+extern const ValueType kDayType;
+// Of a waiver, see waiver_attributes.h.
+extern const AttributeRow kBecauseAttribute, kByAttribute, kUntilAttribute;
 
 extern const std::string_view kProjectMeaning;
 extern const ChildRow kProjectRoot;
@@ -39,7 +43,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;
-// Without its attributes: see rules/binding/deviation_xml.h.
-extern const ElementRow kDeviationElement;
+// Without their attributes: see rules/binding/deviation_xml.h and waiver_xml.h.
+extern const ElementRow kDeviationElement, kWaiverElement;
 
 }  // namespace calc

@@ -2,6 +2,7 @@
 
 #include "calc/project/plane_area.h"
 #include "calc/project/project_elements.h"
+#include "calc/project/waiver_attributes.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
 
@@ -63,15 +64,19 @@ class WorkplaceReader {
   void read_zone(const XmlElement& element, Workplace& workplace) {
     ElementReader reader(element, context_.diagnostics);
     ZoneText zone;
-    zone.is_left_out = element.name == "without";
-    const ElementRow& row = zone.is_left_out ? kWithoutElement : kZoneElement;
+    const bool is_left_out = element.name == "without";
+    const ElementRow& row = is_left_out ? kWithoutElement : kZoneElement;
     reader.allow_children(row);
     reader.allow_attributes(row);
     zone.where = element.where;
     zone.role = reader.id("role");
     zone.role_where = reader.where("role");
-    zone.because = zone.is_left_out ? reader.text("because") : reader.text_or("because", "");
-    if (!zone.is_left_out) read_changes(reader, zone);
+    if (is_left_out) {
+      zone.left_out = read_waiver(reader);
+    } else {
+      zone.because = reader.text_or("because", "");
+      read_changes(reader, zone);
+    }
     const auto twice = [&](const ZoneText& other) { return other.role == zone.role; };
     const auto first = std::find_if(workplace.zones.begin(), workplace.zones.end(), twice);
     if (first != workplace.zones.end() && !zone.role.empty()) {

@@ -50,7 +50,7 @@ std::uint32_t channel_of(const std::string& group, double maintenance_factor,
         return channel.group == group && channel.maintenance_factor == maintenance_factor;
       });
   const auto index = static_cast<std::uint32_t>(found - channels.begin());
-  if (found == channels.end()) channels.push_back({group, maintenance_factor});
+  if (found == channels.end()) channels.push_back({group, maintenance_factor, false});
   return index;
 }
 
@@ -73,6 +73,9 @@ void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFi
   placed.flux_scale = type.flux_scale * installed_tilt_factor(web, luminaire);
   placed.opening = fit.fitted(web.opening(), luminaire);
   placed.channel = channel_of(luminaire.group, type.maintenance.product, scene.channels);
+  LightChannel& channel = scene.channels[placed.channel];
+  channel.may_sample_direct =
+      channel.may_sample_direct || placed.opening.shape != OpeningShape::point;
   scene.luminaires.push_back(placed);
 }
 

@@ -7,6 +7,7 @@
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
 #include "calc/scene/route_shape.h"
+#include "calc/scene/waiver.h"
 
 #include <glm/glm.hpp>
 
@@ -176,9 +177,9 @@ struct CalcPlane {
 
 // What a project changes about a zone of a workplace, or that it leaves the zone out.
 struct ZoneText {
-  std::string role;  // "cylinder", "wall" for all walls, "wall.2"
-  bool is_left_out = false;
-  std::string because;  // "" only where something is changed
+  std::string role;                // "cylinder", "wall" for all walls, "wall.2"
+  std::optional<Waiver> left_out;  // who leaves it out; empty: it is changed
+  std::string because;             // of a change; may be ""
   std::optional<double> height_m, margin_m;
   std::optional<GridRule> grid;
   std::vector<glm::dvec2> area_m;  // world x and y, counter-clockwise; empty: the rule's
@@ -188,7 +189,13 @@ struct ZoneText {
 // A zone of a workplace, or a part of it ("wall.2"), that has no plane.
 struct UnmadeZone {
   std::string role, why;
-  bool is_left_out = false;  // by the project; else there is no place for it
+  std::optional<Waiver> left_out;  // by the project; else there is no place for it
+};
+
+// A plane that a workplace would have, had the project not left it out for a time: without an area.
+struct LeftOutPlane {
+  CalcPlane plane;
+  Waiver by;
 };
 
 // Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
@@ -231,6 +238,7 @@ struct Space {
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;
   std::vector<CalcPlane> planes;
+  std::vector<LeftOutPlane> left_out;  // of its workplaces
   std::vector<Workplace> workplaces;
   std::optional<EnergyUse> energy;  // its own, or else the project's
   std::vector<std::string> notes;   // for reports: zones that were not made, and why

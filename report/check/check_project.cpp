@@ -16,6 +16,7 @@
 #include "rules/verdict/judge_aggregates.h"
 #include "rules/verdict/stop_rule.h"
 #include "rules/verdict/waiver.h"
+#include "rules/verdict/waiver_remarks.h"
 
 #include <fmt/format.h>
 
@@ -169,7 +170,7 @@ report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
   }
   std::vector<rules::Finding> findings =
       rules::judge_plane(job.requirements, *job.grid, *field, scenes, settings.confidence);
-  for (rules::Finding& finding : findings) rules::apply_waiver(finding, day_of(settings));
+  for (rules::Finding& finding : findings) rules::apply_waiver(finding, settings.today);
   return report::build_plane(*job.plane, *job.grid, *field, std::move(findings),
                              settings.confidence);
 }
@@ -184,10 +185,12 @@ void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
 }
 
 std::vector<rules::JudgedPlane> judged_planes(const calc::Space& space,
-                                              const report::SpacePart& part) {
+                                              const report::SpacePart& part,
+                                              const std::string& day) {
+  const std::vector<const calc::CalcPlane*> asked = rules::planes_asked(space, day);
   std::vector<rules::JudgedPlane> planes;
   for (std::size_t k = 0; k < part.planes.size(); ++k) {
-    planes.push_back({&space, &space.planes[k], &part.planes[k].findings});
+    planes.push_back({&space, asked[k], &part.planes[k].findings});
   }
   return planes;
 }
@@ -197,7 +200,7 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
                               calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
   std::vector<PlaneJob> jobs =
-      make_plane_jobs(space, loaded, context.packs, day_of(context.settings), diagnostics);
+      make_plane_jobs(space, loaded, context.packs, context.settings.today, diagnostics);
   const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
   Tasks tasks = make_tasks(jobs);
   std::optional<calc::PreparedScene> apart;
@@ -246,7 +249,10 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
-  part.coverage = rules::row_coverage(space, judged_planes(space, part), context.packs);
+  const std::string& day = context.settings.today;
+  const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
+  part.coverage = rules::row_coverage(space, judged, context.packs, day);
+  rules::warn_about_waivers(space, judged, day, diagnostics);
   context.observer.judged(loaded.project.path, space, scene, part);
   return part;
 }
@@ -261,10 +267,12 @@ bool is_cut_short(const report::SpacePart& space, const Observer& observer) {
 
 std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
                                                       const calc::Project& project,
-                                                      const std::vector<rules::RulePack>& packs) {
+                                                      const std::vector<rules::RulePack>& packs,
+                                                      const std::string& day) {
   std::vector<rules::JudgedPlane> planes;
   for (std::size_t s = 0; s < part.spaces.size(); ++s) {
-    const std::vector<rules::JudgedPlane> own = judged_planes(project.spaces[s], part.spaces[s]);
+    const std::vector<rules::JudgedPlane> own =
+        judged_planes(project.spaces[s], part.spaces[s], day);
     planes.insert(planes.end(), own.begin(), own.end());
   }
   return rules::judge_aggregates(planes, packs);
@@ -272,10 +280,14 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
 
 }  // namespace
 
-report::ProjectPart check_project(const std::string& path, const Context& context) {
-  if (const std::string problem = problem_with(context.settings); !problem.empty()) {
+report::ProjectPart check_project(const std::string& path, const Context& given) {
+  if (const std::string problem = problem_with(given.settings); !problem.empty()) {
     throw std::invalid_argument(problem);
   }
+  Settings settings = given.settings;
+  settings.today = day_of(given.settings);  // one day, even over midnight
+  const Context context{settings,     given.files,    given.packs,
+                        given.stages, given.observer, given.vertices};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   const std::optional<rules::JudgedProject> loaded =
@@ -301,7 +313,7 @@ report::ProjectPart check_project(const std::string& path, const Context& contex
         return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
       });
   if (is_refused) return unreadable_project(path, diagnostics);
-  part.aggregates = judge_aggregates(part, loaded->project, context.packs);
+  part.aggregates = judge_aggregates(part, loaded->project, context.packs, settings.today);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

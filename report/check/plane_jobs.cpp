@@ -3,6 +3,7 @@
 #include "calc/base/text.h"
 #include "rules/binding/bind.h"
 #include "rules/fitness/fitness.h"
+#include "rules/verdict/coverage.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -34,6 +35,22 @@ std::vector<Unjudged> unjudged_of(const PlaneJob& job) {
   return list;
 }
 
+// What somebody has left out up to a day that is over is asked for again, and cannot be judged.
+void add_no_longer_left_out(const calc::Space& space, const rules::JudgedProject& loaded,
+                            const std::vector<rules::RulePack>& packs, std::string_view day,
+                            std::vector<PlaneJob>& jobs, calc::Diagnostics& diagnostics) {
+  for (const calc::LeftOutPlane& left_out : space.left_out) {
+    if (left_out.by.holds_on(day)) continue;
+    PlaneJob& job = jobs.emplace_back();
+    job.plane = &left_out.plane;
+    job.requirements =
+        rules::requirements_of_left_out(loaded.project, space, left_out.plane, packs);
+    job.reason = rules::ended_words(left_out.by);
+    diagnostics.report(calc::DiagnosticId::zone_no_longer_left_out, left_out.plane.where,
+                       left_out.plane.id, job.reason);
+  }
+}
+
 }  // namespace
 
 std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
@@ -51,6 +68,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
       job.reason = diagnostics.all().back().message;
     }
   }
+  add_no_longer_left_out(space, loaded, packs, day, jobs, diagnostics);
   return jobs;
 }
 

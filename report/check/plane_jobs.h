@@ -24,8 +24,9 @@ struct PlaneJob {
   std::string reason;
 };
 
-// Of all planes of the space, in order. A plane without a grid is an error. day: YYYY-MM-DD, by
-// which stated deviations end.
+// Of all planes of the space, in order, and then of those that are no longer left out. A plane
+// without a grid is an error. day: YYYY-MM-DD, by which stated deviations end, and what is left out
+// is asked for again.
 std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
                                       const std::vector<rules::RulePack>& packs,
                                       std::string_view day, calc::Diagnostics& diagnostics);

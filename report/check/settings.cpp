@@ -1,5 +1,7 @@
 #include "report/check/settings.h"
 
+#include "calc/base/day.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -19,6 +21,9 @@ std::string problem_with(const Settings& settings) {
   }
   if (!(settings.confidence > 0.5 && settings.confidence < 1.0)) {
     return "the confidence must be between 0.5 and 1";
+  }
+  if (!settings.today.empty() && !calc::is_day(settings.today)) {
+    return "the day by which waivers end must be YYYY-MM-DD";
   }
   return calc::validate(settings.radiosity);
 }

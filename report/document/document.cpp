@@ -131,8 +131,13 @@ bool hangs_on_the_day(const Document& document) {
     return finding.requirement.waiver ||
            std::any_of(deviations.begin(), deviations.end(), is_stated);
   };
+  const auto leaves_out = [](const rules::RowCoverage& row) {
+    return std::any_of(row.roles.begin(), row.roles.end(),
+                       [](const auto& role) { return !role.left_out.empty(); });
+  };
   for (const ProjectPart& project : document.projects) {
     for (const SpacePart& space : project.spaces) {
+      if (std::any_of(space.coverage.begin(), space.coverage.end(), leaves_out)) return true;
       for (const PlanePart& plane : space.planes) {
         if (std::any_of(plane.findings.begin(), plane.findings.end(), is_one)) return true;
       }

@@ -97,6 +97,9 @@ std::string render_github(const Document& document) {
                           fmt::format("luxgate: {}", calc::diagnostic_name(diagnostic.id)),
                           printable(diagnostic.message));
     }
+    for (const std::string& words : ci_left_out(project)) {
+      text += github_line("notice", {project.path, 0, 0}, "luxgate: left out", words);
+    }
   }
   for (const CiFinding& entry : ci_findings(document)) {
     if (entry.verdict == rules::Verdict::pass) continue;
@@ -131,6 +134,12 @@ std::string render_gitlab(const Document& document) {
       issues.push_back(gitlab_issue("luxgate/" + name, printable(diagnostic.message),
                                     unique_fingerprint(identity, taken),
                                     is_error(project, diagnostic) ? "blocker" : "info", where));
+    }
+    for (const std::string& words : ci_left_out(project)) {
+      issues.push_back(
+          gitlab_issue("luxgate/left-out", words,
+                       unique_fingerprint(project.path + "\nleft-out\n" + words, taken), "info",
+                       {project.path, 0, 0}));
     }
   }
   return json_layout(issues);

@@ -5,6 +5,7 @@
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
+#include "rules/verdict/waiver.h"
 
 #include <fmt/format.h>
 
@@ -141,6 +142,23 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
     }
   }
   return notes;
+}
+
+std::vector<std::string> ci_left_out(const ProjectPart& project) {
+  std::vector<std::string> list;
+  for (const SpacePart& space : project.spaces) {
+    for (const rules::RowCoverage& row : space.coverage) {
+      for (const rules::RoleCoverage& role : row.roles) {
+        for (const rules::LeftOutZone& zone : role.left_out) {
+          if (zone.has_ended) continue;  // told by its plane, which is not judged
+          list.push_back(printable(
+              fmt::format("{}: {}, {}: left out: {} ({})", title_of(space.name, space.id),
+                          row.workplace, row.clause, zone.zone, rules::waiver_words(zone.by))));
+        }
+      }
+    }
+  }
+  return list;
 }
 
 std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {

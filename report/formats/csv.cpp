@@ -60,12 +60,16 @@ constexpr std::string_view kPointsHeader =
     "project,space,plane,column,row,x_m,y_m,z_m,nx,ny,nz,illuminance_lx,low_lx,high_lx,direct_lx,"
     "indirect_lx,quantity,rating,rating_low,rating_high\r\n";
 
-// "A. Meier until 2027-01-31: temporary"; "" without a waiver.
+// "A. Meier until 2027-01-31: temporary"
+std::string waiver_text(const rules::Waiver& waiver) {
+  return fmt::format("{} until {}: {}", waiver.owner, waiver.until, waiver.reason);
+}
+
+// "" without a waiver.
 std::string waiver_words(const rules::Finding& finding) {
   const std::optional<rules::Waiver>& waiver = finding.requirement.waiver;
   if (!waiver) return {};
-  return fmt::format("{} until {}: {}{}", waiver->owner, waiver->until, waiver->reason,
-                     finding.is_waived ? "" : " (does not apply)");
+  return waiver_text(*waiver) + (finding.is_waived ? "" : " (does not apply)");
 }
 
 // What is required, and of what; space_id and plane_id may be "".
@@ -177,6 +181,31 @@ void add_row_in_part(const ProjectPart& project, const SpacePart& space,
   row.add_to(csv);
 }
 
+// What somebody leaves out of a row is to be read with it.
+void add_left_out(const ProjectPart& project, const SpacePart& space,
+                  const rules::RowCoverage& coverage, const rules::LeftOutZone& zone,
+                  std::string& csv) {
+  ResultRow row;
+  row.set("project", field(project.path));
+  row.set("space", field(space.id));
+  row.set("plane", field(coverage.workplace + "." + zone.zone));
+  row.set("clause", field(coverage.clause));
+  row.set("verdict", "left out");
+  row.set("waiver", field(waiver_text(zone.by)));
+  row.add_to(csv);
+}
+
+void add_coverage(const ProjectPart& project, const SpacePart& space, std::string& csv) {
+  for (const rules::RowCoverage& row : space.coverage) {
+    if (!row.is_whole()) add_row_in_part(project, space, row, csv);
+    for (const rules::RoleCoverage& role : row.roles) {
+      for (const rules::LeftOutZone& zone : role.left_out) {
+        if (!zone.has_ended) add_left_out(project, space, row, zone, csv);
+      }
+    }
+  }
+}
+
 // Calls visit(place, plane) for every plane; place: the first three fields of a row.
 template <class Visit>
 void for_each_plane(const ProjectPart& project, Visit visit) {
@@ -203,11 +232,7 @@ std::string render_results_csv(const Document& document) {
     for (const rules::AggregateFinding& finding : project.aggregates) {
       add_aggregate(project, finding, csv);
     }
-    for (const SpacePart& space : project.spaces) {
-      for (const rules::RowCoverage& row : space.coverage) {
-        if (!row.is_whole()) add_row_in_part(project, space, row, csv);
-      }
-    }
+    for (const SpacePart& space : project.spaces) add_coverage(project, space, csv);
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
       if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);
     }

@@ -55,6 +55,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   if (const std::string note = note_words(t, *finding); !note.empty()) {
     quantity += " (" + escape_markdown(note) + ")";
   }
+  if (!finding->reason.empty()) quantity += ": " + escape_markdown(finding->reason);
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
                      is_judged ? format_measured(t, finding->measured, unit, threshold) : "",

@@ -145,6 +145,11 @@ Json invocation_json(const Document& document) {
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
       notifications.push_back(notification_json(project, diagnostic));
     }
+    for (const std::string& words : ci_left_out(project)) {
+      notifications.push_back({{"descriptor", {{"id", "left-out"}}},
+                               {"level", "note"},
+                               {"message", {{"text", words}}}});
+    }
   }
   return {{"executionSuccessful", is_successful},
           {"commandLine", printable(document.provenance.command_line)},

@@ -1,5 +1,6 @@
 #include "report/result_file/contradiction.h"
 
+#include "calc/base/day.h"
 #include "calc/base/names.h"
 #include "report/result_file/json_cursor.h"
 #include "report/text/number_format.h"
@@ -126,13 +127,13 @@ void check_days(const Place& place, const rules::Finding& finding, std::string_v
   const std::string why = fmt::format("judged on {}", day);
   const std::optional<rules::Waiver>& waiver = finding.requirement.waiver;
   if (waiver) {
-    const bool applies = rules::can_be_waived(finding.verdict) && rules::lasts(*waiver, day);
+    const bool applies = rules::can_be_waived(finding.verdict) && waiver->holds_on(day);
     expect(place, "waiver/applies", finding.is_waived, applies, why + ", until " + waiver->until);
   }
   const auto& deviations = finding.requirement.deviations;
   for (std::size_t i = 0; i < deviations.size(); ++i) {
     const rules::Deviation& deviation = deviations[i];
-    const bool lasts = deviation.stated && rules::lasts(*deviation.stated, day);
+    const bool lasts = deviation.stated && deviation.stated->holds_on(day);
     expect(place.at("deviations", i), "accepted", deviation.is_accepted, lasts, why);
   }
 }
@@ -280,7 +281,20 @@ void check_aggregate(const Place& place, const Findings& findings,
   }
 }
 
-void check_role(const Place& place, const Findings& findings, const rules::RoleCoverage& role) {
+void check_role(const Place& place, const Findings& findings, const rules::RoleCoverage& role,
+                std::string_view day) {
+  bool has_ended = false;
+  for (std::size_t i = 0; i < role.left_out.size(); ++i) {
+    const rules::LeftOutZone& zone = role.left_out[i];
+    expect(place.at("left_out", i), "has_ended", zone.has_ended, !zone.by.holds_on(day),
+           fmt::format("judged on {}, until {}", day, zone.by.until));
+    has_ended = has_ended || zone.has_ended;
+  }
+  const bool says_so = role.state == rules::RoleState::left_out_ended;
+  if (has_ended || says_so) {
+    expect(place, "state", says_so, has_ended, "from the days up to which it is left out");
+    return;
+  }
   rules::Outcome outcome = rules::Outcome::nothing_asked;
   for (std::size_t i = 0; i < role.of.size(); ++i) {
     outcome = graver(outcome, outcome_of(*findings.of(place, i, role.of[i]).finding));
@@ -292,13 +306,14 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
   }
 }
 
-void check_coverage(const Place& place, const Findings& findings, const SpacePart& space) {
+void check_coverage(const Place& place, const Findings& findings, const SpacePart& space,
+                    std::string_view day) {
   for (std::size_t r = 0; r < space.coverage.size(); ++r) {
     const rules::RowCoverage& row = space.coverage[r];
     const Place own = place.at("coverage", r, "row " + row.clause);
     for (std::size_t k = 0; k < row.roles.size(); ++k) {
       check_role(own.at("roles", k, fmt::format("role '{}'", row.roles[k].role)), findings,
-                 row.roles[k]);
+                 row.roles[k], day);
     }
   }
 }
@@ -325,7 +340,7 @@ void check_project(const Place& place, const ProjectPart& project, std::string_v
   }
   const Findings findings(project);
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
-    check_coverage(place.at("spaces", s), findings, project.spaces[s]);
+    check_coverage(place.at("spaces", s), findings, project.spaces[s], day);
   }
   for (std::size_t i = 0; i < project.aggregates.size(); ++i) {
     const rules::AggregateFinding& aggregate = project.aggregates[i];
@@ -341,7 +356,7 @@ std::string checked_day(const Document& document) {
   const Place place{"/provenance", "waivers and stated deviations end"};
   const std::string& day = document.provenance.judged_on;
   if (day.empty() && !hangs_on_the_day(document)) return day;
-  if (!rules::is_day(day)) refuse_place(place, "judged_on", "a day, YYYY-MM-DD, is needed");
+  if (!calc::is_day(day)) refuse_place(place, "judged_on", "a day, YYYY-MM-DD, is needed");
   const std::string& timestamp = document.provenance.timestamp;
   if (!timestamp.empty() && !timestamp.starts_with(day)) {
     refuse_place(place, "judged_on", "it is not the day of the timestamp");

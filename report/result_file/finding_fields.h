@@ -2,6 +2,7 @@
 // The result file, what was judged: requirements with their verdicts, aggregates, rows of rule
 // packs. See result_fields.h.
 
+#include "calc/base/day.h"
 #include "calc/base/names.h"
 #include "report/result_file/describe.h"
 #include "report/text/words.h"
@@ -43,8 +44,8 @@ inline std::vector<std::string_view> requirement_units() {
 void describe(auto& v, Is<rules::Waiver> auto& waiver) {
   v.field("reason", waiver.reason);
   v.field("owner", waiver.owner);
-  v.field("until", waiver.until);
-  v.refuse_if(!rules::is_day(waiver.until), "until", "a day, YYYY-MM-DD, is needed");
+  v.field("until", waiver.until, {.words = "The last day, YYYY-MM-DD."});
+  v.refuse_if(!calc::is_day(waiver.until), "until", "a day, YYYY-MM-DD, is needed");
 }
 
 void describe(auto& v, Is<rules::RequirementName> auto& name) {
@@ -148,12 +149,23 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});
 }
 
+void describe(auto& v, Is<rules::LeftOutZone> auto& zone) {
+  v.is("left_out_zone");
+  v.field("zone", zone.zone, {.words = "The role, or a part of it: wall.2."});
+  describe(v, zone.by);
+  v.field("has_ended", zone.has_ended,
+          {.words = "The last day is over: the zone counts as not judged."});
+}
+
 void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
   v.is("role_coverage");
   v.field("role", role.role);
   v.field("state", role.state);
   v.field("words", role.words, {.holds = Holds::prose});
   v.field("of", role.of, {.words = "What the state is from; empty: nothing is asked."});
+  v.field("left_out", role.left_out,
+          {.words = "What of the role the project leaves out.",
+           .presence = only_if(!role.left_out.empty())});
 }
 
 void describe(auto& v, Is<rules::RowCoverage> auto& row) {

@@ -249,7 +249,7 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
                                 title, roles_in(row, {met, failed, undecided, not_judged, waived}))
                       : row.is_met() ? t.say<Text::row_is_met>(title)
                                      : t.say<Text::row_is_asked>(title);
-  words += end(said(roles_in(row, {never_asked}),
+  words += end(said(roles_in(row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
   // Of a workplace the room's notes say the rest.
   if (!row.workplace.empty()) return words;

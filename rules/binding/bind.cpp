@@ -168,6 +168,19 @@ void check_requirements(const calc::Project& project, const std::vector<RulePack
   }
 }
 
+std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
+                                                  const calc::Space& space,
+                                                  const calc::CalcPlane& plane,
+                                                  const std::vector<RulePack>& packs) {
+  const calc::InstalledPower power = calc::installed_power(project, space);
+  std::vector<Requirement> bound;
+  ElementsOnce elements;
+  calc::Diagnostics said;  // where the other planes of the workplace were bound
+  bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
+             {power, calc::lighting_energy(project, space, power)}, elements, said, bound);
+  return bound;
+}
+
 std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
                                                std::string_view plane_id) {
   std::vector<Requirement> own;

@@ -24,6 +24,12 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
 void check_requirements(const calc::Project& project, const std::vector<RulePack>& packs,
                         calc::Diagnostics& diagnostics);
 
+// What would be asked of a plane that a workplace leaves out.
+std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
+                                                  const calc::Space& space,
+                                                  const calc::CalcPlane& plane,
+                                                  const std::vector<RulePack>& packs);
+
 // In order.
 std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
                                                std::string_view plane_id);

@@ -2,9 +2,8 @@
 
 #include "calc/base/names.h"
 #include "calc/project/project_elements.h"
-#include "rules/binding/requirement_attributes.h"
+#include "calc/project/waiver_attributes.h"
 #include "rules/pack/pack_parts.h"
-#include "rules/verdict/waiver.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,9 +27,9 @@ const calc::ElementRow& deviation_element() {
     element.attributes = {
         {"in", &kAspect, required, "What differs from the plane that the standard means."},
         {"role", &calc::kIdType, optional, "Of a workplace, and needed there: of which zones."},
-        {"because", &calc::kTextType, required, "Why the number is compared all the same."},
-        {"by", &calc::kTextType, required, "Who lives with it."},
-        {"until", &kDayType, required, "The last day, YYYY-MM-DD; nothing is judged after it."}};
+        calc::kBecauseAttribute,
+        calc::kByAttribute,
+        calc::kUntilAttribute};
     return element;
   }();
   return kElement;
@@ -50,7 +49,7 @@ std::vector<StatedDeviation> read_deviations(ElementReader& parent, const std::s
     if (!role.empty()) reader.id("role");
     StatedDeviation one;
     one.aspect = reader.value<FitAspect>("in");
-    one.by = {reader.text("because"), reader.text("by"), read_day(reader, "until")};
+    one.by = calc::read_waiver(reader);
     const auto twice = [&](const StatedDeviation& other) { return other.aspect == one.aspect; };
     if (reader.ok() && std::any_of(stated.begin(), stated.end(), twice)) {
       reader.report(DiagnosticId::duplicate_id, reader.where("in"), kName,

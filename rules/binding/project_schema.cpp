@@ -4,15 +4,16 @@
 #include "calc/project/project_elements.h"
 #include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
+#include "rules/binding/waiver_xml.h"
 
 namespace rules {
 
 std::string project_schema() {
-  return calc::xml_schema(
-      {"'luxgate schema'",
-       calc::kProjectMeaning,
-       calc::kProjectRoot,
-       {require_element(), workplace_element(), workplace_grid_element(), deviation_element()}});
+  return calc::xml_schema({"'luxgate schema'",
+                           calc::kProjectMeaning,
+                           calc::kProjectRoot,
+                           {require_element(), workplace_element(), workplace_grid_element(),
+                            deviation_element(), waiver_element()}});
 }
 
 }  // namespace rules

@@ -14,7 +14,6 @@ namespace {
 using enum AttributeForm;
 using enum AttributeKind;
 
-const calc::ValueType kAnyDate{"xs:date"};
 const calc::ValueType kRequiredQuantityType{
     .name = "requiredQuantity", .base = &calc::kAnyText, .words = all_metric_names()};
 const calc::ValueType kPercentageType{
@@ -70,9 +69,9 @@ std::vector<RequirementAttribute> make_attributes() {
       {"light", own, words, &kCountedLightType,
        "With or without reflected light; all if not given."},
       {"waived-because", waiver, text, &calc::kTextType,
-       "Why the requirement is waived; all three or none."},
+       "Of a limit of its own: why it is waived; all three or none."},
       {"waived-by", waiver, text, &calc::kTextType, "Who has waived it."},
-      {"waived-until", waiver, date, &kDayType, "The last day of the waiver, YYYY-MM-DD."},
+      {"waived-until", waiver, date, &calc::kDayType, "The last day of the waiver, YYYY-MM-DD."},
   };
 }
 
@@ -95,9 +94,6 @@ calc::ElementRow with_row(calc::ElementRow element) {
 }
 
 }  // namespace
-
-const calc::ValueType kDayType{
-    .name = "day", .base = &kAnyDate, .pattern = "[0-9]{4}-[0-9]{2}-[0-9]{2}"};
 
 const std::vector<RequirementAttribute>& requirement_attributes() {
   static const std::vector<RequirementAttribute> kAttributes = make_attributes();

@@ -16,7 +16,7 @@ enum class AttributeForm {
   own,     // of a limit of its own
   row,     // of a row of a rule pack
   either,  // of both
-  waiver,  // beside both
+  waiver,  // beside a limit of its own
 };
 
 enum class AttributeKind { id, text, empty_text, words, number, point, date };
@@ -29,9 +29,6 @@ struct RequirementAttribute {
   std::string_view meaning;
   std::optional<calc::Presence> of_workplace{};  // <workplace> has it, too
 };
-
-// A last day, YYYY-MM-DD.
-extern const calc::ValueType kDayType;
 
 // In the order in which messages and the schema name them.
 const std::vector<RequirementAttribute>& requirement_attributes();

@@ -2,14 +2,17 @@
 
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
+#include "calc/project/waiver_attributes.h"
 #include "rules/binding/deviation_xml.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"
+#include "rules/binding/waiver_xml.h"
 #include "rules/catalogue/limit_text.h"
 #include "rules/measure/derived_metrics.h"
-#include "rules/verdict/waiver.h"
+#include "rules/pack/named_pack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <initializer_list>
@@ -254,6 +257,58 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
   return requirements;
 }
 
+// The attributes waived-because, waived-by and waived-until, of a limit of its own: all of them or
+// none.
+std::optional<Waiver> read_own_waiver(ElementReader& reader) {
+  const bool is_whole = reader.require_together("waived-because", "waived-by") &&
+                        reader.require_together("waived-by", "waived-until");
+  if (!is_whole || !reader.has("waived-until")) return std::nullopt;
+  return calc::read_waiver(reader, {"waived-because", "waived-by", "waived-until"});
+}
+
+std::vector<std::string> checks_of(const std::vector<Requirement>& requirements) {
+  std::vector<std::string> ids;
+  for (const Requirement& requirement : requirements) ids.push_back(requirement.origin.check);
+  return ids;
+}
+
+// Of a row they would waive more than anybody has looked at.
+void refuse_own_waiver(ElementReader& reader, const std::vector<Requirement>& requirements) {
+  for (const RequirementAttribute& attribute : requirement_attributes()) {
+    if (attribute.form != AttributeForm::waiver || !reader.has(attribute.name)) continue;
+    const std::string checks = fmt::format("{}", fmt::join(checks_of(requirements), " "));
+    return reader.report(DiagnosticId::waiver_of_whole_row, reader.where(attribute.name),
+                         attribute.name, checks.empty() ? "..." : checks);
+  }
+}
+
+// What only means something with a row.
+void refuse_parts_of_rows(ElementReader& reader) {
+  for (const calc::XmlElement& child : reader.element().children) {
+    if (child.name == "deviation") {
+      reader.report(DiagnosticId::deviation_of_own_limit, child.where);
+    }
+    if (child.name == "waiver") reader.report(DiagnosticId::waiver_of_own_limit, child.where);
+  }
+}
+
+// Of a workplace, whose own checks were looked at when its planes were made, those of other roles
+// are left over.
+void take_waivers(ElementReader& reader, const std::string& role, const RequirementContext& context,
+                  std::vector<Requirement>& requirements) {
+  if (!reader.has("pack")) return;
+  const RulePack* pack = named_pack(reader.element().find("pack")->value, context.packs).pack;
+  const std::vector<WaivedCheck> waived = read_waived_checks(reader, pack);
+  if (role.empty() && pack != nullptr && !requirements.empty()) {
+    check_waived_are_asked(reader, waived, *pack, checks_of(requirements));
+  }
+  for (Requirement& requirement : requirements) {
+    for (const WaivedCheck& one : waived) {
+      if (one.check == requirement.origin.check) requirement.waiver = one.by;
+    }
+  }
+}
+
 // <require>
 std::vector<Requirement> read_written(ElementReader& reader, const RequirementContext& context) {
   reader.allow(require_element());
@@ -267,11 +322,12 @@ std::vector<Requirement> read_written(ElementReader& reader, const RequirementCo
   } else {
     requirements = read_own(reader, context);
   }
-  const std::optional<Waiver> waiver = read_waiver(reader);
-  for (Requirement& requirement : requirements) requirement.waiver = waiver;
-  for (const calc::XmlElement& child : reader.element().children) {
-    if (child.name != "deviation" || has_any(reader, AttributeForm::row)) continue;
-    reader.report(DiagnosticId::deviation_of_own_limit, child.where);
+  if (!has_any(reader, AttributeForm::row)) {
+    refuse_parts_of_rows(reader);
+    const std::optional<Waiver> waiver = read_own_waiver(reader);
+    for (Requirement& requirement : requirements) requirement.waiver = waiver;
+  } else if (has_any(reader, AttributeForm::waiver)) {
+    refuse_own_waiver(reader, requirements);
   }
   return requirements;
 }
@@ -284,6 +340,7 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
   ElementReader reader(text.element, diagnostics);
   std::vector<Requirement> requirements =
       text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, context);
+  take_waivers(reader, text.role, context, requirements);
   const std::vector<StatedDeviation> stated = read_deviations(reader, text.role);
   for (Requirement& requirement : requirements) {
     requirement.derived = context.derived;

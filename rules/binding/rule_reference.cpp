@@ -3,7 +3,6 @@
 #include "calc/base/text.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/measure/derived_metrics.h"
-#include "rules/pack/limit.h"
 #include "rules/pack/named_pack.h"
 #include "rules/pack/pack_parts.h"
 
@@ -208,6 +207,16 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
 }
 
 }  // namespace
+
+std::vector<std::string> asked_checks(const std::string& role, const LimitScope& scope) {
+  std::vector<std::string> ids;
+  for (const RuleCheck& check : scope.pack.checks) {
+    if (check.role != role) continue;
+    if (evaluate_limit(check, scope).status == LimitStatus::not_applicable) continue;
+    ids.push_back(check.id);
+  }
+  return ids;
+}
 
 ChosenLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRow* row) {
   const std::string_view word = level_names()[reader.choice_or("level", level_names(), 0)];

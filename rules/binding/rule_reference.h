@@ -4,6 +4,7 @@
 #include "calc/base/xml_reader.h"
 #include "rules/binding/requirement_reader.h"
 #include "rules/catalogue/requirement.h"
+#include "rules/pack/limit.h"
 #include "rules/pack/rule_pack.h"
 
 #include <map>
@@ -30,6 +31,9 @@ struct ChosenScene {
 std::vector<Requirement> read_rule_reference(calc::ElementReader& reader, const std::string& role,
                                              const RequirementContext& context,
                                              const ChosenScene& scene);
+
+// Ids of the checks of a role that a row, or a pack without rows, asks for.
+std::vector<std::string> asked_checks(const std::string& role, const LimitScope& scope);
 
 // The attribute "pack", see named_pack(). nullptr after an error.
 const RulePack* find_pack(calc::ElementReader& reader, const std::vector<RulePack>& packs);

@@ -8,8 +8,10 @@
 #include "rules/binding/requirement_attributes.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/binding/shared_surfaces.h"
+#include "rules/binding/waiver_xml.h"
 #include "rules/pack/limit.h"
 #include "rules/pack/pack_parts.h"
+#include "rules/verdict/waiver.h"
 #include "rules/zones/straight_walls.h"
 #include "rules/zones/zone_plane.h"
 
@@ -93,8 +95,10 @@ class WorkplaceMaker {
       if (zone.role.empty()) continue;  // reported where it was read
       if (std::find(allowed.begin(), allowed.end(), zone.role) == allowed.end()) {
         report_unknown_name(diagnostics_, zone.role_where, "role",
-                            zone.is_left_out ? "without" : "zone", "zone", zone.role,
+                            zone.left_out ? "without" : "zone", "zone", zone.role,
                             calc::Names(allowed.begin(), allowed.end()));
+      } else if (zone.left_out) {
+        check_may_be_left_out(zone);
       } else {
         check_fit(zone);
       }
@@ -105,6 +109,14 @@ class WorkplaceMaker {
   const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
   // "EN 12464-1:2021 34.2: left out: ceiling (open)"; "" = there is nothing to say.
   std::string note() const { return note_words(); }
+  std::vector<std::string> asked() const {
+    std::vector<std::string> checks;
+    for (const std::string& role : roles_made_) {
+      const std::vector<std::string> own = asked_checks(role, scope_);
+      checks.insert(checks.end(), own.begin(), own.end());
+    }
+    return checks;
+  }
 
   // After check_zones() without an error. Nothing is added after an error.
   void run(PlaneIds& ids, Total& total) {
@@ -124,15 +136,18 @@ class WorkplaceMaker {
       }
     }
     check_size(own, total);
-    for (const calc::CalcPlane& plane : own) {
+    const auto take_id = [&](const calc::CalcPlane& plane) {
       const auto [first, is_new] = ids.try_emplace(plane.id, plane.where.line);
-      if (is_new) continue;
+      if (is_new) return;
       diagnostics_.report(DiagnosticId::duplicate_id, workplace_.where, "plane", plane.id,
                           first->second);
-    }
+    };
+    for (const calc::CalcPlane& plane : own) take_id(plane);
+    for (const calc::LeftOutPlane& left_out : left_out_planes_) take_id(left_out.plane);
     if (diagnostics_.error_count() > errors) return;
     for (const auto& [twin, plane] : shared) ask_also(space_.planes[twin], plane);
     for (calc::CalcPlane& plane : own) space_.planes.push_back(std::move(plane));
+    for (calc::LeftOutPlane& plane : left_out_planes_) space_.left_out.push_back(std::move(plane));
   }
 
  private:
@@ -152,10 +167,24 @@ class WorkplaceMaker {
                     kMostPoints));
   }
 
+  // A row without its task would be met by whatever is left.
+  void check_may_be_left_out(const ZoneText& zone) {
+    const RulePlane& plane = *plane_of_zone(zone);
+    if (zone.role != pack_.role && plane.area != ZoneArea::task) return;
+    diagnostics_.report(DiagnosticId::workplace_without_task, zone.role_where, workplace_.id,
+                        zone.role, zone.role,
+                        fmt::format("{}", fmt::join(asked_checks(plane.role, scope_), " ")));
+  }
+
+  // Of a role or a part of it.
+  const RulePlane* plane_of_zone(const ZoneText& zone) const {
+    const RulePlane* plane = pack_.find_plane(zone.role);
+    return plane != nullptr ? plane : pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
+  }
+
   // Surfaces of the room are where they are.
   void check_fit(const ZoneText& zone) {
-    const RulePlane* plane = pack_.find_plane(zone.role);
-    if (plane == nullptr) plane = pack_.find_plane(zone.role.substr(0, zone.role.rfind('.')));
+    const RulePlane* plane = plane_of_zone(zone);
     const bool is_surface =
         plane != nullptr && (plane->area == ZoneArea::walls || plane->area == ZoneArea::ceiling);
     const auto refuse = [&](const char* what, std::string_view beside) {
@@ -180,10 +209,34 @@ class WorkplaceMaker {
     return found == workplace_.zones.end() ? nullptr : &*found;
   }
 
-  void leave_out(std::vector<std::string>& list, const std::string& role,
-                 const std::string& because) {
-    list.push_back(fmt::format("{} ({})", role, because));
-    unmade_.push_back({role, because, &list == &left_out_});
+  void leave_unmade(const std::string& role, const std::string& why) {
+    not_made_.push_back(fmt::format("{} ({})", role, why));
+    unmade_.push_back({role, why, std::nullopt});
+  }
+
+  // After the last day the plane is asked for again, and nothing is known of it: it has no area.
+  void leave_out(const std::string& name, const RulePlane& rule, const ZoneText& zone,
+                 std::optional<std::size_t> part) {
+    calc::CalcPlane plane = plane_of(name, rule, part, "left out");
+    plane.where = zone.where;
+    left_out_planes_.push_back({std::move(plane), *zone.left_out});
+    left_out_names_.push_back(name);
+  }
+
+  // Of the planes of a role that were left out since the first of them: one name, if it is the role
+  // as a whole that somebody leaves out and nothing of it is left.
+  void tell_left_out(const std::string& role, std::size_t first, bool is_something_left) {
+    const ZoneText* whole = find_zone(role);
+    const bool is_whole = whole != nullptr && whole->left_out && !is_something_left;
+    for (std::size_t i = first; i < left_out_planes_.size(); ++i) {
+      const calc::Waiver& by = left_out_planes_[i].by;
+      const bool is_own = !is_whole || by.where.line != whole->left_out->where.line ||
+                          by.where.column != whole->left_out->where.column;
+      const std::string& name = is_own ? left_out_names_[i] : role;
+      if (!unmade_.empty() && unmade_.back().left_out && unmade_.back().role == name) continue;
+      left_out_.push_back(fmt::format("{} ({})", name, waiver_words(by)));
+      unmade_.push_back({name, by.reason, by});
+    }
   }
 
   // Why there is no plane of a role, whatever the room; "" = there is.
@@ -228,10 +281,11 @@ class WorkplaceMaker {
   void add_role(const std::string& role) {
     const RulePlane* plane = pack_.find_plane(role);
     if (const std::string reason = reason_against(role, plane); !reason.empty()) {
-      return leave_out(not_made_, role, reason);
+      return leave_unmade(role, reason);
     }
     const std::size_t parts = parts_of(role, *plane);
     const std::size_t before = planes_.size(), not_made = not_made_.size();
+    const std::size_t left_out = left_out_planes_.size();
     std::vector<std::size_t> too_narrow;  // walls
     if (parts == 0) add_plane(role, *plane, find_zone(role), std::nullopt);
     for (std::size_t i = 0; i < parts; ++i) {
@@ -242,6 +296,7 @@ class WorkplaceMaker {
       add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
       if (not_made_.size() > count) too_narrow.push_back(i);
     }
+    tell_left_out(role, left_out, planes_.size() > before || not_made_.size() > not_made);
     const std::string run = plane->area == ZoneArea::walls && planes_.size() > before
                                 ? run_of_pieces(workplace_.walls, part_of_, too_narrow)
                                 : "";
@@ -273,10 +328,10 @@ class WorkplaceMaker {
 
   void add_plane(const std::string& name, const RulePlane& rule, const ZoneText* zone,
                  std::optional<std::size_t> part) {
-    if (zone != nullptr && zone->is_left_out) return leave_out(left_out_, name, zone->because);
+    if (zone != nullptr && zone->left_out) return leave_out(name, rule, *zone, part);
     const auto wall = rule.area == ZoneArea::walls ? part : std::nullopt;
     ZonePlane made = make_zone_plane({pack_, row_, workplace_, space_}, rule, zone, wall);
-    if (!made.not_made.empty()) return leave_out(not_made_, name, made.not_made);
+    if (!made.not_made.empty()) return leave_unmade(name, made.not_made);
     if (!made.problem.empty()) {
       const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;
       diagnostics_.report(
@@ -284,25 +339,36 @@ class WorkplaceMaker {
           workplace_.id, name, made.problem, name, name);
       return;
     }
-    calc::CalcPlane& plane = planes_.emplace_back();
+    calc::CalcPlane plane = plane_of(name, rule, part, made.words);
+    plane.area = std::move(made.area);
+    plane.changed = std::move(made.changed);
+    if (zone != nullptr) plane.own_margin_m = zone->margin_m;
+    planes_.push_back(std::move(plane));
+    if (std::find(roles_made_.begin(), roles_made_.end(), rule.role) == roles_made_.end()) {
+      roles_made_.push_back(rule.role);
+    }
+  }
+
+  // Without its area.
+  calc::CalcPlane plane_of(const std::string& name, const RulePlane& rule,
+                           std::optional<std::size_t> part, std::string words) const {
+    calc::CalcPlane plane;
     plane.id = fmt::format("{}.{}", workplace_.id, name);
     const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
     plane.name =
         fmt::format("{}: {}", title, part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);
     plane.where = workplace_.where;
-    plane.area = std::move(made.area);
     plane.kernel = kernel_of(rule.role);
     plane.derived = find_quantity(rule.role)->derived;
     if (looks_around(rule.role)) {
       plane.direction = direction(*part);
-      made.words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
-                                plane.direction.y + 0.0);
+      words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
+                           plane.direction.y + 0.0);
     }
     plane.made_by =
-        fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, made.words);
-    plane.changed = std::move(made.changed);
-    if (zone != nullptr) plane.own_margin_m = zone->margin_m;
+        fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, words);
     plane.requirements.push_back({workplace_.element, rule.role, {workplace_.id}});
+    return plane;
   }
 
   std::string rule_words() const {
@@ -329,6 +395,9 @@ class WorkplaceMaker {
   calc::Space& space_;
   calc::Diagnostics& diagnostics_;
   std::vector<calc::CalcPlane> planes_;
+  std::vector<calc::LeftOutPlane> left_out_planes_;
+  std::vector<std::string> left_out_names_;  // of each of these: "wall.2"
+  std::vector<std::string> roles_made_;
   std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
   std::vector<calc::UnmadeZone> unmade_;          // the same
 };
@@ -380,8 +449,10 @@ void make_planes(Workplace& workplace, calc::Space& space,
   WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
                        diagnostics);
   maker.check_zones();
+  const std::vector<WaivedCheck> waived = read_waived_checks(reader, pack);
   if (!workplace.is_good || !reader.ok()) return;
   maker.run(ids, total);
+  if (reader.ok()) check_waived_are_asked(reader, waived, *pack, maker.asked());
   workplace.unmade = maker.unmade();
   if (reader.ok()) notes.emplace_back(workplace.id, maker.note());
 }

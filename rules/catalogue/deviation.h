@@ -2,23 +2,14 @@
 // In what a plane may differ from the one that a standard's number is about.
 
 #include "calc/base/names.h"
+#include "calc/scene/waiver.h"
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace rules {
 
-// Somebody has decided to live with something, up to the last day ("2027-06-30").
-struct Waiver {
-  std::string reason, owner, until;
-};
-
-// "2027-06-30", a day that there is.
-bool is_day(std::string_view text);
-
-// Its last day is not over. day: YYYY-MM-DD.
-bool lasts(const Waiver& waiver, std::string_view day);
+using calc::Waiver;
 
 enum class FitAspect {
   orientation,  // it faces another way

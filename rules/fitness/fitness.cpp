@@ -2,6 +2,7 @@
 
 #include "calc/base/names.h"
 #include "calc/base/text.h"
+#include "calc/scene/plane_place.h"
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
@@ -11,18 +12,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
+#include <string>
 #include <utility>
 #include <variant>
 
 namespace rules {
 namespace {
 
-// Ramps are horizontal and leaning boards upright as far as they go: cos and sin of 15 degrees.
-constexpr double kHorizontal = 0.966;
-constexpr double kUpright = 0.259;
-// What is laid a little above a floor, so as not to lie in it.
-constexpr double kHeightTolerance_m = 0.05;
 constexpr double kSameLength_m = 1e-6;
 
 void add_words(std::string& text, const std::string& words) {
@@ -43,11 +39,11 @@ std::string role_words(const Meant& meant) {
 }
 
 bool faces(const RulePlane& role, const glm::dvec3& normal) {
-  if (role.area == ZoneArea::ceiling) return normal.z <= -kHorizontal;
-  if (role.area == ZoneArea::walls) return std::abs(normal.z) <= kUpright;
-  if (role.orientation == "horizontal-up") return normal.z >= kHorizontal;
-  if (role.orientation == "horizontal-down") return normal.z <= -kHorizontal;
-  if (role.orientation == "vertical") return std::abs(normal.z) <= kUpright;
+  if (role.area == ZoneArea::ceiling) return looks_down(normal);
+  if (role.area == ZoneArea::walls) return looks_sideways(normal);
+  if (role.orientation == "horizontal-up") return looks_up(normal);
+  if (role.orientation == "horizontal-down") return looks_down(normal);
+  if (role.orientation == "vertical") return looks_sideways(normal);
   return true;  // surface, free
 }
 
@@ -97,7 +93,7 @@ class PlaneFit {
 
   std::string orientation(const Meant& meant) const {
     if (!faces_somewhere()) return {};
-    const std::vector<glm::dvec3> normals = normals_of(plane());
+    const std::vector<glm::dvec3> normals = calc::normals_of(plane());
     const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
       return faces(meant.plane, normal);
     });
@@ -106,7 +102,8 @@ class PlaneFit {
                          orientation_words(meant.plane),
                          is_route() ? "the points of a route face up" : "this one is not");
     }
-    if (is_lower_limit(meant.check.comparison) || !faces_away(plane(), context_.space)) return {};
+    if (is_lower_limit(meant.check.comparison)) return {};
+    if (!calc::faces_away(context_.project, context_.space, plane())) return {};
     return fmt::format(
         "a limit from above says nothing here: the {} faces away from every luminaire", noun());
   }
@@ -130,7 +127,7 @@ class PlaneFit {
     const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
     // An upright plane has a height of its own: it must reach the height that is asked for.
     const bool is_upright = role.orientation == "vertical";
-    const double from = from_m - kHeightTolerance_m, to = to_m + kHeightTolerance_m;
+    const double from = from_m - kLift_m, to = to_m + kLift_m;
     const bool fits =
         is_upright ? highest_m >= from && lowest_m <= to : lowest_m >= from && highest_m <= to;
     if (fits) return {};
@@ -298,7 +295,7 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
     });
     if (stated != all.end()) {
       deviation.stated = stated->by;
-      deviation.is_accepted = lasts(stated->by, today);
+      deviation.is_accepted = stated->by.holds_on(today);
     }
     if (deviation.is_accepted) continue;
     add_words(open, deviation.words);

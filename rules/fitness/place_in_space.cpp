@@ -1,8 +1,10 @@
 #include "rules/fitness/place_in_space.h"
 
+#include "calc/scene/plane_place.h"
 #include "calc/scene/walking_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,10 +14,9 @@
 namespace rules {
 namespace {
 
-// What is laid a little off a surface, so as not to lie in it.
-constexpr double kLift_m = 0.05;
-// Cosine of 15 degrees: surfaces that look the same way.
+// Cosine and sine of 15 degrees.
 constexpr double kAlike = 0.966;
+constexpr double kAcross = 0.259;
 
 std::array<glm::dvec3, 3> corners_of(const calc::Body& body, const glm::uvec3& triangle) {
   return {body.vertex_m[triangle.x], body.vertex_m[triangle.y], body.vertex_m[triangle.z]};
@@ -83,25 +84,9 @@ bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
 
 }  // namespace
 
-std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane) {
-  if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->position_m;
-  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) return route->line.corner_m;
-  const auto& area = std::get<calc::PlanarArea>(plane.area);
-  std::vector<glm::dvec3> places;
-  for (const glm::dvec2& corner : area.outline_m) {
-    places.push_back(area.origin_m + corner.x * area.u + corner.y * area.v);
-  }
-  return places;
-}
-
-std::vector<glm::dvec3> normals_of(const calc::CalcPlane& plane) {
-  if (const auto* list = std::get_if<calc::PointList>(&plane.area)) return list->normal;
-  if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
-    return std::vector<glm::dvec3>(route->line.corner_m.size(), glm::dvec3(0, 0, 1));
-  }
-  const auto& area = std::get<calc::PlanarArea>(plane.area);
-  return std::vector<glm::dvec3>(area.outline_m.size(), area.normal());
-}
+bool looks_up(const glm::dvec3& normal) { return normal.z >= kAlike; }
+bool looks_down(const glm::dvec3& normal) { return normal.z <= -kAlike; }
+bool looks_sideways(const glm::dvec3& normal) { return std::abs(normal.z) <= kAcross; }
 
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space) {
@@ -113,7 +98,7 @@ std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                          : is_open   ? 0.0
                                      : lowest_corner_m(space);
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const glm::dvec3& place : places_of(plane)) {
+  for (const glm::dvec3& place : calc::places_of(plane)) {
     const double height_m = place.z - (is_open ? surface_below_m(space, place) : floor_m);
     lowest = std::min(lowest, height_m);
     highest = std::max(highest, height_m);
@@ -123,7 +108,7 @@ std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
 
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part) {
   if (!space.shell) return true;
-  const std::vector<glm::dvec3> places = places_of(plane), normals = normals_of(plane);
+  const std::vector<glm::dvec3> places = calc::places_of(plane), normals = calc::normals_of(plane);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_found =
         std::any_of(space.bodies.begin(), space.bodies.end(), [&](const calc::Body& body) {
@@ -134,17 +119,6 @@ bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string
                              });
         });
     if (!is_found) return false;
-  }
-  return true;
-}
-
-bool faces_away(const calc::CalcPlane& plane, const calc::Space& space) {
-  if (space.luminaires.empty()) return false;
-  const std::vector<glm::dvec3> places = places_of(plane), normals = normals_of(plane);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (const calc::Luminaire& luminaire : space.luminaires) {
-      if (glm::dot(luminaire.position_m - places[i], normals[i]) > 0.0) return false;
-    }
   }
   return true;
 }

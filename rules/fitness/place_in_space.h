@@ -1,5 +1,5 @@
 #pragma once
-// Where a plane lies in its space: what stands below it, behind it, before it.
+// Where a plane lies in its space: what stands below it and behind it.
 
 #include "calc/scene/project.h"
 
@@ -7,14 +7,17 @@
 
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace rules {
 
-// The corners of an area or of the line of a route, or the points of a list; world coordinates.
-std::vector<glm::dvec3> places_of(const calc::CalcPlane& plane);
-// One for each place; of an area all are alike. Unit.
-std::vector<glm::dvec3> normals_of(const calc::CalcPlane& plane);
+// What is laid a little off a surface, so as not to lie in it, counts as lying on it.
+inline constexpr double kLift_m = 0.05;
+
+// Ramps are horizontal and leaning boards upright as far as they go, up to 15 degrees. normal:
+// unit.
+bool looks_up(const glm::dvec3& normal);
+bool looks_down(const glm::dvec3& normal);
+bool looks_sideways(const glm::dvec3& normal);
 
 // Lowest and highest place above the floor, in metres. The floor is a room's own; of a room from a
 // building file the lowest corner of its surfaces; in the open space the highest surface below the
@@ -24,11 +27,8 @@ std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 
 // Whether every place lies on a surface of a body whose id ends so (".ceiling", ".wall2": before
-// the digits), within 5 cm, and faces away from it. True for spaces that do not know their walls.
+// the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. True
+// for spaces that do not know their walls.
 bool lies_on(const calc::CalcPlane& plane, const calc::Space& space, std::string_view part);
-
-// Whether every luminaire lies behind every place: only reflected light reaches it. False without
-// luminaires.
-bool faces_away(const calc::CalcPlane& plane, const calc::Space& space);
 
 }  // namespace rules

@@ -73,9 +73,19 @@ double mean_lx(const std::vector<double>& part, std::size_t point, std::size_t p
   return sum_lx / static_cast<double>(replicates);
 }
 
+bool may_sample(const std::vector<calc::LightChannel>& channels,
+                const std::vector<double>& weights) {
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (weights[c] > 0.0 && channels[c].may_sample_direct) return true;
+  }
+  return false;
+}
+
 // The field as it would be without reflections. A point that no sample of direct light reached is
-// unseen, whatever reflected light did. Shares grow as their light gets less.
-calc::PlaneField direct_part(calc::PlaneField field) {
+// unseen, whatever reflected light did: unless no channel that a scene (with these weights) leaves
+// on is sampled, as emergency luminaires that are points beside panels that are out. Shares grow as
+// their light gets less.
+calc::PlaneField direct_part(calc::PlaneField field, const std::vector<double>& weights) {
   const std::vector<double> indirect_lx = std::move(field.indirect_lx);
   field.indirect_lx.clear();
   if (field.direct_sampled_lx.empty()) {
@@ -84,7 +94,9 @@ calc::PlaneField direct_part(calc::PlaneField field) {
     field.largest_share.clear();
     return field;
   }
-  field.unseen.assign(field.points, 1);
+  // Only light that may be sampled can have been missed.
+  const std::uint8_t is_missed = may_sample(field.channels, weights) ? 1 : 0;
+  field.unseen.assign(field.points, is_missed);
   for (std::size_t i = 0; i < field.largest_share.size(); ++i) {
     const double direct_lx = mean_lx(field.direct_exact_lx, i, field.points, 1) +
                              mean_lx(field.direct_sampled_lx, i, field.points, field.replicates);
@@ -112,7 +124,8 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group,
                              LightParts parts) {
   if (parts == LightParts::direct && !field.indirect_lx.empty()) {
-    return combine_channels(direct_part(field), state, level_of_group);
+    const std::vector<double> weights = channel_weights(field, state, level_of_group);
+    return combine_channels(direct_part(field, weights), state, level_of_group);
   }
   PointValues values;
   values.points = field.points;

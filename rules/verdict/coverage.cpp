@@ -1,6 +1,7 @@
 #include "rules/verdict/coverage.h"
 
 #include "rules/pack/limit.h"
+#include "rules/verdict/waiver.h"
 
 #include <fmt/format.h>
 
@@ -48,10 +49,9 @@ Asked& asked_by(std::vector<Asked>& all, Asked about) {
 // That it could not make a plane of the role, and by itself asks nothing of it.
 bool lacks(const Asked& asked, const std::string& role) {
   const std::vector<calc::UnmadeZone>& unmade = asked.workplace->unmade;
-  return std::any_of(unmade.begin(), unmade.end(),
-                     [&](const calc::UnmadeZone& zone) {
-                       return zone.role == role && !zone.is_left_out;
-                     }) &&
+  return std::any_of(
+             unmade.begin(), unmade.end(),
+             [&](const calc::UnmadeZone& zone) { return zone.role == role && !zone.left_out; }) &&
          std::none_of(asked.findings.begin(), asked.findings.end(),
                       [&](const auto& finding) { return finding.first->role == role; });
 }
@@ -105,21 +105,39 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
   return all;
 }
 
+void add_zone_words(const std::string& role, const std::string& zone, const std::string& text,
+                    std::string& words) {
+  words += words.empty() ? "" : ", ";
+  words += zone == role ? text : fmt::format("{}: {}", zone, text);
+}
+
 // Of a role and its parts ("wall.1"): why there is no plane of them.
-std::string unmade_words(const calc::Workplace& workplace, const std::string& role,
-                         bool is_left_out) {
-  std::string words;
+void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool is_asked,
+                  RoleCoverage& coverage) {
+  std::string not_made;
+  bool has_ended = false;
   for (const calc::UnmadeZone& zone : workplace.unmade) {
-    const bool is_of_role = zone.role == role || zone.role.starts_with(role + ".");
-    if (!is_of_role || zone.is_left_out != is_left_out) continue;
-    words += words.empty() ? "" : ", ";
-    words += zone.role == role ? zone.why : fmt::format("{}: {}", zone.role, zone.why);
+    if (zone.role != coverage.role && !zone.role.starts_with(coverage.role + ".")) continue;
+    if (!zone.left_out) {
+      add_zone_words(coverage.role, zone.role, zone.why, not_made);
+      continue;
+    }
+    const bool is_over = !zone.left_out->holds_on(today);
+    coverage.left_out.push_back({zone.role, *zone.left_out, is_over});
+    add_zone_words(coverage.role, zone.role,
+                   is_over ? ended_words(*zone.left_out) : waiver_words(*zone.left_out),
+                   coverage.words);
+    has_ended = has_ended || is_over;
   }
-  return words;
+  if (coverage.left_out.empty()) coverage.words = not_made;
+  if (!is_asked && !not_made.empty()) coverage.state = RoleState::not_made;
+  if (!is_asked && !coverage.left_out.empty()) coverage.state = RoleState::left_out;
+  if (has_ended) coverage.state = RoleState::left_out_ended;
 }
 
 // Empty: the row requires nothing of it, or advice only.
-std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role) {
+std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role,
+                                  std::string_view today) {
   const LimitScope scope{*asked.pack, asked.row, asked.level, asked.facts};
   const RuleCheck* needed = required_check(
       role, scope, [](const RuleCheck& check) { return check.severity != Severity::advice; });
@@ -135,13 +153,7 @@ std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role) {
     is_asked = true;
   }
   if (is_asked) coverage.state = state_of(outcome);
-  if (asked.workplace != nullptr) {
-    const std::string left_out = unmade_words(*asked.workplace, role, true);
-    const std::string not_made = unmade_words(*asked.workplace, role, false);
-    coverage.words = !left_out.empty() ? left_out : not_made;
-    if (!is_asked && !not_made.empty()) coverage.state = RoleState::not_made;
-    if (!is_asked && !left_out.empty()) coverage.state = RoleState::left_out;
-  }
+  if (asked.workplace != nullptr) cover_unmade(*asked.workplace, today, is_asked, coverage);
   if (!is_asked && !needed->quantity->kernel) {
     coverage.state = RoleState::not_possible;
     coverage.words = fmt::format("{} is not measured on planes", needed->quantity->name);
@@ -171,7 +183,7 @@ RoleState state_of(Outcome outcome) {
 
 bool RowCoverage::is_whole() const {
   return std::none_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
-    return role.state == RoleState::never_asked;
+    return role.state == RoleState::never_asked || role.state == RoleState::left_out_ended;
   });
 }
 
@@ -183,9 +195,22 @@ bool RowCoverage::is_met() const {
   });
 }
 
+std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::string_view today) {
+  std::vector<const calc::CalcPlane*> planes;
+  for (const calc::CalcPlane& plane : space.planes) planes.push_back(&plane);
+  for (const calc::LeftOutPlane& left_out : space.left_out) {
+    if (!left_out.by.holds_on(today)) planes.push_back(&left_out.plane);
+  }
+  return planes;
+}
+
+std::string ended_words(const calc::Waiver& by) {
+  return fmt::format("leaving it out ended on {}, by {}: {}", by.until, by.owner, by.reason);
+}
+
 std::vector<RowCoverage> row_coverage(const calc::Space& space,
                                       const std::vector<JudgedPlane>& planes,
-                                      const std::vector<RulePack>& packs) {
+                                      const std::vector<RulePack>& packs, std::string_view today) {
   std::vector<RowCoverage> rows;
   for (const Asked& asked : asked_in(space, planes, packs)) {
     RowCoverage row;
@@ -194,7 +219,7 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
     row.clause = fmt::format("{}:{} {}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
                              level.empty() ? "" : fmt::format(" ({})", level));
     for (const std::string& role : asked.pack->roles()) {
-      if (std::optional<RoleCoverage> covered = cover(asked, role)) {
+      if (std::optional<RoleCoverage> covered = cover(asked, role, today)) {
         row.roles.push_back(std::move(*covered));
       }
     }

@@ -8,6 +8,7 @@
 #include "rules/verdict/outcome.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rules {
@@ -18,9 +19,10 @@ enum class RoleState {
   undecided,
   not_judged,
   waived,
-  left_out,      // by the project, by name
-  not_made,      // by a workplace, which has no place for it in this room
-  not_possible,  // its quantity is not measured on planes
+  left_out,        // by the project, by name
+  left_out_ended,  // so it was, and the last day is over
+  not_made,        // by a workplace, which has no place for it in this room
+  not_possible,    // its quantity is not measured on planes
   never_asked,
 };
 
@@ -28,6 +30,12 @@ enum class RoleState {
 RoleState state_of(Outcome outcome);
 // Something is asked for, and this is what it came to.
 constexpr bool is_of_findings(RoleState state) { return state <= RoleState::waived; }
+// A role, or a part of it, that the project leaves out.
+struct LeftOutZone {
+  std::string zone;  // "ceiling", "wall.2"
+  calc::Waiver by;
+  bool has_ended = false;
+};
 
 // One role: task, surround, wall, ...
 struct RoleCoverage {
@@ -35,6 +43,7 @@ struct RoleCoverage {
   RoleState state = RoleState::never_asked;
   std::string words;  // of left_out, not_made and not_possible: why; parts of a role: which
   std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
+  std::vector<LeftOutZone> left_out = {};
 };
 
 // One row in a room, by a workplace or by the <require> elements of the room's planes together.
@@ -43,16 +52,23 @@ struct RowCoverage {
   std::string clause;               // "EN 12464-1:2021 34.2"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
 
-  bool is_whole() const;  // nothing of it was never asked
+  bool is_whole() const;  // nothing of it was never asked, or is no longer
   bool is_met() const;    // whole, and all that was asked is met
 };
 
 // Of all rows that something in the space refers to: workplaces in file order, then rows of
-// <require> elements in the order of their planes. planes: of the space. Packs without rows have
-// none. What is advice only does not count.
+// <require> elements in the order of their planes. planes: of the space, see planes_asked(). Packs
+// without rows have none. What is advice only does not count. today: YYYY-MM-DD.
 std::vector<RowCoverage> row_coverage(const calc::Space& space,
                                       const std::vector<JudgedPlane>& planes,
-                                      const std::vector<RulePack>& packs);
+                                      const std::vector<RulePack>& packs, std::string_view today);
+
+// All planes of the space, and after them those that a workplace has left out up to a day that is
+// over: they are asked for again, and cannot be judged.
+std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::string_view today);
+
+// "leaving it out ended on 2027-06-30, by A. Meier: glass"
+std::string ended_words(const calc::Waiver& by);
 
 }  // namespace rules
 
@@ -67,6 +83,7 @@ struct EnumNames<rules::RoleState> {
       {rules::RoleState::not_judged, "not-judged"},
       {rules::RoleState::waived, "waived"},
       {rules::RoleState::left_out, "left-out"},
+      {rules::RoleState::left_out_ended, "left-out-ended"},
       {rules::RoleState::not_made, "not-made"},
       {rules::RoleState::not_possible, "not-possible"},
       {rules::RoleState::never_asked, "never-asked"}};

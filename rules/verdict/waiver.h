@@ -1,21 +1,16 @@
 #pragma once
 // A requirement that somebody has decided to live without, for a time.
 
-#include "calc/base/xml_reader.h"
 #include "rules/catalogue/requirement.h"
 #include "rules/verdict/judge.h"
 
-#include <optional>
+#include <string>
 #include <string_view>
 
 namespace rules {
 
-// The attributes waived-because, waived-by and waived-until (YYYY-MM-DD): all of them or none.
-// Empty if there is none, and after an error.
-std::optional<Waiver> read_waiver(calc::ElementReader& reader);
-
-// The day of an attribute that must be there, YYYY-MM-DD; "" after an error.
-std::string read_day(calc::ElementReader& reader, std::string_view name);
+// "glass, by A. Meier until 2027-06-30"
+std::string waiver_words(const Waiver& waiver);
 
 // A verdict that somebody may live without.
 constexpr bool can_be_waived(Verdict verdict) {

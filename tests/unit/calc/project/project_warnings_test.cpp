@@ -1,12 +1,12 @@
 // What is allowed but hardly meant: each warning just beyond its limit, and none just within.
 
 #include "calc/project/project_warnings.h"
-
 #include "tests/unit/calc/project/project_xml_support.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <fmt/format.h>
 
 #include <string>
 
@@ -175,6 +175,19 @@ TEST(ProjectWarnings, APlaneThatFacesAwayFromEveryLuminaireGetsReflectedLightOnl
   EXPECT_EQ(messages(in_room(R"(<plane id="p" origin="1.99 1 1" u="0 1 0" v="0 0 1"/>)")), "");
   EXPECT_THAT(messages(in_room(R"(<plane id="p" origin="2.01 1 1" u="0 1 0" v="0 0 1"/>)")),
               HasSubstr("plane-faces-away"));
+}
+
+TEST(ProjectWarnings, ALevelPanelDoesNotLightWhatIsAboveItHoweverWideItIs) {
+  const auto above = [](double z) {
+    return messages(in_project(fmt::format(
+        "<luminaire-type id=\"panel\" photometry=\"panel.ies\"/>\n"
+        "<room id=\"r\" size=\"4 3 2.5\" ceiling=\"white\" walls=\"white\" floor=\"white\">\n"
+        "<luminaire id=\"l\" type=\"panel\" position=\"2 1.5 2\"/>\n"
+        "<plane id=\"p\" origin=\"1 1 {}\" u=\"1 0 0\" v=\"0 1 0\"/>\n</room>",
+        z)));
+  };
+  EXPECT_THAT(above(2.1), HasSubstr("plane-faces-away"));
+  EXPECT_EQ(above(1.9), "");
 }
 
 TEST(ProjectWarnings, WhatIsInASurfaceOrSeesAllAroundFacesNowhereByMistake) {

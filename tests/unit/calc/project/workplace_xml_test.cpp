@@ -28,7 +28,8 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
       "size='200 100' height='75'>"
       "<zone role='cylinder' height='160' margin='20' rounding='up' because='standing'/>"
       "<zone role='background' footprint='0 0  0 300  400 300  400 0'/>"
-      "<without role='wall.2' because='glass'/></workplace></room></luxgate>");
+      "<without role='wall.2' because='glass' by='A. Meier' "
+      "until='2099-12-31'/></workplace></room></luxgate>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   EXPECT_EQ(loaded.messages, "");  // a workplace counts as planes
   const Workplace& w = loaded.project->spaces.at(0).workplaces.at(0);
@@ -50,8 +51,10 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
   EXPECT_EQ(w.zones[0].because, "standing");
   EXPECT_FALSE(w.zones[1].grid);
   EXPECT_EQ(w.zones[1].area_m.at(1), glm::dvec2(14, 23)) << "counter-clockwise";
-  EXPECT_TRUE(w.zones[2].is_left_out);
-  EXPECT_EQ(w.zones[2].because, "glass");
+  ASSERT_TRUE(w.zones[2].left_out);
+  EXPECT_EQ(w.zones[2].left_out->owner, "A. Meier");
+  EXPECT_EQ(w.zones[2].left_out->until, "2099-12-31");
+  EXPECT_EQ(w.zones[2].left_out->reason, "glass");
 }
 
 TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
@@ -127,15 +130,22 @@ TEST(WorkplacesXmlMessage, ZoneThatChangesNothing) {
                  "<zone> needs something that it changes: 'height', 'margin'");
 }
 
-TEST(WorkplacesXmlMessage, LeftOutWithoutAReason) {
-  expect_message(load_workplace("", "<without role='wall'/>"),
-                 "<without> needs the attribute 'because'");
+TEST(WorkplacesXmlMessage, LeftOutWithoutReasonOwnerOrDay) {
+  const auto without = [](const std::string& attributes) {
+    return load_workplace("", "<without role='wall' " + attributes + "/>");
+  };
+  expect_message(without("by='A' until='2027-01-01'"), "<without> needs the attribute 'because'");
+  expect_message(without("because='x' until='2027-01-01'"), "<without> needs the attribute 'by'");
+  expect_message(without("because='x' by='A'"), "<without> needs the attribute 'until'");
+  expect_message(without("because='x' by='A' until='2027-02-29'"),
+                 "attribute 'until' of <without>: '2027-02-29' is not a date; expected YYYY-MM-DD");
 }
 
 TEST(WorkplacesXmlMessage, SameZoneTwice) {
-  expect_message(
-      load_workplace("", "<zone role='wall' margin='0'/>\n<without role='wall' because='x'/>"),
-      "p.xml:6:10: error[duplicate-id]: the zone 'wall' is given twice, also in line 5");
+  expect_message(load_workplace("",
+                                "<zone role='wall' margin='0'/>\n<without role='wall' because='x' "
+                                "by='A. Meier' until='2099-12-31'/>"),
+                 "p.xml:6:10: error[duplicate-id]: the zone 'wall' is given twice, also in line 5");
 }
 
 TEST(WorkplacesXmlMessage, SameIdTwice) {

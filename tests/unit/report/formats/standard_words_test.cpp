@@ -4,6 +4,7 @@
 #include "report/formats/format.h"
 #include "report/result_file/json.h"
 #include "report/result_file/read_json.h"
+#include "rules/verdict/waiver.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -56,6 +57,39 @@ TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
     EXPECT_THAT(format.render(whole, {}), Not(HasSubstr("observer"))) << format.name;
   }
   EXPECT_THAT(find_format("github")->render(deviating(), {}), HasSubstr("asked in part only"));
+}
+
+TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  const rules::Waiver by{"window wall", "B. Roe", "2027-03-31"};
+  space.notes = {
+      "workplace desk, EN 12464-1:2021 34.2: left out: wall.1 (window wall, by B. Roe "
+      "until 2027-03-31)"};
+  space.coverage = {{"desk",
+                     "EN 12464-1:2021 34.2",
+                     {{"wall", rules::RoleState::met, "", {{"wall.1", by, false}}}}}};
+  for (const Format& format : formats()) {
+    if (format.name == "points-csv") continue;
+    const std::string text = format.render(document, {});
+    for (const char* words : {"wall.1", "window wall", "B. Roe", "2027-03-31"}) {
+      EXPECT_THAT(text, HasSubstr(words)) << format.name;
+    }
+  }
+}
+
+TEST(StandardWords, AWaiverIsInEveryFormatButPoints) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings.at(1);
+  finding.verdict = rules::Verdict::fail;
+  finding.requirement.waiver = rules::Waiver{"spring", "C. Poe", "2027-04-30"};
+  rules::apply_waiver(finding, "2027-01-01");
+  for (const Format& format : formats()) {
+    if (format.name == "points-csv") continue;
+    const std::string text = format.render(document, {});
+    EXPECT_THAT(text, HasSubstr("C. Poe")) << format.name;
+    EXPECT_THAT(text, HasSubstr("2027-04-30")) << format.name;
+  }
 }
 
 TEST(StandardWords, TheSummaryCountsBoth) {

@@ -519,7 +519,7 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
       ElementsAre(testing::HasSubstr("is about the quantity 'planar'; this plane measures 'ugr'")));
 }
 
-TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
+TEST(BindRequirements, ReadsAWaiverBesideALimit) {
   const Attributes waiver{
       {"waived-because", "r"}, {"waived-by", "o"}, {"waived-until", "2028-02-29"}};
   Attributes own{{"quantity", "average"}, {"at-least", "5"}};
@@ -529,11 +529,6 @@ TEST(BindRequirements, ReadsAWaiverBesideLimitsAndRows) {
   EXPECT_EQ(r.waiver->reason, "r");
   EXPECT_EQ(r.waiver->owner, "o");
   EXPECT_EQ(r.waiver->until, "2028-02-29");
-  Attributes row{{"pack", "en12464-1"}, {"row", "34.2"}};
-  row.insert(row.end(), waiver.begin(), waiver.end());
-  const Bound bound = bind_one(row);
-  ASSERT_EQ(bound.requirements.size(), 2u);
-  EXPECT_TRUE(bound.requirements[1].waiver.has_value());
 }
 
 TEST(RequirementsOfPlane, AreItsOwnInOrder) {

@@ -1,5 +1,4 @@
 #include "rules/binding/judged_project.h"
-
 #include "tests/unit/calc/project/project_xml_support.h"
 
 #include <gmock/gmock.h>
@@ -123,12 +122,13 @@ TEST(LoadJudgedProject, ElementsInARequirementAreRefused) {
 
 TEST(LoadJudgedProject, WorkplacesAreCheckedBesideOtherErrors) {
   EXPECT_THAT(
-      places(load(in_room("<box id='b' size='1 1' material='white'/>\n"
-                          "<workplace id='v' row='34.2' levl='modified'/>\n"
-                          "<workplace id='w' pack='en12464-1'/>\n"
-                          "<workplace id='x' pack='en12464-1' row='34.2' height='-1'>\n"
-                          "<without role='wal.2' because='glass'/></workplace>\n"
-                          "<workplace id='y' pack='en12464-1' row='34.22' scene='night'/>"))),
+      places(load(in_room(
+          "<box id='b' size='1 1' material='white'/>\n"
+          "<workplace id='v' row='34.2' levl='modified'/>\n"
+          "<workplace id='w' pack='en12464-1'/>\n"
+          "<workplace id='x' pack='en12464-1' row='34.2' height='-1'>\n"
+          "<without role='wal.2' because='glass' by='A. Meier' until='2099-12-31'/></workplace>\n"
+          "<workplace id='y' pack='en12464-1' row='34.22' scene='night'/>"))),
       ElementsAre("5 wrong-number-count", "6 unknown-attribute", "6 missing-attribute",
                   "7 missing-attribute", "8 number-out-of-range", "9 unknown-reference",
                   "10 unknown-reference", "10 unknown-reference"));

@@ -1,10 +1,9 @@
-#include "rules/binding/workplace.h"
-
 #include "calc/scene/polygon.h"
 #include "calc/scene/sensor_grid.h"
 #include "calc/scene/zone_shapes.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
+#include "rules/binding/workplace.h"
 #include "rules/catalogue/mask.h"
 #include "tests/support/memory_file_reader.h"
 
@@ -248,9 +247,12 @@ TEST(WorkplaceMessage, AWallThatIsNotCheckedIsWarnedOf) {
   EXPECT_THAT(make(workplace(""), kNarrowWall).messages,
               ElementsAre(HasSubstr("warning[zone-not-checked]: workplace 'w': not checked: wall.3 "
                                     "(0.8 m wide, and 0.5 m along its edges do not count); give")));
-  const Made said = make(workplace("", "<without role='wall.3' because='a pier'/>"), kNarrowWall);
+  const Made said = make(
+      workplace("", "<without role='wall.3' because='a pier' by='A. Meier' until='2099-12-31'/>"),
+      kNarrowWall);
   EXPECT_THAT(said.messages, IsEmpty());
-  EXPECT_THAT(said.space().notes.at(0), HasSubstr("left out: wall.3 (a pier)"));
+  EXPECT_THAT(said.space().notes.at(0),
+              HasSubstr("left out: wall.3 (a pier, by A. Meier until 2099-12-31)"));
   const Made judged = make(workplace("", "<zone role='wall.3' margin='0.1'/>"), kNarrowWall);
   EXPECT_THAT(judged.messages, IsEmpty());
   EXPECT_THAT(judged.ids(), testing::Contains("w.wall.3"));
@@ -280,13 +282,14 @@ TEST(WorkplaceMessage, ManyWallsThatAreNotCheckedAreCounted) {
 }
 
 TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
-  const Made made = make(workplace(
-      kDesk + " height='1.1' level='modified' name='Bench'",
-      "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
-      "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
-      "<zone role='surround' rounding='up'/>"
-      "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
-      "<without role='wall.3' because='glass'/><without role='ceiling' because='open'/>"));
+  const Made made = make(
+      workplace(kDesk + " height='1.1' level='modified' name='Bench'",
+                "<zone role='cylinder' height='1.6' margin='0' because='standing'/>"
+                "<zone role='background' origin='0 0' size='12 8' spacing='1'/>"
+                "<zone role='surround' rounding='up'/>"
+                "<zone role='wall' margin='0.3'/><zone role='wall.2' margin='0.1'/>"
+                "<without role='wall.3' because='glass' by='A. Meier' until='2099-12-31'/><without "
+                "role='ceiling' because='open' by='A. Meier' until='2099-12-31'/>"));
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_THAT(made.ids(),
               ElementsAre("w.task", "w.surround", "w.background", "w.wall.1", "w.wall.2",
@@ -306,7 +309,9 @@ TEST(Workplace, EverythingCanBeChangedAndTheReportSaysSo) {
   EXPECT_EQ(made.grid("w.background").rule, "spacing");
   EXPECT_EQ(made.area("w.wall.1").margin_m, 0.3);
   EXPECT_EQ(made.area("w.wall.2").margin_m, 0.1);
-  EXPECT_THAT(made.space().notes.at(0), HasSubstr("left out: wall.3 (glass), ceiling (open); not"));
+  EXPECT_THAT(made.space().notes.at(0),
+              HasSubstr("left out: wall.3 (glass, by A. Meier until 2099-12-31), ceiling (open, by "
+                        "A. Meier until 2099-12-31); not made"));
   EXPECT_EQ(requirements_of_plane(made.requirements, "w.task").at(0).limit, 1000);
 }
 
@@ -344,7 +349,7 @@ TEST(Workplace, PointsThatLookAroundHaveAPlaneForEachDirection) {
   ASSERT_TRUE(pack);
   const Made made = make(
       "<workplace id='w' pack='own' row='a' origin='2 2' size='4 3'><without role='face.4' "
-      "because='nobody'/></workplace>",
+      "because='nobody' by='A. Meier' until='2099-12-31'/></workplace>",
       "size='12 8 2.8'", {*pack});
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_THAT(made.ids(), ElementsAre("w.face.1", "w.face.2", "w.face.3"));
@@ -430,8 +435,10 @@ TEST(Workplace, AStraightWallInPiecesIsOneWall) {
 }
 
 TEST(Workplace, APieceOfAWallWithItsOwnZoneStaysOne) {
-  const Made made = make(workplace(kDesk, "<without role='wall.2' because='window'/>"),
-                         "footprint='0 0  4 0  8 0  12 0  12 8  0 8' height='2.8'");
+  const Made made =
+      make(workplace(kDesk,
+                     "<without role='wall.2' because='window' by='A. Meier' until='2099-12-31'/>"),
+           "footprint='0 0  4 0  8 0  12 0  12 8  0 8' height='2.8'");
   EXPECT_THAT(made.messages, IsEmpty());
   EXPECT_NEAR(made.area_m2("w.wall.1"), 4 * 2.8, 1e-9);
   EXPECT_NEAR(made.area_m2("w.wall.3"), 4 * 2.8, 1e-9);
@@ -450,8 +457,11 @@ std::string round_room() {
 TEST(WorkplaceMessage, WallsThatAreAllTooNarrow) {
   EXPECT_THAT(make(workplace(""), round_room()).messages,
               ElementsAre(HasSubstr("nothing is left of the zone 'wall' (wall.1 (0.91")));
-  EXPECT_THAT(make(workplace("", "<without role='wall' because='round'/>"), round_room()).messages,
-              IsEmpty());
+  EXPECT_THAT(
+      make(workplace("", "<without role='wall' because='round' by='A. Meier' until='2099-12-31'/>"),
+           round_room())
+          .messages,
+      IsEmpty());
 }
 
 TEST(Workplace, AMarginOfTheProjectHoldsForTheMaskToo) {
@@ -528,14 +538,44 @@ TEST(WorkplaceMessage, UnknownPackRowSceneAndRole) {
                                     "<workplace>: there is no row '34.9'; allowed: 9.4, ")));
   EXPECT_THAT(make(workplace("scene='day'")).messages,
               ElementsAre(HasSubstr("there is no scene 'day'; allowed: night")));
-  EXPECT_THAT(make(workplace("", "<without role='sealing' because='x'/>")).messages,
-              ElementsAre(HasSubstr(
-                  "attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
-                  "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
-                  "ceiling, cylinder, modelling, observer, observer.1, observer.2, observer.3 or "
-                  "observer.4; did you mean 'ceiling'?")));
+  EXPECT_THAT(
+      make(workplace("", "<without role='sealing' because='x' by='A. Meier' until='2099-12-31'/>"))
+          .messages,
+      ElementsAre(
+          HasSubstr("attribute 'role' of <without>: there is no zone 'sealing'; allowed: "
+                    "task, surround, background, wall, wall.1, wall.2, wall.3, wall.4, "
+                    "ceiling, cylinder, modelling, observer, observer.1, observer.2, observer.3 or "
+                    "observer.4; did you mean 'ceiling'?")));
   EXPECT_THAT(make(workplace("", "<zone role='wall.5' margin='0'/>")).messages,
               ElementsAre(HasSubstr("there is no zone 'wall.5'")));
+}
+
+TEST(WorkplaceMessage, AWorkplaceWithoutItsTask) {
+  EXPECT_THAT(
+      make(workplace("", "<without role='task' because='x' by='A. Meier' until='2099-12-31'/>"))
+          .messages,
+      ElementsAre(HasSubstr(
+          "error[workplace-without-task]: workplace 'w': 'task' is its task, and without it "
+          "nothing "
+          "else of the row means anything; change it by <zone role=\"task\" .../>, waive its "
+          "checks by <waiver checks=\"task.Em task.Uo\" ")));
+}
+
+TEST(Workplace, WhatIsLeftOutHasOwnerAndLastDay) {
+  const Made made = make(workplace(
+      kDesk,
+      "<without role='observer' because='tables' by='A. Meier' until='2099-12-31'/><without "
+      "role='wall' because='glass' by='B. Roe' until='2098-12-31'/><zone role='wall.2' "
+      "margin='0.2'/>"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.space().notes.at(0),
+              HasSubstr("left out: wall.1 (glass, by B. Roe until 2098-12-31), wall.3 (glass, by "
+                        "B. Roe until 2098-12-31), wall.4 (glass, by B. Roe until 2098-12-31), "
+                        "observer (tables, by A. Meier until 2099-12-31)"));
+  std::vector<std::string> left_out;
+  for (const calc::LeftOutPlane& one : made.space().left_out) left_out.push_back(one.plane.id);
+  EXPECT_THAT(left_out, ElementsAre("w.wall.1", "w.wall.3", "w.wall.4", "w.observer.1",
+                                    "w.observer.2", "w.observer.3", "w.observer.4"));
 }
 
 TEST(WorkplaceMessage, ABandThatVanishes) {
@@ -546,7 +586,8 @@ TEST(WorkplaceMessage, ABandThatVanishes) {
                             "the zone 'surround' (band of 0.5 m around the task, without 0.5 m "
                             "along the walls)")));
   const Made left_out =
-      make(workplace("origin='0.5 0.5' size='11 7'", "<without role='surround' because='none'/>"));
+      make(workplace("origin='0.5 0.5' size='11 7'",
+                     "<without role='surround' because='none' by='A. Meier' until='2099-12-31'/>"));
   EXPECT_THAT(left_out.messages, IsEmpty());
   EXPECT_THAT(left_out.space().notes.at(0),
               HasSubstr("background (nothing of the room is left around the surround)"));

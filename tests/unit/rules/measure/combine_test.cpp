@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace rules {
 namespace {
 
@@ -58,6 +60,24 @@ TEST(CombineChannels, ASamplesShareGrowsWhereAScenesLightIsLess) {
   const PointValues dimmed = combine_channels(field, LightState::initial, {{"row1", 0.0}});
   // Point 0: 118 lx in all (means 103 and 15), 15 of them left.
   EXPECT_FLOAT_EQ(dimmed.largest_share[0], 0.01f * 118.0f / 15.0f);
+}
+
+// Panels that are out beside emergency luminaires, which are points: no sample of theirs is
+// missing.
+TEST(CombineChannels, DirectLightThatIsNotSampledIsNotUnseen) {
+  calc::PlaneField field = sample_field();
+  field.channels[1].may_sample_direct = false;
+  field.direct_sampled_lx = {1000, 0, 0, 0, 1000, 0, 0, 0};
+  field.unseen = {1, 1};
+  const auto unseen = [&](double level) {
+    const PointValues values =
+        combine_channels(field, LightState::initial, {{"row1", level}}, LightParts::direct);
+    return std::pair(values.is_unseen(0), values.is_unseen(1));
+  };
+  EXPECT_EQ(unseen(0.0), std::pair(false, false));
+  EXPECT_EQ(unseen(0.5), std::pair(false, true)) << "the panel's light may be missed at point 1";
+  field.channels[1].may_sample_direct = true;
+  EXPECT_EQ(unseen(0.0), std::pair(true, true));
 }
 
 TEST(CombineChannels, OfAnExactFieldHasOneReplicate) {

@@ -1,7 +1,6 @@
-#include "rules/verdict/coverage.h"
-
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
+#include "rules/verdict/coverage.h"
 #include "tests/support/memory_file_reader.h"
 
 #include <gmock/gmock.h>
@@ -24,6 +23,7 @@ const std::string kIes =
 // gets this verdict.
 struct Covered {
   std::vector<RowCoverage> rows;
+  std::vector<std::string> planes;  // "w.task 2": with their number of requirements
   std::vector<std::string> roles(std::size_t row = 0) const {
     std::vector<std::string> words;
     for (const RoleCoverage& role : rows.at(row).roles) {
@@ -34,7 +34,8 @@ struct Covered {
 };
 
 Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
-              const std::vector<RulePack>& packs = builtin_rule_packs()) {
+              const std::vector<RulePack>& packs = builtin_rule_packs(),
+              const std::string& today = "2027-01-01") {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.7'/>"
       "<luminaire-type id='spot' photometry='spot.ies'/><scene id='em'><dim group='e' level='1'/>"
@@ -49,18 +50,22 @@ Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
   }
   if (!judged) return covered;
   const calc::Space& space = judged->project.spaces.at(0);
-  std::vector<std::vector<Finding>> findings(space.planes.size());
+  const std::vector<const calc::CalcPlane*> asked = planes_asked(space, today);
+  std::vector<std::vector<Finding>> findings(asked.size());
   std::vector<JudgedPlane> planes;
-  for (std::size_t k = 0; k < space.planes.size(); ++k) {
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const bool is_left_out = k >= space.planes.size();
     for (const auto& requirement :
-         requirements_of_plane(judged->requirements, space.planes[k].id)) {
+         is_left_out ? requirements_of_left_out(judged->project, space, *asked[k], packs)
+                     : requirements_of_plane(judged->requirements, asked[k]->id)) {
       Finding& finding = findings[k].emplace_back();
       finding.requirement = requirement;
-      finding.verdict = verdict;
+      finding.verdict = is_left_out ? Verdict::not_judged : verdict;
     }
-    planes.push_back({&space, &space.planes[k], &findings[k]});
+    planes.push_back({&space, asked[k], &findings[k]});
+    covered.planes.push_back(asked[k]->id + " " + std::to_string(findings[k].size()));
   }
-  covered.rows = row_coverage(space, planes, packs);
+  covered.rows = row_coverage(space, planes, packs, today);
   return covered;
 }
 
@@ -92,14 +97,61 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
 
 TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
   const Covered covered = cover(
-      "<workplace id='w' pack='en12464-1:2021' row='34.2'><without role='ceiling' because='open'/>"
-      "<without role='wall.1' because='glass'/></workplace>");
+      "<workplace id='w' pack='en12464-1:2021' row='34.2'><without role='ceiling' because='open' "
+      "by='A. Meier' until='2099-12-31'/>"
+      "<without role='wall.1' because='glass' by='A. Meier' until='2099-12-31'/></workplace>");
   EXPECT_TRUE(covered.rows[0].is_whole());
   const std::vector<RoleCoverage>& roles = covered.rows[0].roles;
   EXPECT_EQ(roles[3].state, RoleState::met);
-  EXPECT_EQ(roles[3].words, "wall.1: glass");
+  EXPECT_EQ(roles[3].words, "wall.1: glass, by A. Meier until 2099-12-31");
   EXPECT_EQ(roles[4].state, RoleState::left_out);
-  EXPECT_EQ(roles[4].words, "open");
+  EXPECT_EQ(roles[4].words, "open, by A. Meier until 2099-12-31");
+  ASSERT_EQ(roles[4].left_out.size(), 1u);
+  EXPECT_EQ(roles[4].left_out[0].zone, "ceiling");
+  EXPECT_EQ(roles[4].left_out[0].by.owner, "A. Meier");
+  EXPECT_FALSE(roles[4].left_out[0].has_ended);
+}
+
+Covered with_end(const std::string& role, const std::string& today) {
+  return cover("<workplace id='w' pack='en12464-1:2021' row='34.2'><without role='" + role +
+                   "' because='glass' by='A. Meier' until='2026-12-31'/></workplace>",
+               Verdict::pass, today);
+}
+
+TEST(RowCoverage, WhatWasLeftOutUpToADayIsAskedForAfterIt) {
+  EXPECT_TRUE(with_end("ceiling", "2026-12-31").rows.at(0).is_met());
+  const Covered ended = with_end("ceiling", "2027-01-01");
+  EXPECT_FALSE(ended.rows.at(0).is_whole());
+  EXPECT_FALSE(ended.rows.at(0).is_met());
+  EXPECT_EQ(ended.planes.back(), "w.ceiling 2");
+  const RoleCoverage& ceiling = ended.rows[0].roles.at(4);
+  EXPECT_EQ(ceiling.state, RoleState::left_out_ended);
+  EXPECT_EQ(ceiling.words, "leaving it out ended on 2026-12-31, by A. Meier: glass");
+  EXPECT_TRUE(ceiling.left_out.at(0).has_ended);
+}
+
+// The other walls pass, and the role must not.
+TEST(RowCoverage, OneWallThatIsNoLongerLeftOutIsEnough) {
+  const Covered ended = with_end("wall.2", "2027-01-01");
+  EXPECT_FALSE(ended.rows.at(0).is_whole());
+  EXPECT_EQ(ended.roles().at(3), "wall left-out-ended");
+  EXPECT_EQ(with_end("wall.2", "2026-12-31").roles().at(3), "wall met");
+}
+
+TEST(RowCoverage, ARoleThatIsLeftOutAsAWholeIsToldOnce) {
+  const Covered covered = with_end("observer", "2026-12-31");
+  EXPECT_EQ(covered.rows.at(0).roles.at(6).words, "glass, by A. Meier until 2026-12-31");
+  EXPECT_EQ(covered.rows[0].roles[6].left_out.size(), 1u);
+  const Covered ended = with_end("observer", "2027-01-01");
+  EXPECT_THAT(std::vector<std::string>(ended.planes.end() - 4, ended.planes.end()),
+              ElementsAre("w.observer.1 1", "w.observer.2 1", "w.observer.3 1", "w.observer.4 1"));
+}
+
+// Rows are about what counts; the plane is asked for all the same.
+TEST(RowCoverage, AdviceThatIsNoLongerLeftOutIsNotOfTheRow) {
+  const Covered ended = with_end("modelling", "2027-01-01");
+  EXPECT_TRUE(ended.rows.at(0).is_met());
+  EXPECT_EQ(ended.planes.back(), "w.modelling 2");
 }
 
 // Walls and ceiling are there once, and each workplace has asked for them.

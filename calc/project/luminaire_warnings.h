@@ -1,0 +1,16 @@
+#pragma once
+// What is hardly meant of luminaires: where they are, and what light they give for their power.
+
+#include "calc/base/diagnostics.h"
+#include "calc/scene/project.h"
+
+namespace calc {
+
+// Of the types that are used.
+void warn_efficacies(const Project& project, Diagnostics& diagnostics);
+
+// Outside their room or partly so, in solids, at one place twice, tilted beyond what their file
+// knows, with a luminous body that a surface cuts.
+void warn_luminaires(const Project& project, const Space& space, Diagnostics& diagnostics);
+
+}  // namespace calc

@@ -1,0 +1,19 @@
+#pragma once
+// That somebody has decided to live with something, up to a last day: with a requirement that is
+// not met, with a plane that deviates from a standard's, with a zone that is left out.
+
+#include "calc/base/diagnostics.h"
+
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+struct Waiver {
+  std::string reason, owner, until;  // until: the last day, YYYY-MM-DD
+  SourceLocation where = {};         // of the element that says so
+
+  bool holds_on(std::string_view day) const { return day <= std::string_view(until); }
+};
+
+}  // namespace calc
