@@ -82,21 +82,20 @@ bool may_sample(const std::vector<calc::LightChannel>& channels,
 }
 
 // The field as it would be without reflections. A point that no sample of direct light reached is
-// unseen, whatever reflected light did: unless no channel that a scene (with these weights) leaves
-// on is sampled, as emergency luminaires that are points beside panels that are out. Shares grow as
-// their light gets less.
+// unseen, whatever reflected light did; but where nothing that a scene with these weights leaves on
+// is sampled (emergency luminaires that are points, beside panels that are out) all is exact.
+// Shares grow as their light gets less.
 calc::PlaneField direct_part(calc::PlaneField field, const std::vector<double>& weights) {
   const std::vector<double> indirect_lx = std::move(field.indirect_lx);
   field.indirect_lx.clear();
-  if (field.direct_sampled_lx.empty()) {
+  if (field.direct_sampled_lx.empty() || !may_sample(field.channels, weights)) {
+    field.direct_sampled_lx.clear();  // of channels that are out
     field.replicates = 1;
     field.unseen.clear();
     field.largest_share.clear();
     return field;
   }
-  // Only light that may be sampled can have been missed.
-  const std::uint8_t is_missed = may_sample(field.channels, weights) ? 1 : 0;
-  field.unseen.assign(field.points, is_missed);
+  field.unseen.assign(field.points, 1);
   for (std::size_t i = 0; i < field.largest_share.size(); ++i) {
     const double direct_lx = mean_lx(field.direct_exact_lx, i, field.points, 1) +
                              mean_lx(field.direct_sampled_lx, i, field.points, field.replicates);
@@ -123,14 +122,16 @@ std::vector<double> channel_weights(
 PointValues combine_channels(const calc::PlaneField& field, LightState state,
                              const std::vector<std::pair<std::string, double>>& level_of_group,
                              LightParts parts) {
-  if (parts == LightParts::direct && !field.indirect_lx.empty()) {
-    const std::vector<double> weights = channel_weights(field, state, level_of_group);
+  const std::vector<double> weights = channel_weights(field, state, level_of_group);
+  const bool has_reflection = !field.indirect_lx.empty();
+  const bool has_vain_samples =
+      !has_reflection && !field.direct_sampled_lx.empty() && !may_sample(field.channels, weights);
+  if (has_vain_samples || (parts == LightParts::direct && has_reflection)) {
     return combine_channels(direct_part(field, weights), state, level_of_group);
   }
   PointValues values;
   values.points = field.points;
   values.weight = field.point_weight;
-  const std::vector<double> weights = channel_weights(field, state, level_of_group);
   // A scene that dims everything to 0 is exactly dark, whatever was sampled.
   const bool has_light =
       std::any_of(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; });

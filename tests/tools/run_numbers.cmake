@@ -7,13 +7,17 @@ cmake_minimum_required(VERSION 3.25)
 
 get_filename_component(folder ${PROJECT} DIRECTORY)
 get_filename_component(file ${PROJECT} NAME)
+set(arguments)  # as run_example.cmake
+if(EXISTS ${folder}/arguments)
+  file(STRINGS ${folder}/arguments arguments)
+endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/processors.cmake)
 
 function(calculate where)
   file(REMOVE_RECURSE ${WORK}/${where})
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env ${ARGN} check ${file} --quiet --pictures off --output ${WORK}/${where}
+    COMMAND ${CMAKE_COMMAND} -E env ${ARGN} check ${file} ${arguments} --quiet --pictures off --output ${WORK}/${where}
     WORKING_DIRECTORY ${folder} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(code STREQUAL 2 AND NOT EXISTS ${WORK}/${where}/result.json OR NOT code MATCHES "^[0-3]$")
     message(FATAL_ERROR "${where}: exit code ${code}\n${out}${err}")

@@ -92,9 +92,9 @@ TEST(WorkplaceGridXmlMessage, CopiesThatCannotBe) {
                  "other than 0 wherever 'repeat' is above 1");
   expect_message(load_grid(area + "repeat='100000 100000' step='1 1'"), "at most 4000 copies");
   expect_message(load_grid(area + "repeat='2 0' step='1 1'"), "attribute 'repeat'");
-  expect_message(load_grid(area + "repeat='2 1'"), "<workplace-grid> needs 'step'");
+  expect_message(load_grid(area + "repeat='2 1'"), "<workplace-grid> needs the attribute 'step'");
   expect_message(load_grid(area + "repeat='4 1' step='1.2 0'"),
-                 "error[copy-outside-room]: copy 'g[3,0]': 0.88 m2 of its areas lie outside room "
+                 "error[copy-outside-room]: copy 'g[3,0]': 0.8 m2 of its areas lie outside room "
                  "'r'; all copies must lie within the room");
 }
 

@@ -120,7 +120,7 @@ Document waived_document() {
   rules::Finding& open = document.projects[0].spaces[0].planes[0].findings[1];
   open.requirement.limit = open.measured.value;
   judge_again(open);
-  open.requirement.origin = {"own:1", "ugr", "", false, {}};
+  open.requirement.origin = {"own:1", "ugr", "", {}, {}};
   open.requirement.waiver = rules::Waiver{"moves", "J. Doe", "2027-06-30"};
   open.is_waived = true;
   document.provenance.judged_on = "2027-06-30";

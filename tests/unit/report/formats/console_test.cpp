@@ -75,10 +75,10 @@ TEST(Console, PassesOfAWorkplaceShareALine) {
   Document document = workplace_document();
   EXPECT_EQ(render_text(document),
             R"(office.xml: Small office
-  verdict  room / plane                quantity        required        measured  margin
-  ✓ pass   Office / Desk               2 requirements                            +1.0 %
+  verdict  room / plane               quantity        required        measured  margin
+  ✓ pass   Office / Desk              2 requirements                            +1.0 %
            └ task, surround; nearest to its limit: surround, average 512.5 ± 4.0 lx, required ≥ 500 lx
-  ✗ FAIL   Office / Desk: observer 1   average         ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
+  ✗ FAIL   Office / Desk: observer 1  average         ≥ 500 lx  512.5 ± 4.0 lx  +2.5 %
 
 3 requirements: 2 pass, 1 fail
 )");

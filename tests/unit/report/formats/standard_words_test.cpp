@@ -25,7 +25,7 @@ Document deviating() {
   Document document = small_document();
   SpacePart& space = document.projects[0].spaces[0];
   rules::Finding& finding = space.planes[0].findings.at(1);
-  finding.requirement.origin = {"en12464-1:2021", "task.Em", "34.2", false, {}};
+  finding.requirement.origin = {"en12464-1:2021", "task.Em", "34.2", {}, {}};
   finding.requirement.deviations = {{rules::FitAspect::grid, "4 points where 54 are asked for",
                                      rules::Waiver{"as measured", "A. Meier", "2027-01-31"}, true}};
   space.coverage = {{"",
@@ -68,7 +68,7 @@ TEST(StandardWords, WhatIsLeftOutIsInEveryFormatButPoints) {
       "until 2027-03-31)"};
   space.coverage = {{"desk",
                      "EN 12464-1:2021 34.2",
-                     {{"wall", rules::RoleState::met, "", {{"wall.1", by, false}}}}}};
+                     {{"wall", rules::RoleState::met, "", {}, {{"wall.1", by, false}}}}}};
   for (const Format& format : formats()) {
     if (format.name == "points-csv") continue;
     const std::string text = format.render(document, {});

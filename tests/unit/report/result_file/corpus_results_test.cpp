@@ -77,7 +77,7 @@ rules::Finding finding_of(const rules::RulePack& pack, const rules::RuleCheck& c
   requirement.limit = result.limit.value.value;
   requirement.policy = pack.policy;
   requirement.severity = check.severity;
-  requirement.origin = {pack.full_id(), check.id, row, level == rules::RowLevel::modified, {}};
+  requirement.origin = {pack.full_id(), check.id, row, level, {}};
   finding.verdict = verdict_of(result.status);
   if (finding.verdict == Verdict::not_judged) {
     finding.reason = result.reason;
@@ -150,8 +150,7 @@ void add_file(const calc::XmlElement& root, const std::string& path, const rules
   const rules::RuleCheck* check = pack.find_check(text_of(root, "check"));
   Room of_file;
   for (const calc::XmlElement& item : root.children) {
-    const bool is_modified = text_of(item, "level") == "modified";
-    const auto level = is_modified ? rules::RowLevel::modified : rules::RowLevel::required;
+    const rules::RowLevel level = rules::level_named(text_of(item, "level"));
     const std::string row = text_of(item, "row");
     if (check != nullptr) {
       if (item.find("facts") != nullptr) continue;

@@ -1,9 +1,9 @@
+#include "rules/binding/workplace.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/sensor_grid.h"
 #include "calc/scene/zone_shapes.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
-#include "rules/binding/workplace.h"
 #include "rules/catalogue/mask.h"
 #include "tests/support/memory_file_reader.h"
 
@@ -672,9 +672,10 @@ TEST(Workplace, WhatDiffersIsNotShared) {
 }
 
 TEST(Workplace, ASurfaceThatTheFirstLeavesOutTheSecondHas) {
-  const Made made = make(workplace(kDesk, "<without role='ceiling' because='open'/>") +
-                         "<workplace id='v' pack='en12464-1:2021' row='34.2' origin='8 5' "
-                         "size='2 1'/>");
+  const Made made =
+      make(workplace(kDesk, "<without role='ceiling' because='open' by='m' until='2999-01-01'/>") +
+           "<workplace id='v' pack='en12464-1:2021' row='34.2' origin='8 5' "
+           "size='2 1'/>");
   EXPECT_THAT(limits_of(made, "v.ceiling"), ElementsAre(100, 0.1));
 }
 

@@ -1,6 +1,6 @@
+#include "rules/verdict/coverage.h"
 #include "rules/binding/bind.h"
 #include "rules/binding/judged_project.h"
-#include "rules/verdict/coverage.h"
 #include "tests/support/memory_file_reader.h"
 
 #include <gmock/gmock.h>
@@ -115,7 +115,7 @@ TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
 Covered with_end(const std::string& role, const std::string& today) {
   return cover("<workplace id='w' pack='en12464-1:2021' row='34.2'><without role='" + role +
                    "' because='glass' by='A. Meier' until='2026-12-31'/></workplace>",
-               Verdict::pass, today);
+               Verdict::pass, builtin_rule_packs(), today);
 }
 
 TEST(RowCoverage, WhatWasLeftOutUpToADayIsAskedForAfterIt) {

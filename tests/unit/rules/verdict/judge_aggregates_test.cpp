@@ -77,7 +77,7 @@ class Site {
                int line = 1) {
     Finding& finding = findings_.back().emplace_back();
     finding.verdict = verdict;
-    finding.requirement.origin = {"own:1", check, row, false, {}};
+    finding.requirement.origin = {"own:1", check, row, {}, {}};
     finding.requirement.where = {"p.xml", line, 1};
     return finding;
   }
