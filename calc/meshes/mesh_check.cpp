@@ -18,7 +18,7 @@ bool is_finite(const glm::dvec3& p) {
 }
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
-using Face = std::array<std::uint32_t, 3>;
+using FaceCorners = std::array<std::uint32_t, 3>;
 
 // Calls visit(length) for each run of equal elements of a sorted list.
 template <class T, class Visit>
@@ -42,7 +42,7 @@ void count_edges(std::vector<Edge> edges, SurfaceFindings& findings) {
   });
 }
 
-void count_duplicates(std::vector<Face> faces, SurfaceFindings& findings) {
+void count_duplicates(std::vector<FaceCorners> faces, SurfaceFindings& findings) {
   std::sort(faces.begin(), faces.end());
   for_each_run(faces, [&](std::size_t copies) { findings.duplicates += copies - 1; });
 }
@@ -97,7 +97,7 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
   findings.degenerate = findings.left_out = model.faces_left_out;
   const std::vector<std::uint32_t> welded = weld_vertices(model.vertex_m);
   std::vector<Edge> edges;
-  std::vector<Face> faces;
+  std::vector<FaceCorners> faces;
   edges.reserve(3 * model.triangle.size());
   faces.reserve(model.triangle.size());
   for (std::size_t i = 0; i < model.triangle.size(); ++i) {
@@ -117,7 +117,7 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
     findings.area_m2 += area;
     object.area_m2 += area;
     material.area_m2 += area;
-    Face face{welded[t.x], welded[t.y], welded[t.z]};
+    FaceCorners face{welded[t.x], welded[t.y], welded[t.z]};
     std::sort(face.begin(), face.end());
     if (face[0] == face[1] || face[1] == face[2]) continue;
     faces.push_back(face);

@@ -18,7 +18,7 @@ namespace calc {
 namespace {
 
 constexpr std::size_t kMaxErrors = 10;
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kObjBlanks = " \t";
 
 // Reads from memory and knows which line was read last.
 class LineBuffer : public std::streambuf {
@@ -140,7 +140,7 @@ class ObjCollector {
   // The text after the keyword.
   std::string_view arguments() {
     const std::string_view line = trim(lines_.line());
-    return trim(line.substr(std::min(line.find_first_of(kBlanks), line.size())));
+    return trim(line.substr(std::min(line.find_first_of(kObjBlanks), line.size())));
   }
 
   static std::string shortened(std::string_view text) {

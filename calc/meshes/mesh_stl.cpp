@@ -14,13 +14,13 @@
 namespace calc {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;  // 80 of comment, 4 of count
+constexpr std::size_t kStlHeaderBytes = 84;  // 80 of comment, 4 of count
 constexpr std::size_t kTriangleBytes = 50;
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 std::uint32_t binary_count(std::string_view bytes) {
   std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof count, sizeof count);
+  std::memcpy(&count, bytes.data() + kStlHeaderBytes - sizeof count, sizeof count);
   return count;
 }
 
@@ -42,7 +42,7 @@ std::optional<TriangleMesh> parse_binary(std::string_view bytes, const std::stri
   const std::uint32_t count = binary_count(bytes);
   if (!builder.has_room_for_vertices(std::size_t{3} * count)) return std::nullopt;
   for (std::uint32_t t = 0; t < count; ++t) {
-    const char* data = bytes.data() + kHeaderBytes + kTriangleBytes * t;
+    const char* data = bytes.data() + kStlHeaderBytes + kTriangleBytes * t;
     std::array<float, 12> number;  // the normal, then three corners
     std::memcpy(number.data(), data, sizeof number);
     for (std::size_t corner = 1; corner <= 3; ++corner) {
@@ -144,10 +144,10 @@ class StlText {
 
 void report_not_stl(std::string_view bytes, const std::string& name, Diagnostics& diagnostics) {
   std::string what = "neither text that begins with 'solid' nor the 84 bytes of a binary header";
-  if (bytes.size() >= kHeaderBytes) {
+  if (bytes.size() >= kStlHeaderBytes) {
     const std::uint64_t count = binary_count(bytes);
     what = fmt::format("a binary file of {} triangles has {} bytes, this one has {}", count,
-                       kHeaderBytes + kTriangleBytes * count, bytes.size());
+                       kStlHeaderBytes + kTriangleBytes * count, bytes.size());
   }
   diagnostics.report(DiagnosticId::mesh_broken, {name, 0, 0}, "STL", what);
 }
@@ -155,8 +155,8 @@ void report_not_stl(std::string_view bytes, const std::string& name, Diagnostics
 }  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
-  return bytes.size() >= kHeaderBytes &&
-         bytes.size() == kHeaderBytes + kTriangleBytes * std::uint64_t{binary_count(bytes)};
+  return bytes.size() >= kStlHeaderBytes &&
+         bytes.size() == kStlHeaderBytes + kTriangleBytes * std::uint64_t{binary_count(bytes)};
 }
 
 bool is_text_stl(std::string_view bytes) {

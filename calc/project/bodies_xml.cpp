@@ -14,7 +14,7 @@
 namespace calc {
 namespace {
 
-constexpr double kParallelSine = 1.0e-9;
+constexpr double kParallelSidesSine = 1.0e-9;
 
 ObjectSet set_of(Body body) {
   ObjectSet set;
@@ -131,7 +131,7 @@ ObjectSet read_quad(ProjectContext& context, ElementReader& reader) {
   const glm::dvec3 v = read_point_m(context, reader, "v");
   const std::uint32_t material = read_material(context, reader);
   if (!reader.ok()) return {};
-  if (!(glm::length(glm::cross(u, v)) > kParallelSine * glm::length(u) * glm::length(v))) {
+  if (!(glm::length(glm::cross(u, v)) > kParallelSidesSine * glm::length(u) * glm::length(v))) {
     reader.report(DiagnosticId::parallel_vectors, reader.where("u"), "u", "v", "quad");
     return {};
   }

@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, kColumns> kNames{
     "axis_z", "aim_x_m", "aim_y_m", "aim_z_m", "rotation_deg", "group"};
 constexpr std::size_t kRequired = kAxisX;
 constexpr std::size_t kBadLineLimit = 10;
-constexpr double kShortestDirection = 1.0e-9;
+constexpr double kShortestAim = 1.0e-9;
 
 // What is wrong with the line; thrown within this file only.
 struct BadLine {
@@ -89,10 +89,10 @@ class ListReader {
     entry.axis = optional_vector(kAxisX);
     entry.aim_m = optional_vector(kAimX);
     if (entry.axis && entry.aim_m) throw BadLine{"it has both an axis and an aim"};
-    if (entry.axis && glm::length(*entry.axis) < kShortestDirection) {
+    if (entry.axis && glm::length(*entry.axis) < kShortestAim) {
       throw BadLine{"the axis is zero"};
     }
-    if (entry.aim_m && glm::distance(*entry.aim_m, entry.position_m) < kShortestDirection) {
+    if (entry.aim_m && glm::distance(*entry.aim_m, entry.position_m) < kShortestAim) {
       throw BadLine{"the aim is the luminaire's own position"};
     }
     if (!cell(kRotation).empty()) entry.rotation_rad = radians_from_degrees(number_in(kRotation));

@@ -14,20 +14,21 @@
 namespace calc {
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
-constexpr std::size_t kBadLineLimit = 10;
+constexpr std::array<std::string_view, 6> kPointColumns{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::size_t kBadPointLineLimit = 10;
 constexpr double kLargestCoordinate = 1.0e9;
 constexpr double kSmallestNormal = 1.0e-9;
 
 bool is_header(const CsvRecord& record) {
-  return std::equal(record.cells.begin(), record.cells.end(), kNames.begin(), kNames.end(),
+  return std::equal(record.cells.begin(), record.cells.end(), kPointColumns.begin(),
+                    kPointColumns.end(),
                     [](const CsvCell& cell, std::string_view name) { return cell.text == name; });
 }
 
 // False if something was reported.
 bool parse_line(const CsvRecord& record, const SourceLocation& where, PointList& list,
                 Diagnostics& diagnostics) {
-  std::array<double, kNames.size()> value{};
+  std::array<double, kPointColumns.size()> value{};
   if (record.cells.size() != value.size()) {
     diagnostics.report(DiagnosticId::point_list_line, where, record.cells.size());
     return false;
@@ -71,8 +72,8 @@ std::optional<PointList> parse_point_list(std::string_view bytes, const std::str
       }
       has_header = true;
     } else if (!record->is_blank() && !parse_line(*record, where, list, diagnostics) &&
-               ++bad_lines == kBadLineLimit) {
-      diagnostics.report(DiagnosticId::point_list_gives_up, where, kBadLineLimit - 1);
+               ++bad_lines == kBadPointLineLimit) {
+      diagnostics.report(DiagnosticId::point_list_gives_up, where, kBadPointLineLimit - 1);
       return std::nullopt;
     }
   }

@@ -11,7 +11,7 @@
 namespace calc {
 namespace {
 
-constexpr double kTie = 1.0e-9;
+constexpr double kCoverageTie = 1.0e-9;
 constexpr double kShare =
     0.05;  // of the area; a missed part above it matters however large cells are
 
@@ -83,10 +83,10 @@ class CoverageMap {
   bool is_near_point(glm::dvec2 at) const {
     const glm::dvec2 in_cells = (at - cells_.lower_m) / cells_.cell_m - 0.5;
     const auto first = [](double x) {
-      return std::max(0, static_cast<int>(std::ceil(x - 1.0 - kTie)));
+      return std::max(0, static_cast<int>(std::ceil(x - 1.0 - kCoverageTie)));
     };
     const auto last = [](double x, int end) {
-      return std::min(end - 1, static_cast<int>(std::floor(x + 1.0 + kTie)));
+      return std::min(end - 1, static_cast<int>(std::floor(x + 1.0 + kCoverageTie)));
     };
     for (int row = first(in_cells.y); row <= last(in_cells.y, cells_.rows); ++row) {
       for (int column = first(in_cells.x); column <= last(in_cells.x, cells_.columns); ++column) {
@@ -141,7 +141,7 @@ bool is_whole_rectangle(const PlanarArea& area, const GridCells& cells) {
   if (!area.holes_m.empty()) return false;
   const glm::dvec2 side_m =
       cells.cell_m * glm::dvec2(cells.columns, cells.rows) + 2.0 * area.margin_m;
-  return std::abs(signed_area(area.outline_m)) >= side_m.x * side_m.y * (1.0 - kTie);
+  return std::abs(signed_area(area.outline_m)) >= side_m.x * side_m.y * (1.0 - kCoverageTie);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::optional<DropReason> reason_to_drop(const PlanarArea& area, glm::dvec2 poin
     if (contains_point(hole, point)) return DropReason::outside_area;
   }
   // In a rectangle the grid starts inside the margin, so that this drops nothing.
-  if (distance_to_boundary(area.outline_m, point) < area.margin_m * (1.0 - kTie)) {
+  if (distance_to_boundary(area.outline_m, point) < area.margin_m * (1.0 - kCoverageTie)) {
     return DropReason::within_margin;
   }
   return std::nullopt;

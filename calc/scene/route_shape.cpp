@@ -117,7 +117,7 @@ std::vector<glm::dvec2> left_part(const std::vector<glm::dvec2>& polygon, const 
   return kept;
 }
 
-double area_of(const std::vector<glm::dvec2>& polygon) {
+double fan_area(const std::vector<glm::dvec2>& polygon) {
   double twice = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     twice += cross_of(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
@@ -131,7 +131,7 @@ std::vector<glm::dvec2> common_part(const RouteLeg& one, const RouteLeg& other, 
   for (std::size_t i = 0; i < around.size() && !part.empty(); ++i) {
     part = left_part(part, around[i], around[(i + 1) % around.size()]);
   }
-  return area_of(part) > kTouching_m2 ? part : std::vector<glm::dvec2>{};
+  return fan_area(part) > kTouching_m2 ? part : std::vector<glm::dvec2>{};
 }
 
 double height_on(const RouteLeg& leg, const glm::dvec2& place_m) {
@@ -272,7 +272,7 @@ std::vector<glm::dvec2> RouteCells::corners_m(int column, int row) const {
           corner(place.begin, left)};
 }
 
-double RouteCells::area_m2(int column, int row) const { return area_of(corners_m(column, row)); }
+double RouteCells::area_m2(int column, int row) const { return fan_area(corners_m(column, row)); }
 
 std::vector<double> route_stations(const RouteLine& line, double spacing_m) {
   std::vector<double> stations;

@@ -9,7 +9,7 @@ namespace {
 // Of the longest edge: two triangles that share an edge must leave no gap by rounding.
 constexpr double kOnEdge = 1.0e-9;
 constexpr double kUprightCosine = 1.0e-9;
-constexpr double kSameHeight_m = 1.0e-9;
+constexpr double kSameSurface_m = 1.0e-9;
 
 bool covers(const std::array<glm::dvec3, 3>& corner_m, const glm::dvec2& at_m) {
   double lowest = 0.0, highest = 0.0;
@@ -64,15 +64,15 @@ WalkingSurface::Found WalkingSurface::below(const glm::dvec3& at_m) const {
       continue;
     }
     const std::optional<double> z = height_at(piece.corner_m, glm::dvec2(at_m));
-    if (!z || *z > at_m.z + kWalkingSearchUp_m + kSameHeight_m || (highest && *z <= *highest)) {
+    if (!z || *z > at_m.z + kWalkingSearchUp_m + kSameSurface_m || (highest && *z <= *highest)) {
       continue;
     }
     highest = z;
     body = piece.body;
   }
   if (!highest && has_ground_) highest = 0.0;
-  if (!highest || *highest < at_m.z - kWalkingSearchDown_m - kSameHeight_m) return {};
-  if (*highest <= at_m.z + kWalkingStepUp_m + kSameHeight_m) return {highest, nullptr};
+  if (!highest || *highest < at_m.z - kWalkingSearchDown_m - kSameSurface_m) return {};
+  if (*highest <= at_m.z + kWalkingStepUp_m + kSameSurface_m) return {highest, nullptr};
   // Of the ground itself: the line lies below it.
   return body == nullptr ? Found{} : Found{std::nullopt, &body->id};
 }

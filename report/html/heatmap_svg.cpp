@@ -45,13 +45,13 @@ text { font-family: "Noto Sans", "DejaVu Sans", Arial, sans-serif; }
 .colour-bar .halo { stroke: #fff; stroke-width: 4.5; fill: none; }
 )";
 
-constexpr double kEdge = 12, kTitle = 30, kBarWidth = 480;
+constexpr double kEdge = 12, kTitle = 30, kScaleWidth = 480;
 
 }  // namespace
 
 std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   const PlanPictures pictures = plan_pictures(t, space, plane);
-  const double width = std::max(pictures.width_px, kBarWidth) + 2 * kEdge;
+  const double width = std::max(pictures.width_px, kScaleWidth) + 2 * kEdge;
   const double bar_top = kTitle + pictures.plan_height_px + kEdge;
   const double height = bar_top + pictures.bar_height_px + kEdge;
   const std::string title = escape_html(std::string(title_of(space.name, space.id)) + " – " +

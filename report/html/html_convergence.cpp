@@ -21,21 +21,21 @@ namespace {
 constexpr PlotFrame kConvergenceFrame{640, 300, 58, 16, 14, 44};
 constexpr std::size_t kMostCurves = 600;
 
-struct Place {
+struct PlotPlace {
   double paths = 0.0, width = 0.0;  // width: half the interval over the value
 };
 
 struct Curve {
-  std::vector<Place> places;
+  std::vector<PlotPlace> places;
   std::optional<std::size_t> decided;  // look since which the verdict stands
   rules::Verdict verdict = rules::Verdict::not_judged;
   std::string words;
 };
 
-std::optional<Place> place_of(const PlaneLook& look, const calc::Estimate& estimate) {
+std::optional<PlotPlace> place_of(const PlaneLook& look, const calc::Estimate& estimate) {
   const double width = estimate.half_width() / std::abs(estimate.value);
   if (look.paths == 0 || !std::isfinite(width) || !(width > 0.0)) return std::nullopt;
-  return Place{static_cast<double>(look.paths), width};
+  return PlotPlace{static_cast<double>(look.paths), width};
 }
 
 // The first look from which on the verdict is the last one, and that is a decision.
@@ -99,7 +99,7 @@ struct Frame {
   double low_paths = std::numeric_limits<double>::max(), high_paths = 0.0;
   double low_width = std::numeric_limits<double>::max(), high_width = 0.0;
 
-  void add(const Place& place) {
+  void add(const PlotPlace& place) {
     low_paths = std::min(low_paths, place.paths);
     high_paths = std::max(high_paths, place.paths);
     low_width = std::min(low_width, place.width);
@@ -147,7 +147,7 @@ std::string axes(const Texts& t, const Frame& frame) {
 
 std::string curve_svg(const Frame& frame, const Curve& curve) {
   std::string path;
-  for (const Place& place : curve.places) {
+  for (const PlotPlace& place : curve.places) {
     path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(frame.x(place.paths)),
                         svg_number(frame.y(place.width)));
   }
@@ -171,7 +171,7 @@ std::string html_convergence(const Texts& t, const ProjectPart& project) {
   if (is_still) return fmt::format("<p class=\"quiet\">{}</p>\n", t[Text::finished_at_first_look]);
   Frame frame;
   for (const Curve& curve : curves) {
-    for (const Place& place : curve.places) frame.add(place);
+    for (const PlotPlace& place : curve.places) frame.add(place);
   }
   frame.round();
   std::string lines;

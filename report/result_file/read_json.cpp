@@ -86,15 +86,28 @@ class Reader : public Visitor {
   const JsonCursor& at_;
 };
 
+// "a number from 0 to 1 is needed"; a field may have any of the four bounds.
+std::string needed_words(const About& about) {
+  std::string words = "a number";
+  const auto add = [&](const char* word, const std::optional<double>& bound) {
+    if (bound)
+      words += fmt::format("{} {} {:g}", words == "a number" || *word == 't' ? "" : " and", word,
+                           *bound);
+  };
+  add("from", about.least);
+  add("to", about.most);
+  add("above", about.above);
+  add("below", about.below);
+  return words + " is needed";
+}
+
 double number_within(const JsonCursor& at, const About& about) {
   const double value = at.finite();
-  if (value < about.least.value_or(value) || value > about.most.value_or(value)) {
-    at.refuse(fmt::format("a number from {:g} to {:g} is needed", *about.least, *about.most));
-  }
-  if ((about.above && value <= *about.above) || (about.below && value >= *about.below)) {
-    at.refuse(
-        fmt::format("a number above {:g} and below {:g} is needed", *about.above, *about.below));
-  }
+  const bool is_within =
+      value >= about.least.value_or(value) && value <= about.most.value_or(value);
+  const bool is_between =
+      (!about.above || value > *about.above) && (!about.below || value < *about.below);
+  if (!is_within || !is_between) at.refuse(needed_words(about));
   return value;
 }
 

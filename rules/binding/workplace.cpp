@@ -37,7 +37,7 @@ using calc::Workplace;
 using calc::ZoneText;
 
 // Line of every plane of the project.
-using PlaneIds = std::map<std::string, int, std::less<>>;
+using LineOfPlane = std::map<std::string, int, std::less<>>;
 
 // More than any building needs, and what fits into memory.
 constexpr std::size_t kMostPlanes = 4000;
@@ -119,7 +119,7 @@ class WorkplaceMaker {
   }
 
   // After check_zones() without an error. Nothing is added after an error.
-  void run(PlaneIds& ids, Total& total) {
+  void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
     for (const std::string& role : pack_.roles()) add_role(role);
     if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
@@ -432,7 +432,7 @@ void add_notes(const WorkplaceNotes& notes, calc::Space& space) {
 
 void make_planes(Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
-                 PlaneIds& ids, Total& total, WorkplaceNotes& notes,
+                 LineOfPlane& ids, Total& total, WorkplaceNotes& notes,
                  calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
   const bool is_grid = workplace.element.name == "workplace-grid";
@@ -461,7 +461,7 @@ void make_planes(Workplace& workplace, calc::Space& space,
 
 void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& packs,
                            calc::Diagnostics& diagnostics) {
-  PlaneIds ids;
+  LineOfPlane ids;
   Total total;
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);

@@ -269,8 +269,10 @@ std::string maintenance_problem(const FitContext& context, const Requirement& re
       is_one ? "" : "s", calc::list_names(ids, kMostNamed), is_one ? "s" : "");
 }
 
-// What is stated, but is not so: somebody has mended the plane, or meant another one.
+// What is stated, but is not so: somebody has mended the plane, or meant another one. A workplace
+// states it of all planes of a role, of which only some may need it.
 std::string unfounded_words(const Requirement& requirement) {
+  if (!requirement.origin.workplaces.empty()) return {};
   std::string text;
   for (const StatedDeviation& stated : requirement.stated_deviations) {
     const auto& found = requirement.deviations;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeastRating = 10.0, kMostRating = 30.0;  // of UGR, where it is used
 constexpr double kBestRendering = 100.0;
-constexpr double kSameValue = 1e-9;  // relative
+constexpr double kSameStep = 1e-9;  // relative
 
 // The first check whose limit is the parameter and nothing else; nullptr: none.
 const RuleCheck* check_of(const RulePack& pack, const std::string& parameter) {
@@ -33,7 +33,7 @@ std::string number_text(const RulePack& pack, const RuleValue& value, double num
 
 bool is_on(const RuleScale& scale, double number) {
   return std::any_of(scale.values.begin(), scale.values.end(),
-                     [&](double step) { return std::abs(step - number) <= kSameValue * step; });
+                     [&](double step) { return std::abs(step - number) <= kSameStep * step; });
 }
 
 // "70 lx is on no step of the scale 'steps'; next to it are 50 and 75 lx", or "".

@@ -15,9 +15,8 @@
 namespace calc {
 namespace {
 
-constexpr double kRatioTolerance = 0.05;   // relative, light output ratio
-constexpr double kShareTolerance = 5.0;    // points, downward flux fraction
-constexpr double kEfficiencyLimit = 1.02;  // of the lamps' lumens
+constexpr double kRatioTolerance = 0.05;  // relative, light output ratio
+constexpr double kShareTolerance = 5.0;   // points, downward flux fraction
 
 class EulumdatReader {
  public:

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kMostLikelyLargest_m = 6.0;  // openings beyond these are probably in another unit
 constexpr double kMostLikelySmallest_m = 0.003;
-constexpr double kEfficiencyLimit = 1.02;  // of the lamps' lumens
 
 class Lm63Reader {
  public:

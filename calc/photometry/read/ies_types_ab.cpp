@@ -11,13 +11,13 @@ namespace {
 constexpr double kEdge_deg = 1.0e-5;  // from the last angle to darkness
 
 // One angle of a list after its mirror image was added.
-struct Entry {
+struct TableEntry {
   double deg;
   std::size_t index;  // in the file's list
 };
 
-std::vector<Entry> with_mirror_image(const std::vector<double>& deg) {
-  std::vector<Entry> entries;
+std::vector<TableEntry> with_mirror_image(const std::vector<double>& deg) {
+  std::vector<TableEntry> entries;
   if (deg.front() == 0.0 && deg.size() > 1) {
     for (std::size_t i = deg.size() - 1; i > 0; --i) entries.push_back({-deg[i], i});
   }
@@ -121,20 +121,21 @@ FileTable table_of_type_ab(const TypeAbTable& file, std::string& problem) {
     return {};
   }
   // Longitudes go round the table's axis, latitudes from pole to pole.
-  std::vector<Entry> longitude = with_mirror_image(is_b ? file.vertical_deg : file.horizontal_deg);
-  const std::vector<Entry> latitude =
+  std::vector<TableEntry> longitude =
+      with_mirror_image(is_b ? file.vertical_deg : file.horizontal_deg);
+  const std::vector<TableEntry> latitude =
       with_mirror_image(is_b ? file.horizontal_deg : file.vertical_deg);
   if (!is_b) {  // C = -H
     std::reverse(longitude.begin(), longitude.end());
-    for (Entry& entry : longitude) entry.deg = entry.deg == 0.0 ? 0.0 : -entry.deg;
+    for (TableEntry& entry : longitude) entry.deg = entry.deg == 0.0 ? 0.0 : -entry.deg;
   }
   std::vector<double> longitude_deg, gamma_deg;
   std::vector<std::vector<double>> rows;
-  for (const Entry& l : latitude) gamma_deg.push_back(l.deg + 90.0);
-  for (const Entry& o : longitude) {
+  for (const TableEntry& l : latitude) gamma_deg.push_back(l.deg + 90.0);
+  for (const TableEntry& o : longitude) {
     longitude_deg.push_back(o.deg);
     std::vector<double>& row = rows.emplace_back();
-    for (const Entry& l : latitude) {
+    for (const TableEntry& l : latitude) {
       const std::size_t h = is_b ? l.index : o.index, v = is_b ? o.index : l.index;
       row.push_back(file.intensity_cd[h * file.vertical_deg.size() + v]);
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kSupported = "luminous intensity (cd), photometry of type C";
 
-struct Point {
+struct TablePoint {
   double horizontal_deg, vertical_deg, cd;
   const XmlElement* element;
 };
@@ -153,20 +153,20 @@ class TableReader {
   // Turns horizontal angles of the form 0 to 90 with 270 to 360 to -90 to 90.
   void turn_around_zero() {
     bool has_left = false;
-    for (const Point& point : points_) {
+    for (const TablePoint& point : points_) {
       const double h = point.horizontal_deg;
       if (h > 90.0 && h < 270.0) return;
       has_left = has_left || h < 90.0;
     }
     if (!has_left) return;
-    for (Point& point : points_) {
+    for (TablePoint& point : points_) {
       if (point.horizontal_deg >= 270.0) point.horizontal_deg -= 360.0;
     }
   }
 
   std::vector<double> horizontal_angles() const {
     std::vector<double> angles;
-    for (const Point& point : points_) angles.push_back(point.horizontal_deg);
+    for (const TablePoint& point : points_) angles.push_back(point.horizontal_deg);
     std::sort(angles.begin(), angles.end());
     angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     return angles;
@@ -209,13 +209,13 @@ class TableReader {
 
   // Sorts the points and checks that they are a full grid, before anything is allocated for it.
   bool fill_grid() {
-    std::sort(points_.begin(), points_.end(), [](const Point& a, const Point& b) {
+    std::sort(points_.begin(), points_.end(), [](const TablePoint& a, const TablePoint& b) {
       return std::tie(a.horizontal_deg, a.vertical_deg, a.element->where.line) <
              std::tie(b.horizontal_deg, b.vertical_deg, b.element->where.line);
     });
     for (std::size_t i = 1; i < points_.size(); ++i) {
-      const Point& before = points_[i - 1];
-      const Point& point = points_[i];
+      const TablePoint& before = points_[i - 1];
+      const TablePoint& point = points_[i];
       if (before.horizontal_deg != point.horizontal_deg ||
           before.vertical_deg != point.vertical_deg)
         continue;
@@ -224,7 +224,7 @@ class TableReader {
       return false;
     }
     std::vector<double>& gamma = result_.table.gamma_deg;
-    for (const Point& point : points_) gamma.push_back(point.vertical_deg);
+    for (const TablePoint& point : points_) gamma.push_back(point.vertical_deg);
     std::sort(gamma.begin(), gamma.end());
     gamma.erase(std::unique(gamma.begin(), gamma.end()), gamma.end());
     if (!check_grid() || !check_steps(result_.table.c_deg, "horizontal") ||
@@ -233,8 +233,8 @@ class TableReader {
     }
     FileTable& table = result_.table;
     table.where = distribution_->where;
-    const Point* lowest = &points_.front();
-    for (const Point& point : points_) {
+    const TablePoint* lowest = &points_.front();
+    for (const TablePoint& point : points_) {
       table.intensity_cd.push_back(point.cd);
       if (point.cd < lowest->cd) lowest = &point;
     }
@@ -296,7 +296,7 @@ class TableReader {
   Diagnostics& diagnostics_;
   const XmlElement* luminous_data_ = nullptr;
   const XmlElement* distribution_ = nullptr;
-  std::vector<Point> points_;
+  std::vector<TablePoint> points_;
   Tm33Table result_;
 };
 

@@ -4,6 +4,7 @@
 #include "calc/photometry/read/text_encoding.h"
 #include "calc/photometry/read/tm33_opening.h"
 #include "calc/photometry/read/tm33_table.h"
+#include "calc/photometry/read/web_assembly.h"
 #include "calc/photometry/read/xml_query.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kRoots{"IESTM33", "IESTM33-18", "IESTM33-22",
                                                  "LuminaireOpticalData"};
 constexpr double kFluxTolerance = 0.05;     // relative, stated flux
-constexpr double kEfficiencyLimit = 1.02;   // of the rated lumens
 constexpr double kUnusualEfficiency = 0.2;  // below: perhaps in cd per 1000 lm
 
 struct Emitter {

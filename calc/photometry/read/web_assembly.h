@@ -11,6 +11,9 @@
 
 namespace calc {
 
+// A luminaire gives no more light than its lamps; 2 % are what files round away.
+inline constexpr double kEfficiencyLimit = 1.02;
+
 // As in the file: degrees, stored planes only, all factors applied. Counts fit, angles ascend
 // within their ranges and intensities are finite (readers check those, they know the lines).
 struct FileTable {

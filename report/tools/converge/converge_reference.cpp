@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kSamePlace_m = 1e-3;
 
-enum Column : std::size_t { kPlane, kColumn, kRow, kX, kY, kZ, kLux, kError, kColumns };
-constexpr std::array<std::string_view, kColumns> kNames{"plane", "column", "row", "x",
-                                                        "y",     "z",      "lx",  "error_lx"};
+enum ReferenceColumn : std::size_t { kPlane, kColumn, kRow, kX, kY, kZ, kLux, kError, kColumns };
+constexpr std::array<std::string_view, kColumns> kReferenceColumns{
+    "plane", "column", "row", "x", "y", "z", "lx", "error_lx"};
 
 std::string_view without_unit(std::string_view name) {  // x_m as in points.csv
   return name == "x_m" ? "x" : (name == "y_m" ? "y" : (name == "z_m" ? "z" : name));
@@ -91,7 +91,7 @@ class ReferenceReader {
   }
 
   void read_head(const calc::CsvRecord& header) {
-    columns_ = calc::CsvColumns(header, kNames, without_unit);
+    columns_ = calc::CsvColumns(header, kReferenceColumns, without_unit);
     if (!columns_.doubled().empty()) {
       return fail(fmt::format("the column '{}' is there twice", columns_.doubled()));
     }
@@ -102,19 +102,20 @@ class ReferenceReader {
     }
   }
 
-  std::optional<double> number(const calc::CsvRecord& record, Column column) {
+  std::optional<double> number(const calc::CsvRecord& record, ReferenceColumn column) {
     const std::string& text = columns_.cell(record, column);
     const std::optional<double> value = calc::parse_number(text);
-    if (!value) fail(fmt::format("'{}' in column '{}' is no number", text, kNames[column]));
+    if (!value)
+      fail(fmt::format("'{}' in column '{}' is no number", text, kReferenceColumns[column]));
     return value;
   }
 
   std::optional<PointPlace> find_point(const calc::CsvRecord& record) {
     const std::string& plane = columns_.cell(record, kPlane);
-    const Column first = by_place_ ? kX : kColumn;
+    const ReferenceColumn first = by_place_ ? kX : kColumn;
     std::array<double, 3> wanted{};
     for (std::size_t i = 0; i < (by_place_ ? 3u : 2u); ++i) {
-      const std::optional<double> value = number(record, static_cast<Column>(first + i));
+      const std::optional<double> value = number(record, static_cast<ReferenceColumn>(first + i));
       if (!value) return std::nullopt;
       wanted[i] = *value;
     }

@@ -178,13 +178,13 @@ std::string explain(const std::string& what, const std::vector<rules::RulePack>&
   return text.value_or("");
 }
 
-constexpr const char* kExitCodes = "Exit codes: 0 no error, 2 at least one error.";
+constexpr const char* kRulesExitCodes = "Exit codes: 0 no error, 2 at least one error.";
 
 // An action that prints what `make` gives of its options.
 template <class Options>
 Command action(Command command, const std::shared_ptr<Options>& options,
                std::string (*make)(const Options&, const calc::FileReader&, calc::Diagnostics&)) {
-  command.footer = kExitCodes;
+  command.footer = kRulesExitCodes;
   command.run = [options, make](const RunContext&) {
     calc::Diagnostics diagnostics;
     std::string out = make(*options, calc::DiskFileReader(), diagnostics);
@@ -255,7 +255,7 @@ Command import_action() {
                : "either TABLE.csv or --template is needed";
   };
   command = action<ImportOptions>(std::move(command), options, import_table);
-  command.footer = rules::import_columns_help() + "\n" + kExitCodes;
+  command.footer = rules::import_columns_help() + "\n" + kRulesExitCodes;
   return command;
 }
 
