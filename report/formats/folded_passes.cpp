@@ -56,7 +56,11 @@ std::pair<const PlanePart*, const rules::Finding*> nearest_of(const FoldedPasses
 
 std::size_t FoldedPasses::requirements() const {
   std::size_t count = 0;
-  for (const PlanePart* plane : planes) count += plane->findings.size();
+  for (const PlanePart* plane : planes) {
+    for (const rules::Finding& finding : plane->findings) {
+      if (finding.requirement.severity != rules::Severity::advice) ++count;
+    }
+  }
   return count;
 }
 
@@ -73,7 +77,9 @@ std::vector<FoldedPasses> folded_passes(const SpacePart& space) {
     if (is_new) all.push_back({{}, workplace.empty()});
     all[place->second].planes.push_back(&plane);
   }
-  std::erase_if(all, [](const FoldedPasses& folded) { return folded.planes.size() < 2; });
+  std::erase_if(all, [](const FoldedPasses& folded) {
+    return folded.planes.size() < 2 || folded.requirements() == 0;
+  });
   return all;
 }
 

@@ -14,7 +14,7 @@ namespace report {
 struct FoldedPasses {
   std::vector<const PlanePart*> planes;  // in the order of the report
   bool of_several = false;
-  std::size_t requirements() const;
+  std::size_t requirements() const;  // without advice
   // Of the requirements that count, or else of all, the one with the least margin, and its plane.
   const rules::Finding& nearest() const;
   const PlanePart& plane_of_nearest() const;

@@ -25,12 +25,22 @@ namespace {
 
 constexpr std::size_t kMostValues = 2500;  // longer tables are for the CSV file
 
+// With "±", or without anything where the ends, which the next cell has, are needed to say it.
+std::string value_cell(const Texts& t, const calc::Estimate& estimate, const char* unit,
+                       const Thresholds& thresholds) {
+  const std::string measured = format_measured(t, estimate, unit, thresholds);
+  const EstimateText text = format_estimate(estimate, unit, thresholds);
+  const bool has_ends = !text.spread.empty() && measured.find("±") == std::string::npos;
+  if (!has_ends) return measured;
+  return t.number(text.value) + (*unit == '\0' ? "" : std::string(" ") + unit);
+}
+
 std::string statistic(const Texts& t, const char* name, const calc::Estimate& estimate,
                       const char* unit, const Thresholds& thresholds) {
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num "
       "quiet\">{}</td></tr>\n",
-      name, format_measured(t, estimate, unit, thresholds),
+      name, value_cell(t, estimate, unit, thresholds),
       format_interval(t, estimate, unit, thresholds));
 }
 
