@@ -12,6 +12,7 @@ luxgate_test(rules_tests
     unit/rules/pack/evaluate_test.cpp
     unit/rules/pack/expression_test.cpp
     unit/rules/fitness/fitness_test.cpp
+    unit/rules/fitness/obstacles_test.cpp
     unit/rules/measure/gradient_test.cpp
     unit/rules/pack/import_columns_test.cpp
     unit/rules/pack/import_plane_test.cpp

@@ -161,6 +161,25 @@ void check_look(const Place& place, const PlaneLook& look, const PlanePart& plan
   }
 }
 
+// The last look is the result.
+void check_last_look(const Place& place, const PlanePart& plane) {
+  const PlaneLook& last = plane.looks.back();
+  const Place own = place.at("look_results", plane.looks.size() - 1);
+  for (std::size_t i = 0; i < last.findings.size(); ++i) {
+    const rules::Finding& finding = plane.findings[i];
+    const bool was_judged = last.findings[i].verdict != Verdict::not_judged;
+    const bool is_judged = finding.verdict != Verdict::not_judged;
+    const Place of = own.at("findings", i, fmt::format("requirement '{}'", finding.requirement.id));
+    constexpr const char* kWhy = "the last look is the result";
+    expect(of, "is_judged", was_judged, is_judged, kWhy);
+    if (!is_judged) continue;
+    const calc::Estimate &seen = last.findings[i].measured, &said = finding.measured;
+    if (!is_finite(seen) && !is_finite(said)) continue;  // open ends have no one text
+    const bool is_same = seen.low == said.low && seen.value == said.value && seen.high == said.high;
+    expect(of, "measured", is_same, true, kWhy);
+  }
+}
+
 void check_plane(const Place& place, const ProjectPart& project, const SpacePart& space,
                  const PlanePart& plane, std::string_view day) {
   for (std::size_t i = 0; i < plane.findings.size(); ++i) {
@@ -177,6 +196,7 @@ void check_plane(const Place& place, const ProjectPart& project, const SpacePart
   for (std::size_t i = 0; i < plane.looks.size(); ++i) {
     check_look(place.at("look_results", i), plane.looks[i], plane);
   }
+  if (!plane.looks.empty()) check_last_look(place, plane);
 }
 
 // ---- what is made of findings
@@ -289,6 +309,9 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
     expect(place.at("left_out", i), "has_ended", zone.has_ended, !zone.by.holds_on(day),
            fmt::format("judged on {}, until {}", day, zone.by.until));
     has_ended = has_ended || zone.has_ended;
+  }
+  if (role.state == rules::RoleState::left_out && role.left_out.empty()) {
+    refuse_place(place, "left_out", "nobody is named who leaves it out");
   }
   const bool says_so = role.state == rules::RoleState::left_out_ended;
   if (has_ended || says_so) {

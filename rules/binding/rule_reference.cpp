@@ -236,7 +236,7 @@ ChosenLevel read_level(ElementReader& reader, const RulePack& pack, const RuleRo
                     word, calc::join_choices(levels));
     }
   }
-  return {level, reader.text_or("level-because", "")};
+  return {level, reader.has("level-because") ? reader.text("level-because") : ""};
 }
 
 std::string clause_text(const RulePack& pack, const RuleCheck& check, const RuleRow* row,

@@ -6,6 +6,7 @@
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
+#include "rules/fitness/route_way.h"
 
 #include <fmt/format.h>
 
@@ -223,6 +224,11 @@ class PlaneFit {
   }
 
   std::string points(const Meant& meant) const {
+    std::string barred = barred_words(context_.grid, context_.space);
+    if (!barred.empty()) {
+      add_words(barred, lost().words);
+      return barred;
+    }
     if (lost().share() <= meant.plane.missing_share) return {};
     if (is_beside_the_task(meant.plane) && share_lost_otherwise() <= meant.plane.missing_share) {
       return {};
@@ -230,8 +236,10 @@ class PlaneFit {
     return lost().words;
   }
 
-  // A band goes as far as there is room, to a wall or a rack.
-  static bool is_beside_the_task(const RulePlane& role) {
+  // A band that a workplace makes goes as far as there is room, to a wall or a rack. Who draws it
+  // knows where the rack is.
+  bool is_beside_the_task(const RulePlane& role) const {
+    if (plane().made_by.empty()) return false;
     return role.area == ZoneArea::band || role.area == ZoneArea::task_and_band;
   }
 

@@ -19,6 +19,7 @@ struct Asked {
   const RuleRow* row = nullptr;
   RowLevel level;
   std::map<std::string, double> facts;
+  std::string scene;
   const calc::Workplace* workplace = nullptr;  // null: <require> elements
   std::vector<std::pair<const RuleCheck*, const Finding*>> findings;
 };
@@ -40,7 +41,7 @@ std::vector<const calc::Workplace*> workplaces_of(const calc::Space& space,
 Asked& asked_by(std::vector<Asked>& all, Asked about) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const Asked& asked) {
     return asked.pack == about.pack && asked.row == about.row && asked.level == about.level &&
-           asked.workplace == about.workplace;
+           asked.scene == about.scene && asked.workplace == about.workplace;
   });
   if (same != all.end()) return *same;
   return all.emplace_back(std::move(about));
@@ -68,7 +69,8 @@ void join_planes(std::vector<Asked>& all) {
       const std::size_t before = joined.size();
       for (Asked& asked : all) {
         const bool is_same_row = asked.workplace != nullptr && asked.pack == planes.pack &&
-                                 asked.row == planes.row && asked.level == planes.level;
+                                 asked.row == planes.row && asked.level == planes.level &&
+                                 asked.scene == planes.scene && asked.facts == planes.facts;
         if (is_same_row && lacks(asked, finding.first->role)) joined.emplace_back(&asked, finding);
       }
       if (joined.size() == before) apart.push_back(finding);
@@ -94,7 +96,9 @@ std::vector<Asked> asked_in(const calc::Space& space, const std::vector<JudgedPl
       const RuleCheck* check = pack->find_check(origin.check);
       if (row == nullptr || check == nullptr) continue;
       for (const calc::Workplace* workplace : workplaces_of(space, origin)) {
-        asked_by(all, {&*pack, row, origin.level, origin.facts, workplace, {}})
+        asked_by(
+            all,
+            {&*pack, row, origin.level, origin.facts, finding.requirement.scene, workplace, {}})
             .findings.emplace_back(check, &finding);
       }
     }
@@ -154,6 +158,10 @@ std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role,
   }
   if (is_asked) coverage.state = state_of(outcome);
   if (asked.workplace != nullptr) cover_unmade(*asked.workplace, today, is_asked, coverage);
+  // Where the pack says no place the project has to draw the plane, and has not.
+  const RulePlane* place = asked.pack->find_plane(role);
+  const bool has_place = place != nullptr && place->area != ZoneArea::none;
+  if (coverage.state == RoleState::not_made && !has_place) coverage.state = RoleState::never_asked;
   if (!is_asked && !needed->quantity->kernel) {
     coverage.state = RoleState::not_possible;
     coverage.words = fmt::format("{} is not measured on planes", needed->quantity->name);
@@ -216,8 +224,9 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
     RowCoverage row;
     row.workplace = asked.workplace == nullptr ? "" : asked.workplace->id;
     const std::string level = level_words(asked.level);
-    row.clause = fmt::format("{}:{} {}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
-                             level.empty() ? "" : fmt::format(" ({})", level));
+    row.clause = fmt::format("{}:{} {}{}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
+                             level.empty() ? "" : fmt::format(" ({})", level),
+                             asked.scene.empty() ? "" : ", scene " + asked.scene);
     for (const std::string& role : asked.pack->roles()) {
       if (std::optional<RoleCoverage> covered = cover(asked, role, today)) {
         row.roles.push_back(std::move(*covered));

@@ -196,7 +196,7 @@ TEST(RowCoverage, APlaneOfTheProjectIsPartOfTheRowOfAWorkplaceThatLacksIt) {
       "<plane id='b' origin='1 0.1 1' u='-1 0 0' v='0 0 1'><require pack='school' row='class' "
       "role='board'/></plane>";
   EXPECT_THAT(cover(desks, Verdict::pass, school()).roles(),
-              ElementsAre("task met", "board not-made"));
+              ElementsAre("task met", "board never-asked"));
   const Covered both = cover(desks + board, Verdict::pass, school());
   ASSERT_EQ(both.rows.size(), 1u);
   EXPECT_EQ(both.rows[0].workplace, "w");
