@@ -214,6 +214,27 @@ TEST(Contradiction, LooksSayWhatTheirIntervalsSay) {
   EXPECT_GT(judged, 3);
 }
 
+// Another number in the finding, with all that follows from it, is not the last look's.
+TEST(Contradiction, TheLastLookIsTheResult) {
+  int judged = 0;
+  for (const std::string& plane : every("planes", "look_results")) {
+    const json& looks = at(plane + "/look_results");
+    if (looks.empty()) continue;
+    const std::size_t last = looks.size() - 1;
+    for (std::size_t i = 0; i < looks[last]["findings"].size(); ++i) {
+      if (looks[last]["findings"][i]["verdict"] == "not-judged") continue;
+      const std::string own = plane + "/look_results/" + std::to_string(last) + "/findings/" +
+                              std::to_string(i) + "/measured/value";
+      const double value = at(own);
+      EXPECT_THAT(refusal_with(own, value * (1.0 + 1e-12)),
+                  HasSubstr("the last look is the result"))
+          << own;
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 10);
+}
+
 TEST(Contradiction, AggregatesAndTheirMembersFollow) {
   int aggregates = 0, members = 0;
   for (const std::string& aggregate : every("aggregates", "kind")) {

@@ -203,6 +203,14 @@ TEST(RowCoverage, APlaneOfTheProjectIsPartOfTheRowOfAWorkplaceThatLacksIt) {
   EXPECT_THAT(both.roles(), ElementsAre("task met", "board met"));
   EXPECT_THAT(cover(desks + board, Verdict::fail, school()).roles(),
               ElementsAre("task failed", "board failed"));
+  // In another scene it says nothing about this one.
+  const std::string elsewhere =
+      "<plane id='b' origin='1 0.1 1' u='-1 0 0' v='0 0 1'><require pack='school' row='class' "
+      "role='board' scene='em'/></plane>";
+  const Covered apart = cover(desks + elsewhere, Verdict::pass, school());
+  ASSERT_EQ(apart.rows.size(), 2u);
+  EXPECT_THAT(apart.roles(), ElementsAre("task met", "board never-asked"));
+  EXPECT_EQ(apart.rows[1].clause, "School:1 class, scene em");
   // A second task is nothing that the workplace lacks.
   const std::string task =
       "<plane id='t' height='0.75'><require pack='school' row='class'/></plane>";
