@@ -1,6 +1,5 @@
 #include "report/formats/console.h"
 
-#include "calc/base/text.h"
 #include "report/formats/folded_passes.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
@@ -347,6 +346,15 @@ std::string render_line(const TableLine& line, const Widths& widths, bool colour
   return text + "\n";
 }
 
+// "a, b, c and 3 more", in the report's language.
+std::string some_names(const Texts& t, std::vector<std::string> names) {
+  constexpr std::size_t kMostNamed = 3;
+  const std::size_t more = names.size() - std::min(names.size(), kMostNamed);
+  names.resize(names.size() - more);
+  const std::string named = fmt::format("{}", fmt::join(names, ", "));
+  return more == 0 ? named : t.say<Text::names_and_more>(named, more);
+}
+
 // Rows of workplaces of which the same is to be said, as one: "a, b and 6 more".
 std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowCoverage> rows) {
   std::map<std::string, std::vector<std::string>> workplaces;  // by what is said
@@ -359,7 +367,7 @@ std::vector<rules::RowCoverage> together(const Texts& t, std::vector<rules::RowC
   for (rules::RowCoverage& row : rows) {
     const auto names = workplaces.find(said(row));
     if (names == workplaces.end()) continue;
-    row.workplace = calc::list_names(names->second, 3);
+    row.workplace = some_names(t, names->second);
     workplaces.erase(names);
     result.push_back(std::move(row));
   }

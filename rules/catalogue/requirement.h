@@ -41,8 +41,8 @@ enum class Severity { shall, advice, in_aggregate };
 struct RuleOrigin {
   std::string pack;  // "en13201-2:2015"
   std::string check, row;
-  RowLevel level{};                     // asked for
-  std::map<std::string, double> facts;  // by id, in base units
+  RowLevel level{};                       // asked for
+  std::map<std::string, double> facts;    // by id, in base units
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
 };
 

@@ -224,10 +224,10 @@ class PlaneFit {
   }
 
   std::string points(const Meant& meant) const {
-    std::string barred = barred_words(context_.grid, context_.space);
-    if (!barred.empty()) {
-      add_words(barred, lost().words);
-      return barred;
+    if (!barred().empty()) {
+      std::string words = barred();
+      add_words(words, lost().words);
+      return words;
     }
     if (lost().share() <= meant.plane.missing_share) return {};
     if (is_beside_the_task(meant.plane) && share_lost_otherwise() <= meant.plane.missing_share) {
@@ -250,7 +250,14 @@ class PlaneFit {
   }
 
   const FitContext& context_;
+  // Once, not for each requirement of the plane.
+  const std::string& barred() const {
+    if (!barred_) barred_ = barred_words(context_.grid, context_.space);
+    return *barred_;
+  }
+
   mutable std::optional<LostPoints> lost_;
+  mutable std::optional<std::string> barred_;
 };
 
 // Types of the space's luminaires that state no maintenance factor, in their order.

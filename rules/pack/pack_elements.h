@@ -12,10 +12,10 @@ inline constexpr calc::NumberRange kStripShare{0.0, 0.4999, false, "a share from
 inline constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 to 100"};
 
 // Words of choices that are no enum.
-extern const calc::ValueType kDigitsType, kStepsType, kComparedAsType, kGridMethodType, kGridCountType,
-    kOrientationType, kHeightsAreType, kZoneAreaType, kCheckSeverityType, kCountedLightType,
-    kOutageType, kAggregateByType, kAggregateSeverityType, kPackKindType, kPackStatusType,
-    kPackLicenceType;
+extern const calc::ValueType kDigitsType, kStepsType, kComparedAsType, kGridMethodType,
+    kGridCountType, kOrientationType, kHeightsAreType, kZoneAreaType, kCheckSeverityType,
+    kCountedLightType, kOutageType, kAggregateByType, kAggregateSeverityType, kPackKindType,
+    kPackStatusType, kPackLicenceType;
 
 // The order of its children is that in which a pack is read.
 extern const calc::ElementRow kRulePackElement;

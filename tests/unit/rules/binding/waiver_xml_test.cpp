@@ -1,7 +1,7 @@
 // <waiver>: which checks it waives, and everything that it must not.
 
-#include "rules/binding/judged_project.h"
 #include "rules/binding/waiver_xml.h"
+#include "rules/binding/judged_project.h"
 #include "tests/support/memory_file_reader.h"
 
 #include <gmock/gmock.h>
