@@ -8,6 +8,8 @@ luxgate_test(radiosity_tests
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp
     analytic/luminous_body_test.cpp
+    analytic/luminous_surface_test.cpp
+    analytic/points_in_surfaces_test.cpp
     analytic/receiver_kernels_test.cpp
     differential/gatherer_test.cpp
     differential/same_bits_test.cpp

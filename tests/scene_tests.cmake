@@ -13,6 +13,7 @@ luxgate_test(scene_tests
     unit/calc/scene/route_shape_test.cpp
     unit/calc/scene/sensor_grid_test.cpp
     unit/calc/scene/solids_test.cpp
+    unit/calc/scene/surface_contact_test.cpp
     unit/calc/base/csv_test.cpp
     unit/calc/base/element_table_test.cpp
     unit/calc/base/file_hash_test.cpp

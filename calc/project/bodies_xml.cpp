@@ -1,6 +1,7 @@
 #include "calc/project/bodies_xml.h"
 
 #include "calc/project/frame.h"
+#include "calc/project/luminous_surface.h"
 #include "calc/project/material_map.h"
 #include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
@@ -135,8 +136,10 @@ ObjectSet read_quad(ProjectContext& context, ElementReader& reader) {
     reader.report(DiagnosticId::parallel_vectors, reader.where("u"), "u", "v", "quad");
     return {};
   }
-  return set_of(single_material_body({origin, origin + u, origin + u + v, origin + v},
-                                     {{0, 1, 2}, {0, 2, 3}}, material, reader.where()));
+  ObjectSet set = set_of(single_material_body({origin, origin + u, origin + u + v, origin + v},
+                                              {{0, 1, 2}, {0, 2, 3}}, material, reader.where()));
+  add_luminous_surface(context, reader, {origin, u, v}, set);
+  return set;
 }
 
 ObjectSet read_polygon(ProjectContext& context, ElementReader& reader) {

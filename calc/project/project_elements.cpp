@@ -305,15 +305,29 @@ const ElementRow kBoxElement{
                    kRepeatAttribute,
                    kStepAttribute}};
 
-const ElementRow kQuadElement{.type = "quad",
-                              .meaning = "A parallelogram with the sides u and v.",
-                              .attributes = {kIdAttribute,
-                                             {"origin", &kVectorType, required},
-                                             {"u", &kVectorType, required},
-                                             {"v", &kVectorType, required},
-                                             kMaterialAttribute,
-                                             kRepeatAttribute,
-                                             kStepAttribute}};
+const std::vector<AttributeRow> kLuminousAttributes{
+    kGroupAttribute,
+    {"power-w", &kPositiveType, optional, "Of a surface that sends light: its input power."},
+    {"maintenance-factor", &kPositiveFractionType, optional,
+     "Of a surface that sends light; the project's if not given."}};
+
+const ElementRow kQuadElement{
+    .type = "quad",
+    .meaning = "A parallelogram with the sides u and v.",
+    .attributes = {
+        kIdAttribute,
+        {"origin", &kVectorType, required},
+        {"u", &kVectorType, required},
+        {"v", &kVectorType, required},
+        kMaterialAttribute,
+        kRepeatAttribute,
+        kStepAttribute,
+        {"luminous-exitance", &kPositiveType, optional,
+         "lm/m2: the rectangle sends light, evenly and diffusely, to the side of u x v; its "
+         "luminance is that divided by pi, in cd/m2. It reflects as its material says."},
+        kLuminousAttributes[0],
+        kLuminousAttributes[1],
+        kLuminousAttributes[2]}};
 
 const ElementRow kPolygonElement{.type = "polygon",
                                  .attributes = {kIdAttribute,

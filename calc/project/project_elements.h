@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace calc {
 
@@ -25,6 +26,9 @@ extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationTyp
 extern const ValueType kDayType;
 // Of a waiver, see waiver_attributes.h.
 extern const AttributeRow kBecauseAttribute, kByAttribute, kUntilAttribute;
+
+// Of a surface that sends light, besides luminous-exitance.
+extern const std::vector<AttributeRow> kLuminousAttributes;
 
 extern const std::string_view kProjectMeaning;
 extern const ChildRow kProjectRoot;

@@ -38,7 +38,9 @@ std::vector<NormalGroup> group_by_normal(const PointSet& points) {
 std::vector<glm::dvec3> local_positions_m(const PreparedScene& scene, const SensorGrid& grid) {
   std::vector<glm::dvec3> local;
   local.reserve(grid.position_m.size());
-  for (const glm::dvec3& p : grid.position_m) local.push_back(p - scene.origin_m);
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    local.push_back(grid.measured_m(i) - scene.origin_m);
+  }
   return local;
 }
 

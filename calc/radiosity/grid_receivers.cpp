@@ -6,17 +6,6 @@
 namespace calc {
 namespace {
 
-// Of a point that is moved off a surface, in ray offsets: its rays begin clearly beyond one.
-constexpr double kStandOff = 1.25;
-
-bool touches_surface(const Tracer& tracer, const glm::dvec3& position_m) {
-  const double touching_m = tracer.touching_m();
-  // No surface counts as touched, and the nearest one is asked for.
-  const auto found =
-      tracer.close_surface({position_m, position_m, glm::dvec3(0.0), -1.0, 2.0 * touching_m});
-  return found && found->distance_m <= touching_m;
-}
-
 // Directions across the axis, 90 degrees apart; of a vertical axis +x, +y, -x, -y.
 glm::dvec3 side_of_axis(const glm::dvec3& axis, std::size_t quarter) {
   const glm::dvec3 aside = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -31,11 +20,8 @@ std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid)
   std::vector<Receiver> receivers;
   receivers.reserve(grid.position_m.size());
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
-    Receiver receiver{grid.position_m[i] - tracer.scene().origin_m, grid.normal[i], grid.kernel};
-    if (!has_back(grid.kernel) && touches_surface(tracer, receiver.position_m)) {
-      receiver.position_m += kStandOff * tracer.offset_m() * grid.front(i);
-    }
-    receivers.push_back(receiver);
+    receivers.push_back(
+        {grid.measured_m(i) - tracer.scene().origin_m, grid.normal[i], grid.kernel});
   }
   const std::size_t points = receivers.size();
   receivers.reserve(points * receivers_per_point(grid.derived));

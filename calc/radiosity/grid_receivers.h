@@ -11,9 +11,8 @@ namespace calc {
 
 // One per point, in order, in local coordinates; of a derived quantity several, all of the first
 // kind before those of the next: of modelling the cylinder, then the plane across its axis; of
-// four_planes the cylinder, then the planes along its axis. A planar receiver keeps its place and
-// looks away from the surface that it may lie in. Any other one sees that surface, too: it is moved
-// off it, to the side that SensorGrid::front() gives, so that it is clear what it sees.
+// four_planes the cylinder, then the planes along its axis. They stand where the grid's points are
+// measured from (SensorGrid::shift_m).
 std::vector<Receiver> receivers_of(const Tracer& tracer, const SensorGrid& grid);
 
 }  // namespace calc

@@ -1,7 +1,7 @@
 #include "calc/radiosity/rays.h"
 
+#include "calc/base/triangle.h"
 #include "calc/radiosity/short_rays.h"
-#include "calc/rays/triangle_distance.h"
 
 #include <xmmintrin.h>
 

@@ -90,9 +90,8 @@ class Tracer {
   std::uint64_t identity() const { return identity_; }
   const PreparedScene& scene() const { return scene_; }
   double offset_m() const { return offset_m_; }
-  // A point as near to a surface as this lies in it: 4 ulp of the largest coordinate, what rounding
-  // corners to float may do.
-  double touching_m() const { return offset_m_ / 8.0; }
+  // A point as near to a surface as this lies in it, see calc::touching_m().
+  double touching_m() const { return calc::touching_m(scene_.extent_m); }
   // Unit, by the order of corners.
   const glm::dvec3& triangle_normal(std::size_t triangle) const {
     return triangle_normal_[triangle];

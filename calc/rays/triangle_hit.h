@@ -2,17 +2,14 @@
 // Whether a ray meets a triangle, and where: the one rule, in double, that all traversals obey.
 // What comes out is a function of ray and triangle alone, the same bits on every processor.
 
+#include "calc/base/triangle.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <limits>
 
 namespace calc {
-
-// Corners as they are stored, widened.
-struct Triangle {
-  glm::dvec3 a, b, c;
-};
 
 // A ray, or a segment from `origin`: points origin + t * direction with least < t < most. As it is
 // stored, so that nothing is rounded on the way. The direction need not be a unit one.
@@ -33,7 +30,8 @@ struct TriangleHit {
   }
 };
 
-// True if the ray meets the triangle; sets t, u and v. From either side. The ray's side of an edge
+// True if the ray meets the triangle, whose corners are as they are stored, widened; sets t, u and
+// v. From either side. The ray's side of an edge
 // is one and the same number, up to its sign, for both triangles that share the edge, and an edge
 // belongs to both: no ray slips between them. A ray in the plane of a triangle, as far as double
 // can tell, does not meet it. Directions are between 1e-12 and 1e12 long. [Woop13, with the edge

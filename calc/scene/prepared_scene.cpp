@@ -81,7 +81,7 @@ void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFi
 
 }  // namespace
 
-double PreparedScene::ray_offset_m() const {
+double ray_offset_m(double extent_m) {
   // The origin is the centre, so that no coordinate is larger than half the diagonal.
   const auto largest_m = static_cast<float>(0.5 * extent_m);
   const float next_m = std::nextafter(largest_m, std::numeric_limits<float>::infinity());
@@ -89,11 +89,15 @@ double PreparedScene::ray_offset_m() const {
   return std::max(32.0 * ulp_m, 1.0e-6 * extent_m);
 }
 
+double extent_m(const Space& space) {
+  const double diagonal_m = bounds_of(space).diagonal();
+  return diagonal_m > 0.0 ? diagonal_m : 1.0;
+}
+
 PreparedScene prepare_scene(const Project& project, const Space& space) {
   PreparedScene scene;
-  const BoundingBox bounds = bounds_of(space);
-  scene.origin_m = bounds.centre();
-  if (bounds.diagonal() > 0.0) scene.extent_m = bounds.diagonal();
+  scene.origin_m = bounds_of(space).centre();
+  scene.extent_m = extent_m(space);
   for (std::size_t i = 0; i < space.bodies.size(); ++i) {
     scene.body_id.push_back(space.bodies[i].id);
     add_body(project, space.bodies[i], static_cast<std::uint32_t>(i), scene);

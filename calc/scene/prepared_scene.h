@@ -14,6 +14,19 @@
 
 namespace calc {
 
+// Distance by which ray ends are lifted off a surface along its normal, in a scene of this extent:
+// covers float rounding of local coordinates (32 ulp of the largest one) and 1e-6 of the extent.
+// [METHOD, 8.1]
+double ray_offset_m(double extent_m);
+
+// A point as near to a surface as this lies in it: 4 ulp of the largest coordinate, what rounding
+// corners to float may do.
+inline double touching_m(double extent_m) { return ray_offset_m(extent_m) / 8.0; }
+
+// Length of the diagonal of everything in the space, 1 if there is nothing; see
+// PreparedScene::extent_m.
+double extent_m(const Space& space);
+
 struct PlacedLuminaire {
   glm::dvec3 position_m{0.0};  // local
   glm::dmat3 world_from_luminaire{1.0};
@@ -38,9 +51,7 @@ struct PreparedScene {
   double extent_m = 1.0;  // length of the diagonal of everything in the scene, > 0
   std::size_t degenerate_triangles = 0;  // left out
 
-  // Distance by which ray ends are lifted off a surface along its normal: covers float rounding of
-  // local coordinates (32 ulp of the largest one) and 1e-6 of the extent.  [METHOD, 8.1]
-  double ray_offset_m() const;
+  double ray_offset_m() const { return calc::ray_offset_m(extent_m); }
 };
 
 PreparedScene prepare_scene(const Project& project, const Space& space);

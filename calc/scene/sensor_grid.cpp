@@ -3,7 +3,6 @@
 #include "calc/base/elementary.h"
 #include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
-#include "calc/scene/solids.h"
 #include "calc/scene/walking_surface.h"
 
 #include <fmt/format.h>
@@ -120,79 +119,26 @@ std::string route_words(const EscapeRoute& route) {
       route.is_spacing_given ? "" : fmt::format(", {} at least", kLeastRouteRows));
 }
 
-// Decides which points of a space can be measured at: within the room and in no solid.
-class SpaceFilter {
- public:
-  SpaceFilter(const Space& space, ReceiverKernel kernel) : shell_(space.shell), kernel_(kernel) {
-    for (const Body& body : space.bodies) {
-      if (body.is_closed) solids_.push_back({&body, bounding_box(body.vertex_m)});
-    }
-  }
-
-  // Why the point is dropped; `body` then names the solid. Empty: it is kept. front: see
-  // SensorGrid::front().
-  std::optional<DropReason> reason_to_drop(const glm::dvec3& point, const glm::dvec3& front,
-                                           std::string& body) const {
-    if (shell_ && !is_in_room(point)) return DropReason::outside_room;
-    for (const Solid& solid : solids_) {
-      if (!is_in_solid(solid, point, front)) continue;
-      body = solid.body->id;
-      return DropReason::inside_solid;
-    }
-    return std::nullopt;
-  }
-
-  bool is_beside_room(const glm::dvec3& point) const {
-    return shell_ && !contains_point(shell_->footprint_m, glm::dvec2(point));
-  }
-
- private:
-  struct Solid {
-    const Body* body;
-    BoundingBox box;
-  };
-
-  // Floor, walls and ceiling themselves count as inside.
-  bool is_in_room(const glm::dvec3& point) const {
-    const double ceiling_z_m = shell_->floor_z_m + shell_->height_m;
-    const double highest_m = std::max(std::abs(shell_->floor_z_m), std::abs(ceiling_z_m));
-    const double gap_m =
-        kTie * shell_->height_m + 4.0 * std::numeric_limits<double>::epsilon() * highest_m;
-    return point.z >= shell_->floor_z_m - gap_m && point.z <= ceiling_z_m + gap_m &&
-           contains_point(shell_->footprint_m, glm::dvec2(point.x, point.y));
-  }
-
-  // On a face, the side in front decides: a plane on a desk top stays, one that looks into the desk
-  // does not. Where the face runs along that direction, a plane sees past the body, but any other
-  // receiver has half of it in the body.
-  bool is_in_solid(const Solid& solid, const glm::dvec3& point, const glm::dvec3& front) const {
-    constexpr double kStep = 1.0e-6;  // of the solid's size; well above the surface tolerance
-    const SolidSide side = locate_point(*solid.body, solid.box, point);
-    if (side != SolidSide::on_surface) return side == SolidSide::inside;
-    const glm::dvec3 in_front = point + kStep * solid.box.diagonal() * front;
-    const SolidSide there = locate_point(*solid.body, solid.box, in_front);
-    if (kernel_ == ReceiverKernel::planar) return there == SolidSide::inside;
-    return there != SolidSide::outside;
-  }
-
-  const std::optional<RoomShell>& shell_;
-  ReceiverKernel kernel_;
-  std::vector<Solid> solids_;
-};
-
 // Adds candidates one by one and keeps the account.
 class GridBuilder {
  public:
-  GridBuilder(const Space& space, SensorGrid& grid) : filter_(space, grid.kernel), grid_(grid) {}
+  // region: of all candidates.
+  GridBuilder(const Space& space, const BoundingBox& region, SensorGrid& grid)
+      : filter_(space, grid.kernel, region), grid_(grid) {}
 
   // `reason`: already known to be dropped because of the plane's own outline.
-  void add(const glm::dvec3& point, const glm::dvec3& front, const glm::dvec3& axis, int column,
-           int row, std::optional<DropReason> reason = std::nullopt) {
-    std::string body;
-    if (!reason) reason = filter_.reason_to_drop(point, front, body);
-    if (reason) return drop({point, column, row, *reason, std::move(body)});
+  void add(const CandidatePoint& candidate, int column, int row,
+           std::optional<DropReason> reason = std::nullopt) {
+    const glm::dvec3& point = candidate.position_m;
+    if (reason) return drop({point, column, row, *reason, {}});
+    PointStand stand = filter_.stand(candidate);
+    if (stand.dropped) return drop({point, column, row, *stand.dropped, std::move(stand.body)});
+    if (!stand.body.empty()) {
+      grid_.inner.push_back({grid_.position_m.size(), std::move(stand.body)});
+    }
     grid_.position_m.push_back(point);
-    grid_.normal.push_back(axis);
+    grid_.shift_m.push_back(stand.shift_m);
+    grid_.normal.push_back(candidate.axis);
     grid_.column.push_back(column);
     grid_.row.push_back(row);
   }
@@ -211,11 +157,11 @@ class GridBuilder {
       return drop({on_line, column, row, DropReason::in_the_way, *found.obstacle});
     }
     if (!found.z_m) return drop({on_line, column, row, DropReason::without_floor, {}});
-    add({on_line.x, on_line.y, *found.z_m + height_m}, kUp, kUp, column, row);
+    add({{on_line.x, on_line.y, *found.z_m + height_m}, kUp, kUp}, column, row);
   }
 
  private:
-  SpaceFilter filter_;
+  PointFilter filter_;
   SensorGrid& grid_;
 };
 
@@ -232,6 +178,7 @@ class GridMaker {
     grid_.has_unknown_walls = grid_.room_m.empty() && !space_.surfaces_file.empty();
     const bool made = std::visit([this](const auto& area) { return fill(area); }, plane_.area);
     if (!made || is_empty() || is_in_furniture()) return std::nullopt;
+    warn_about_surfaces();
     if (grid_.route) {
       warn_about_missing_floor();
     } else {
@@ -245,10 +192,10 @@ class GridMaker {
     grid_.rule = "point list";
     const std::size_t count = list.position_m.size();
     if (!is_small_enough({static_cast<double>(count), 1.0})) return false;
-    GridBuilder builder(space_, grid_);
+    GridBuilder builder(space_, bounding_box(list.position_m), grid_);
     for (std::size_t i = 0; i < count; ++i) {
       const glm::dvec3& axis = list.normal[i];
-      builder.add(list.position_m[i], axis, axis, static_cast<int>(i), 0);
+      builder.add({list.position_m[i], axis, axis}, static_cast<int>(i), 0);
     }
     return true;
   }
@@ -301,7 +248,9 @@ class GridMaker {
     }
     const WalkingSurface surface(space_, {bounds.lower, low_m}, {bounds.upper, high_m});
     const RouteCells cells = grid_.route->cells(grid_.rows);
-    GridBuilder builder(space_, grid_);
+    const BoundingBox region{{bounds.lower, low_m - kWalkingSearchDown_m + route.height_m},
+                             {bounds.upper, high_m + kWalkingSearchUp_m + route.height_m}};
+    GridBuilder builder(space_, region, grid_);
     for (int row = 0; row < grid_.rows; ++row) {
       for (int column = 0; column < grid_.columns; ++column) {
         builder.add_above(surface, cells.centre_m(column, row), route.height_m, column, row);
@@ -395,15 +344,20 @@ class GridMaker {
   }
 
   void add_cells(const PlanarArea& area, const Rectangle& inner) {
-    GridBuilder builder(space_, grid_);
+    const auto place_m = [&](const glm::dvec2& at) {
+      return area.origin_m + at.x * area.u + at.y * area.v;
+    };
+    const BoundingBox region = bounding_box({place_m(inner.lower), place_m(inner.upper),
+                                             place_m({inner.lower.x, inner.upper.y}),
+                                             place_m({inner.upper.x, inner.lower.y})});
+    GridBuilder builder(space_, region, grid_);
     const glm::dvec2 cell_m(grid_.spacing_u_m, grid_.spacing_v_m);
     const glm::dvec3 normal = area.normal();
     const glm::dvec3 axis = has_look(plane_.kernel, plane_.derived) ? plane_.direction : normal;
     for (int row = 0; row < grid_.rows; ++row) {
       for (int column = 0; column < grid_.columns; ++column) {
         const glm::dvec2 at = inner.lower + glm::dvec2(column + 0.5, row + 0.5) * cell_m;
-        const glm::dvec3 point = area.origin_m + at.x * area.u + at.y * area.v;
-        builder.add(point, normal, axis, column, row, reason_to_drop(area, at));
+        builder.add({place_m(at), normal, axis}, column, row, reason_to_drop(area, at));
       }
     }
   }
@@ -419,6 +373,25 @@ class GridMaker {
     if (outside == 0 && (inside == 0 || !is_list)) return;
     diagnostics_.report(DiagnosticId::points_left_out, plane_.where, plane_.id, outside + inside,
                         grid_.position_m.size() + grid_.dropped.size(), outside, inside);
+  }
+
+  // What a point in a surface means is our choice, and may not be the project's.
+  void warn_about_surfaces() {
+    if (!grid_.inner.empty()) {
+      const InnerPoint& first = grid_.inner.front();
+      const glm::dvec3& at = grid_.position_m[first.point];
+      diagnostics_.report(DiagnosticId::points_beside_surface, plane_.where, plane_.id,
+                          grid_.inner.size(), grid_.position_m.size(), at.x, at.y, at.z,
+                          first.body);
+    }
+    const auto is_within = [](const DroppedPoint& p) { return p.reason == DropReason::in_surface; };
+    const auto first = std::find_if(grid_.dropped.begin(), grid_.dropped.end(), is_within);
+    if (first == grid_.dropped.end()) return;
+    const glm::dvec3& at = first->position_m;
+    diagnostics_.report(DiagnosticId::points_in_surface, plane_.where, plane_.id,
+                        std::count_if(first, grid_.dropped.end(), is_within),
+                        grid_.position_m.size() + grid_.dropped.size(), at.x, at.y, at.z,
+                        first->body);
   }
 
   // Furniture on a route may be meant, a hole or a wall in it is not.
@@ -488,7 +461,8 @@ class GridMaker {
       return true;
     }
     diagnostics_.report(DiagnosticId::grid_without_points, plane_.where, plane_.id,
-                        grid_.dropped.size(), dropped[0], dropped[1], dropped[2], dropped[3]);
+                        grid_.dropped.size(), dropped[0], dropped[1], dropped[2], dropped[3],
+                        dropped[6]);
     return true;
   }
 

@@ -2,7 +2,7 @@
 // Calculation points of a plane, and an account of how they were chosen.
 
 #include "calc/base/diagnostics.h"
-#include "calc/base/names.h"
+#include "calc/scene/point_filter.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 
@@ -14,28 +14,17 @@
 
 namespace calc {
 
-enum class DropReason {
-  outside_area,
-  within_margin,
-  outside_room,
-  inside_solid,
-  without_floor,  // of a route: nothing to walk on
-  in_the_way      // of a route: something stands there that nobody walks on
-};
-
-template <>
-struct EnumNames<DropReason> {
-  static constexpr EnumName<DropReason> list[] = {
-      {DropReason::outside_area, "outside-area"},   {DropReason::within_margin, "within-margin"},
-      {DropReason::outside_room, "outside-room"},   {DropReason::inside_solid, "inside-solid"},
-      {DropReason::without_floor, "without-floor"}, {DropReason::in_the_way, "in-the-way"}};
-};
-
 struct DroppedPoint {
   glm::dvec3 position_m;
   int column, row;
   DropReason reason;
-  std::string body;  // its id, for inside_solid and in_the_way
+  std::string body;  // its id, for inside_solid, in_the_way and in_surface
+};
+
+// A point that lies in a surface and is measured on the side of it where there is air.
+struct InnerPoint {
+  std::size_t point;
+  std::string body;
 };
 
 // The cells of an escape route, see RouteCells.
@@ -64,6 +53,10 @@ struct SensorGrid {
   bool has_unknown_walls = false;     // in a room of a building file without outline
   std::optional<RouteGrid> route;
   std::vector<glm::dvec3> position_m;
+  // From where each is measured, see PointStand: micrometres off the surface that it lies in.
+  // Empty: from where it is, all of them.
+  std::vector<glm::dvec3> shift_m;
+  std::vector<InnerPoint> inner;
   glm::dvec3 travel{0.0};  // as the plane's
   ReceiverKernel kernel = ReceiverKernel::planar;
   DerivedQuantity derived = DerivedQuantity::none;
@@ -72,9 +65,9 @@ struct SensorGrid {
   std::vector<DroppedPoint> dropped;
   double missed_m2 = 0.0;  // of the area: the largest part that a given grid has no point for
 
-  // The side of a surface that point i counts as, should it lie in one: that of the plane's own
-  // normal, whatever the axis; a list has nothing but its normals. Unit.
-  glm::dvec3 front(std::size_t i) const { return columns > 0 ? glm::cross(u, v) : normal[i]; }
+  glm::dvec3 measured_m(std::size_t i) const {
+    return shift_m.empty() ? position_m[i] : position_m[i] + shift_m[i];
+  }
 };
 
 // What each point counts in averages: of a route the area of its cell, m2, as its cells differ at
@@ -95,10 +88,9 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
 
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's
 // bounding rectangle less the margin, without those outside the outline, in a hole or on its edge,
-// nearer to the outline than the margin (holes have none), outside the room (its surfaces count as
-// inside), or inside a closed body. A planar point on the face of a closed body stays if it does
-// not look into the body, one of any other kernel only if there is nothing but air in front of it,
-// on the plane's side: half of it would lie in the body otherwise. Errors, with empty result: a
+// nearer to the outline than the margin (holes have none), or where nothing can be measured (see
+// PointFilter::stand()). A point in a surface counts as on the side of the plane's own normal,
+// whatever its axis; one of a list has nothing but its normal. Errors, with empty result: a
 // margin that leaves nothing, more than 4 million points, no point left; a part of the area that no
 // cell of a rule reaches (see grid_coverage.h), even if each is divided into 3, 5 or 7 along both
 // sides; more than a tenth of the points inside solids, if a workplace has made the plane and it is

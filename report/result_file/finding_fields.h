@@ -147,6 +147,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("percent", requirement.percent,
           {.presence = only_if(requirement.metric == rules::Metric::percentile)});
   v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});
+  v.field("facing", requirement.facing, {.presence = only_if(requirement.facing.has_value())});
 }
 
 void describe(auto& v, Is<rules::LeftOutZone> auto& zone) {

@@ -181,7 +181,10 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
   }
   if (metric == rules::Metric::share) return range_words(t, requirement.range, requirement.derived);
   if (metric == rules::Metric::value_at_point && requirement.point_m) {
-    return t.say<Text::value_at>(format_position(t, *requirement.point_m));
+    const std::string place = format_position(t, *requirement.point_m);
+    return requirement.facing
+               ? t.say<Text::value_at_facing>(place, format_position(t, *requirement.facing))
+               : t.say<Text::value_at>(place);
   }
   return t[metric_text(metric)];
 }
@@ -328,6 +331,8 @@ const char* drop_words(const Texts& t, calc::DropReason reason) {
       return t[Text::drop_without_floor];
     case calc::DropReason::in_the_way:
       return t[Text::drop_in_the_way];
+    case calc::DropReason::in_surface:
+      return t[Text::drop_in_surface];
     case calc::DropReason::inside_solid:
       break;
   }

@@ -41,6 +41,9 @@ std::vector<RequirementAttribute> make_attributes() {
        "Of a percentile: the share of the points that do not exceed it."},
       {"at", own, point, &calc::kVectorType,
        "Of a value: its point x y z, in metres, in world coordinates."},
+      {"facing", own, point, &calc::kVectorType,
+       "Of a value: the way its point looks, as x y z; needed where points of a list that look "
+       "different ways stand at one place."},
       {"state", own, words, &kRequiredStateType,
        "With the maintenance factor or as new; maintained if not given, initial for ugr."},
       {"scene", either, id, &calc::kIdType,

@@ -88,6 +88,15 @@ std::string read_scene(ElementReader& reader, const std::vector<calc::LightScene
   return scene;
 }
 
+std::optional<glm::dvec3> read_direction(ElementReader& reader, const char* attribute) {
+  const std::vector<double> given = reader.numbers(attribute, 3, kPointWords);
+  const glm::dvec3 direction(given[0], given[1], given[2]);
+  const double length = glm::length(direction);
+  if (length > 0.0) return direction / length;
+  reader.report(DiagnosticId::zero_vector, reader.where(attribute), attribute, kElement);
+  return std::nullopt;
+}
+
 // Of a share: from, to or both.
 void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
                 ValueRange& range) {
@@ -126,7 +135,8 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
       read_metric(reader, requirement_attribute("quantity").type->words);
   if (!metric || !check_metric(reader, *metric, context)) {
     // What they mean hangs on the quantity; that they are no numbers does not.
-    for (const char* name : {"at-least", "at-most", "unit", "percent", "from", "to", "at"}) {
+    for (const char* name :
+         {"at-least", "at-most", "unit", "percent", "from", "to", "at", "facing"}) {
       check_value(reader, name);
     }
     return;
@@ -144,6 +154,9 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at = reader.numbers("at", 3, kPointWords);
     requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
+  }
+  if (is_given_for(reader, "facing", Metric::value_at_point, *metric) && reader.has("facing")) {
+    requirement.facing = read_direction(reader, "facing");
   }
 }
 

@@ -58,6 +58,7 @@ struct Requirement {
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
   double percent = 0.0;                                         // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
+  std::optional<glm::dvec3> facing;   // of that point: the way it looks, unit
   ValueRange range;                   // of Metric::share, lx or plain as the points' values are
   double power_density_w_m2 = 0.0;    // of the two about power: what it is
   double leni_kwh_m2 = 0.0;           // of Metric::leni: what it is

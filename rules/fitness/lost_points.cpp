@@ -6,6 +6,17 @@
 
 namespace rules {
 
+namespace {
+
+// Of points that a body has taken; else null.
+const char* words_of_body(calc::DropReason reason) {
+  if (reason == calc::DropReason::in_the_way) return "where '{}' stands";
+  if (reason == calc::DropReason::inside_solid) return "inside '{}'";
+  return reason == calc::DropReason::in_surface ? "in the surface of '{}'" : nullptr;
+}
+
+}  // namespace
+
 double LostPoints::share() const {
   return all == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(all);
 }
@@ -17,10 +28,9 @@ LostPoints lost_points(const calc::SensorGrid& grid) {
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_room) ++outside;
     if (point.reason == calc::DropReason::without_floor) ++floorless;
-    const bool is_in_the_way = point.reason == calc::DropReason::in_the_way;
-    if (point.reason != calc::DropReason::inside_solid && !is_in_the_way) continue;
-    ++inside[is_in_the_way ? fmt::format("where '{}' stands", point.body)
-                           : fmt::format("inside '{}'", point.body)];
+    const char* words = words_of_body(point.reason);
+    if (words == nullptr) continue;
+    ++inside[fmt::format(fmt::runtime(words), point.body)];
     ++in_bodies;
   }
   LostPoints result;
@@ -37,7 +47,7 @@ LostPoints lost_points(const calc::SensorGrid& grid) {
     add(count, place);
     rest -= count;
   }
-  if (rest > 0) add(rest, "inside other bodies");
+  if (rest > 0) add(rest, "at other bodies");
   if (floorless > 0) add(floorless, "without a floor");
   if (outside > 0) add(outside, "outside the room");
   result.words = fmt::format("{} of {} points are left out: {}", result.lost, result.all, places);

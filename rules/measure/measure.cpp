@@ -64,6 +64,43 @@ bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& 
          std::abs(glm::dot(offset_m, glm::cross(grid.u, grid.v))) <= std::min(half_u, half_v);
 }
 
+constexpr double kSameLook = 0.9998;  // cosine: about a degree
+
+// Which of the points that stand at the place of point `nearest` looks as asked for; only a list
+// has more than one. Empty, with the reason: none, or it is not said which.
+std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_t nearest,
+                                        const Requirement& requirement, std::string& reason) {
+  if (grid.columns > 0 && !requirement.facing) return nearest;
+  const glm::dvec3& wanted_m = requirement.point_m.value();
+  const auto looks_like = [&](std::size_t i, const glm::dvec3& look) {
+    return grid.kernel == calc::ReceiverKernel::scalar ||
+           glm::dot(grid.normal[i], look) >= kSameLook;
+  };
+  const glm::dvec3 look = requirement.facing.value_or(grid.normal[nearest]);
+  std::vector<std::size_t> there{nearest};
+  for (std::size_t i = 0; grid.columns == 0 && i < grid.position_m.size(); ++i) {
+    if (i != nearest && is_near(grid, i, wanted_m)) there.push_back(i);
+  }
+  std::string looks;
+  bool is_clear = true;
+  for (const std::size_t i : there) {
+    if (!looks_like(i, look)) is_clear = false;
+    looks += fmt::format("{}({:.3g} {:.3g} {:.3g})", looks.empty() ? "" : ", ", grid.normal[i].x,
+                         grid.normal[i].y, grid.normal[i].z);
+  }
+  const auto found =
+      std::find_if(there.begin(), there.end(), [&](std::size_t i) { return looks_like(i, look); });
+  if (is_clear || (requirement.facing && found != there.end())) return *found;
+  reason = requirement.facing
+               ? fmt::format("no calculation point at {} looks towards ({:.3g} {:.3g} {:.3g}): {}",
+                             point_text(wanted_m), look.x, look.y, look.z, looks)
+               : fmt::format(
+                     "{} calculation points at {} look different ways, {}: say with "
+                     "'facing' which is meant",
+                     there.size(), point_text(wanted_m), looks);
+  return std::nullopt;
+}
+
 std::string near_text(const calc::SensorGrid& grid) {
   if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
   if (grid.route) return fmt::format("its cell and {} m of height", kSameStep_m);
@@ -306,6 +343,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
           fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
                       point_text(wanted_m), point_text(nearest_m)));
     }
+    std::string reason;
+    point = point_facing(grid, *point, requirement, reason);
+    if (!point) return nothing_to_measure(reason);
   }
   const MaskedPoints masked = apply_mask(requirement.mask, grid);
   if (!masked.problem.empty()) return nothing_to_measure(masked.problem);

@@ -30,6 +30,7 @@ const std::vector<Kind>& kinds() {
                                          {"shadow", "Obstruction, with and without reflection"},
                                          {"room", "Closed rooms: internally reflected component"},
                                          {"extreme", "Extremes"},
+                                         {"files", "From project and photometry files"},
                                          {"refused", "Refused by design"}};
   return list;
 }
@@ -37,7 +38,7 @@ const std::vector<Kind>& kinds() {
 std::vector<SelftestCase> all_cases() {
   std::vector<SelftestCase> all;
   for (auto* const part : {point_cases, area_cases, flux_cases, factor_cases, reflection_cases,
-                           shadow_cases, room_cases, extreme_cases, refused_cases}) {
+                           shadow_cases, room_cases, extreme_cases, files_cases, refused_cases}) {
     for (SelftestCase& item : part()) all.push_back(std::move(item));
   }
   return all;

@@ -77,6 +77,7 @@ std::vector<SelftestCase> reflection_cases();
 std::vector<SelftestCase> shadow_cases();
 std::vector<SelftestCase> room_cases();
 std::vector<SelftestCase> extreme_cases();
+std::vector<SelftestCase> files_cases();
 std::vector<SelftestCase> refused_cases();
 
 }  // namespace cli::selftest

@@ -1,46 +1,20 @@
 // What has no right answer is refused, and the message says why.
 
-#include "calc/base/file_reader.h"
 #include "calc/project/project_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/tools/selftest/case.h"
+#include "report/tools/selftest/front_door.h"
 
 #include <fmt/format.h>
 
-#include <map>
-#include <utility>
-
 namespace cli::selftest {
 namespace {
-
-class TextFiles : public calc::FileReader {
- public:
-  explicit TextFiles(std::map<std::string, std::string> files) : files_(std::move(files)) {}
-  calc::FileContent read(const std::string& path) const override {
-    const auto found = files_.find(path);
-    if (found == files_.end()) return {{}, "No such file or directory"};
-    return {found->second, {}};
-  }
-
- private:
-  std::map<std::string, std::string> files_;
-};
 
 std::string lm63(const std::string& angles, const std::string& candela, int count) {
   return fmt::format(
       "IESNA:LM-63-2002\n[TEST] none\nTILT=NONE\n1 -1 1 {} 1 1 2 0 0 0\n1 1 10\n{}\n0\n"
       "{}\n",
       count, angles, candela);
-}
-
-std::string said(const calc::Diagnostics& diagnostics) {
-  std::string text;
-  for (const calc::Diagnostic& diagnostic : diagnostics.all()) {
-    if (diagnostic.severity() != calc::Severity::error) continue;
-    text += fmt::format("{}error[{}]: {}", text.empty() ? "" : "; ",
-                        calc::diagnostic_name(diagnostic.id), diagnostic.message);
-  }
-  return text;
 }
 
 // What is said about a project, up to the points of its planes.
@@ -61,7 +35,7 @@ std::string said_about(const std::string& plane, const std::string& photometry) 
       for (const calc::CalcPlane& p : space.planes) calc::make_sensor_grid(p, space, diagnostics);
     }
   }
-  return said(diagnostics);
+  return errors_in(diagnostics);
 }
 
 CaseResult no_steady_state(const Effort& effort) {

@@ -162,13 +162,17 @@ Solution solve(const Scene& scene, const std::vector<Point>& points, const Effor
     grid.position_m.push_back(point.position_m);
     grid.normal.push_back(point.normal);
   }
+  return solve(scene.project(), scene.project().spaces[0], grid, effort);
+}
+
+Solution solve(const calc::Project& project, const calc::Space& space, const calc::SensorGrid& grid,
+               const Effort& effort) {
   calc::RadiositySettings settings;
   settings.seed = effort.seed;
   settings.jobs = effort.jobs;
   settings.replicates = kReplicates;
   settings.first_paths = settings.max_paths = effort.paths;
-  const calc::PreparedScene prepared =
-      calc::prepare_scene(scene.project(), scene.project().spaces[0]);
+  const calc::PreparedScene prepared = calc::prepare_scene(project, space);
   const auto gatherer = calc::make_cpu_gatherer();
   calc::SpaceSolution solved = calc::solve_illuminance(
       prepared, {{"plane", &grid}}, settings, 0.95, *gatherer,

@@ -6,6 +6,7 @@
 #include "calc/photometry/web.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
+#include "calc/scene/sensor_grid.h"
 #include "report/tools/selftest/box_radiosity.h"
 #include "report/tools/selftest/quadrature.h"
 
@@ -80,6 +81,8 @@ struct Solution {
   // Of the weighted sum over points.
   std::vector<double> replicates(const std::vector<double>& weights, Part part = Part::total) const;
 };
+Solution solve(const calc::Project& project, const calc::Space& space, const calc::SensorGrid& grid,
+               const Effort& effort);
 Solution solve(const Scene& scene, const std::vector<Point>& points, const Effort& effort,
                calc::ReceiverKernel kernel = calc::ReceiverKernel::planar);
 

@@ -122,7 +122,6 @@ TEST(RouteGrid, LiesOnTheGroundInTheOpen) {
   EXPECT_EQ(made.grid->position_m.size(), 30u);
   for (const glm::dvec3& point : made.grid->position_m) EXPECT_DOUBLE_EQ(point.z, 0.02);
   for (const glm::dvec3& normal : made.grid->normal) EXPECT_EQ(normal, glm::dvec3(0, 0, 1));
-  EXPECT_EQ(made.grid->front(0), glm::dvec3(0, 0, 1));
 }
 
 // The ground is assumed only where nothing is below: here it would be 0.4 m above the pit's floor.

@@ -139,6 +139,10 @@ TEST(BindRequirements, ReadsAPointInWorldCoordinates) {
       bound_requirement({{"quantity", "value"}, {"at", "1.5 -2 0.75"}, {"at-least", "300"}});
   ASSERT_TRUE(r.point_m.has_value());
   EXPECT_EQ(*r.point_m, glm::dvec3(1.5, -2, 0.75));
+  EXPECT_FALSE(r.facing);
+  const Requirement up = bound_requirement(
+      {{"quantity", "value"}, {"at", "1 2 3"}, {"facing", "0 0 5"}, {"at-least", "300"}});
+  EXPECT_EQ(up.facing, glm::dvec3(0, 0, 1));
 }
 
 TEST(BindRequirements, TakesTheEndsOfRanges) {
@@ -638,6 +642,16 @@ TEST(BindRequirementsMessage, PointWithoutValue) {
   EXPECT_THAT(messages_of({{"quantity", "minimum"}, {"at-least", "5"}, {"at", "0 0 0"}}),
               ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: 'at' has "
                           "no meaning together with 'quantity=\"minimum\"'"));
+}
+
+TEST(BindRequirementsMessage, LookThatIsNone) {
+  EXPECT_THAT(
+      messages_of({{"quantity", "value"}, {"at-least", "5"}, {"at", "0 0 0"}, {"facing", "0 0 0"}}),
+      ElementsAre("project.xml:7:40: error[zero-vector]: attribute 'facing' of <require>: the "
+                  "direction must not be zero"));
+  EXPECT_THAT(messages_of({{"quantity", "average"}, {"at-least", "5"}, {"facing", "0 0 1"}}),
+              ElementsAre("project.xml:7:30: error[attribute-without-meaning]: <require>: 'facing' "
+                          "has no meaning together with 'quantity=\"average\"'"));
 }
 
 TEST(BindRequirementsMessage, PointThatIsNone) {

@@ -13,6 +13,7 @@ calc::SensorGrid row_of_points() {
   grid.spacing_u_m = 1.0;
   grid.spacing_v_m = 0.5;
   grid.position_m = {{0.5, 0.25, 0.75}, {1.5, 0.25, 0.75}, {2.5, 0.25, 0.75}};
+  grid.normal.assign(3, {0, 0, 1});
   return grid;
 }
 
@@ -216,6 +217,44 @@ TEST(Judge, WantsThePointItselfOfAPointList) {
   EXPECT_EQ(off.reason,
             "no calculation point within 0.001 m of (1.600, 0.250, 0.750) m; nearest is at "
             "(1.500, 0.250, 0.750) m");
+}
+
+TEST(Judge, WantsToKnowWhichOfTwoPointsAtOnePlaceIsMeant) {
+  calc::SensorGrid list = row_of_points();
+  list.columns = list.rows = 0;
+  list.position_m[2] = list.position_m[0];
+  list.normal[2] = {0, 1, 0};
+  const calc::PlaneField field = exact_field({500, 300, 400});
+  Requirement value = value_at(list.position_m[0]);
+  value.limit = 350.0;
+  const auto judged = [&] { return judge_plane({value}, list, field, {}, 0.95)[0]; };
+  EXPECT_EQ(judged().verdict, Verdict::not_judged);
+  EXPECT_EQ(judged().reason,
+            "2 calculation points at (0.500, 0.250, 0.750) m look different ways, (0 0 1), (0 1 "
+            "0): say with 'facing' which is meant");
+  value.facing = glm::dvec3(0, 0, 1);
+  EXPECT_EQ(judged().verdict, Verdict::pass);
+  value.facing = glm::dvec3(0, 1, 0);
+  EXPECT_EQ(judged().verdict, Verdict::fail) << "0.8 x 400 lx";
+  value.facing = glm::dvec3(1, 0, 0);
+  EXPECT_EQ(judged().verdict, Verdict::not_judged);
+  EXPECT_EQ(judged().reason,
+            "no calculation point at (0.500, 0.250, 0.750) m looks towards (1 0 0): (0 0 1), (0 1 "
+            "0)");
+  value.facing.reset();
+  list.normal[2] = {0, 0, 1};
+  EXPECT_EQ(judged().verdict, Verdict::pass) << "twice the same point";
+  list.normal[2] = {0, 1, 0};
+  list.kernel = calc::ReceiverKernel::scalar;
+  EXPECT_EQ(judged().verdict, Verdict::pass) << "a sphere looks nowhere";
+}
+
+TEST(Judge, APlaneLooksOneWayOnly) {
+  Requirement value = value_at({0.5, 0.25, 0.75});
+  value.facing = glm::dvec3(0, 0, 1);
+  EXPECT_EQ(judge(value, exact_field({500, 300, 400})).verdict, Verdict::pass);
+  value.facing = glm::dvec3(0, 0, -1);
+  EXPECT_EQ(judge(value, exact_field({500, 300, 400})).verdict, Verdict::not_judged);
 }
 
 TEST(Judge, KeepsTheOrderOfRequirements) {

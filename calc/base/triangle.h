@@ -1,9 +1,13 @@
 #pragma once
-// How far a point is from a triangle, in double.
+// One triangle in space: how far a point is from it, and what it divides, in double.
 
-#include "calc/rays/triangle_hit.h"
+#include <glm/glm.hpp>
 
 namespace calc {
+
+struct Triangle {
+  glm::dvec3 a, b, c;
+};
 
 // From the nearest point of the triangle.
 double distance_m(const glm::dvec3& point_m, const Triangle& triangle);
@@ -12,5 +16,9 @@ double distance_m(const glm::dvec3& point_m, const Triangle& triangle);
 // point with this unit normal; infinity if no part does.
 double distance_in_front_m(const glm::dvec3& point_m, const glm::dvec3& normal, double height_m,
                            const Triangle& triangle);
+
+// Whether the triangle stands between two places, neither of which lies in its plane. Its edges
+// belong to it.
+bool divides(const Triangle& triangle, const glm::dvec3& from_m, const glm::dvec3& to_m);
 
 }  // namespace calc

@@ -1,4 +1,4 @@
-#include "calc/rays/triangle_distance.h"
+#include "calc/base/triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +55,18 @@ double distance_in_front_m(const glm::dvec3& point_m, const glm::dvec3& normal, 
     least_m = std::min(least_m, distance_m(point_m, {kept[0], kept[k - 1], kept[k]}));
   }
   return least_m;
+}
+
+bool divides(const Triangle& triangle, const glm::dvec3& from_m, const glm::dvec3& to_m) {
+  const auto& [a, b, c] = triangle;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double from = glm::dot(normal, from_m - a), to = glm::dot(normal, to_m - a);
+  if ((from > 0.0) == (to > 0.0)) return false;
+  const glm::dvec3 at = from_m + from / (from - to) * (to_m - from_m);
+  const double ab = glm::dot(normal, glm::cross(b - a, at - a));
+  const double bc = glm::dot(normal, glm::cross(c - b, at - b));
+  const double ca = glm::dot(normal, glm::cross(a - c, at - c));
+  return ab >= 0.0 && bc >= 0.0 && ca >= 0.0;
 }
 
 }  // namespace calc
