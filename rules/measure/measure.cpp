@@ -349,6 +349,10 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   }
   const MaskedPoints masked = apply_mask(requirement.mask, grid);
   if (!masked.problem.empty()) return nothing_to_measure(masked.problem);
+  if (point) {
+    point = place_among(masked.points, point);
+    if (!point) return nothing_to_measure("the requirement's mask leaves the point out");
+  }
   PointValues receivers =
       combine_channels(field, requirement.state, *levels,
                        requirement.direct_only ? LightParts::direct : LightParts::all);
@@ -357,8 +361,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     return nothing_to_measure("the points of the plane have no such statistic");
   }
   if (calc::is_plain_number(grid.derived)) {
-    const DerivedRequest request{requirement, place_among(masked.points, point), confidence, goal,
-                                 grid.derived};
+    const DerivedRequest request{requirement, point, confidence, goal, grid.derived};
     Measurement result =
         grid.derived == calc::DerivedQuantity::ugr
             ? measure_glare(field, channel_weights(field, requirement.state, *levels), receivers,

@@ -13,6 +13,7 @@ Json number_json(const JudgedNumber& n) {
                {"exact", n.measured.exact},  {"known_to", n.measured.known_to},
                {"value", n.stated.value},    {"low_95", n.stated.low},
                {"high_95", n.stated.high},   {"is_sampled", n.is_sampled()},
+               {"seeds", n.seeds},           {"held", n.held},
                {"judged_low", n.low},        {"judged_high", n.high},
                {"deviation", n.deviation()}, {"verdict", verdict_name(n.verdict)}};
   return json;
@@ -47,6 +48,7 @@ std::string render_json(const RunResult& result, bool has_timing) {
                      {"program_version", result.program},
                      {"tracer", result.tracer},
                      {"seed", result.seed},
+                     {"seeds", result.seeds},
                      {"family_error", kFamilyError},
                      {"most_numbers", kMostNumbers},
                      {"numbers", result.numbers()},

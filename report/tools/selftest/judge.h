@@ -25,8 +25,9 @@ enum class Verdict { right, wrong, too_vague, refused };
 std::string verdict_name(Verdict verdict);  // "in", "OUT", "TOO VAGUE", "refused as documented"
 
 struct JudgedNumber {
-  Measured measured;
-  calc::Estimate stated;         // the 95 % interval that the program gives
+  Measured measured;             // of several seeds: with the replicates of all
+  calc::Estimate stated;         // the 95 % interval that the program gives, of all seeds together
+  int seeds = 1, held = 0;       // how often the interval of one seed alone holds the exact value
   double low = 0.0, high = 0.0;  // the interval judged by, the truth's own error included
   Verdict verdict = Verdict::wrong;
 
@@ -45,6 +46,14 @@ struct JudgedCase {
   const JudgedNumber* worst() const;
 };
 
+// The same number of every seed. All replicates together must meet it; whether it is too vague is
+// asked of the middle one of the seeds' widths. A single width is allowed to be kLuck times as
+// wide: of 16 replicates, and of some that are rarely much too large, it hangs on the seed.
+inline constexpr double kLuck = 2.0;
+JudgedNumber judge(const std::vector<Measured>& of_seeds);
+// The results of one case for each seed, at least one.
+JudgedCase judge(SelftestCase test, const std::vector<CaseResult>& of_seeds);
+// Of one seed.
 JudgedNumber judge(const Measured& measured);
 JudgedCase judge(SelftestCase test, CaseResult result);
 

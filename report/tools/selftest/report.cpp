@@ -101,15 +101,14 @@ std::string render_report_markdown(const RunResult& result, bool has_timing) {
   std::string text = fmt::format(
       "# Validation report\n\nWritten by `luxgate selftest --report FOLDER`, never by hand: {} "
       "cases, "
-      "{} numbers, seed {}. {}\n\nEvery case is a situation whose light is known exactly: by a "
+      "{} numbers, {}. {}\n\nEvery case is a situation whose light is known exactly: by a "
       "closed form, by quadrature or by a matrix solution\nthat shares nothing with the "
       "calculation. The row shows the number that is furthest off; the HTML report has all.\n"
       "\"in\": the exact value lies in our interval, at a level that all numbers together miss in "
-      "fewer than one of a thousand\nseeds. Of {} sampled numbers, {} lie in their stated 95 % "
-      "interval.\n",
-      result.cases.size(), result.numbers(), result.seed,
+      "fewer than one of a thousand\nseeds. {}.\n",
+      result.cases.size(), result.numbers(), seeds_words(result),
       result.wrong() == 0 ? "All are right." : fmt::format("{} are OUT.", result.wrong()),
-      result.sampled(), result.held());
+      coverage_words(result));
   for (const Kind& kind : kinds()) {
     text += fmt::format(
         "\n## {}\n\n| case | what | numbers | exact | ours | 95 % interval | "
@@ -127,13 +126,13 @@ std::string render_report_markdown(const RunResult& result, bool has_timing) {
 std::string render_report_html(const RunResult& result, bool has_timing) {
   std::string body = fmt::format(
       "<p class=\"eyebrow\">luxgate {} · {}</p>\n<h1>Validation report</h1>\n<p>{} cases, {} "
-      "numbers, seed {}: <b>{}</b>. Of {} sampled numbers, {} lie in their stated 95 % interval. "
+      "numbers, {}: <b>{}</b>. {}. "
       "Verdicts are at a level that all numbers together miss in fewer than one of a thousand "
       "seeds.</p>\n",
       report::escape_html(result.program), report::escape_html(result.tracer), result.cases.size(),
-      result.numbers(), result.seed,
-      result.wrong() == 0 ? "all right" : fmt::format("{} OUT", result.wrong()), result.sampled(),
-      result.held());
+      result.numbers(), seeds_words(result),
+      result.wrong() == 0 ? "all right" : fmt::format("{} OUT", result.wrong()),
+      report::escape_html(coverage_words(result)));
   for (const Kind& kind : kinds()) {
     body += "<h2>" + report::escape_html(kind.title) + "</h2>\n";
     for (const JudgedCase& item : result.cases) {

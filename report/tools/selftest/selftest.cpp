@@ -71,8 +71,13 @@ std::vector<selftest::JudgedCase> run_cases(std::vector<SelftestCase> cases,
   for (SelftestCase& item : cases) {
     if (!announce(fmt::format("{} of {}: {}", judged.size() + 1, cases.size(), item.name))) break;
     const auto begin = std::chrono::steady_clock::now();
-    selftest::CaseResult result = item.run(effort_of(options));
-    judged.push_back(selftest::judge(std::move(item), std::move(result)));
+    std::vector<selftest::CaseResult> of_seeds;
+    selftest::Effort effort = effort_of(options);
+    for (int s = 0; s < options.seeds && !interrupted(); ++s, ++effort.seed) {
+      of_seeds.push_back(item.run(effort));
+    }
+    if (of_seeds.empty()) break;
+    judged.push_back(selftest::judge(std::move(item), of_seeds));
     judged.back().seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
@@ -113,6 +118,7 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   }
   selftest::RunResult result;
   result.seed = options.seed;
+  result.seeds = options.seeds;
   result.program = report::program_version();
   result.tracer = calc::tree_builder_version();
   result.cases = run_cases(std::move(cases), options, announce);

@@ -53,6 +53,10 @@ Command selftest_syntax(SelftestOptions& options) {
        "numbers. Made if needed",
        some_text(options.report_folder)},
       seed_option(options.seed),
+      {"--seeds", "N",
+       "As many runs, with this seed and those after it: how often the stated intervals\n"
+       "hold, and no verdict that hangs on one seed's luck; 1 to 1000, default 1",
+       whole_number(options.seeds, 1, 1000)},
       jobs_option(options.jobs)};
   command.footer =
       "Every case is a situation whose light is known exactly: by a closed form, by quadrature or "

@@ -16,7 +16,8 @@ struct SelftestOptions {
   bool shows_all = false;     // a line for every number
   bool has_timing = false;    // results are the same bytes without
   std::string report_folder;  // "" = none
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;     // the first of `seeds`
+  int seeds = 1;
   int jobs = 0;
 };
 

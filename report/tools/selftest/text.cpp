@@ -120,7 +120,7 @@ int RunResult::numbers() const {
 int RunResult::sampled() const {
   int sum = 0;
   for (const JudgedCase& item : cases) {
-    for (const JudgedNumber& n : item.numbers) sum += n.is_sampled() ? 1 : 0;
+    for (const JudgedNumber& n : item.numbers) sum += n.is_sampled() ? n.seeds : 0;
   }
   return sum;
 }
@@ -128,15 +128,39 @@ int RunResult::sampled() const {
 int RunResult::held() const {
   int sum = 0;
   for (const JudgedCase& item : cases) {
-    for (const JudgedNumber& n : item.numbers) {
-      const double known = n.measured.known_to + kRounding * std::abs(n.measured.exact);
-      if (n.is_sampled() && n.stated.low - known <= n.measured.exact &&
-          n.measured.exact <= n.stated.high + known) {
-        ++sum;
-      }
-    }
+    for (const JudgedNumber& n : item.numbers) sum += n.is_sampled() ? n.held : 0;
   }
   return sum;
+}
+
+const JudgedNumber* RunResult::least_held(std::string* of_case) const {
+  const JudgedNumber* least = nullptr;
+  for (const JudgedCase& item : cases) {
+    for (const JudgedNumber& n : item.numbers) {
+      if (seeds == 1 || !n.is_sampled() || (least != nullptr && n.held >= least->held)) continue;
+      least = &n;
+      *of_case = item.test.name;
+    }
+  }
+  return least;
+}
+
+std::string seeds_words(const RunResult& result) {
+  if (result.seeds == 1) return fmt::format("seed {}", result.seed);
+  return fmt::format("seeds {} to {}", result.seed,
+                     result.seed + static_cast<std::uint64_t>(result.seeds) - 1);
+}
+
+std::string coverage_words(const RunResult& result) {
+  std::string text = fmt::format("Of {} sampled numbers, {} lie in their stated 95 % interval",
+                                 result.sampled(), result.held());
+  if (result.seeds == 1) return text;
+  text += fmt::format(" ({:.1f} %)", 100.0 * result.held() / std::max(1, result.sampled()));
+  std::string of_case;
+  const JudgedNumber* least = result.least_held(&of_case);
+  if (least == nullptr) return text;
+  return text + fmt::format("; least often {} of {}: {} of {}", least->measured.what, of_case,
+                            least->held, least->seeds);
 }
 
 std::string value_words(double value) { return fmt::format("{:.6g}", value + 0.0); }
@@ -171,16 +195,15 @@ std::string render_text(const RunResult& result, const TextStyle& style) {
   for (const JudgedCase& item : result.cases) seconds += item.seconds;
   const int wrong = result.wrong();
   text +=
-      fmt::format("{} cases, {} numbers, seed {}{}: {}\n", result.cases.size(), result.numbers(),
-                  result.seed, style.has_timing ? fmt::format(", {:.1f} s", seconds) : "",
+      fmt::format("{} cases, {} numbers, {}{}: {}\n", result.cases.size(), result.numbers(),
+                  seeds_words(result), style.has_timing ? fmt::format(", {:.1f} s", seconds) : "",
                   wrong == 0 ? "all right" : fmt::format("{} OUT", wrong));
   text += fmt::format(
-      "Of {} sampled numbers, {} lie in their stated 95 % interval. 'in' is judged at a level "
-      "that\n"
+      "{}.\n'in' is judged at a level that\n"
       "all numbers together miss in fewer than one of a thousand seeds. Each line shows the "
       "number\n"
       "that is furthest off; --all shows the others.\n",
-      result.sampled(), result.held());
+      coverage_words(result));
   return coloured(text, style);
 }
 

@@ -52,6 +52,23 @@ TEST(Measure, CountsThePointsOfTheMaskOnly) {
   EXPECT_EQ(result.points_used, 2u);
 }
 
+TEST(Measure, AValueUnderAMaskIsThatOfItsPoint) {
+  const calc::SensorGrid grid = grid_of_twelve();
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::value_at_point;
+  requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+  requirement.direct_only = true;
+  requirement.point_m = grid.position_m[6];
+  const Measurement inner = measure(requirement, grid, field_of_twelve(), {}, 0.95);
+  ASSERT_TRUE(inner.metric.has_value());
+  EXPECT_EQ(inner.metric->estimate.value, 7.0);
+  EXPECT_EQ(inner.metric->point, 6u);
+  requirement.point_m = grid.position_m[0];
+  const Measurement outer = measure(requirement, grid, field_of_twelve(), {}, 0.95);
+  EXPECT_FALSE(outer.metric.has_value());
+  EXPECT_EQ(outer.reason, "the requirement's mask leaves the point out");
+}
+
 TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
   Requirement requirement = minimum_at_least(1);
   requirement.metric = Metric::power_per_100_lx;

@@ -57,6 +57,41 @@ TEST(Judge, NeitherWrongNorVagueIntervalsPass) {
   EXPECT_EQ(judge(number(100.1, wide)).verdict, Verdict::too_vague);
 }
 
+// By turns above and below 100, so that the mean and the spread are known.
+std::vector<double> around_100(double spread) {
+  std::vector<double> values;
+  for (int r = 0; r < kReplicates; ++r) values.push_back(100.0 + (r % 2 == 0 ? spread : -spread));
+  return values;
+}
+
+TEST(Judge, OneUnluckyWidthIsNotTooVagueManyAre) {
+  const Measured lucky = number(100.0, around_100(5.0)), unlucky = number(100.0, around_100(12.0));
+  EXPECT_EQ(judge(unlucky).verdict, Verdict::right) << "6.6 % where 5 % are wanted";
+  EXPECT_EQ(judge({unlucky, lucky, lucky}).verdict, Verdict::right);
+  EXPECT_EQ(judge({unlucky, unlucky, lucky}).verdict, Verdict::too_vague) << "the middle one";
+}
+
+TEST(Judge, SeedsTogetherSeeABiasThatNoneSees) {
+  const Measured biased = number(100.7, around_100(1.0));
+  EXPECT_EQ(judge(biased).verdict, Verdict::right) << "0.53 at 95 %, but far more at the level";
+  const JudgedNumber many = judge(std::vector<Measured>(100, biased));
+  EXPECT_EQ(many.verdict, Verdict::wrong);
+  EXPECT_EQ(many.seeds, 100);
+  EXPECT_EQ(many.held, 0);
+  EXPECT_EQ(judge(std::vector<Measured>(100, number(100.2, around_100(1.0)))).held, 100);
+}
+
+TEST(Judge, ResultsOfSeedsMustBeOfTheSameNumbers) {
+  CaseResult one, two;
+  one.measured = {number(100.0, around_100(1.0))};
+  two.measured = {one.measured[0], one.measured[0]};
+  EXPECT_EQ(judge(SelftestCase{}, std::vector<CaseResult>{one, one}).verdict, Verdict::right);
+  EXPECT_EQ(judge(SelftestCase{}, std::vector<CaseResult>{one, two}).verdict, Verdict::wrong);
+  two = one;
+  two.problem = "not computed";
+  EXPECT_EQ(judge(SelftestCase{}, std::vector<CaseResult>{one, two}).verdict, Verdict::wrong);
+}
+
 TEST(Judge, RoundingDoesNotChooseTheWorst) {
   JudgedCase judged;
   for (const double value : {100.0, 100.0 * (1.0 + 1e-15), 100.0 * (1.0 + 3e-12)}) {
