@@ -64,6 +64,24 @@ PhotometryOptions read_photometry_options(ElementReader& reader) {
   return options;
 }
 
+struct LightTotals {
+  double flux_lm = 0.0;
+  double power_w = 0.0;  // 0: one of the emitters does not state it
+};
+
+LightTotals totals_of(const Project& project, const std::vector<PlacedWeb>& light) {
+  LightTotals totals;
+  bool is_power_known = true;
+  for (const PlacedWeb& emitter : light) {
+    const PhotometricWeb& web = project.webs[emitter.web];
+    totals.flux_lm += web.flux_lm();
+    totals.power_w += web.source().input_power_w;
+    is_power_known = is_power_known && web.source().input_power_w > 0.0;
+  }
+  if (!is_power_known) totals.power_w = 0.0;
+  return totals;
+}
+
 // The light of one type: of several emitters the first one gets `type`, and all get their places.
 void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, double flux_scale,
                   LuminaireType& type, std::vector<LuminaireType>& further) {
@@ -101,18 +119,11 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
   const std::vector<PlacedWeb> light =
       context.files.light(type.photometry_file, use, reader.where("photometry"), options);
   if (light.empty()) return {type};
-  double file_flux_lm = 0.0, file_power_w = 0.0;
-  bool is_power_known = true;
-  for (const PlacedWeb& emitter : light) {
-    const PhotometricWeb& web = context.project.webs[emitter.web];
-    file_flux_lm += web.flux_lm();
-    file_power_w += web.source().input_power_w;
-    is_power_known = is_power_known && web.source().input_power_w > 0.0;
-  }
-  const double flux_scale = flux_lm ? *flux_lm / file_flux_lm : 1.0;
+  const LightTotals file = totals_of(context.project, light);
+  const double flux_scale = flux_lm ? *flux_lm / file.flux_lm : 1.0;
   // What another flux takes is not known from the file.
   const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;
-  type.power_w = power_w.value_or(is_other_light || !is_power_known ? 0.0 : file_power_w);
+  type.power_w = power_w.value_or(is_other_light ? 0.0 : file.power_w);
   std::vector<LuminaireType> types{type};
   std::vector<LuminaireType> further;
   add_emitters(context.project, light, flux_scale, types.front(), further);

@@ -366,7 +366,7 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
                                return g == 0 ? 100.0 : 0.0;
                              }),
       {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05},
-      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x", "some rule", {}, 500.0});
+      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "", "x", "some rule", {}, 500.0});
   cli::PhotometryFile file;
   file.path = "f.ldt";
   file.web = web;
