@@ -217,7 +217,7 @@ TEST_F(PhotometryCommand, CsvHasOneFullLinePerFile) {
   for (std::size_t end = 0; (end = csv.find("\r\n", begin)) != std::string::npos; begin = end + 2) {
     ++lines;
     const std::string line = csv.substr(begin, end - begin);
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 33) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 35) << line;
   }
   EXPECT_EQ(lines, 3);
   EXPECT_THAT(csv, HasSubstr("bad.ies,no,,,"));
