@@ -1,6 +1,7 @@
 #pragma once
 // Text files in other encodings to UTF-8, which is what everything inside the program is.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -70,7 +70,7 @@ bool is_3ds(const FileHead& head) {
   return begins(head, "\x4D\x4D"sv) && (inner == "\x02\0"sv || inner == "\x3D\x3D"sv);
 }
 
-// "modifier type name", then a number of arguments. [Radiance reference manual]
+// "modifier type name", then a number of arguments.
 bool is_radiance_scene(const FileHead& head) {
   constexpr std::array kTypes{
       "polygon"sv,   "sphere"sv,     "bubble"sv, "cone"sv,      "cup"sv,        "cylinder"sv,
