@@ -4,6 +4,7 @@ luxgate_test(photometry_tests
     unit/calc/photometry/full_circle_test.cpp
     unit/calc/photometry/read/gldf_choice_test.cpp
     unit/calc/photometry/read/gldf_test.cpp
+    unit/calc/photometry/read/gldf_together_test.cpp
     unit/calc/photometry/read/ies_lm63_test.cpp
     unit/calc/photometry/read/ies_opening_test.cpp
     unit/calc/photometry/read/ies_tilt_test.cpp

@@ -15,6 +15,8 @@ luxgate_test(scene_tests
     unit/calc/scene/solids_test.cpp
     unit/calc/scene/surface_contact_test.cpp
     unit/calc/base/csv_test.cpp
+    unit/calc/base/encoding_test.cpp
+    unit/calc/base/file_kind_test.cpp
     unit/calc/base/element_table_test.cpp
     unit/calc/base/file_hash_test.cpp
     unit/calc/base/names_test.cpp

@@ -1,14 +1,24 @@
 #include "calc/base/csv.h"
 
+#include "calc/base/encoding.h"
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace calc {
 
-CsvReader::CsvReader(std::string_view bytes, CsvComments comments)
-    : rest_(without_byte_order_mark(bytes)), comments_(comments) {}
+CsvReader::CsvReader(std::string_view bytes, CsvComments comments) : comments_(comments) {
+  const std::string other = other_kind_problem(bytes, "", FileUse::table);
+  if (!other.empty()) problem_ = {{}, other};
+  DecodedText decoded = decoded_text(std::string(bytes));
+  text_ = first_invalid_utf8(decoded.utf8) ? utf8_from_windows_1252(decoded.utf8)
+                                           : std::move(decoded.utf8);
+  rest_ = without_byte_order_mark(text_);
+  if (!decoded.problem.empty()) problem_ = {{}, decoded.problem};
+}
 
 void CsvReader::take() {
   if (is_at_line_end()) {

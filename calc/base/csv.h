@@ -40,12 +40,15 @@ enum class CsvComments { none, hash };  // hash: a line that begins with # is a 
 
 // Cells are separated by commas only. Quotes may enclose a cell; a comma or a line end between them
 // is text, and a doubled quote is one. A quote anywhere else, or one that is never closed, is a
-// problem. Lines end with CR LF, LF or CR; a byte order mark is passed over. How many cells a
+// problem. Lines end with CR LF, LF or CR. How many cells a
 // record must have is the caller's to say.
 class CsvReader {
  public:
-  // bytes must outlive the reader and its records.
+  // UTF-8 and UTF-16, with a byte order mark or without; bytes that are no UTF-8 are taken for
+  // Windows-1252. The reader must outlive its records.
   explicit CsvReader(std::string_view bytes, CsvComments comments = CsvComments::none);
+  CsvReader(const CsvReader&) = delete;
+  CsvReader& operator=(const CsvReader&) = delete;
 
   // The next record, blank ones included. Empty after the last, and from a problem on.
   std::optional<CsvRecord> next();
@@ -59,6 +62,7 @@ class CsvReader {
   CsvCell read_cell();
   std::string read_quoted();
 
+  std::string text_;  // in UTF-8
   std::string_view rest_;
   CsvComments comments_;
   CsvPlace here_;  // of rest_

@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
+#include "calc/base/xml_encoding.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -243,14 +244,8 @@ std::string_view syntax_problem(const pugi::xml_parse_result& result) {
   }
 }
 
-// The bytes must be UTF-8 and hold no character that XML forbids.
+// No character that XML forbids.
 bool check_characters(std::string_view bytes, Locator& locator, Diagnostics& diagnostics) {
-  if (const auto bad = first_invalid_utf8(bytes)) {
-    diagnostics.report(DiagnosticId::xml_encoding, locator.at(*bad),
-                       fmt::format("byte {} (0x{:02X}) is not valid there", *bad + 1,
-                                   static_cast<unsigned char>(bytes[*bad])));
-    return false;
-  }
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto code = static_cast<unsigned char>(bytes[i]);
     if (code >= 0x20 || code == '\t' || code == '\n' || code == '\r') continue;
@@ -272,18 +267,9 @@ bool check_beginning(std::string_view bytes, Locator& locator, Diagnostics& diag
   constexpr std::size_t kLongest = 200;
   const std::size_t end = content.substr(0, kLongest).find("?>");
   const std::string text(content.substr(0, end == content.npos ? kLongest : end + 2));
-  std::smatch match;
-  if (!std::regex_match(text, match, kDeclaration)) {
-    diagnostics.report(DiagnosticId::xml_syntax, locator.at(begin),
-                       "the declaration must be <?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-    return false;
-  }
-  std::string encoding = match[2];
-  for (char& c : encoding) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  if (encoding.empty() || encoding == "utf-8" || encoding == "us-ascii") return true;
-  diagnostics.report(DiagnosticId::xml_encoding,
-                     locator.at(begin + static_cast<std::size_t>(match.position(2))),
-                     "it declares '" + match[2].str() + "'");
+  if (std::regex_match(text, kDeclaration)) return true;
+  diagnostics.report(DiagnosticId::xml_syntax, locator.at(begin),
+                     "the declaration must be <?xml version=\"1.0\" encoding=\"UTF-8\"?>");
   return false;
 }
 
@@ -298,6 +284,9 @@ const XmlAttribute* XmlElement::find(std::string_view attribute) const {
 
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,
                                     Diagnostics& diagnostics, XmlText text) {
+  std::optional<std::string> decoded = decoded_xml(std::move(bytes), name, diagnostics);
+  if (!decoded) return std::nullopt;
+  bytes = std::move(*decoded);
   bytes += '\n';  // pugixml overlooks a single character behind the root element at the very end
   Locator locator(bytes, name);
   if (!check_characters(bytes, locator, diagnostics)) return std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
 // Bytes to a tree of XML elements with source locations. The only owner of pugixml; stricter than
 // it: everything an XML parser must refuse is refused, and so is what our files never need
-// (DOCTYPE, other encodings, and text between tags unless it is asked for).
+// (DOCTYPE, and text between tags unless it is asked for).
 
 #include "calc/base/diagnostics.h"
 
@@ -36,7 +36,8 @@ inline constexpr std::size_t kXmlAttributeLimit = 100;
 // Text between tags: an error in our own formats, data in foreign ones.
 enum class XmlText { refuse, keep };
 
-// The root element of a UTF-8 file (byte order mark and CRLF are fine; columns count characters).
+// The root element of a file in an encoding that decoded_xml() reads (xml_encoding.h; CRLF is fine,
+// columns count characters).
 // name: the path used in messages. Comments and processing instructions are skipped. Empty if and
 // only if an error was reported.
 std::optional<XmlElement> parse_xml(std::string bytes, const std::string& name,

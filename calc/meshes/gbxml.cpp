@@ -1,8 +1,10 @@
 #include "calc/meshes/gbxml.h"
 
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/base/utf8.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/meshes/mesh_builder.h"
 
 #include <pugixml.hpp>
@@ -179,26 +181,19 @@ class BuildingReader {
 
 }  // namespace
 
-bool is_gbxml(std::string_view bytes) {
-  // The first tag that is no declaration, comment or document type.
-  for (std::size_t at = bytes.find('<'); at != std::string_view::npos; at = bytes.find('<', at)) {
-    const std::string_view rest = bytes.substr(at + 1);
-    if (rest.starts_with("!--")) {
-      at = std::min(bytes.find("-->", at), bytes.size());
-    } else if (rest.starts_with('?') || rest.starts_with('!')) {
-      at = std::min(bytes.find('>', at), bytes.size());
-    } else {
-      return local_name(rest.substr(0, rest.find_first_of(" \t\r\n>/"))) == "gbXML";
-    }
-  }
-  return false;
-}
+bool is_gbxml(std::string_view bytes) { return has_first_element(bytes, "gbXML"); }
 
 std::optional<GbxmlBuilding> parse_gbxml(std::string bytes, const std::string& name,
                                          Diagnostics& diagnostics) {
+  if (!check_file_kind(bytes, name, FileUse::gbxml, diagnostics, looks_like_xml(bytes))) {
+    return std::nullopt;
+  }
+  std::optional<std::string> decoded = decoded_xml(std::move(bytes), name, diagnostics);
+  if (!decoded) return std::nullopt;
+  bytes = std::move(*decoded);
   pugi::xml_document document;
   const pugi::xml_parse_result result =
-      document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default);
+      document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default, pugi::encoding_utf8);
   BuildingReader reader(bytes, name, diagnostics);
   if (!result) {
     const auto before =

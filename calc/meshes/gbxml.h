@@ -43,7 +43,7 @@ struct GbxmlBuilding {
   std::vector<GbxmlSurface> surface;
 };
 
-// True if the root element is gbXML, with any prefix.
+// True if the root element is gbXML, with any prefix, in any encoding of decoded_xml().
 bool is_gbxml(std::string_view bytes);
 
 // Empty if and only if an error was reported.

@@ -289,7 +289,12 @@ std::optional<TriangleMesh> read_gltf(std::string_view bytes, const std::string&
   if (!container) return std::nullopt;
   const std::string required = unknown_gltf_extensions(container->extensions_required);
   if (!required.empty()) {
-    diagnostics.report(DiagnosticId::mesh_extension_required, SourceLocation{name, 0, 0}, required);
+    const bool is_packed =
+        required.find("meshopt") != required.npos || required.find("draco") != required.npos;
+    diagnostics.report(DiagnosticId::mesh_extension_required, SourceLocation{name, 0, 0},
+                       required + (is_packed ? " (compressed meshes: switch compression off in the "
+                                               "exporter, or unpack the file with a glTF tool)"
+                                             : ""));
     return std::nullopt;
   }
   BufferFiles files = read_buffer_files(*container, side_files);

@@ -178,6 +178,33 @@ class ObjCollector {
   std::size_t errors_ = 0;
 };
 
+// A backslash at the end of a line goes on with the next one, comments do not. The lines that this
+// takes away come back, empty, behind the statement: all keep their numbers.
+std::string with_joined_lines(std::string_view text) {
+  std::string joined;
+  joined.reserve(text.size());
+  std::string owed;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::size_t length = text.substr(end).starts_with("\r\n") ? 2 : 1;
+    const std::string_view line = text.substr(0, end);
+    const std::string_view line_end = text.substr(end, length);
+    const bool is_comment = owed.empty() && trim(line).starts_with('#');
+    if (line.ends_with('\\') && !line_end.empty() && !is_comment) {
+      joined += line.substr(0, line.size() - 1);
+      joined += ' ';
+      owed += '\n';
+    } else {
+      joined += line;
+      joined += line_end;
+      joined += owed;
+      owed.clear();
+    }
+    text.remove_prefix(end + line_end.size());
+  }
+  return joined;
+}
+
 bool read_statements(LineBuffer& lines, ObjCollector& collector, std::string& problem) {
   tinyobj::callback_t callback;
   callback.vertex_cb = [](void* self, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t,
@@ -228,7 +255,9 @@ std::optional<TriangleMesh> parse_obj(std::string_view bytes, const std::string&
     diagnostics.report(DiagnosticId::mesh_not_text, {name, 0, 0}, "it has bytes that are not text");
     return std::nullopt;
   }
-  LineBuffer lines(bytes);
+  const bool is_continued = bytes.find("\\\n") != bytes.npos || bytes.find("\\\r") != bytes.npos;
+  const std::string joined = is_continued ? with_joined_lines(bytes) : std::string();
+  LineBuffer lines(is_continued ? std::string_view(joined) : bytes);
   ObjCollector collector(lines, name, diagnostics);
   std::string problem;
   if (!read_statements(lines, collector, problem)) {

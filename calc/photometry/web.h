@@ -58,6 +58,7 @@ struct PhotometrySource {
   double rated_lamp_flux_lm =
       0;                     // flux of all lamps as stated; 0 = absolute photometry or not stated
   double input_power_w = 0;  // 0 = not stated
+  std::string power_rule{};  // words: whose power it is; "" = the photometry file's
   std::string
       applied_factors;  // words: "multiplier 1 x ballast 0.9", "LDT conversion 1 x 3000 lm / 1000"
   std::string axis_rule{};              // words: what C 0 and the opening's sides lie along

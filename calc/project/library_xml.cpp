@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace calc {
 namespace {
@@ -63,7 +64,45 @@ PhotometryOptions read_photometry_options(ElementReader& reader) {
   return options;
 }
 
-LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader) {
+struct LightTotals {
+  double flux_lm = 0.0;
+  double power_w = 0.0;  // 0: one of the emitters does not state it
+};
+
+LightTotals totals_of(const Project& project, const std::vector<PlacedWeb>& light) {
+  LightTotals totals;
+  bool is_power_known = true;
+  for (const PlacedWeb& emitter : light) {
+    const PhotometricWeb& web = project.webs[emitter.web];
+    totals.flux_lm += web.flux_lm();
+    totals.power_w += web.source().input_power_w;
+    is_power_known = is_power_known && web.source().input_power_w > 0.0;
+  }
+  if (!is_power_known) totals.power_w = 0.0;
+  return totals;
+}
+
+// The light of one type: of several emitters the first one gets `type`, and all get their places.
+void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, double flux_scale,
+                  LuminaireType& type, std::vector<LuminaireType>& further) {
+  type.web = light.front().web;
+  type.flux_scale = flux_scale;
+  if (light.size() == 1) return;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    type.emitters.push_back({project.luminaire_types.size() + i, light[i].place});
+    if (i == 0) continue;
+    LuminaireType emitter = type;
+    emitter.id += "/" + light[i].emitter;
+    emitter.web = light[i].web;
+    emitter.power_w = 0.0;
+    emitter.emitters.clear();
+    emitter.is_further_emitter = true;
+    further.push_back(std::move(emitter));
+  }
+}
+
+// The type, and behind it those of its further emitters.
+std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementReader& reader) {
   reader.allow(kLuminaireTypeElement);
   LuminaireType type;
   type.id = reader.id();
@@ -76,17 +115,20 @@ LuminaireType read_luminaire_type(ProjectContext& context, ElementReader& reader
   const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
   const std::size_t errors = reader.diagnostics().error_count();
   const PhotometryOptions options = read_photometry_options(reader);
-  if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return type;
-  const std::optional<std::size_t> index =
-      context.files.web(type.photometry_file, use, reader.where("photometry"), options);
-  if (!index) return type;
-  const PhotometricWeb& web = context.project.webs[*index];
-  type.web = *index;
-  if (flux_lm) type.flux_scale = *flux_lm / web.flux_lm();
+  if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return {type};
+  const std::vector<PlacedWeb> light =
+      context.files.light(type.photometry_file, use, reader.where("photometry"), options);
+  if (light.empty()) return {type};
+  const LightTotals file = totals_of(context.project, light);
+  const double flux_scale = flux_lm ? *flux_lm / file.flux_lm : 1.0;
   // What another flux takes is not known from the file.
-  const bool is_other_light = flux_lm && std::abs(type.flux_scale - 1.0) > 1e-3;
-  type.power_w = power_w.value_or(is_other_light ? 0.0 : web.source().input_power_w);
-  return type;
+  const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;
+  type.power_w = power_w.value_or(is_other_light ? 0.0 : file.power_w);
+  std::vector<LuminaireType> types{type};
+  std::vector<LuminaireType> further;
+  add_emitters(context.project, light, flux_scale, types.front(), further);
+  types.insert(types.end(), further.begin(), further.end());
+  return types;
 }
 
 // Empty if `name` was dimmed before.
@@ -133,9 +175,10 @@ void read_luminaire_types(ProjectContext& context, const XmlElement& root) {
   for (const XmlElement& child : root.children) {
     if (child.name != "luminaire-type") continue;
     ElementReader reader(child, context.diagnostics);
-    LuminaireType type = read_luminaire_type(context, reader);
-    context.luminaire_types.add(reader, type.id, context.project.luminaire_types.size());
-    context.project.luminaire_types.push_back(std::move(type));
+    std::vector<LuminaireType> types = read_luminaire_type(context, reader);
+    std::vector<LuminaireType>& all = context.project.luminaire_types;
+    context.luminaire_types.add(reader, types.front().id, all.size());
+    for (LuminaireType& type : types) all.push_back(std::move(type));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "calc/project/room_inside.h"
 #include "calc/project/warning_words.h"
+#include "calc/scene/luminaire_sums.h"
 #include "calc/scene/opening_fit.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/solids.h"
@@ -226,7 +227,7 @@ void warn_efficacies(const Project& project, Diagnostics& diagnostics) {
   }
   std::vector<const LuminaireType*> unusual;
   const auto flux_lm = [&project](const LuminaireType& type) {
-    return project.webs[type.web].flux_lm() * type.flux_scale;
+    return luminaire_flux_lm(project, type);
   };
   for (const std::size_t index : used) {
     const LuminaireType& type = project.luminaire_types[index];

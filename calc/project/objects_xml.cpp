@@ -4,6 +4,7 @@
 #include "calc/project/frame.h"
 #include "calc/project/luminaires_xml.h"
 #include "calc/project/project_elements.h"
+#include "calc/scene/luminaire_sums.h"
 
 #include <algorithm>
 #include <utility>
@@ -70,12 +71,13 @@ bool is_object(std::string_view name) {
 
 void add_luminaires(ProjectContext& context, ElementReader& reader, IdTable& ids, ObjectSet& into) {
   ids.add(reader, reader.id(), 0);
-  std::vector<Luminaire> luminaires = read_luminaires(context, reader);
+  const std::vector<Luminaire> luminaires =
+      with_all_emitters(context.project, read_luminaires(context, reader));
   if (!check_room_for(context, reader, into.instances() + static_cast<double>(luminaires.size()),
                       0)) {
     return;
   }
-  for (Luminaire& luminaire : luminaires) into.luminaires.push_back(std::move(luminaire));
+  into.luminaires.insert(into.luminaires.end(), luminaires.begin(), luminaires.end());
 }
 
 void add_bodies(ProjectContext& context, ElementReader& reader, IdTable& ids, int depth,

@@ -237,7 +237,7 @@ const ElementRow kLuminaireTypeElement{
     .type = "luminaireType",
     .meaning =
         "A photometry file and how it is used. Of a file with several lights, lamp-set, "
-        "variant or emitter names one.",
+        "variant or emitter names one; emitter=\"all\" takes those of a GLDF variant together.",
     .attributes = {
         kIdAttribute,
         {"photometry", &kTextType, required,
@@ -260,8 +260,9 @@ const ElementRow kLuminaireTypeElement{
         {"lamp-set", &kCountType, optional, "The number of an EULUMDAT lamp set."},
         {"variant", &kTextType, optional, "The id of a GLDF variant."},
         {"emitter", &kTextType, optional,
-         "The id of a GLDF emitter (id#n: its n-th fitting) or the id, description or number of a "
-         "TM-33 emitter."}}};
+         "The id of a GLDF emitter (id#n: its n-th fitting); all: those of the variant that shine "
+         "together, one luminaire with each emitter at its place; several ids with blanks between: "
+         "those together. Or the id, description or number of a TM-33 emitter."}}};
 
 const ElementRow kDimElement{
     .type = "dim", .attributes = {kGroupNamedAttribute, {"level", &kFractionType, required}}};

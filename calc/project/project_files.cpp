@@ -64,7 +64,7 @@ std::optional<std::string> ProjectFiles::read(const std::string& key, const std:
   return std::move(content.bytes);
 }
 
-const std::optional<PhotometricWeb>& ProjectFiles::photometry(const FileLight& light,
+const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& light,
                                                               const std::string& as_named,
                                                               const SourceLocation& named_at,
                                                               PhotometryOptions options) {
@@ -77,24 +77,26 @@ const std::optional<PhotometricWeb>& ProjectFiles::photometry(const FileLight& l
     return read(folder + file_name, folder + file_name, named_at);
   };
   if (const std::optional<std::string> bytes = read(key, as_named, named_at)) {
-    entry->second = parse_photometry(*bytes, full_path(key), diagnostics_, options);
+    entry->second = parse_luminaire_light(*bytes, full_path(key), diagnostics_, options);
   }
   return entry->second;
 }
 
-std::optional<std::size_t> ProjectFiles::web(const std::string& path, const WebUse& use,
-                                             const SourceLocation& named_at,
-                                             const PhotometryOptions& options) {
+std::vector<PlacedWeb> ProjectFiles::light(const std::string& path, const WebUse& use,
+                                           const SourceLocation& named_at,
+                                           const PhotometryOptions& options) {
   const std::optional<std::string> key = resolve(path, named_at);
-  if (!key) return std::nullopt;
-  const FileLight light{*key, options.lamp_set, options.variant, options.emitter};
-  const auto [entry, is_new] = webs_.try_emplace({light, use.as_point, use.is_cubic});
+  if (!key) return {};
+  const FileLight chosen{*key, options.lamp_set, options.variant, options.emitter};
+  const auto [entry, is_new] = webs_.try_emplace({chosen, use.as_point, use.is_cubic});
   if (!is_new) return entry->second;
-  const std::optional<PhotometricWeb>& web = photometry(light, path, named_at, options);
-  if (!web) return std::nullopt;
-  const PhotometricWeb shaped = use.as_point ? without_opening(*web) : *web;
-  project_.webs.push_back(use.is_cubic ? hermite_refined(shaped) : shaped);
-  entry->second = project_.webs.size() - 1;
+  const std::optional<LuminaireLight>& light = photometry(chosen, path, named_at, options);
+  if (!light) return {};
+  for (const EmitterLight& emitter : light->emitters) {
+    const PhotometricWeb shaped = use.as_point ? without_opening(emitter.web) : emitter.web;
+    project_.webs.push_back(use.is_cubic ? hermite_refined(shaped) : shaped);
+    entry->second.push_back({project_.webs.size() - 1, emitter.id, emitter.place});
+  }
   return entry->second;
 }
 

@@ -6,6 +6,7 @@
 #include "calc/base/file_reader.h"
 #include "calc/meshes/gbxml.h"
 #include "calc/meshes/mesh_file.h"
+#include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/read/photometry_options.h"
 #include "calc/photometry/web.h"
 #include "calc/project/luminaire_list_csv.h"
@@ -18,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 namespace calc {
 
@@ -25,6 +27,13 @@ namespace calc {
 struct WebUse {
   bool as_point = false;  // from the luminaire's centre, without the file's luminous opening
   bool is_cubic = false;  // hermite_refined()
+};
+
+// An emitter of a luminaire.
+struct PlacedWeb {
+  std::size_t web = 0;  // index into Project::webs
+  std::string emitter;  // its id; "" = the only one of a file
+  EmitterPlace place;
 };
 
 // Problems are reported where the project names the file. A file that cannot be used is reported
@@ -37,11 +46,11 @@ class ProjectFiles {
   // The project file itself, Project::path.
   std::optional<std::string> read_project();
 
-  // Index into Project::webs. options: which of a file's lights; mistakes in them are reported at
-  // options.where.
-  std::optional<std::size_t> web(const std::string& path, const WebUse& use,
-                                 const SourceLocation& named_at,
-                                 const PhotometryOptions& options = {});
+  // One for each emitter of the luminaire. options: which of a file's lights; mistakes in them are
+  // reported at options.where. Empty on errors.
+  std::vector<PlacedWeb> light(const std::string& path, const WebUse& use,
+                               const SourceLocation& named_at,
+                               const PhotometryOptions& options = {});
   // Null on errors; stays valid as long as this object. format: if given, other files are errors.
   const TriangleMesh* mesh(const std::string& path, std::optional<MeshFormat> format,
                            const SourceLocation& named_at);
@@ -61,7 +70,7 @@ class ProjectFiles {
 
   // One light of a file: the path and the choices.
   using FileLight = std::tuple<std::string, int, std::string, std::string>;
-  const std::optional<PhotometricWeb>& photometry(const FileLight& light,
+  const std::optional<LuminaireLight>& photometry(const FileLight& light,
                                                   const std::string& as_named,
                                                   const SourceLocation& named_at,
                                                   PhotometryOptions options);
@@ -69,8 +78,8 @@ class ProjectFiles {
   const FileReader& reader_;
   Project& project_;
   Diagnostics& diagnostics_;
-  std::map<FileLight, std::optional<PhotometricWeb>> photometry_;
-  std::map<std::tuple<FileLight, bool, bool>, std::optional<std::size_t>> webs_;
+  std::map<FileLight, std::optional<LuminaireLight>> photometry_;
+  std::map<std::tuple<FileLight, bool, bool>, std::vector<PlacedWeb>> webs_;
   std::map<std::string, std::optional<TriangleMesh>> meshes_;
   std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
   std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;

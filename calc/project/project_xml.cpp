@@ -1,6 +1,8 @@
 #include "calc/project/project_xml.h"
 
+#include "calc/base/file_kind.h"
 #include "calc/base/xml_document.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
 #include "calc/project/energy_xml.h"
 #include "calc/project/library_xml.h"
@@ -59,7 +61,12 @@ std::optional<ReadProject> read_project(const FileReader& files, const std::stri
   ProjectContext context{project, project_files, diagnostics};
   std::optional<std::string> bytes = project_files.read_project();
   if (!bytes) return std::nullopt;
-  const std::optional<XmlElement> root = parse_xml(std::move(*bytes), path, diagnostics);
+  if (!check_file_kind(*bytes, path, FileUse::project, diagnostics, looks_like_xml(*bytes))) {
+    return std::nullopt;
+  }
+  // Of a foreign file nothing is said but that.
+  const XmlText text = has_first_element(*bytes, "luxgate") ? XmlText::refuse : XmlText::keep;
+  const std::optional<XmlElement> root = parse_xml(std::move(*bytes), path, diagnostics, text);
   if (!root) return std::nullopt;
   if (root->name != "luxgate") {
     diagnostics.report(DiagnosticId::wrong_root_element, root->where, root->name, "luxgate");

@@ -28,7 +28,9 @@ std::optional<double> InstalledPower::density_w_m2() const {
 InstalledPower installed_power(const Project& project, const Space& space) {
   InstalledPower power;
   for (const Luminaire& luminaire : space.luminaires) {
-    const double power_w = project.luminaire_types[luminaire.type].power_w;
+    const LuminaireType& type = project.luminaire_types[luminaire.type];
+    if (!type.counts_as_luminaire()) continue;
+    const double power_w = type.power_w;
     ++power.luminaires;
     power.power_w += power_w;
     if (!(power_w > 0.0)) ++power.without_power;

@@ -4,6 +4,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/names.h"
 #include "calc/base/xml_document.h"
+#include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/receiver_kernel.h"
 #include "calc/scene/route_shape.h"
@@ -52,14 +53,27 @@ struct MaintenanceFactor {
   std::optional<double> llmf, lsf, lmf, rsmf;
 };
 
+// A further emitter of a luminaire that has several, or its first.
+struct TypeEmitter {
+  std::size_t type = 0;  // index into Project::luminaire_types: the light of this emitter alone
+  EmitterPlace place;
+};
+
+// A luminaire with several emitters is a type for each of them: the first one has its id and power,
+// the others come behind it. So everything that asks for light finds each emitter where it is; what
+// counts luminaires or watts asks counts_as_luminaire().
 struct LuminaireType {
   std::string id;
   std::string photometry_file;  // as written in the project
   std::size_t web = 0;          // index into Project::webs
   double flux_scale = 1.0;      // flux override / flux of the web
-  double power_w = 0.0;         // override, else the file's; 0 = not stated
+  double power_w = 0.0;         // override, else the file's; 0 = not stated; of all emitters
   MaintenanceFactor maintenance;
   SourceLocation where;
+  std::vector<TypeEmitter> emitters = {};  // all of a luminaire that has several, else none
+  bool is_further_emitter = false;         // of the type before it
+
+  bool counts_as_luminaire() const { return !is_further_emitter; }
 };
 
 struct Luminaire {

@@ -2,6 +2,7 @@
 
 #include "calc/base/statistics.h"
 #include "calc/base/units.h"
+#include "calc/scene/luminaire_sums.h"
 #include "report/build/build_evidence.h"
 #include "report/text/number_format.h"
 #include "rules/measure/candidates.h"
@@ -100,20 +101,17 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.type_id = type.id;
   row.photometry_file = type.photometry_file;
   row.name = web.source().luminaire_name;
+  if (!type.emitters.empty()) row.name += fmt::format(" ({} emitters)", type.emitters.size());
   row.format = web.source().format;
-  for (const calc::Space& space : project.spaces) {
-    row.count += static_cast<int>(std::count_if(
-        space.luminaires.begin(), space.luminaires.end(),
-        [type_index](const calc::Luminaire& luminaire) { return luminaire.type == type_index; }));
-  }
-  row.flux_lm = web.flux_lm() * type.flux_scale;
+  row.count = calc::luminaires_of_type(project, type_index);
+  row.flux_lm = calc::luminaire_flux_lm(project, type);
   row.power_w = type.power_w;
-  row.max_intensity_cd = web.max_intensity_cd() * type.flux_scale;
+  row.max_intensity_cd = calc::luminaire_peak_cd(project, type);
   row.maintenance_factor = type.maintenance.product;
   row.maintenance = type.maintenance;
   row.sha256 = sha256_of(project, type.photometry_file);
-  row.c0_cd = polar_curve(web, 0.0, type.flux_scale);
-  row.c90_cd = polar_curve(web, 0.5 * calc::kPi, type.flux_scale);
+  row.c0_cd = polar_curve(project, type, 0.0);
+  row.c90_cd = polar_curve(project, type, 0.5 * calc::kPi);
   return row;
 }
 
@@ -320,6 +318,7 @@ ProjectPart build_project(const calc::Project& project) {
   part.name = project.name;
   part.inputs = project.inputs;
   for (std::size_t i = 0; i < project.luminaire_types.size(); ++i) {
+    if (!project.luminaire_types[i].counts_as_luminaire()) continue;
     part.luminaires.push_back(build_luminaire(project, i));
   }
   return part;

@@ -1,6 +1,7 @@
 #include "report/build/build_evidence.h"
 
 #include "calc/base/units.h"
+#include "calc/scene/luminaire_sums.h"
 #include "rules/measure/derived_points.h"
 #include "rules/measure/error_spending.h"
 #include "rules/measure/metrics.h"
@@ -77,11 +78,17 @@ PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derive
   return look;
 }
 
-std::vector<double> polar_curve(const calc::PhotometricWeb& web, double c_rad, double flux_scale) {
+std::vector<double> polar_curve(const calc::Project& project, const calc::LuminaireType& type,
+                                double c_rad) {
+  const calc::PhotometricWeb& web = project.webs[type.web];
+  const auto intensity_cd = [&](double c, double gamma) {
+    if (type.emitters.empty()) return type.flux_scale * web.intensity_cd(c, gamma);
+    return calc::luminaire_intensity_cd(project, type, calc::direction_of({c, gamma}));
+  };
   std::vector<double> cd;
   for (int step = -kPolarHalfSteps; step <= kPolarHalfSteps; ++step) {
     const double gamma = calc::radians_from_degrees(std::abs(step) * kPolarStep_deg);
-    cd.push_back(flux_scale * web.intensity_cd(step < 0 ? c_rad + calc::kPi : c_rad, gamma));
+    cd.push_back(intensity_cd(step < 0 ? c_rad + calc::kPi : c_rad, gamma));
   }
   return cd;
 }

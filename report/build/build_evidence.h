@@ -22,6 +22,8 @@ PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derive
 
 // Intensities in the half planes C and C + 180 degrees, every kPolarStep_deg of gamma from -180
 // (in C + 180) to 180 (in C), in cd.
-std::vector<double> polar_curve(const calc::PhotometricWeb& web, double c_rad, double flux_scale);
+// All emitters together.
+std::vector<double> polar_curve(const calc::Project& project, const calc::LuminaireType& type,
+                                double c_rad);
 
 }  // namespace report

@@ -129,6 +129,7 @@ void add_plan_marks(const calc::Project& project, const calc::Space& space,
                     const calc::PreparedScene& scene, SpacePart& part) {
   for (std::size_t i = 0; i < space.luminaires.size() && i < scene.luminaires.size(); ++i) {
     const calc::Luminaire& luminaire = space.luminaires[i];
+    if (!project.luminaire_types[luminaire.type].counts_as_luminaire()) continue;
     LuminaireMark mark;
     mark.position_m = luminaire.position_m;
     mark.type_id = project.luminaire_types[luminaire.type].id;

@@ -1,5 +1,7 @@
 #include "report/result_file/read_json.h"
 
+#include "calc/base/encoding.h"
+#include "calc/base/file_kind.h"
 #include "report/result_file/contradiction.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/json_cursor.h"
@@ -180,8 +182,16 @@ void complete(const SpacePart& space, PlanePart& plane) {
 }  // namespace
 
 std::optional<Document> read_json(std::string_view bytes, std::string& problem) {
+  problem = calc::other_kind_problem(bytes, "", calc::FileUse::result);
+  if (!problem.empty()) return std::nullopt;
   try {
-    const nlohmann::json json = nlohmann::json::parse(bytes);
+    // Shells that write UTF-16 where a program's output goes into a file are not rare.
+    const calc::DecodedText text = calc::decoded_text(std::string(bytes));
+    if (!text.problem.empty()) {
+      problem = text.problem;
+      return std::nullopt;
+    }
+    const nlohmann::json json = nlohmann::json::parse(text.utf8);
     Document document;
     read(JsonCursor(json), document, {});
     for (ProjectPart& project : document.projects) {

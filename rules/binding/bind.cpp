@@ -124,7 +124,7 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
           return std::any_of(space.luminaires.begin(), space.luminaires.end(),
                              [&](const calc::Luminaire& luminaire) { return luminaire.type == t; });
         });
-    if (!is_used || type.maintenance.is_stated) continue;
+    if (!is_used || type.maintenance.is_stated || !type.counts_as_luminaire()) continue;
     if (first == nullptr) first = &type;
     names.push_back("'" + type.id + "'");
   }

@@ -265,7 +265,7 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
   std::vector<std::string> ids;
   for (const calc::Luminaire& luminaire : context.space.luminaires) {
     const calc::LuminaireType& type = context.project.luminaire_types[luminaire.type];
-    if (type.maintenance.is_stated) continue;
+    if (type.maintenance.is_stated || !type.counts_as_luminaire()) continue;
     std::string id = "'" + type.id + "'";
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(std::move(id));
   }

@@ -1,7 +1,9 @@
 // A rule pack file as a whole.
 
+#include "calc/base/file_kind.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_document.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
 #include "rules/pack/pack_elements.h"
 #include "rules/pack/pack_parts.h"
@@ -107,7 +109,15 @@ RulePack read_pack(const calc::XmlElement& root, const std::string& file,
 std::optional<RulePack> parse_rule_pack(std::string_view xml, const std::string& file,
                                         calc::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  const std::optional<calc::XmlElement> root = calc::parse_xml(std::string(xml), file, diagnostics);
+  if (!calc::check_file_kind(xml, file, calc::FileUse::rule_pack, diagnostics,
+                             calc::looks_like_xml(xml))) {
+    return std::nullopt;
+  }
+  // Of a foreign file nothing is said but that.
+  const calc::XmlText text =
+      calc::has_first_element(xml, "rule-pack") ? calc::XmlText::refuse : calc::XmlText::keep;
+  const std::optional<calc::XmlElement> root =
+      calc::parse_xml(std::string(xml), file, diagnostics, text);
   if (!root) return std::nullopt;
   if (root->name != "rule-pack") {
     diagnostics.report(DiagnosticId::wrong_root_element, root->where, root->name, "rule-pack");

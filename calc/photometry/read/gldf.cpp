@@ -2,6 +2,7 @@
 
 #include "calc/base/utf8.h"
 #include "calc/photometry/read/gldf_choice.h"
+#include "calc/photometry/read/gldf_place.h"
 #include "calc/photometry/read/gldf_product.h"
 #include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/read/text_encoding.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -38,24 +40,67 @@ class GldfReader {
              Diagnostics& diagnostics)
       : archive_(archive), name_(name), options_(options), diagnostics_(diagnostics) {}
 
-  std::optional<PhotometricWeb> read() {
+  std::optional<LuminaireLight> read() {
     const std::optional<GldfProduct> product = read_product();
     if (!product) return std::nullopt;
-    const std::optional<GldfLight> light =
-        choose_gldf_light(*product, options_, name_, diagnostics_);
-    if (!light) return std::nullopt;
-    const GldfFile* file = file_of(*product, *light->fitting);
-    if (file == nullptr) return std::nullopt;
-    std::optional<PhotometricWeb> web = read_photometry(*file);
-    if (!web) return std::nullopt;
-    if (light->fitting->is_turned) {
-      diagnostics_.report(DiagnosticId::photometry_not_applied, light->fitting->where,
-                          "the emitter's rotation", "aim the luminaire in the project");
+    const std::optional<std::vector<GldfLight>> lights =
+        choose_gldf_lights(*product, options_, name_, diagnostics_);
+    if (!lights || !can_be_together(*lights)) return std::nullopt;
+    LuminaireLight luminaire;
+    for (const GldfLight& light : *lights) {
+      std::optional<PhotometricWeb> web = read_light(*product, light);
+      if (!web) return std::nullopt;
+      luminaire.emitters.push_back({std::move(*web), light.id(), {}});
     }
-    return with_product_values(*web, *product, *light);
+    const std::optional<std::vector<EmitterPlace>> places =
+        places_of(*lights, *product, archive_, diagnostics_);
+    if (!places) return std::nullopt;
+    for (std::size_t i = 0; i < places->size(); ++i) luminaire.emitters[i].place = (*places)[i];
+    return luminaire;
+  }
+
+  std::vector<PhotometryOptions> choices() {
+    const std::optional<GldfProduct> product = read_product();
+    return product ? gldf_choices(*product) : std::vector<PhotometryOptions>{};
   }
 
  private:
+  // False, with an error, if nothing says how.
+  bool can_be_together(const std::vector<GldfLight>& lights) {
+    if (lights.size() < 2) return true;
+    std::set<std::string> equipment;
+    for (const GldfLight& light : lights) {
+      const GldfFitting& fitting = *light.fitting;
+      std::string problem;
+      if (fitting.is_turned) {
+        problem = fmt::format("'{}' is turned in product.xml, which is not applied", light.id());
+      } else if (fitting.equipment_flux_lm + fitting.equipment_power_w > 0.0 &&
+                 !equipment.insert(fitting.equipment_id).second) {
+        problem = fmt::format(
+            "'{}' has its equipment '{}' in common with another one, and whether flux and power "
+            "are those of one or of all is not said",
+            light.id(), quotable(fitting.equipment_id));
+      }
+      if (problem.empty()) continue;
+      diagnostics_.report(DiagnosticId::gldf_together, fitting.where, ids_of(lights), problem,
+                          as_single_luminaires(lights));
+      return false;
+    }
+    return true;
+  }
+
+  std::optional<PhotometricWeb> read_light(const GldfProduct& product, const GldfLight& light) {
+    const GldfFile* file = file_of(product, *light.fitting);
+    if (file == nullptr) return std::nullopt;
+    std::optional<PhotometricWeb> web = read_photometry(*file);
+    if (!web) return std::nullopt;
+    if (light.fitting->is_turned) {
+      diagnostics_.report(DiagnosticId::photometry_not_applied, light.fitting->where,
+                          "the emitter's rotation", "aim the luminaire in the project");
+    }
+    return with_product_values(*web, product, light);
+  }
+
   std::optional<GldfProduct> read_product() {
     std::optional<std::string> bytes = archive_.read(kProduct);
     if (!bytes) return std::nullopt;
@@ -131,23 +176,35 @@ class GldfReader {
         light.variant->name != product.name) {
       source.luminaire_name += (source.luminaire_name.empty() ? "" : ", ") + light.variant->name;
     }
-    choose_power(*light.fitting, source);
     const double factor = flux_factor(web, *light.fitting, source);
+    choose_power(*light.fitting, !same_value(factor, 1.0), source);
     source.stated_flux_lm *= factor;
     return scaled(web, factor, std::move(source));
   }
 
-  void choose_power(const GldfFitting& fitting, PhotometrySource& source) {
-    const double stated = fitting.equipment_power_w;
-    if (stated > 0.0) {
-      if (source.input_power_w > 0.0 && !same_value(stated, source.input_power_w)) {
-        diagnostics_.report(DiagnosticId::gldf_value, fitting.where, "the power (W)", stated,
-                            source.input_power_w, "product.xml counts");
-      }
-      source.input_power_w = stated;
-    } else if (source.input_power_w == 0.0) {
-      source.input_power_w = fitting.source_power_w;
+  void choose_power(const GldfFitting& fitting, bool is_other_light, PhotometrySource& source) {
+    const double file_w = source.input_power_w;
+    const double gear_w = fitting.equipment_power_w, lamps_w = fitting.source_power_w;
+    if (gear_w == 0.0 && lamps_w == 0.0) {
+      if (!is_other_light || file_w == 0.0) return;
+      diagnostics_.report(DiagnosticId::gldf_power_unknown, fitting.where, file_w);
+      source.input_power_w = 0.0;
+      source.power_rule.clear();
+      return;
     }
+    const bool is_products = gear_w > 0.0 || is_other_light || lamps_w > file_w;
+    const double stated_w = gear_w > 0.0 ? gear_w : lamps_w;
+    if (file_w > 0.0 && !same_value(stated_w, file_w)) {
+      diagnostics_.report(DiagnosticId::gldf_value, fitting.where, "the power (W)", stated_w,
+                          file_w,
+                          is_products ? "product.xml counts"
+                                      : "it is that of the light sources alone; the photometry "
+                                        "file's, which is higher, was kept, 'power-w' sets it");
+    }
+    if (!is_products) return;
+    source.input_power_w = stated_w;
+    source.power_rule = gear_w > 0.0 ? "product.xml, equipment with its gear"
+                                     : "product.xml, light sources (their gear may come on top)";
   }
 
   // By how much the light is scaled; notes it in `source`.
@@ -188,12 +245,29 @@ class GldfReader {
 
 }  // namespace
 
-std::optional<PhotometricWeb> parse_gldf(std::string_view bytes, const std::string& name,
-                                         const PhotometryOptions& options,
-                                         Diagnostics& diagnostics) {
+std::optional<LuminaireLight> parse_gldf_luminaire(std::string_view bytes, const std::string& name,
+                                                   const PhotometryOptions& options,
+                                                   Diagnostics& diagnostics) {
   std::optional<ZipArchive> archive = ZipArchive::open(bytes, name, diagnostics);
   if (!archive) return std::nullopt;
   return GldfReader(*archive, name, options, diagnostics).read();
+}
+
+std::vector<PhotometryOptions> choices_of_gldf(std::string_view bytes) {
+  Diagnostics own;
+  std::optional<ZipArchive> archive = ZipArchive::open(bytes, "", own);
+  if (!archive) return {};
+  const PhotometryOptions none;
+  const std::string name;
+  return GldfReader(*archive, name, none, own).choices();
+}
+
+std::optional<PhotometricWeb> parse_gldf(std::string_view bytes, const std::string& name,
+                                         const PhotometryOptions& options,
+                                         Diagnostics& diagnostics) {
+  std::optional<LuminaireLight> light = parse_gldf_luminaire(bytes, name, options, diagnostics);
+  if (!light) return std::nullopt;
+  return only_light(std::move(*light), name, options, diagnostics);
 }
 
 }  // namespace calc

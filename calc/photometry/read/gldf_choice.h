@@ -7,6 +7,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace calc {
 
@@ -14,15 +16,24 @@ struct GldfLight {
   const GldfVariant* variant = nullptr;  // null: none was chosen, and it makes no difference
   const GldfEmitter* emitter = nullptr;
   const GldfFitting* fitting = nullptr;
+  const GldfVariant* placing = nullptr;  // the variant that says where it is; null: none does
+
+  std::string id() const;  // of the emitter, with its number where it has several fittings
 };
 
 // By PhotometryOptions::variant and ::emitter. Without a choice: the variant if all variants use
 // the same light emitters, the emitter if there is one, its fitting if there is one (not counting
 // those for emergencies only) or all of them are the same light. Otherwise an error that lists what
-// can be chosen. Emitters of a variant that shine together are not added, because they may sit at
-// different places. name: the path of the GLDF file. The result points into `product`.
-std::optional<GldfLight> choose_gldf_light(const GldfProduct& product,
-                                           const PhotometryOptions& options,
-                                           const std::string& name, Diagnostics& diagnostics);
+// can be chosen. Several emitters that shine together: kAllEmitters as the emitter takes all of the
+// variant but those for emergencies only, which is said; several ids with blanks between them take
+// those. name: the path of the GLDF file. Not empty; the lights point into `product`.
+std::optional<std::vector<GldfLight>> choose_gldf_lights(const GldfProduct& product,
+                                                         const PhotometryOptions& options,
+                                                         const std::string& name,
+                                                         Diagnostics& diagnostics);
+
+// All that can be chosen: every variant with every light of it, and with all of them together where
+// it has several; each emitter where there are no variants.
+std::vector<PhotometryOptions> gldf_choices(const GldfProduct& product);
 
 }  // namespace calc

@@ -23,7 +23,8 @@ struct LightSource {
 };
 
 struct Equipment {
-  double flux_lm = 0.0, lamps_flux_lm = 0.0, power_w = 0.0;
+  double flux_lm = 0.0, power_w = 0.0;
+  LightSource lamps;
 };
 
 class ProductReader {
@@ -48,6 +49,7 @@ class ProductReader {
     read_equipment();
     read_emitters();
     read_variants();
+    read_geometries();
     if (diagnostics_.error_count() != errors) return std::nullopt;
     return std::move(product_);
   }
@@ -128,8 +130,8 @@ class ProductReader {
   void read_equipment() {
     for (const XmlElement* element : list("Equipments", "Equipment")) {
       equipment_[attribute_of(*element, "id")] = {number_of(*element, "RatedLuminousFlux"),
-                                                  lamps_of(*element).flux_lm,
-                                                  number_of(*element, "RatedInputPower")};
+                                                  number_of(*element, "RatedInputPower"),
+                                                  lamps_of(*element)};
     }
   }
 
@@ -158,8 +160,10 @@ class ProductReader {
         equipment_.find(attribute_of(gear == nullptr ? element : *gear, "equipmentId"));
     if (found != equipment_.end()) {
       fitting.equipment_flux_lm = found->second.flux_lm;
-      fitting.lamps_flux_lm = found->second.lamps_flux_lm;
       fitting.equipment_power_w = found->second.power_w;
+      fitting.lamps_flux_lm = found->second.lamps.flux_lm;
+      fitting.source_power_w = found->second.lamps.power_w;
+      fitting.equipment_id = found->first;
     }
     return fitting;
   }
@@ -172,16 +176,38 @@ class ProductReader {
         if (name == "ChangeableLightEmitter" || name == "LightEmitter")
           emitter.fittings.push_back(read_fitting(child, false));
         if (name == "FixedLightEmitter") emitter.fittings.push_back(read_fitting(child, true));
+        emitter.has_channels = emitter.has_channels || name == "MultiChannelLightEmitter";
       }
       product_.emitters.push_back(std::move(emitter));
     }
   }
 
   // Emitters may be named directly in the variant, in its <Geometry>, or deeper at its models.
-  void collect_emitters(const XmlElement& element, std::vector<std::string>& ids) {
-    const std::string id = attribute_of(element, "emitterId");
-    if (!id.empty() && std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-    for (const XmlElement& child : element.children) collect_emitters(child, ids);
+  void collect_places(const XmlElement& element, const std::string& outer_geometry_id,
+                      GldfVariant& variant) {
+    std::string geometry_id = attribute_of(element, "geometryId");
+    if (geometry_id.empty()) geometry_id = outer_geometry_id;
+    GldfPlace place{attribute_of(element, "emitterId"), geometry_id,
+                    text_of(child_of(element, "EmitterObjectExternalName")),
+                    attribute_of(element, "targetModelType")};
+    if (!place.emitter_id.empty()) {
+      std::vector<std::string>& ids = variant.emitter_ids;
+      if (std::find(ids.begin(), ids.end(), place.emitter_id) == ids.end()) {
+        ids.push_back(place.emitter_id);
+      }
+      variant.places.push_back(std::move(place));
+    }
+    for (const XmlElement& child : element.children) collect_places(child, geometry_id, variant);
+  }
+
+  void read_geometries() {
+    for (const XmlElement* element : list("Geometries", "ModelGeometry")) {
+      GldfGeometry geometry{attribute_of(*element, "id"), {}};
+      for (const XmlElement* file : children_of(*element, "GeometryFileReference")) {
+        geometry.file_ids.push_back(attribute_of(*file, "fileId"));
+      }
+      product_.geometries.push_back(std::move(geometry));
+    }
   }
 
   void read_variants() {
@@ -192,7 +218,7 @@ class ProductReader {
                           text_in_one_language(child_of(*element, "Name")),
                           {},
                           element->where};
-      collect_emitters(*element, variant.emitter_ids);
+      collect_places(*element, "", variant);
       product_.variants.push_back(std::move(variant));
     }
   }

@@ -17,6 +17,12 @@ struct GldfFile {
   SourceLocation where;
 };
 
+// A model of the luminaire: its files, of any detail and format. None: a simple shape.
+struct GldfGeometry {
+  std::string id;
+  std::vector<std::string> file_ids;
+};
+
 struct GldfPhotometry {
   std::string id, file_id;
   SourceLocation where;
@@ -26,27 +32,40 @@ struct GldfPhotometry {
 struct GldfFitting {
   std::string name;  // may be empty
   std::string photometry_id;
+  std::string equipment_id;  // empty: a fixed light source
   bool only_emergency = false;
   bool is_turned = false;  // a rotation of the light is stated, of the fitting or its photometry
   // As stated, 0 = not. Of a fixed emitter (product.xml leaves open whether of its lamps or of the
   // luminaire); of the equipment, for all its lamps together; of the lamps without the equipment.
   double fixed_flux_lm = 0.0, equipment_flux_lm = 0.0, lamps_flux_lm = 0.0;
-  double equipment_power_w = 0.0, source_power_w = 0.0;  // with and without gear; 0 = not stated
+  // With and without gear; 0 = not stated. The second one of all light sources together.
+  double equipment_power_w = 0.0, source_power_w = 0.0;
   SourceLocation where;
 };
 
 struct GldfEmitter {
   std::string id;
-  std::vector<GldfFitting> fittings;  // empty: a sensor
+  std::vector<GldfFitting> fittings;  // empty: a sensor, or one of several channels
   SourceLocation where;
+  bool has_channels = false;  // its colours or white tones are mixed, which is not read
 
   PhotometryChoice choice() const { return {id, fittings.empty() ? "" : fittings.front().name}; }
+};
+
+// Where a variant has an emitter.
+struct GldfPlace {
+  std::string emitter_id;
+  std::string geometry_id;  // empty: of no model
+  std::string object_name;  // of the emitting object in the model; may be empty
+  std::string model_type;   // "l3d", ...: names are those of that model only; may be empty
+  bool operator==(const GldfPlace&) const = default;
 };
 
 struct GldfVariant {
   std::string id, name;
   std::vector<std::string> emitter_ids;  // each once, in file order
   SourceLocation where;
+  std::vector<GldfPlace> places = {};
 };
 
 struct GldfProduct {
@@ -55,6 +74,7 @@ struct GldfProduct {
   std::vector<GldfPhotometry> photometries;
   std::vector<GldfEmitter> emitters;
   std::vector<GldfVariant> variants;
+  std::vector<GldfGeometry> geometries;
 };
 
 // root: <Root> of product.xml. Reads GLDF 1.0 and the earlier form with <LightEmitter>. Texts in

@@ -1,8 +1,11 @@
 #include "calc/photometry/read/photometry_file.h"
 
+#include "calc/base/encoding.h"
+#include "calc/base/file_kind.h"
 #include "calc/base/line_cursor.h"
 #include "calc/base/text.h"
 #include "calc/base/utf8.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/photometry/read/eulumdat.h"
 #include "calc/photometry/read/gldf.h"
 #include "calc/photometry/read/ies_header.h"
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace calc {
 namespace {
@@ -64,13 +68,6 @@ std::string what_it_is(std::string_view text) {
   return "no TILT= line, and lines 2 to 4 are not the three counts of EULUMDAT";
 }
 
-bool looks_like_xml(std::string_view text) {
-  const std::string_view start = trim(text.substr(0, 200));
-  if (!start.starts_with('<') || start.size() < 2) return false;
-  const char next = start[1];
-  return next == '?' || next == '!' || (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');
-}
-
 using Parser = std::optional<PhotometricWeb> (*)(std::string_view text, const std::string& name,
                                                  const PhotometryOptions& options,
                                                  Diagnostics& diagnostics);
@@ -87,6 +84,7 @@ struct FormatReader {
   bool (*is_it)(std::string_view text);
   Parser parse;
   bool is_container = false;  // of photometry files: asked of the bytes themselves, never nested
+  bool is_xml = false;        // gets the bytes themselves: the declaration states the encoding
 };
 
 // The first that says "it is" reads. A new format is a row here, and a pair of files that reads it.
@@ -96,12 +94,21 @@ constexpr FormatReader kReaders[] = {
      {.lamp_set = true},
      looks_like_eulumdat,
      parse_eulumdat},
-    {{"TM-33", "a TM-33 file", ".xml"}, {.emitter = true}, looks_like_xml, parse_tm33},
+    {{"TM-33", "a TM-33 file", ".xml"}, {.emitter = true}, looks_like_xml, parse_tm33, false, true},
     {{"GLDF", "a GLDF file", ".gldf"},
      {.lamp_set = true, .variant = true, .emitter = true},
      looks_like_zip,
      parse_gldf,
      true}};
+
+// Archives of other programs are refused; of one that says nothing the reader says what is missing.
+bool may_be_gldf(std::string_view bytes, const std::string& name, Diagnostics& diagnostics) {
+  const FileKind* kind = kind_by_content(bytes);
+  const FileKind* named = kind_by_name(name);
+  const bool says_nothing =
+      kind != nullptr && kind->is_vague && (named == nullptr || named->is_vague);
+  return says_nothing || check_file_kind(bytes, name, FileUse::photometry, diagnostics);
+}
 
 std::optional<PhotometricWeb> read_as(const FormatReader& reader, std::string_view text,
                                       const std::string& name, const PhotometryOptions& options,
@@ -120,35 +127,77 @@ std::vector<PhotometryFormatInfo> photometry_formats() {
   return list;
 }
 
+std::optional<LuminaireLight> parse_luminaire_light(std::string_view bytes, const std::string& name,
+                                                    Diagnostics& diagnostics,
+                                                    const PhotometryOptions& options) {
+  for (const FormatReader& reader : kReaders) {
+    if (reader.is_container && reader.is_it(bytes)) {
+      if (!may_be_gldf(bytes, name, diagnostics)) return std::nullopt;
+      if (!check_options(options, reader.known, reader.info.as_a_file, name, diagnostics)) {
+        return std::nullopt;
+      }
+      return parse_gldf_luminaire(bytes, name, options, diagnostics);
+    }
+  }
+  std::optional<PhotometricWeb> web = parse_text_photometry(bytes, name, diagnostics, options);
+  if (!web) return std::nullopt;
+  LuminaireLight light;
+  light.emitters.push_back({std::move(*web), "", {}});
+  return light;
+}
+
+std::vector<PhotometryOptions> photometry_choices(std::string_view bytes) {
+  return looks_like_zip(bytes) ? choices_of_gldf(bytes) : std::vector<PhotometryOptions>{};
+}
+
+std::optional<PhotometricWeb> only_light(LuminaireLight light, const std::string& name,
+                                         const PhotometryOptions& options,
+                                         Diagnostics& diagnostics) {
+  if (light.emitters.size() == 1) return std::move(light.emitters.front().web);
+  std::vector<PhotometryChoice> choices;
+  for (const EmitterLight& emitter : light.emitters) {
+    choices.push_back({emitter.id, emitter.web.source().luminaire_name});
+  }
+  diagnostics.report(DiagnosticId::photometry_choice_needed, place_of_choice(options, name),
+                     choices.size(), "emitters, of which one is wanted here", "emitter",
+                     list_choices(choices));
+  return std::nullopt;
+}
+
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
                                                Diagnostics& diagnostics,
                                                const PhotometryOptions& options) {
-  for (const FormatReader& reader : kReaders) {
-    if (reader.is_container && reader.is_it(bytes)) {
-      return read_as(reader, bytes, name, options, diagnostics);
-    }
-  }
-  return parse_text_photometry(bytes, name, diagnostics, options);
+  std::optional<LuminaireLight> light = parse_luminaire_light(bytes, name, diagnostics, options);
+  if (!light) return std::nullopt;
+  return only_light(std::move(*light), name, options, diagnostics);
 }
 
 std::optional<PhotometricWeb> parse_text_photometry(std::string_view bytes, const std::string& name,
                                                     Diagnostics& diagnostics,
                                                     const PhotometryOptions& options) {
   const SourceLocation file{name, 0, 0};
-  if (looks_like_utf16(bytes)) {
-    diagnostics.report(DiagnosticId::photometry_encoding, file);
+  const auto is_photometry = [&](bool is_recognised) {
+    return check_file_kind(bytes, name, FileUse::photometry, diagnostics, is_recognised);
+  };
+  if (encoding_of(bytes) != TextEncoding::utf8 && !is_photometry(true)) return std::nullopt;
+  const DecodedText decoded = decoded_text(std::string(bytes));
+  if (!decoded.problem.empty()) {
+    diagnostics.report(DiagnosticId::photometry_encoding, file, decoded.problem);
     return std::nullopt;
   }
-  std::string_view text = without_byte_order_mark(bytes);
+  std::string_view text = without_byte_order_mark(decoded.utf8);
   if (const std::size_t end = text.find(kDosEndOfFile); end != std::string_view::npos) {
     diagnostics.report(DiagnosticId::photometry_end_mark, file, text.size() - end - 1);
     text = text.substr(0, end);
   }
   for (const FormatReader& reader : kReaders) {
     if (!reader.is_container && reader.is_it(text)) {
-      return read_as(reader, text, name, options, diagnostics);
+      // A line of EULUMDAT may look like anything; XML says what it is.
+      if (reader.is_xml && !is_photometry(true)) return std::nullopt;
+      return read_as(reader, reader.is_xml ? bytes : text, name, options, diagnostics);
     }
   }
+  if (!is_photometry(false)) return std::nullopt;
   std::string readable;
   for (const FormatReader& reader : kReaders) {
     const bool is_last = &reader == std::end(kReaders) - 1;

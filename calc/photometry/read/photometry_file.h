@@ -2,6 +2,7 @@
 // Photometry files to webs. The format is told by content, not by name.
 
 #include "calc/base/diagnostics.h"
+#include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/read/photometry_options.h"
 #include "calc/photometry/web.h"
 
@@ -18,6 +19,21 @@ namespace calc {
 std::optional<PhotometricWeb> parse_photometry(std::string_view bytes, const std::string& name,
                                                Diagnostics& diagnostics,
                                                const PhotometryOptions& options = {});
+
+// The same of a whole luminaire, whose options may ask for several lights of a file that shine
+// together (GLDF). parse_photometry() refuses those.
+std::optional<LuminaireLight> parse_luminaire_light(std::string_view bytes, const std::string& name,
+                                                    Diagnostics& diagnostics,
+                                                    const PhotometryOptions& options = {});
+
+// Every choice that a file with several lights offers, in its order; empty: it holds one, or is not
+// readable. Only variants and emitters are set.
+std::vector<PhotometryOptions> photometry_choices(std::string_view bytes);
+
+// The light of the only emitter; empty, with an error, if there are several.
+std::optional<PhotometricWeb> only_light(LuminaireLight light, const std::string& name,
+                                         const PhotometryOptions& options,
+                                         Diagnostics& diagnostics);
 
 // A format that can be read, in words.
 struct PhotometryFormatInfo {

@@ -2,7 +2,6 @@
 // What to take from a photometry file that holds more than one light.
 
 #include "calc/base/diagnostics.h"
-
 #include "calc/photometry/read/ies_tilt.h"
 
 #include <string>
@@ -11,11 +10,16 @@
 
 namespace calc {
 
+// PhotometryOptions::emitter for all emitters of a GLDF variant that shine together, unless one has
+// it as its id.
+inline constexpr std::string_view kAllEmitters = "all";
+
 struct PhotometryOptions {
   int lamp_set = 0;       // EULUMDAT: 1-based; 0 = the first, with a warning if there are others
   std::string variant{};  // GLDF: id; empty = not chosen
-  std::string emitter{};  // GLDF: id, or id#n for the n-th of its fittings; TM-33: id, description
-                          // or 1-based number; empty = not chosen
+  std::string emitter{};  // GLDF: id, or id#n for the n-th of its fittings, several of them with
+                          // blanks between, or kAllEmitters; TM-33: id, description or 1-based
+                          // number; empty = not chosen
   SourceLocation
       where{};  // where the choice was written; empty = mistakes are reported at the file
   CompanionReader read_companion{};  // LM-63: for TILT=<file>, which is refused without it

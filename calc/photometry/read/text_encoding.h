@@ -13,7 +13,4 @@ std::string utf8_from_file_text(std::string_view text);
 // A piece of a file for a message: as above, at most 40 bytes and then "...".
 std::string quotable(std::string_view text);
 
-// UTF-16 by its byte order mark, or by a zero byte among the first two characters.
-bool looks_like_utf16(std::string_view bytes);
-
 }  // namespace calc

@@ -1,7 +1,6 @@
 #include "report/tools/geometry/geometry.h"
 
-#include "calc/base/text.h"
-#include "calc/base/utf8.h"
+#include "calc/base/xml_encoding.h"
 #include "calc/meshes/gbxml.h"
 #include "calc/meshes/mesh_builder.h"
 #include "calc/meshes/mesh_file.h"
@@ -41,10 +40,6 @@ void warn_about_leaks(const SurfaceReport& surface, const std::string& name,
   if (!should_be_closed || surface.escape.points == 0 || share.value == 0.0) return;
   diagnostics.report(calc::DiagnosticId::surface_leaks, where, 100.0 * share.value, name,
                      100.0 * share.low, 100.0 * share.high);
-}
-
-bool is_xml(std::string_view bytes) {
-  return calc::trim(calc::without_byte_order_mark(bytes).substr(0, 1000)).starts_with('<');
 }
 
 // "" for those that are fixed by the file's format; empty, with an error, if they are not known.
@@ -168,7 +163,7 @@ GeometryReport examine_geometry(const std::string& path, const calc::FileReader&
                        path, content.error);
   } else if (calc::is_gbxml(content.bytes)) {
     examine_gbxml(std::move(content.bytes), diagnostics, report);
-  } else if (is_xml(content.bytes)) {
+  } else if (calc::looks_like_xml(content.bytes)) {
     examine_project(files, diagnostics, report);
   } else {
     examine_mesh(content.bytes, files, options, diagnostics, report);

@@ -39,7 +39,9 @@ class Run {
   }
 
   PhotometryRun run() {
-    for (const std::string& path : wanted_.files) files_.push_back(read_safely(path));
+    for (const std::string& path : wanted_.files) {
+      for (PhotometryFile& file : read_safely(path)) files_.push_back(std::move(file));
+    }
     if (wanted_.compare && files_[0].web && files_[1].web) compare();
     if (!wanted_.convert_file.empty() && files_[0].web) convert(files_[0]);
     if (!wanted_.polar_file.empty() && files_[0].web) draw(files_[0], wanted_.polar_file);
@@ -50,17 +52,21 @@ class Run {
 
  private:
   // Whatever goes wrong with one file must not stop the others.
-  PhotometryFile read_safely(const std::string& path) {
+  std::vector<PhotometryFile> read_safely(const std::string& path) {
     try {
-      return read_photometry_file(path, disk_, choice_);
+      if (!wants_one_light()) return read_photometry_lights(path, disk_, choice_);
+      return {read_photometry_file(path, disk_, choice_)};
     } catch (const std::exception& error) {
       calc::Diagnostics diagnostics;
       diagnostics.report(calc::DiagnosticId::internal_error, {path, 0, 0}, error.what());
       PhotometryFile file;
       file.path = path;
       file.diagnostics = diagnostics.all();
-      return file;
+      return {file};
     }
+  }
+  bool wants_one_light() const {
+    return wanted_.compare || !wanted_.convert_file.empty() || !wanted_.polar_file.empty();
   }
 
   void compare() {

@@ -4,6 +4,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
+#include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/read/photometry_options.h"
 #include "calc/photometry/web.h"
 #include "calc/photometry/web_compare.h"
@@ -37,8 +38,18 @@ struct PhotometryFacts {
 inline constexpr std::size_t kMostCompared = 500'000;
 PhotometryFacts photometry_facts(const calc::PhotometricWeb& web);
 
+// Emitters of one luminaire that shine together.
+struct TogetherFacts {
+  std::size_t emitters = 0;
+  double flux_lm = 0.0, power_w = 0.0;  // of all; power 0 = not known
+};
+
+// A light of a file: the only one, or one of several.
 struct PhotometryFile {
   std::string path;
+  std::string variant, emitter;             // as it is chosen; "" = it need not be
+  std::optional<TogetherFacts> together;    // of the emitters that it can be taken with
+  std::optional<calc::EmitterPlace> place;  // among them
   std::optional<calc::PhotometricWeb> web;  // empty: not readable, `diagnostics` holds errors
   PhotometryFacts facts;                    // of the web
   std::vector<calc::Diagnostic> diagnostics;
@@ -49,6 +60,11 @@ struct PhotometryFile {
 // file with several; its read_companion is set here: files of the same folder.
 PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
                                     calc::PhotometryOptions choice = {});
+// Every light of the file that `choice` leaves open, emitters that can be taken together with their
+// places. One entry at least; where nothing can be chosen it is that of read_photometry_file().
+std::vector<PhotometryFile> read_photometry_lights(const std::string& path,
+                                                   const calc::FileReader& files,
+                                                   const calc::PhotometryOptions& choice);
 
 // The angles of a table about the line of C90, as LM-63 type B counts them.
 struct LateralAngles {

@@ -70,6 +70,7 @@ Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
                {"rated_lamp_flux_lm", if_stated(source.rated_lamp_flux_lm)},
                {"light_output_ratio", nullptr},
                {"input_power_w", if_stated(source.input_power_w)},
+               {"power_rule", source.power_rule},
                {"efficacy_lm_per_w", nullptr},
                {"downward_share", facts.downward_share},
                {"maximum",
@@ -101,6 +102,22 @@ Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
   json["axis_rule"] = source.axis_rule;
   json["applied_factors"] = source.applied_factors;
   json["lamp_tilt"] = lamp_tilt_json(source.lamp_tilt);
+  return json;
+}
+
+Json if_chosen(const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); }
+
+Json vector_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json together_json(const TogetherFacts& all, const std::optional<calc::EmitterPlace>& place) {
+  Json json = {{"emitters", all.emitters},
+               {"flux_lm", all.flux_lm},
+               {"input_power_w", if_stated(all.power_w)}};
+  if (place) {
+    json["position_m"] = vector_json(place->position_m);
+    json["axis"] = vector_json(-place->turn[2]);
+    json["c0"] = vector_json(place->turn[0]);
+  }
   return json;
 }
 
@@ -141,7 +158,7 @@ constexpr const char* kCsvHeader =
     "beam_c0_c180_deg,beam_c90_c270_deg,field_c0_c180_deg,field_c90_c270_deg,symmetry,"
     "table_axis,c_planes,gamma_angles,gamma_first_deg,gamma_last_deg,cubic_largest_difference,"
     "cubic_flux_difference,opening,opening_along_c0_m,opening_along_c90_m,"
-    "opening_height_m,applied_factors,warnings,errors\r\n";
+    "opening_height_m,applied_factors,warnings,errors,variant,emitter\r\n";
 constexpr std::size_t kEmptyCells = 30;  // of an unreadable file, between `readable` and `warnings`
 
 std::string light_cells(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
@@ -195,6 +212,9 @@ std::string render_photometry_json(const std::vector<PhotometryFile>& files,
   Json json = {{"format", "luxgate-photometry"}, {"format_version", 1}, {"files", Json::array()}};
   for (const PhotometryFile& file : files) {
     Json item = {{"path", file.path}, {"readable", file.web.has_value()}};
+    item["variant"] = if_chosen(file.variant);
+    item["emitter"] = if_chosen(file.emitter);
+    if (file.together) item["together"] = together_json(*file.together, file.place);
     if (file.web) item["light"] = light_json(*file.web, file.facts);
     item["diagnostics"] = diagnostics_json(file.diagnostics);
     json["files"].push_back(std::move(item));
@@ -209,7 +229,8 @@ std::string render_photometry_csv(const std::vector<PhotometryFile>& files) {
     csv += report::csv_field(file.path) + (file.web ? ",yes" : ",no");
     csv += file.web ? light_cells(*file.web, file.facts) : std::string(kEmptyCells, ',');
     csv += "," + std::to_string(file.count(calc::Severity::warning)) + "," +
-           std::to_string(file.count(calc::Severity::error)) + "\r\n";
+           std::to_string(file.count(calc::Severity::error)) + "," +
+           report::csv_field(file.variant) + "," + report::csv_field(file.emitter) + "\r\n";
   }
   return csv;
 }

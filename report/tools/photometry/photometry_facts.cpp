@@ -1,3 +1,4 @@
+#include "calc/base/encoding.h"
 #include "calc/base/units.h"
 #include "calc/photometry/read/ies_header.h"
 #include "calc/photometry/read/photometry_file.h"
@@ -5,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -49,34 +51,143 @@ std::size_t PhotometryFile::count(calc::Severity severity) const {
                     [&](const calc::Diagnostic& entry) { return entry.severity() == severity; }));
 }
 
-PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
-                                    calc::PhotometryOptions choice) {
-  PhotometryFile file;
-  file.path = path;
-  calc::Diagnostics diagnostics;
-  const calc::FileContent content = files.read(path);
-  if (!content.ok()) {
-    diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
-  } else {
+namespace {
+
+// Reads a file once, whatever is chosen of it.
+class LightReader {
+ public:
+  LightReader(const std::string& path, const calc::FileReader& files)
+      : path_(path), files_(files), content_(files.read(path)) {}
+
+  PhotometryFile one(const calc::PhotometryOptions& choice) const {
+    calc::Diagnostics diagnostics;
+    std::optional<calc::PhotometricWeb> web;
+    if (is_readable(diagnostics)) {
+      web =
+          calc::parse_photometry(content_.bytes, path_, diagnostics, complete(choice, diagnostics));
+    }
+    return measured(std::move(web), choice, diagnostics);
+  }
+
+  // One entry for each emitter; an unreadable one if they cannot be taken together.
+  std::vector<PhotometryFile> together(const calc::PhotometryOptions& choice) const {
+    calc::Diagnostics diagnostics;
+    std::optional<calc::LuminaireLight> light;
+    if (is_readable(diagnostics)) {
+      light = calc::parse_luminaire_light(content_.bytes, path_, diagnostics,
+                                          complete(choice, diagnostics));
+    }
+    if (!light) return {measured(std::nullopt, choice, diagnostics)};
+    const TogetherFacts facts{light->emitters.size(), light->flux_lm(), light->power_w()};
+    std::vector<PhotometryFile> list;
+    for (calc::EmitterLight& emitter : light->emitters) {
+      calc::Diagnostics own = diagnostics;
+      list.push_back(measured(std::move(emitter.web), choice, own));
+      if (facts.emitters == 1) continue;
+      list.back().emitter = emitter.id;
+      list.back().together = facts;
+      list.back().place = emitter.place;
+    }
+    return list;
+  }
+
+  std::vector<calc::PhotometryOptions> choices() const {
+    return content_.ok() ? calc::photometry_choices(content_.bytes)
+                         : std::vector<calc::PhotometryOptions>{};
+  }
+
+ private:
+  bool is_readable(calc::Diagnostics& diagnostics) const {
+    if (content_.ok()) return true;
+    diagnostics.report(calc::DiagnosticId::file_not_readable, {path_, 0, 0}, path_, content_.error);
+    return false;
+  }
+
+  calc::PhotometryOptions complete(calc::PhotometryOptions choice,
+                                   calc::Diagnostics& diagnostics) const {
     choice.read_companion = [&](const std::string& name) -> std::optional<std::string> {
-      const std::size_t slash = path.rfind('/');
-      const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-      calc::FileContent companion = files.read(folder + name);
+      const std::size_t slash = path_.rfind('/');
+      const std::string folder = slash == std::string::npos ? "" : path_.substr(0, slash + 1);
+      calc::FileContent companion = files_.read(folder + name);
       if (!companion.ok()) {
-        diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, folder + name,
+        diagnostics.report(calc::DiagnosticId::file_not_readable, {path_, 0, 0}, folder + name,
                            companion.error);
         return std::nullopt;
       }
       return std::move(companion.bytes);
     };
-    file.web = calc::parse_photometry(content.bytes, path, diagnostics, choice);
+    return choice;
+  }
+
+  PhotometryFile measured(std::optional<calc::PhotometricWeb> web,
+                          const calc::PhotometryOptions& choice,
+                          calc::Diagnostics& diagnostics) const {
+    PhotometryFile file;
+    file.path = path_;
+    file.variant = choice.variant;
+    file.emitter = choice.emitter;
+    file.web = std::move(web);
     if (file.web) {
       file.facts = photometry_facts(*file.web);
-      warn_of_opening(file, content.bytes, diagnostics);
+      warn_of_opening(file, calc::decoded_text(content_.bytes).utf8, diagnostics);
     }
+    file.diagnostics = diagnostics.all();
+    return file;
   }
-  file.diagnostics = diagnostics.all();
-  return file;
+
+  const std::string& path_;
+  const calc::FileReader& files_;
+  calc::FileContent content_;
+};
+
+bool asks_for_a_choice(const PhotometryFile& file) {
+  return std::any_of(file.diagnostics.begin(), file.diagnostics.end(), [](const auto& entry) {
+    return entry.id == calc::DiagnosticId::photometry_choice_needed;
+  });
+}
+
+bool is_listed(const std::vector<PhotometryFile>& list, const calc::PhotometryOptions& choice) {
+  return std::any_of(list.begin(), list.end(), [&](const PhotometryFile& file) {
+    return file.variant == choice.variant && file.emitter == choice.emitter;
+  });
+}
+
+}  // namespace
+
+PhotometryFile read_photometry_file(const std::string& path, const calc::FileReader& files,
+                                    calc::PhotometryOptions choice) {
+  return LightReader(path, files).one(choice);
+}
+
+std::vector<PhotometryFile> read_photometry_lights(const std::string& path,
+                                                   const calc::FileReader& files,
+                                                   const calc::PhotometryOptions& choice) {
+  const LightReader reader(path, files);
+  std::vector<PhotometryFile> list = reader.together(choice);
+  if (!asks_for_a_choice(list.front())) return list;
+  std::vector<calc::PhotometryOptions> choices = reader.choices();
+  std::erase_if(choices, [&](const calc::PhotometryOptions& each) {
+    const std::string id = each.emitter.substr(0, each.emitter.rfind('#'));
+    return (!choice.variant.empty() && each.variant != choice.variant) ||
+           (!choice.emitter.empty() && id != choice.emitter);
+  });
+  if (choices.empty()) return list;
+  list.clear();
+  // Those of a variant that go together first: they say all that they say alone, and their places.
+  std::stable_sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) {
+    return a.variant == b.variant && a.emitter == calc::kAllEmitters &&
+           b.emitter != calc::kAllEmitters;
+  });
+  for (const calc::PhotometryOptions& each : choices) {
+    if (is_listed(list, each)) continue;
+    const bool is_several = each.emitter == calc::kAllEmitters;
+    std::vector<PhotometryFile> found =
+        is_several ? reader.together(each) : std::vector{reader.one(each)};
+    // Alternatives of one emitter need to be named.
+    if (is_several && asks_for_a_choice(found.front())) continue;
+    for (PhotometryFile& file : found) list.push_back(std::move(file));
+  }
+  return list;
 }
 
 LateralAngles lateral_angles(const calc::PhotometricWeb& web) {

@@ -78,7 +78,8 @@ Command photometry_syntax(PhotometryOptions& options) {
        whole_number(options.lamp_set, 1, 1'000'000)},
       {"--variant", "ID", "GLDF: take the light of this variant", some_text(options.variant)},
       {"--emitter", "ID",
-       "GLDF: this emitter, or ID#2 for its second light; TM-33: id, description or number",
+       "GLDF: this emitter, ID#2 for its second light, all for those that shine together; TM-33: "
+       "id, description or number",
        some_text(options.emitter)},
       {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
       color_option(options.color),

@@ -52,8 +52,9 @@ std::string light_rows(const calc::PhotometricWeb& web, const PhotometryFacts& f
                                                  number(rated, 6), percent(flux / rated, 2))
                                    : std::string("no flux stated (absolute photometry)"));
   const double power = source.input_power_w;
-  text += row("efficacy", power > 0.0 ? fmt::format("{} lm/W at {} W", number(flux / power, 4),
-                                                    report::format_shortest(power))
+  const std::string whose = source.power_rule.empty() ? "" : ": " + source.power_rule;
+  text += row("efficacy", power > 0.0 ? fmt::format("{} lm/W at {} W{}", number(flux / power, 4),
+                                                    report::format_shortest(power), whose)
                                       : std::string("no power stated"));
   return text;
 }
@@ -200,6 +201,41 @@ std::string opening_row(const calc::LuminousOpening& opening, const calc::Peak& 
   return row("opening", words);
 }
 
+std::string vector_words(const glm::dvec3& vector) {
+  // No minus before a zero that rounding made.
+  const auto coordinate = [](double value) {
+    return report::format_shortest(std::round(value * 1.0e4) / 1.0e4 + 0.0);
+  };
+  return fmt::format("{} {} {}", coordinate(vector.x), coordinate(vector.y), coordinate(vector.z));
+}
+
+std::string together_rows(const PhotometryFile& file) {
+  if (!file.together) return "";
+  const TogetherFacts& all = *file.together;
+  std::string text =
+      row("together",
+          fmt::format("emitter 'all': {} emitters, {} lm, {}", all.emitters, number(all.flux_lm, 6),
+                      all.power_w > 0.0 ? report::format_shortest(all.power_w) + " W"
+                                        : std::string("power not known")));
+  if (file.place) {
+    text += row("place",
+                fmt::format("{} m from the middle of them, light along {}, C 0 along {}",
+                            vector_words(file.place->position_m),
+                            vector_words(-file.place->turn[2]), vector_words(file.place->turn[0])));
+  }
+  return text;
+}
+
+std::string choice_words(const PhotometryFile& file) {
+  if (file.variant.empty() && file.emitter.empty()) return "";
+  std::string words;
+  if (!file.variant.empty()) words = "variant " + report::printable(file.variant);
+  if (!file.emitter.empty()) {
+    words += (words.empty() ? "" : ", ") + ("emitter " + report::printable(file.emitter));
+  }
+  return " [" + words + "]";
+}
+
 std::string warning_rows(const PhotometryFile& file, bool colour) {
   if (file.diagnostics.empty()) return row("warnings", "none");
   std::string text = row("warnings", fmt::format("{}", file.diagnostics.size()));
@@ -217,7 +253,7 @@ std::string heading(const std::string& text, bool colour) {
 }  // namespace
 
 std::string render_photometry_text(const PhotometryFile& file, bool colour) {
-  std::string text = heading(report::printable(file.path), colour);
+  std::string text = heading(report::printable(file.path) + choice_words(file), colour);
   if (!file.web) return text + "\n  not readable: see the errors\n";
   const calc::PhotometricWeb& web = *file.web;
   const calc::PhotometrySource& source = web.source();
@@ -227,6 +263,7 @@ std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   if (!maker.empty()) text += " (" + maker + ")";
   text += "\n" + row("format", report::printable(source.format));
   text += light_rows(web, file.facts);
+  text += together_rows(file);
   text += peak_row(file.facts);
   text += width_row("beam 50 %", file.facts.beam);
   text += width_row("field 10 %", file.facts.field);

@@ -1,5 +1,4 @@
 #include "calc/meshes/mesh_file.h"
-
 #include "calc/base/file_reader.h"
 #include "tests/unit/calc/meshes/mesh_file_support.h"
 
@@ -30,8 +29,33 @@ TEST(MeshFile, NamesOfFilesDecideNothing) {
 
 TEST(MeshFile, BytesThatAreNoMeshAreRefused) {
   EXPECT_EQ(parse(std::string("PK\0\1", 4), "tile.zip").messages,
-            "tile.zip: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
+            "tile.zip: error[file-of-other-kind]: by its name this is a ZIP archive, and a mesh "
+            "(OBJ, STL, PLY or glTF) is wanted here; unpack it and name the file inside");
+  EXPECT_EQ(parse(std::string("PK\0\1", 4), "tile").messages,
+            "tile: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
             "glTF, PLY, STL nor OBJ");
+  EXPECT_EQ(parse("just words\n", "tile").messages,
+            "tile: error[mesh-unknown-format]: not a mesh file that luxgate reads: neither "
+            "glTF, PLY, STL nor OBJ");
+}
+
+TEST(MeshFile, FilesOfOtherKindsAreNamed) {
+  EXPECT_EQ(parse("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\n", "a.obj").messages,
+            "a.obj: error[file-of-other-kind]: this is an IFC building model, and a mesh (OBJ, "
+            "STL, PLY or glTF) is wanted here; export its rooms as gbXML, or its bodies as OBJ, "
+            "STL, PLY or glTF");
+  // A mesh under a foreign name is a mesh.
+  EXPECT_EQ(parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "tile.rad").mesh->format,
+            MeshFormat::obj);
+}
+
+TEST(MeshFile, Utf16IsRead) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")) {
+    wide += c;
+    wide += '\0';
+  }
+  EXPECT_EQ(parse(wide, "tile.obj").mesh->format, MeshFormat::obj);
 }
 
 // Data that is not part of the program: LUXGATE_SHARED_DATA names its folder.

@@ -1,5 +1,4 @@
 #include "calc/meshes/mesh_gltf.h"
-
 #include "tests/unit/calc/meshes/mesh_file_support.h"
 
 #include <limits>
@@ -162,8 +161,9 @@ TEST(GltfMesh, RequiredExtensionsAreRefusedByName) {
                                         R"("KHR_draco_mesh_compression")"))
                 .messages,
             "tile.gltf: error[mesh-extension-required]: the file requires glTF extensions that "
-            "luxgate does not read: EXT_meshopt_compression, KHR_draco_mesh_compression; export it "
-            "without them");
+            "luxgate does not read: EXT_meshopt_compression, KHR_draco_mesh_compression "
+            "(compressed meshes: switch compression off in the exporter, or unpack the file with a "
+            "glTF tool); export it without them");
   const Parsed optional = parse_square(
       with_extension("extensionsUsed", R"("EXT_mesh_gpu_instancing","KHR_materials_unlit")"));
   EXPECT_TRUE(optional.mesh);

@@ -1,5 +1,4 @@
 #include "calc/meshes/mesh_obj.h"
-
 #include "calc/base/file_reader.h"
 
 #include <gtest/gtest.h>
@@ -185,7 +184,7 @@ TEST(ObjMesh, IndicesThatWouldWrapAroundAreErrors) {
 }
 
 TEST(ObjMesh, FacesThatAreNotNumbersAreErrors) {
-  for (const std::string face : {"1 2 c", "1.5 2 3", "1 2 3 \\", "1 2 0x3", "a b c"}) {
+  for (const std::string face : {"1 2 c", "1.5 2 3", "1 2 \\ 3", "1 2 0x3", "a b c"}) {
     const Parsed parsed = parse(kThree + "f " + face + "\n");
     EXPECT_FALSE(parsed.mesh) << face;
     EXPECT_EQ(parsed.messages.size(), 1u) << face;
@@ -210,6 +209,18 @@ TEST(ObjMesh, ErrorsEndAfterTen) {
   const Parsed parsed = parse(text);
   EXPECT_FALSE(parsed.mesh);
   EXPECT_EQ(parsed.messages.size(), 11u);
+}
+
+TEST(ObjMesh, ABackslashGoesOnWithTheNextLine) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const Parsed parsed = parse(kThree + "f 1 \\" + end + "2 \\" + end + "3" + end);
+    ASSERT_TRUE(parsed.mesh);
+    EXPECT_EQ(parsed.mesh->triangle.size(), 1u);
+  }
+  // A comment ends with its line, and later lines keep their numbers.
+  const Parsed counted = parse("# C:\\models\\\n" + kThree + "f 1 2 \\\n3\nf 1 2 9\n");
+  ASSERT_EQ(counted.messages.size(), 1u);
+  EXPECT_TRUE(counted.messages[0].starts_with("desk.obj:7: ")) << counted.messages[0];
 }
 
 TEST(ObjMesh, AFileWithoutFacesIsAnError) {

@@ -32,12 +32,20 @@ end)",
 <luxgate version="1"/>)",
      "dir/p.xml:1:11: error[xml-doctype]: a DOCTYPE is not accepted; remove it, entities and DTDs "
      "are not used"},
-    {"OtherEncoding", R"(<?xml version="1.0" encoding="ISO-8859-1"?>
+    {"OtherEncoding", R"(<?xml version="1.0" encoding="Shift_JIS"?>
 <luxgate version="1"/>)",
-     "dir/p.xml:1:31: error[xml-encoding]: the file must be UTF-8: it declares 'ISO-8859-1'"},
+     "dir/p.xml:1:31: error[xml-encoding]: the encoding cannot be read: it declares 'Shift_JIS'; "
+     "readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 and "
+     "Windows-1252"},
     {"InvalidUtf8", "<luxgate version=\"1\"\n name=\"Gr\xFC\xDF\"/>",
-     "dir/p.xml:2:10: error[xml-encoding]: the file must be UTF-8: byte 31 (0xFC) is not valid "
-     "there"},
+     "dir/p.xml:2:10: error[xml-encoding]: the encoding cannot be read: byte 31 (0xFC) is not "
+     "valid there; readable are UTF-8 and UTF-16, and where the declaration says so ISO-8859-1 "
+     "and Windows-1252"},
+    {"AnotherKind", "%PDF-1.4\n",
+     "dir/p.xml: error[file-of-other-kind]: this is a PDF document, and a luxgate project (XML) is "
+     "wanted here; luxgate reads no pictures and no documents"},
+    {"ForeignXml", "<measure>\n<schema_version>3.0</schema_version></measure>",
+     "dir/p.xml:1:1: error[wrong-root-element]: the root element is <measure>; expected <luxgate>"},
     {"ControlCharacter", "<luxgate version=\"1\"\n name=\"a\x01\"/>",
      "dir/p.xml:2:9: error[xml-syntax]: not well-formed XML: control character 0x01"},
     {"UnknownReferenceInText", R"(<luxgate version="1"

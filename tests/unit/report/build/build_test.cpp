@@ -131,7 +131,7 @@ TEST(BuildProject, LuminaireRowsCountUseAndApplyTheFluxOverride) {
   calc::Project project;
   project.webs.push_back(calc::PhotometricWeb::make(
       {0.0}, {0.0, std::numbers::pi}, {100.0, 100.0}, calc::LuminousOpening{},
-      calc::PhotometrySource{"EULUMDAT", "Lamp", "", 0, 0, ""}));
+      calc::PhotometrySource{"EULUMDAT", "Lamp", "", 0, 0, "", ""}));
   calc::LuminaireType type;
   type.id = "A";
   type.photometry_file = "lamps/a.ldt";

@@ -1,5 +1,4 @@
 #include "calc/photometry/read/gldf_choice.h"
-
 #include "tests/support/gldf_samples.h"
 
 #include <gmock/gmock.h>
@@ -38,11 +37,15 @@ std::string choose(const GldfSample& sample, const std::string& variant_id = "",
   PhotometryOptions options;
   options.variant = variant_id;
   options.emitter = emitter_id;
-  const auto light = choose_gldf_light(product.value(), options, "a.gldf", diagnostics);
-  EXPECT_EQ(!light, diagnostics.has_errors());
-  if (!light) return test_support::diagnostics_text(diagnostics);
-  return (light->variant == nullptr ? "-" : light->variant->id) + "/" + light->emitter->id + "/" +
-         light->fitting->photometry_id;
+  const auto lights = choose_gldf_lights(product.value(), options, "a.gldf", diagnostics);
+  EXPECT_EQ(!lights, diagnostics.has_errors());
+  if (!lights) return test_support::diagnostics_text(diagnostics);
+  std::string text;
+  for (const GldfLight& light : *lights) {
+    text += (text.empty() ? "" : " ") + (light.variant == nullptr ? "-" : light.variant->id) + "/" +
+            light.emitter->id + "/" + light.fitting->photometry_id;
+  }
+  return text;
 }
 
 TEST(GldfChoice, TheOnlyOneIsTheDefault) {
@@ -88,11 +91,70 @@ TEST(GldfChoice, EmittersThatShineTogetherMustBeChosen) {
   sample.variants = variant("a", {"e1", "s", "e2", "e1"});
   EXPECT_EQ(choose(sample),
             "a.gldf: error[photometry-choice-needed]: there are 2 emitters with different light; "
-            "choose one with 'emitter': e1 (up), e2 (down)\n");
+            "choose one with 'emitter': e1 (up), e2 (down); 'all' takes those that shine "
+            "together\n");
   EXPECT_EQ(choose(sample, "", "e2"), "-/e2/p2");
   EXPECT_THAT(choose(sample, "a", "s"), HasSubstr("no light emitter 's'; allowed: e1 (up), e2"));
   sample.variants = variant("a", {"s", "e2"});
   EXPECT_EQ(choose(sample), "a/e2/p2");
+}
+
+TEST(GldfChoice, EmittersAreTakenTogetherOnDemand) {
+  GldfSample sample;
+  const std::string only_emergency = "emergencyBehaviour='EmergencyOnly'";
+  sample.emitters = emitter("e1", "p1") + emitter("e2", "p2") +
+                    emitter("e3", "p2", only_emergency) + "<Emitter id='e4'>" + emitter("", "p1") +
+                    emitter("", "p2") + "</Emitter>";
+  sample.variants = variant("a", {"e1", "e2", "e3"}) + variant("b", {"e1", "e4"});
+  EXPECT_EQ(choose(sample, "a", "all"), "a/e1/p1 a/e2/p2");
+  EXPECT_THAT(choose(sample, "", "all"), HasSubstr("there are 2 variants"));
+  EXPECT_THAT(choose(sample, "b", "all"), HasSubstr("e4#1, e4#2"));
+  EXPECT_EQ(choose(sample, "b", "e1 e4#2"), "b/e1/p1 b/e4/p2");
+  EXPECT_EQ(choose(sample, "a", "e2 e1"), "a/e2/p2 a/e1/p1");
+  EXPECT_THAT(choose(sample, "a", "e1 e4#1"), HasSubstr("variant 'a' has no light emitter 'e4'"));
+  EXPECT_THAT(choose(sample, "b", "e4#1 e4#2"), HasSubstr("'e4' is there twice"));
+  // An id goes before the word.
+  sample.emitters = emitter("all", "p2") + emitter("e1", "p1");
+  sample.variants = variant("a", {"e1", "all"});
+  EXPECT_EQ(choose(sample, "a", "all"), "a/all/p2");
+}
+
+TEST(GldfChoice, EmittersOfSeveralChannelsAreSaidToBeLeftOut) {
+  GldfSample sample;
+  sample.emitters = emitter("e1", "p1") + emitter("e2", "p2") +
+                    "<Emitter id='m'><MultiChannelLightEmitter/></Emitter>";
+  sample.variants = variant("a", {"e1", "e2", "m"});
+  EXPECT_THAT(choose(sample, "a", "all"), HasSubstr("'m' has several channels"));
+  sample.variants = variant("a", {"e1", "m"});
+  Diagnostics diagnostics;
+  const XmlElement root = parse_xml(product_xml(sample), "p", diagnostics, XmlText::keep).value();
+  const std::optional<GldfProduct> product = read_gldf_product(root, diagnostics);
+  EXPECT_TRUE(choose_gldf_lights(product.value(), {}, "a.gldf", diagnostics));
+  EXPECT_THAT(test_support::diagnostics_text(diagnostics),
+              HasSubstr("warning[gldf-left-out]: the emitter 'm' was left out"));
+}
+
+TEST(GldfChoice, EveryChoiceIsListed) {
+  GldfSample sample;
+  sample.emitters = emitter("e1", "p1") + "<Emitter id='e2'>" + emitter("", "p1") +
+                    emitter("", "p2") + "</Emitter><Emitter id='s'><SensorEmitter/></Emitter>";
+  const auto listed = [&] {
+    Diagnostics diagnostics;
+    const XmlElement root = parse_xml(product_xml(sample), "p", diagnostics, XmlText::keep).value();
+    std::string text;
+    for (const PhotometryOptions& each :
+         gldf_choices(read_gldf_product(root, diagnostics).value())) {
+      text += each.variant + "/" + each.emitter + " ";
+    }
+    return text;
+  };
+  sample.variants = variant("a", {"e1", "e2", "s"}) + variant("b", {"e1"});
+  EXPECT_EQ(listed(), "a/e1 a/e2#1 a/e2#2 a/all b/e1 ");
+  sample.variants = "";
+  EXPECT_EQ(listed(), "/e1 /e2#1 /e2#2 ");
+  sample.emitters = emitter("e1", "p1") + emitter("e2", "p1", "emergencyBehaviour='EmergencyOnly'");
+  sample.variants = variant("a", {"e1", "e2"});
+  EXPECT_EQ(listed(), "a/e1 a/e2 ");
 }
 
 TEST(GldfChoice, EmittersAreFoundAtModelsToo) {

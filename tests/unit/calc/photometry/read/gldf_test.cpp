@@ -1,5 +1,4 @@
 #include "calc/photometry/read/gldf.h"
-
 #include "calc/photometry/read/photometry_file.h"
 #include "tests/support/gldf_samples.h"
 #include "tests/support/parsed_photometry.h"
@@ -145,13 +144,40 @@ TEST(Gldf, EquipmentFluxReplacesThatOfTheLamps) {
                                              "of single lamps"));
 }
 
-TEST(Gldf, PowerOfALightSourceFillsAGapOnly) {
+// The file's 10 W are for its 1000 lm.
+TEST(Gldf, PowerOfLightSourcesCountsWhereItIsHigherOrTheLightIsOther) {
+  GldfSample sample;
+  sample.light_sources =
+      "<FixedLightSource id='s'><RatedInputPower>20</RatedInputPower></FixedLightSource>";
+  sample.emitters = fixed_emitter("");
+  const Parsed higher = parse(gldf_bytes(sample));
+  EXPECT_EQ(higher.web->source().input_power_w, 40.0);
+  EXPECT_THAT(higher.messages,
+              HasSubstr("the power (W) as 40, the photometry file as 10; product"));
+  EXPECT_THAT(higher.web->source().power_rule, HasSubstr("product.xml, light sources"));
+  // Half the light needs less: the file's power is not that of this light.
+  sample.light_sources =
+      "<FixedLightSource id='s'><RatedInputPower>2</RatedInputPower></FixedLightSource>";
+  sample.emitters = fixed_emitter("<RatedLuminousFlux>500</RatedLuminousFlux>");
+  EXPECT_EQ(parse(gldf_bytes(sample)).web->source().input_power_w, 4.0);
+  // And if nobody states one it is not known.
+  sample.light_sources = "<FixedLightSource id='s'/>";
+  const Parsed unknown = parse(gldf_bytes(sample));
+  EXPECT_EQ(unknown.web->source().input_power_w, 0.0);
+  EXPECT_THAT(unknown.messages, HasSubstr("warning[gldf-power-unknown]"));
+  sample.emitters = fixed_emitter("<RatedLuminousFlux>1000</RatedLuminousFlux>");
+  EXPECT_EQ(parse(gldf_bytes(sample)).web->source().input_power_w, 10.0);
+}
+
+TEST(Gldf, PowerOfALightSourceAloneIsNotTakenForLess) {
   GldfSample sample;
   sample.light_sources =
       "<FixedLightSource id='s'><RatedInputPower>4</RatedInputPower>"
       "</FixedLightSource>";
   sample.emitters = fixed_emitter("");
-  EXPECT_EQ(parse(gldf_bytes(sample)).web->source().input_power_w, 10.0);
+  const Parsed lower = parse(gldf_bytes(sample));
+  EXPECT_EQ(lower.web->source().input_power_w, 10.0);
+  EXPECT_THAT(lower.messages, HasSubstr("which is higher, was kept"));
   LdtSample ldt;
   ldt.lamp_set_lines[5] = "0";
   EXPECT_EQ(parse(gldf_bytes(sample, ldt)).web->source().input_power_w, 8.0);
@@ -241,6 +267,19 @@ TEST(Gldf, DamagedContainersAreNamed) {
       "</ChangeableLightSource>";
   EXPECT_THAT(parse(gldf_bytes(sample)).messages,
               HasSubstr("<RatedLuminousFlux> is -1; allowed: 0 to 1e+12"));
+}
+
+TEST(Gldf, ProductsInUtf16AreRead) {
+  const std::string utf8 = product_xml({}).substr(3);
+  std::string wide = "\xFE\xFF";
+  for (const char c : utf8) {
+    wide += '\0';
+    wide += c;
+  }
+  const Parsed parsed =
+      parse(zip_bytes({{"product.xml", wide}, {"ldc/a.ldt", test_support::ldt_text({})}}));
+  EXPECT_EQ(parsed.messages, "");
+  EXPECT_EQ(parsed.web->source().luminaire_name, "Lamp, One");
 }
 
 TEST(Gldf, CutContainersAreErrors) {

@@ -1,7 +1,7 @@
 #include "calc/photometry/read/photometry_file.h"
-
 #include "calc/base/file_reader.h"
 #include "tests/support/photometry_samples.h"
+#include "tests/support/tm33_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,13 +109,44 @@ TEST(PhotometryFile, ListsOfChoicesStopAtTen) {
   EXPECT_EQ(list_choices({}), "none");
 }
 
-TEST(PhotometryFile, Utf16IsNamed) {
+std::string as_utf16(const std::string& text) {
   std::string wide = "\xFF\xFE";
-  for (const char c : test_support::ies_text({})) wide += std::string(1, c) + "\0"s;
+  for (const char c : text) wide += std::string(1, c) + "\0"s;
+  return wide;
+}
+
+TEST(PhotometryFile, Utf16IsRead) {
+  for (const std::string& text : {test_support::ies_text({}), test_support::ldt_text({}),
+                                  test_support::tm33_text(test_support::tm33_emitter({}))}) {
+    Diagnostics diagnostics;
+    const double flux_lm = parse_photometry(text, "x", diagnostics)->flux_lm();
+    const std::string wide = as_utf16(text);
+    EXPECT_EQ(parse_photometry(wide, "x", diagnostics).value().flux_lm(), flux_lm);
+    EXPECT_EQ(parse_photometry(wide.substr(2), "x", diagnostics).value().flux_lm(), flux_lm);
+    EXPECT_FALSE(diagnostics.has_errors());
+  }
+  EXPECT_EQ(messages(as_utf16(test_support::ies_text({})) + "x"),
+            "x: error[photometry-encoding]: the encoding cannot be read: its UTF-16 ends within a "
+            "character, or has half of one; readable are UTF-8, UTF-16 and Windows-1252\n");
+}
+
+TEST(PhotometryFile, OtherKindsOfFilesAreNamed) {
   EXPECT_EQ(
-      messages(wide),
-      "x: error[photometry-encoding]: the text is UTF-16; allowed: ASCII, Windows-1252 or UTF-8\n");
-  EXPECT_THAT(messages(wide.substr(2)), HasSubstr("error[photometry-encoding]"));
+      messages("%PDF-1.7\n..."),
+      "x: error[file-of-other-kind]: this is a PDF document, and photometry (LM-63, EULUMDAT, "
+      "TM-33 or GLDF) is wanted here; luxgate reads no pictures and no documents\n");
+  EXPECT_THAT(messages("<gbXML/>"), HasSubstr("this is a gbXML file, and photometry"));
+  // EULUMDAT's first line is any text.
+  test_support::LdtSample sample;
+  const std::string ldt = test_support::ldt_text(sample);
+  Diagnostics diagnostics;
+  EXPECT_TRUE(parse_photometry("a light company" + ldt.substr(ldt.find_first_of("\r\n")), "x",
+                               diagnostics));
+  // Of a file that nobody knows the name counts, and only then.
+  EXPECT_FALSE(parse_photometry("nothing", "lamp.uld", diagnostics));
+  EXPECT_THAT(test_support::diagnostics_text(diagnostics),
+              HasSubstr("by its name this is a DIALux luminaire"));
+  EXPECT_TRUE(parse_photometry(ldt, "lamp.uld", diagnostics));
 }
 
 struct Example {

@@ -73,7 +73,6 @@ TEST_F(RealMadeFiles, BadOnesAreRefusedWithTheReason) {
                            {"bad_type_4.ies", "photometry-value"},
                            {"bad_zero_multiplier.ies", "photometry-value"},
                            {"empty.ies", "photometry-format"},
-                           {"odd_utf16le_bom.ies", "photometry-encoding"},
                            {"tilt_file_missing.ies", "photometry-tilt-file"},
                            {"ldt_bad_counts.ldt", "photometry-count"},
                            {"ldt_bad_isym4_full_data.ldt", "photometry-lines"},

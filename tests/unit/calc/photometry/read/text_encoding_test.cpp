@@ -33,14 +33,5 @@ TEST(TextEncoding, QuotesAreCutBetweenCharacters) {
   EXPECT_EQ(quotable(std::string(39, 'x') + "\xC3\xA4yyy"), std::string(39, 'x') + "...");
 }
 
-TEST(TextEncoding, Utf16IsRecognised) {
-  EXPECT_TRUE(looks_like_utf16("\xFF\xFEI\0E\0"s));
-  EXPECT_TRUE(looks_like_utf16("\xFE\xFF\0I\0E"s));
-  EXPECT_TRUE(looks_like_utf16("I\0E\0S\0"s));
-  EXPECT_FALSE(looks_like_utf16("IESNA"));
-  EXPECT_FALSE(looks_like_utf16("\0\0\0\0"s));
-  EXPECT_FALSE(looks_like_utf16(""));
-}
-
 }  // namespace
 }  // namespace calc

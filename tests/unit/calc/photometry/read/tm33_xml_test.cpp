@@ -1,5 +1,4 @@
 #include "calc/photometry/read/tm33_xml.h"
-
 #include "calc/photometry/read/photometry_file.h"
 #include "tests/support/parsed_photometry.h"
 #include "tests/support/tm33_samples.h"
@@ -393,8 +392,8 @@ TEST(Tm33, WhatIsNotAppliedIsWarnedOf) {
 }
 
 TEST(Tm33, OtherRootsAreRefused) {
-  EXPECT_EQ(parse("<gbXML/>").messages,
-            "a.xml:1:1: error[photometry-xml-root]: <gbXML> is no photometry that luxgate reads; "
+  EXPECT_EQ(parse("<lamp/>").messages,
+            "a.xml:1:1: error[photometry-xml-root]: <lamp> is no photometry that luxgate reads; "
             "readable: IESTM33, IESTM33-18, IESTM33-22 or LuminaireOpticalData\n");
   EXPECT_EQ(parse("<IESTM33-22/>").messages,
             "a.xml:1:1: error[photometry-missing]: <IESTM33-22> has no <Emitter>\n");

@@ -63,7 +63,7 @@ std::string expect_round_trip(Writer writer, const PhotometricWeb& web) {
 }
 
 PhotometrySource some_source(double rated_lm) {
-  return {"EULUMDAT", "Gr\xC3\xBCn 5", "maker", rated_lm, 41.5, "factor 2"};
+  return {"EULUMDAT", "Gr\xC3\xBCn 5", "maker", rated_lm, 41.5, "", "factor 2"};
 }
 
 struct Case {

@@ -1,10 +1,10 @@
 #include "report/tools/photometry/photometry.h"
-
 #include "tests/support/gldf_samples.h"
 #include "tests/support/web_changes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -217,7 +217,7 @@ TEST_F(PhotometryCommand, CsvHasOneFullLinePerFile) {
   for (std::size_t end = 0; (end = csv.find("\r\n", begin)) != std::string::npos; begin = end + 2) {
     ++lines;
     const std::string line = csv.substr(begin, end - begin);
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 33) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 35) << line;
   }
   EXPECT_EQ(lines, 3);
   EXPECT_THAT(csv, HasSubstr("bad.ies,no,,,"));
@@ -259,7 +259,32 @@ TEST_F(PhotometryCommand, ChoosesAVariantAndAnEmitter) {
       "</Variant><Variant id='v2'><EmitterReference emitterId='e2'/></Variant>";
   write("a.gldf", test_support::gldf_bytes(sample));
   cli::PhotometryOptions options = for_files({path("a.gldf")});
+  // Without a choice every light is shown, those of a variant that go together with their places.
+  const auto all = run(options);
+  EXPECT_EQ(all.exit_code, 0);
+  for (const char* words :
+       {"a.gldf [variant v1, emitter e1]: ", "a.gldf [variant v1, emitter e2]: ",
+        "a.gldf [variant v2, emitter e2]: ", "together    emitter 'all': 2 emitters, ",
+        "place       0 0 0 m from the middle of them, light along 0 0 -1, C 0 along 1 0 0\n",
+        "warning[gldf-places]"}) {
+    EXPECT_THAT(all.out, HasSubstr(words));
+  }
+  options.format = cli::PhotometryFormat::json;
+  const auto json = nlohmann::json::parse(run(options).out)["files"];
+  ASSERT_EQ(json.size(), 3u);
+  EXPECT_EQ(json[0]["variant"], "v1");
+  EXPECT_EQ(json[1]["emitter"], "e2");
+  EXPECT_EQ(json[0]["together"]["emitters"], 2);
+  EXPECT_FALSE(json[2].contains("together"));
+  options.format = cli::PhotometryFormat::text;
+  // What takes one light asks for it.
+  options.convert_file = path("b.ldt");
   EXPECT_EQ(run(options).exit_code, 2);
+  options.convert_file.clear();
+  options.emitter = "all";
+  options.variant = "v1";
+  EXPECT_THAT(run(options).out, HasSubstr("[variant v1, emitter e2]"));
+  options.emitter.clear();
   options.variant = "v2";
   EXPECT_THAT(run(options).out, HasSubstr("format      GLDF (IESNA:LM-63-2002)\n"));
   options.variant = "v1";
@@ -341,7 +366,7 @@ TEST(PhotometryText, ShowsSplitBeamsNearSymmetryAndEfficiency) {
                                return g == 0 ? 100.0 : 0.0;
                              }),
       {calc::OpeningShape::rectangle, 1.2, 0.3, 0.05},
-      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "x", "some rule", {}, 500.0});
+      {"EULUMDAT", "lamp\x1b", "", 1000, 20, "", "x", "some rule", {}, 500.0});
   cli::PhotometryFile file;
   file.path = "f.ldt";
   file.web = web;

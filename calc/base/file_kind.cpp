@@ -1,0 +1,343 @@
+#include "calc/base/file_kind.h"
+
+#include "calc/base/encoding.h"
+#include "calc/base/line_cursor.h"
+#include "calc/base/text.h"
+#include "calc/base/utf8.h"
+#include "calc/base/xml_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace calc {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kHeadBytes = 8000;
+constexpr std::size_t kTailBytes = 65536;
+
+// What the predicates look at.
+struct FileHead {
+  std::string_view bytes;  // the file's first ones
+  std::string_view tail;   // and its last: where ZIP archives list their files
+  std::string text;        // of them, in UTF-8, without blanks around
+  std::string element;     // the first one, if it is XML
+};
+
+FileHead head_of(std::string_view bytes) {
+  const std::string_view tail = bytes.substr(bytes.size() - std::min(bytes.size(), kTailBytes));
+  FileHead head{bytes.substr(0, kHeadBytes), tail, "", ""};
+  const std::string start = start_of_text(bytes, kHeadBytes);
+  head.text = trim(start);
+  if (looks_like_xml(bytes)) head.element = first_element_name(head.text);
+  return head;
+}
+
+bool begins(const FileHead& head, std::string_view magic) { return head.bytes.starts_with(magic); }
+bool holds(const FileHead& head, std::string_view part) {
+  return head.bytes.find(part) != std::string_view::npos;
+}
+bool is_zip(const FileHead& head) { return begins(head, "PK\x03\x04"sv); }
+// An archive with a file of such a name; what it packs may hold one, too: ask for the outer first.
+bool is_zip_with(const FileHead& head, std::string_view name) {
+  return is_zip(head) && (holds(head, name) || head.tail.find(name) != std::string_view::npos);
+}
+
+bool is_dwg(const FileHead& head) {
+  return begins(head, "AC10"sv) && head.bytes.size() > 6 && is_digit(head.bytes[4]) &&
+         is_digit(head.bytes[5]) && head.bytes[6] == '\0';
+}
+
+// Pairs of lines, group code and value: comments (999), then 0 and SECTION.
+bool is_text_dxf(const FileHead& head) {
+  const std::vector<std::string_view> words = split_words(head.text);
+  if (words.size() < 2 || (words[0] != "0" && words[0] != "999")) return false;
+  if (words[0] == "0") return words[1] == "SECTION";
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i] == "0" && words[i + 1] == "SECTION") return true;
+  }
+  return false;
+}
+
+// The main chunk, and in it the version or the model.
+bool is_3ds(const FileHead& head) {
+  const std::string_view inner = head.bytes.substr(std::min<std::size_t>(6, head.bytes.size()), 2);
+  return begins(head, "\x4D\x4D"sv) && (inner == "\x02\0"sv || inner == "\x3D\x3D"sv);
+}
+
+// "modifier type name", then a number of arguments.
+bool is_radiance_scene(const FileHead& head) {
+  constexpr std::array kTypes{
+      "polygon"sv,   "sphere"sv,     "bubble"sv, "cone"sv,      "cup"sv,        "cylinder"sv,
+      "tube"sv,      "ring"sv,       "source"sv, "mesh"sv,      "instance"sv,   "plastic"sv,
+      "metal"sv,     "trans"sv,      "light"sv,  "illum"sv,     "glow"sv,       "spotlight"sv,
+      "mirror"sv,    "dielectric"sv, "glass"sv,  "interface"sv, "brightdata"sv, "brightfunc"sv,
+      "colorpict"sv, "mixfunc"sv};
+  LineCursor lines(head.text);
+  while (const std::optional<std::string_view> line = lines.next()) {
+    const std::vector<std::string_view> words = split_words(*line);
+    if (words.empty() || words[0].starts_with('#') || words[0].starts_with('!')) continue;
+    const std::vector<std::string_view> next = split_words(lines.next().value_or(""));
+    return words.size() == 3 && std::find(kTypes.begin(), kTypes.end(), words[1]) != kTypes.end() &&
+           !next.empty() && parse_integer(next[0]).has_value();
+  }
+  return false;
+}
+
+bool is_element(const FileHead& head, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), head.element) != names.end();
+}
+
+constexpr std::string_view kToMesh = "export it as OBJ, STL, PLY or glTF";
+constexpr std::string_view kToRooms =
+    "export its rooms as gbXML, or its bodies as OBJ, STL, PLY or glTF";
+constexpr std::string_view kToPhotometry =
+    "ask the manufacturer for LM-63 (.ies), EULUMDAT (.ldt), TM-33 or GLDF";
+constexpr std::string_view kUnpack = "unpack it and name the file inside";
+constexpr std::string_view kToCsv = "save the sheet as CSV";
+constexpr std::string_view kToText = "luxgate reads no pictures and no documents";
+constexpr std::string_view kAsPhotometry = "name it in photometry=\"...\" of a <luminaire-type>";
+constexpr std::string_view kAsMesh = "name it in file=\"...\" of a <mesh>";
+constexpr std::string_view kAsGbxml = "name it in file=\"...\" of a <room>, with its space";
+constexpr std::string_view kAsProject = "'luxgate check' reads it";
+constexpr std::string_view kAsResult = "'luxgate report' and 'luxgate compare' read it";
+constexpr std::string_view kAsRules = "'luxgate check --rules' and 'luxgate rules' read it";
+
+struct KindRow {
+  FileKind kind;
+  bool (*is_it)(const FileHead& head);  // null: only the name tells
+  std::string_view extensions;          // ".ifc .ifczip", "" = none
+};
+
+// The first that fits. Magic numbers before guesses from text.
+constexpr KindRow kKinds[] = {
+    {{"a PDF document", FileUse::other, kToText},
+     [](const FileHead& h) { return holds(h, "%PDF-"sv) && h.bytes.find("%PDF-"sv) < 1024; },
+     ".pdf"},
+    {{"a PNG picture", FileUse::other, kToText},
+     [](const FileHead& h) { return begins(h, "\x89PNG"sv); },
+     ".png"},
+    {{"a JPEG picture", FileUse::other, kToText},
+     [](const FileHead& h) { return begins(h, "\xFF\xD8\xFF"sv); },
+     ".jpg .jpeg"},
+    {{"a TIFF or GIF picture", FileUse::other, kToText},
+     [](const FileHead& h) {
+       return begins(h, "II*\0"sv) || begins(h, "MM\0*"sv) || begins(h, "GIF8"sv);
+     },
+     ".tif .tiff .gif .bmp"},
+    {{"an OpenEXR picture", FileUse::other, kToText},
+     [](const FileHead& h) { return begins(h, "\x76\x2F\x31\x01"sv); },
+     ".exr"},
+    {{"a SketchUp model", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "\xFF\xFE\xFF\x0ES\0k\0e\0t\0"sv); },
+     ".skp"},
+    {{"an AutoCAD drawing (DWG)", FileUse::other, kToMesh}, is_dwg, ".dwg"},
+    {{"an AutoCAD drawing (DXF)", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "AutoCAD Binary DXF"sv) || is_text_dxf(h); },
+     ".dxf"},
+    {{"an IFC building model", FileUse::other, kToRooms},
+     [](const FileHead& h) {
+       return (h.text.starts_with("ISO-10303-21") && holds(h, "IFC"sv)) ||
+              is_element(h, {"ifcXML", "iso_10303_28"});
+     },
+     ".ifc .ifczip .ifcxml"},
+    {{"a STEP model", FileUse::other, kToMesh},
+     [](const FileHead& h) { return h.text.starts_with("ISO-10303-21"); },
+     ".stp .step .p21"},
+    {{"an IGES model", FileUse::other, kToMesh}, nullptr, ".igs .iges"},
+    {{"an FBX model", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "Kaydara FBX Binary"sv) || begins(h, "; FBX "sv); },
+     ".fbx"},
+    {{"a 3DS model", FileUse::other, kToMesh}, is_3ds, ".3ds"},
+    {{"a Blender file", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "BLENDER"sv); },
+     ".blend"},
+    {{"a Rhino model", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "3D Geometry File Format"sv); },
+     ".3dm"},
+    {{"a USD scene", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "PXR-USDC"sv) || begins(h, "#usda"sv); },
+     ".usd .usda .usdc .usdz"},
+    {{"a VRML scene", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "#VRML"sv); },
+     ".wrl .vrml"},
+    {{"a COLLADA scene", FileUse::other, kToMesh},
+     [](const FileHead& h) { return is_element(h, {"COLLADA"}); },
+     ".dae"},
+    {{"an XML file of another program (X3D, CityGML, LandXML, KML or SVG)", FileUse::other,
+      kToMesh},
+     [](const FileHead& h) {
+       return is_element(h, {"X3D", "CityModel", "LandXML", "kml", "svg"});
+     },
+     ".x3d .kml .svg"},
+    {{"a web page", FileUse::other, "save the file behind the link instead"},
+     [](const FileHead& h) {
+       return is_element(h, {"html", "HTML"}) || h.text.starts_with("<!DOCTYPE html") ||
+              h.text.starts_with("<!doctype html");
+     },
+     ".html .htm"},
+    {{"an STF file", FileUse::other, kToRooms},
+     [](const FileHead& h) { return h.text.starts_with("[VERSION]") && holds(h, "STFF"sv); },
+     ".stf"},
+    {{"a Radiance octree or picture", FileUse::other, kToMesh},
+     [](const FileHead& h) { return begins(h, "#?RADIANCE"sv) || begins(h, "#?RGBE"sv); },
+     ".oct .hdr .pic"},
+    {{"a Radiance scene", FileUse::other, kToMesh}, is_radiance_scene, ".rad"},
+    {{"a Revit model", FileUse::other, kToRooms},
+     [](const FileHead& h) {
+       return begins(h, "\xD0\xCF\x11\xE0"sv) && holds(h, "R\0e\0v\0i\0t\0"sv);
+     },
+     ".rvt .rfa"},
+    {{"a GLDF file", FileUse::photometry, kAsPhotometry},
+     [](const FileHead& h) { return is_zip_with(h, "product.xml"sv); },
+     ".gldf"},
+    {{"an Excel workbook", FileUse::other, kToCsv},
+     [](const FileHead& h) {
+       return is_zip_with(h, "xl/workbook.xml"sv) || is_zip_with(h, "opendocument.spreadsheet"sv);
+     },
+     ".xlsx .xls .ods"},
+    {{"a Word document", FileUse::other, kToText},
+     [](const FileHead& h) { return is_zip_with(h, "word/document.xml"sv); },
+     ".docx .doc"},
+    {{"an L3D body of a luminaire", FileUse::other, kUnpack},
+     [](const FileHead& h) { return is_zip_with(h, "structure.xml"sv); },
+     ".l3d"},
+    {{"a DIALux project", FileUse::other,
+      "export its luminaires' photometry and write the rooms as a luxgate project, or export them "
+      "as gbXML"},
+     nullptr,
+     ".evo .dlx"},
+    {{"a DIALux luminaire", FileUse::other, kToPhotometry}, nullptr, ".uld"},
+    {{"a Relux file", FileUse::other, kToPhotometry}, nullptr, ".rdf .rolf .rolfz .rxf"},
+    {{"an AGi32 file", FileUse::other, kToRooms}, nullptr, ".agi"},
+    {{"an OLE compound file (Revit, 3ds Max or an old Office program)", FileUse::other, kToRooms,
+      true},
+     [](const FileHead& h) { return begins(h, "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv); },
+     ".max"},
+    {{"a compressed file", FileUse::other, kUnpack},
+     [](const FileHead& h) {
+       return begins(h, "\x1F\x8B"sv) || begins(h, "7z\xBC\xAF"sv) || begins(h, "Rar!"sv) ||
+              begins(h, "BZh"sv) ||
+              begins(h,
+                     "\xFD"
+                     "7zXZ"sv);
+     },
+     ".gz .7z .rar .bz2 .xz .tar"},
+    {{"a gbXML file", FileUse::gbxml, kAsGbxml},
+     [](const FileHead& h) { return is_element(h, {"gbXML"}); },
+     ".gbxml"},
+    {{"a luxgate project", FileUse::project, kAsProject},
+     [](const FileHead& h) { return is_element(h, {"luxgate"}); },
+     ""},
+    {{"a rule pack", FileUse::rule_pack, kAsRules},
+     [](const FileHead& h) { return is_element(h, {"rule-pack"}); },
+     ""},
+    {{"a TM-33 file", FileUse::photometry, kAsPhotometry},
+     [](const FileHead& h) {
+       return h.element.starts_with("IESTM33") || is_element(h, {"LuminaireOpticalData"});
+     },
+     ""},
+    {{"an LM-63 file", FileUse::photometry, kAsPhotometry},
+     [](const FileHead& h) {
+       return h.text.starts_with("IESNA") || h.text.starts_with("IES:LM-63");
+     },
+     ".ies"},
+    {{"an EULUMDAT file", FileUse::photometry, kAsPhotometry}, nullptr, ".ldt"},
+    {{"a luxgate result", FileUse::result, kAsResult},
+     [](const FileHead& h) {
+       return h.text.starts_with('{') &&
+              h.text.substr(0, 200).find("\"luxgate-result\"") != std::string::npos;
+     },
+     ""},
+    {{"a glTF file", FileUse::mesh, kAsMesh},
+     [](const FileHead& h) {
+       return begins(h, "glTF"sv) ||
+              (h.text.starts_with('{') && holds(h, "\"asset\""sv) && holds(h, "\"version\""sv));
+     },
+     ".gltf .glb"},
+    {{"a PLY file", FileUse::mesh, kAsMesh},
+     [](const FileHead& h) { return begins(h, "ply\n"sv) || begins(h, "ply\r"sv); },
+     ".ply"},
+    {{"an STL file", FileUse::mesh, kAsMesh}, nullptr, ".stl"},
+    {{"an OBJ file", FileUse::mesh, kAsMesh}, nullptr, ".obj"},
+    {{"a ZIP archive", FileUse::other, kUnpack, true}, is_zip, ".zip"},
+};
+
+// Bodies are no photometry, no rules and no table, however they are exported.
+bool helps(std::string_view advice, FileUse wanted) {
+  if (advice != kToMesh && advice != kToRooms) return true;
+  return wanted == FileUse::mesh || wanted == FileUse::gbxml || wanted == FileUse::project;
+}
+
+}  // namespace
+
+std::string_view words_of(FileUse use) {
+  switch (use) {
+    case FileUse::mesh:
+      return "a mesh (OBJ, STL, PLY or glTF)";
+    case FileUse::photometry:
+      return "photometry (LM-63, EULUMDAT, TM-33 or GLDF)";
+    case FileUse::project:
+      return "a luxgate project (XML)";
+    case FileUse::gbxml:
+      return "gbXML";
+    case FileUse::rule_pack:
+      return "a rule pack (XML)";
+    case FileUse::result:
+      return "a result that 'luxgate check --format json' wrote";
+    case FileUse::table:
+      return "a table of comma-separated values (CSV)";
+    case FileUse::other:
+      break;
+  }
+  return "";
+}
+
+const FileKind* kind_by_content(std::string_view bytes) {
+  const FileHead head = head_of(bytes);
+  for (const KindRow& row : kKinds) {
+    if (row.is_it != nullptr && row.is_it(head)) return &row.kind;
+  }
+  return nullptr;
+}
+
+const FileKind* kind_by_name(std::string_view name) {
+  std::string lower(name.substr(name.rfind('/') + 1));
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  for (const KindRow& row : kKinds) {
+    for (const std::string_view extension : split_words(row.extensions)) {
+      if (lower.ends_with(extension)) return &row.kind;
+    }
+  }
+  return nullptr;
+}
+
+std::string other_kind_problem(std::string_view bytes, std::string_view name, FileUse wanted,
+                               bool is_recognised) {
+  const FileKind* kind = kind_by_content(bytes);
+  const FileKind* named = kind_by_name(name);
+  const bool name_counts =
+      (kind == nullptr && !is_recognised) || (kind != nullptr && kind->is_vague);
+  if (name_counts && named != nullptr) kind = named;
+  if (kind == nullptr || kind->use == wanted) return "";
+  const bool is_by_name = kind == named && name_counts;
+  const std::string problem =
+      fmt::format("{} {}, and {} is wanted here", is_by_name ? "by its name this is" : "this is",
+                  kind->words, words_of(wanted));
+  return helps(kind->advice, wanted) ? fmt::format("{}; {}", problem, kind->advice) : problem;
+}
+
+bool check_file_kind(std::string_view bytes, const std::string& name, FileUse wanted,
+                     Diagnostics& diagnostics, bool is_recognised) {
+  const std::string problem = other_kind_problem(bytes, name, wanted, is_recognised);
+  if (problem.empty()) return true;
+  diagnostics.report(DiagnosticId::file_of_other_kind, SourceLocation{name, 0, 0}, problem);
+  return false;
+}
+
+}  // namespace calc

@@ -1,0 +1,41 @@
+#pragma once
+// What a file is, for readers that were given one of another kind: they say what it is and what to
+// do instead of what they did not find in it.
+
+#include "calc/base/diagnostics.h"
+
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+// What luxgate does with files. other: nothing, it does not read them.
+enum class FileUse { mesh, photometry, project, gbxml, rule_pack, result, table, other };
+
+struct FileKind {
+  std::string_view words;  // "a PDF document"
+  FileUse use = FileUse::other;
+  std::string_view advice;  // what to do with it, a clause
+  bool is_vague = false;    // a container: its name tells more
+};
+
+// "a mesh (OBJ, STL, PLY or glTF)"; never of FileUse::other.
+std::string_view words_of(FileUse use);
+
+// By the contents; null where they do not tell. A binary STL may begin with anything: ask for that
+// before.
+const FileKind* kind_by_content(std::string_view bytes);
+// By the end of the name, small letters or capitals; null where it is not known.
+const FileKind* kind_by_name(std::string_view name);
+
+// "this is a PDF document, and a mesh (...) is wanted; ...": "" if nothing speaks against `wanted`.
+// The contents count; the name only if they say nothing and `is_recognised` is false, which is for
+// readers that found nothing of theirs in the file.
+std::string other_kind_problem(std::string_view bytes, std::string_view name, FileUse wanted,
+                               bool is_recognised = true);
+
+// The same as an error; false if it was reported.
+bool check_file_kind(std::string_view bytes, const std::string& name, FileUse wanted,
+                     Diagnostics& diagnostics, bool is_recognised = true);
+
+}  // namespace calc
