@@ -375,9 +375,10 @@ class GridMaker {
                         grid_.position_m.size() + grid_.dropped.size(), outside, inside);
   }
 
-  // What a point in a surface means is our choice, and may not be the project's.
+  // What a point in a surface means is our choice, and may not be the project's. Where furniture
+  // meets the cells of a grid is chance, and said with the results.
   void warn_about_surfaces() {
-    if (!grid_.inner.empty()) {
+    if (!grid_.inner.empty() && std::holds_alternative<PointList>(plane_.area)) {
       const InnerPoint& first = grid_.inner.front();
       const glm::dvec3& at = grid_.position_m[first.point];
       diagnostics_.report(DiagnosticId::points_beside_surface, plane_.where, plane_.id,

@@ -348,6 +348,7 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
         requirement.deviations.begin(), requirement.deviations.end(),
         [](const Deviation& deviation) { return deviation.aspect == FitAspect::points; });
     if (!is_told) add_words(requirement.note, fit.lost_words());
+    add_words(requirement.note, inner_words(context.grid));
     const bool counts_points =
         requirement.metric == Metric::percentile || requirement.metric == Metric::share;
     if (counts_points && !calc::point_weights(context.grid).empty()) {

@@ -21,6 +21,14 @@ double LostPoints::share() const {
   return all == 0 ? 0.0 : static_cast<double>(lost) / static_cast<double>(all);
 }
 
+std::string inner_words(const calc::SensorGrid& grid) {
+  if (grid.inner.empty()) return {};
+  return fmt::format(
+      "{} of {} points lie in a surface that stands on the plane, the first in '{}', and are "
+      "measured just off it",
+      grid.inner.size(), grid.position_m.size(), grid.inner.front().body);
+}
+
 LostPoints lost_points(const calc::SensorGrid& grid) {
   constexpr std::size_t kMostNamed = 3;
   std::map<std::string, std::size_t> inside;  // by place: "inside 'desk'"

@@ -19,4 +19,8 @@ struct LostPoints {
 // route also where something stands in the way, or where nothing is walked on.
 LostPoints lost_points(const calc::SensorGrid& grid);
 
+// "3 of 20 points lie in a surface that stands on the plane, the first in 'cupboard', and are
+// measured just off it"; "": none (SensorGrid::inner).
+std::string inner_words(const calc::SensorGrid& grid);
+
 }  // namespace rules

@@ -387,12 +387,18 @@ TEST(SensorGrid, APointInTheSideOfABodyIsMeasuredBesideIt) {
       EXPECT_LT(made.grid->measured_m(inner.point).x, 1.5002);
       EXPECT_EQ(inner.body, "cupboard");
     }
-    ASSERT_EQ(made.messages.size(), 1u);
-    EXPECT_EQ(made.messages[0],
-              "project.xml:7:3: warning[points-beside-surface]: plane 'desk': 4 of 12 points lie "
-              "in a surface that stands on the plane and are measured just off it, on the side "
-              "where there is air: the first is at (1.5, 0.5, 0.75) m, in 'cupboard'");
+    EXPECT_TRUE(made.messages.empty()) << "said with the results";
   }
+  PointList list;
+  list.position_m = {{1.5, 0.5, 0.75}, {3, 3, 0.75}};
+  list.normal = {{0, 0, 1}, {0, 0, 1}};
+  plane.kernel = ReceiverKernel::planar;
+  plane.area = list;
+  EXPECT_EQ(make(plane, space).messages,
+            std::vector<std::string>{
+                "project.xml:7:3: warning[points-beside-surface]: plane 'desk': 1 of 2 points lie "
+                "in a surface that stands on the plane and are measured just off it, on the side "
+                "where there is air: the first is at (1.5, 0.5, 0.75) m, in 'cupboard'"});
 }
 
 TEST(SensorGrid, PointsInAScreenAreLeftOutAndSaid) {
