@@ -2,6 +2,8 @@
 
 #include "calc/scene/polygon.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,8 +63,10 @@ bool MeshBuilder::add_face(std::span<const std::uint32_t> corner, int line) {
   ++mesh_.faces;
   if (!is_small_enough(corner.size(), line)) return false;
   double area = 0.0;
-  if (corner.size() == 3) {
-    split_triangle(corner, line);
+  // Triangles in the end are kept however thin they are.
+  const std::vector<std::uint32_t> distinct = distinct_corners(corner);
+  if (distinct.size() == 3) {
+    if (split_triangle(distinct, line)) note_doubled(corner, distinct, line);
   } else if (corner.size() < 3 || !split_polygon(corner, line, area)) {
     leave_out(area, line);
   }
@@ -84,13 +88,46 @@ bool MeshBuilder::is_small_enough(std::size_t corners, int line) {
   return false;
 }
 
-void MeshBuilder::split_triangle(std::span<const std::uint32_t> corner, int line) {
+// Without corners that repeat the one before them.
+std::vector<std::uint32_t> MeshBuilder::distinct_corners(
+    std::span<const std::uint32_t> corner) const {
+  std::vector<std::uint32_t> corners;
+  corners.reserve(corner.size());
+  for (const std::uint32_t c : corner) {
+    if (corners.empty() || mesh_.vertex[corners.back()] != mesh_.vertex[c]) corners.push_back(c);
+  }
+  while (corners.size() > 1 && mesh_.vertex[corners.back()] == mesh_.vertex[corners.front()]) {
+    corners.pop_back();
+  }
+  return corners;
+}
+
+bool MeshBuilder::split_triangle(const std::vector<std::uint32_t>& corner, int line) {
   const glm::dvec3& a = mesh_.vertex[corner[0]];
   if (glm::cross(mesh_.vertex[corner[1]] - a, mesh_.vertex[corner[2]] - a) == glm::dvec3(0.0)) {
     leave_out(0.0, line);
-  } else {
-    add_triangle({corner[0], corner[1], corner[2]});
+    return false;
   }
+  add_triangle({corner[0], corner[1], corner[2]});
+  return true;
+}
+
+void MeshBuilder::note_doubled(std::span<const std::uint32_t> corner,
+                               const std::vector<std::uint32_t>& distinct, int line) {
+  if (corner.size() == distinct.size()) return;
+  Mending mending;
+  mending.doubled = corner.size() - distinct.size();
+  mending.at = mesh_.vertex[distinct[0]];
+  note(mending, line);
+}
+
+void MeshBuilder::note(const Mending& mending, int line) {
+  if (!mending.is_any()) return;
+  ++mesh_.faces_mended;
+  if (mesh_.faces_mended == 1 || mending.longest > mending_.longest) {
+    longest_mended_ = {mesh_.faces, line};
+  }
+  mending_.add(mending);
 }
 
 // area: what is missing if it cannot be split.
@@ -103,13 +140,7 @@ bool MeshBuilder::split_polygon(std::span<const std::uint32_t> corner, int line,
     area = enclosed_area(positions);
     return false;
   }
-  if (mended->mending.is_any()) {
-    ++mended_;
-    if (mended_ == 1 || mended->mending.longest > mending_.longest) {
-      longest_mended_ = {mesh_.faces, line};
-    }
-    mending_.add(mended->mending);
-  }
+  note(mended->mending, line);
   if (mended->deviation > kPlanarTolerance) {
     ++bent_;
     if (mended->deviation > worst_deviation_) worst_ = {mesh_.faces, line};
@@ -138,11 +169,18 @@ void MeshBuilder::leave_out(double area, int line) {
   largest_left_out_ = {mesh_.faces, line};
 }
 
+std::string MeshBuilder::missing_area() const {
+  if (!(mesh_.area_left_out > 0.0)) return "";
+  return fmt::format(
+      "; an area of {:.4g} (in the file's unit, squared) is missing, {:.4g} of it of face {}",
+      mesh_.area_left_out, largest_area_left_out_, largest_left_out_.face);
+}
+
 void MeshBuilder::warn() const {
-  if (mended_ > 0) {
-    diagnostics_.report(DiagnosticId::mesh_mended_faces, {name_, longest_mended_.line, 0}, mended_,
-                        mesh_.faces, mending_.words(), mending_.longest, mending_.at.x,
-                        mending_.at.y, mending_.at.z, longest_mended_.face);
+  if (mesh_.faces_mended > 0) {
+    diagnostics_.report(DiagnosticId::mesh_mended_faces, {name_, longest_mended_.line, 0},
+                        mesh_.faces_mended, mesh_.faces, mending_.words(), mending_.longest,
+                        mending_.at.x, mending_.at.y, mending_.at.z, longest_mended_.face);
   }
   if (bent_ > 0) {
     diagnostics_.report(DiagnosticId::mesh_bent_faces, {name_, worst_.line, 0}, bent_, mesh_.faces,
@@ -150,8 +188,7 @@ void MeshBuilder::warn() const {
   }
   if (mesh_.faces_left_out > 0) {
     diagnostics_.report(DiagnosticId::mesh_faces_left_out, {name_, first_left_out_.line, 0},
-                        mesh_.faces_left_out, mesh_.faces, first_left_out_.face,
-                        mesh_.area_left_out, largest_area_left_out_, largest_left_out_.face);
+                        mesh_.faces_left_out, mesh_.faces, first_left_out_.face, missing_area());
   }
 }
 

@@ -63,10 +63,15 @@ class MeshBuilder {
 
  private:
   bool is_small_enough(std::size_t corners, int line);
-  void split_triangle(std::span<const std::uint32_t> corner, int line);
+  std::vector<std::uint32_t> distinct_corners(std::span<const std::uint32_t> corner) const;
+  bool split_triangle(const std::vector<std::uint32_t>& corner, int line);
+  void note_doubled(std::span<const std::uint32_t> corner,
+                    const std::vector<std::uint32_t>& distinct, int line);
+  void note(const Mending& mending, int line);
   bool split_polygon(std::span<const std::uint32_t> corner, int line, double& area);
   void add_triangle(const glm::uvec3& triangle);
   void leave_out(double area, int line);
+  std::string missing_area() const;
   void warn() const;
 
   struct Place {
@@ -81,7 +86,7 @@ class MeshBuilder {
   std::string material_, object_;
   std::optional<std::uint32_t> material_index_, object_index_;
   double corner_pairs_ = 0.0, worst_deviation_ = 0.0;
-  std::size_t bent_ = 0, mended_ = 0;
+  std::size_t bent_ = 0;
   Mending mending_;
   Place worst_, first_left_out_, longest_mended_, largest_left_out_;
   double largest_area_left_out_ = 0.0;

@@ -259,8 +259,24 @@ double enclosed_area(const std::vector<glm::dvec2>& polygon) {
 }
 
 double enclosed_area(const std::vector<glm::dvec3>& polygon) {
-  const std::optional<FlatPolygon> flat = flatten_polygon(polygon);
-  return flat ? enclosed_area(flat->corner) : 0.0;
+  if (const std::optional<FlatPolygon> flat = flatten_polygon(polygon)) {
+    return enclosed_area(flat->corner);
+  }
+  // The two halves of a bow tie may cancel out: the plane of its widest corners instead.
+  glm::dvec3 normal(0.0);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const glm::dvec3 across = glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    if (glm::length(across) > glm::length(normal)) normal = across;
+  }
+  if (!(glm::length(normal) > 0.0)) return 0.0;
+  const glm::dvec3 w = glm::normalize(normal), size = glm::abs(w);
+  const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+                          : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
+                                                               : glm::dvec3(0, 0, 1);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, w)), v = glm::cross(w, u);
+  std::vector<glm::dvec2> flat;
+  for (const glm::dvec3& p : polygon) flat.emplace_back(glm::dot(p, u), glm::dot(p, v));
+  return enclosed_area(flat);
 }
 
 }  // namespace calc

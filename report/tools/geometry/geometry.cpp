@@ -145,6 +145,9 @@ calc::SurfaceModel surface_of(const calc::GbxmlRoom& room) {
     model.material_of.resize(model.triangle.size(), types.index_of(part.type));
   }
   model.material_name = types.names();
+  model.polygons_mended = room.polygons_mended;
+  model.polygons_left_out = room.polygons_left_out;
+  model.area_left_out_m2 = room.area_left_out_m2;
   return model;
 }
 

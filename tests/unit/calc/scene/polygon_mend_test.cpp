@@ -314,6 +314,8 @@ TEST(PolygonMend, EnclosedAreaCountsWhatCrosses) {
   EXPECT_NEAR(enclosed_area(Outline{{0, 0}, {2, 2}, {2, 0}, {0, 2}}), 2.0, 1e-12);
   EXPECT_NEAR(enclosed_area(kSquare), 16.0, 1e-12);
   EXPECT_EQ(enclosed_area(Outline{{0, 0}, {1, 1}}), 0.0);
+  EXPECT_NEAR(enclosed_area(Loop{{0, 0, 1}, {2, 2, 1}, {2, 0, 1}, {0, 2, 1}}), 2.0, 1e-12);
+  EXPECT_EQ(enclosed_area(Loop{{0, 0, 1}, {2, 2, 1}, {1, 1, 1}}), 0.0);
 }
 
 }  // namespace
