@@ -214,6 +214,9 @@ TEST(PolygonMend, WhatCouldMeanTwoThingsIsNotMended) {
   EXPECT_FALSE(
       mend_polygon(Outline{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}))
       << "twice around";
+  EXPECT_FALSE(
+      mend_polygon(Outline{{0, 0}, {6, 0}, {6, 4}, {2, 4}, {2, 1}, {4, 1}, {4, 5}, {0, 5}}))
+      << "a curl over itself: triangles of its signed area exist";
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}, {2, 0}})) << "no area";
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}, {4, 0}, {0, 0}})) << "no area";
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}}));
