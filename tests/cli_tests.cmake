@@ -7,6 +7,7 @@ luxgate_test(cli_tests
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
+    unit/report/tools/geometry/rimless_test.cpp
     unit/report/tools/init/init_test.cpp
     unit/report/result_file/contradiction_test.cpp
     unit/report/shell/command_line_test.cpp

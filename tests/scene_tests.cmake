@@ -7,6 +7,7 @@ luxgate_test(scene_tests
     unit/calc/meshes/mesh_ply_test.cpp
     unit/calc/meshes/mesh_stl_test.cpp
     unit/calc/scene/polygon_cut_test.cpp
+    unit/calc/scene/polygon_mend_test.cpp
     unit/calc/scene/polygon_test.cpp
     unit/calc/scene/prepared_scene_test.cpp
     unit/calc/scene/route_grid_test.cpp

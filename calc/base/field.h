@@ -82,8 +82,9 @@ struct GlareRefusal {
 
 // What luminaires send to the eyes of a plane of DerivedQuantity::ugr, new and at full output; a
 // dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
-// calc/radiosity/glare.h. low: without sources that are too small for the formula (< 0.0003 sr) and
-// with the least that is seen of openings partly hidden; high: with all of both.
+// calc/radiosity/glare.h. low: without sources that are too small for the formula (< 0.0003 sr) or
+// above the table of position indices, and with the least that is seen of openings partly hidden;
+// high: with all of these.
 struct GlareField {
   std::vector<double> value, low, high;
   std::vector<GlareRefusal> refusals;  // one per point and channel at most

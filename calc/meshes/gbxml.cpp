@@ -118,7 +118,7 @@ class BuildingReader {
     building_.surface.push_back(std::move(surface));
   }
 
-  // Of PlanarGeometry/PolyLoop; without corners that repeat the one before them.
+  // Of PlanarGeometry/PolyLoop; without the first corner again at the end, as some write it.
   std::vector<glm::dvec3> corners_of(const pugi::xml_node& node, const std::string& id) {
     std::vector<glm::dvec3> corners;
     const Children planar(node, "PlanarGeometry");
@@ -130,9 +130,9 @@ class BuildingReader {
     for (const pugi::xml_node& point : Children(loop.front(), "CartesianPoint")) {
       const std::optional<glm::dvec3> corner = read_point(point);
       if (!corner) return {};
-      if (corners.empty() || corners.back() != *corner) corners.push_back(*corner);
+      corners.push_back(*corner);
     }
-    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    if (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
     if (corners.size() > kMaxFaceCorners) {
       report(node, fmt::format("'{}' has {} corners; at most {} are read", shorten_utf8(id, 60),
                                corners.size(), kMaxFaceCorners));

@@ -3,6 +3,7 @@
 // lengths become metres.
 
 #include "calc/base/diagnostics.h"
+#include "calc/scene/polygon_mend.h"
 
 #include <glm/glm.hpp>
 
@@ -64,13 +65,17 @@ struct GbxmlRoom {
   // horizontal. The height is that of the highest surface above it.
   std::vector<glm::dvec2> footprint_m;
   double floor_z_m = 0.0, height_m = 0.0;
+  // What was mended (polygon_mend.h), and what could not be: the area that is missing.
+  Mending mending;
+  std::size_t polygons_mended = 0, polygons_left_out = 0;
+  double area_left_out_m2 = 0.0;
 };
 
 // All surfaces next to the space. Each point belongs to one part: openings are cut out of their
 // surface, and out of each other. InteriorFloor and Ceiling are told apart by whether they lie
-// below or above the middle of the room, unless the file says how the space sees them. What cannot
-// be used is left out with a warning. Empty, with an error at `where`, if there is no such space or
-// it has no surface.
+// below or above the middle of the room, unless the file says how the space sees them. Outlines are
+// mended, and what cannot be used is left out with its area; a warning says both. Empty, with an
+// error at `where`, if there is no such space or it has no surface.
 std::optional<GbxmlRoom> gbxml_room(const GbxmlBuilding& building, const std::string& space_id,
                                     const SourceLocation& where, Diagnostics& diagnostics);
 

@@ -2,6 +2,8 @@
 
 #include "calc/scene/polygon.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,11 +62,13 @@ bool MeshBuilder::add_vertex(const glm::dvec3& position, const std::function<std
 bool MeshBuilder::add_face(std::span<const std::uint32_t> corner, int line) {
   ++mesh_.faces;
   if (!is_small_enough(corner.size(), line)) return false;
-  const std::vector<std::uint32_t> corners = distinct_corners(corner);
-  if (corners.size() == 3) {
-    split_triangle(corners, line);
-  } else if (corners.size() < 3 || !split_polygon(corners, line)) {
-    leave_out(line);
+  double area = 0.0;
+  // Triangles in the end are kept however thin they are.
+  const std::vector<std::uint32_t> distinct = distinct_corners(corner);
+  if (distinct.size() == 3) {
+    if (split_triangle(distinct, line)) note_doubled(corner, distinct, line);
+  } else if (corner.size() < 3 || !split_polygon(corner, line, area)) {
+    leave_out(area, line);
   }
   if (mesh_.triangle.size() <= kMaxMeshTriangles) return true;
   diagnostics_.report(DiagnosticId::mesh_too_large, {name_, line, 0}, "triangles",
@@ -98,29 +102,53 @@ std::vector<std::uint32_t> MeshBuilder::distinct_corners(
   return corners;
 }
 
-void MeshBuilder::split_triangle(const std::vector<std::uint32_t>& corner, int line) {
+bool MeshBuilder::split_triangle(const std::vector<std::uint32_t>& corner, int line) {
   const glm::dvec3& a = mesh_.vertex[corner[0]];
   if (glm::cross(mesh_.vertex[corner[1]] - a, mesh_.vertex[corner[2]] - a) == glm::dvec3(0.0)) {
-    leave_out(line);
-  } else {
-    add_triangle({corner[0], corner[1], corner[2]});
+    leave_out(0.0, line);
+    return false;
   }
+  add_triangle({corner[0], corner[1], corner[2]});
+  return true;
 }
 
-bool MeshBuilder::split_polygon(const std::vector<std::uint32_t>& corner, int line) {
+void MeshBuilder::note_doubled(std::span<const std::uint32_t> corner,
+                               const std::vector<std::uint32_t>& distinct, int line) {
+  if (corner.size() == distinct.size()) return;
+  Mending mending;
+  mending.doubled = corner.size() - distinct.size();
+  mending.at = mesh_.vertex[distinct[0]];
+  note(mending, line);
+}
+
+void MeshBuilder::note(const Mending& mending, int line) {
+  if (!mending.is_any()) return;
+  ++mesh_.faces_mended;
+  if (mesh_.faces_mended == 1 || mending.longest > mending_.longest) {
+    longest_mended_ = {mesh_.faces, line};
+  }
+  mending_.add(mending);
+}
+
+// area: what is missing if it cannot be split.
+bool MeshBuilder::split_polygon(std::span<const std::uint32_t> corner, int line, double& area) {
   std::vector<glm::dvec3> positions;
   positions.reserve(corner.size());
   for (const std::uint32_t c : corner) positions.push_back(mesh_.vertex[c]);
-  const std::optional<FlatPolygon> flat = flatten_polygon(positions);
-  if (!flat) return false;
-  const auto triangles = triangulate_polygon(flat->corner);
-  if (!triangles) return false;
-  if (flat->deviation > kPlanarTolerance) {
-    ++bent_;
-    if (flat->deviation > worst_deviation_) worst_ = {mesh_.faces, line};
-    worst_deviation_ = std::max(worst_deviation_, flat->deviation);
+  const std::optional<MendedPolygon> mended = mend_polygon(positions);
+  if (!mended) {
+    area = enclosed_area(positions);
+    return false;
   }
-  for (const glm::uvec3& t : *triangles) add_triangle({corner[t.x], corner[t.y], corner[t.z]});
+  note(mended->mending, line);
+  if (mended->deviation > kPlanarTolerance) {
+    ++bent_;
+    if (mended->deviation > worst_deviation_) worst_ = {mesh_.faces, line};
+    worst_deviation_ = std::max(worst_deviation_, mended->deviation);
+  }
+  for (const glm::uvec3& t : mended->triangle) {
+    add_triangle({corner[t.x], corner[t.y], corner[t.z]});
+  }
   return true;
 }
 
@@ -132,19 +160,35 @@ void MeshBuilder::add_triangle(const glm::uvec3& triangle) {
   mesh_.object_of.push_back(*object_index_);
 }
 
-void MeshBuilder::leave_out(int line) {
-  if (mesh_.faces_left_out == 0) first_left_out_ = {mesh_.faces, line};
+void MeshBuilder::leave_out(double area, int line) {
+  if (mesh_.faces_left_out == 0) first_left_out_ = largest_left_out_ = {mesh_.faces, line};
   ++mesh_.faces_left_out;
+  mesh_.area_left_out += area;
+  if (area <= largest_area_left_out_) return;
+  largest_area_left_out_ = area;
+  largest_left_out_ = {mesh_.faces, line};
+}
+
+std::string MeshBuilder::missing_area() const {
+  if (!(mesh_.area_left_out > 0.0)) return "";
+  return fmt::format(
+      "; an area of {:.4g} (in the file's unit, squared) is missing, {:.4g} of it of face {}",
+      mesh_.area_left_out, largest_area_left_out_, largest_left_out_.face);
 }
 
 void MeshBuilder::warn() const {
+  if (mesh_.faces_mended > 0) {
+    diagnostics_.report(DiagnosticId::mesh_mended_faces, {name_, longest_mended_.line, 0},
+                        mesh_.faces_mended, mesh_.faces, mending_.words(), mending_.longest,
+                        mending_.at.x, mending_.at.y, mending_.at.z, longest_mended_.face);
+  }
   if (bent_ > 0) {
     diagnostics_.report(DiagnosticId::mesh_bent_faces, {name_, worst_.line, 0}, bent_, mesh_.faces,
                         worst_.face, worst_deviation_);
   }
   if (mesh_.faces_left_out > 0) {
     diagnostics_.report(DiagnosticId::mesh_faces_left_out, {name_, first_left_out_.line, 0},
-                        mesh_.faces_left_out, mesh_.faces, first_left_out_.face);
+                        mesh_.faces_left_out, mesh_.faces, first_left_out_.face, missing_area());
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/meshes/triangle_mesh.h"
+#include "calc/scene/polygon_mend.h"
 
 #include <glm/glm.hpp>
 
@@ -33,9 +34,10 @@ class NameList {
   std::map<std::string, std::uint32_t, std::less<>> index_;
 };
 
-// Faces with more than three corners are triangulated (concave ones correctly); those not flat too,
-// as seen along their mean normal, with one warning. Faces without area or with crossing sides are
-// left out, with one warning. Only an area of exactly zero is no surface: needles are kept.
+// Faces with more than three corners are mended (polygon_mend.h), with one warning, and
+// triangulated (concave ones correctly); those not flat too, as seen along their mean normal, with
+// one warning. Faces without area or with crossing sides are left out, with one warning that has
+// their area. Only an area of exactly zero is no surface: needles are kept.
 class MeshBuilder {
  public:
   // name: the path used in messages.
@@ -61,11 +63,15 @@ class MeshBuilder {
 
  private:
   bool is_small_enough(std::size_t corners, int line);
-  void split_triangle(const std::vector<std::uint32_t>& corner, int line);
-  bool split_polygon(const std::vector<std::uint32_t>& corner, int line);
   std::vector<std::uint32_t> distinct_corners(std::span<const std::uint32_t> corner) const;
+  bool split_triangle(const std::vector<std::uint32_t>& corner, int line);
+  void note_doubled(std::span<const std::uint32_t> corner,
+                    const std::vector<std::uint32_t>& distinct, int line);
+  void note(const Mending& mending, int line);
+  bool split_polygon(std::span<const std::uint32_t> corner, int line, double& area);
   void add_triangle(const glm::uvec3& triangle);
-  void leave_out(int line);
+  void leave_out(double area, int line);
+  std::string missing_area() const;
   void warn() const;
 
   struct Place {
@@ -81,7 +87,9 @@ class MeshBuilder {
   std::optional<std::uint32_t> material_index_, object_index_;
   double corner_pairs_ = 0.0, worst_deviation_ = 0.0;
   std::size_t bent_ = 0;
-  Place worst_, first_left_out_;
+  Mending mending_;
+  Place worst_, first_left_out_, longest_mended_, largest_left_out_;
+  double largest_area_left_out_ = 0.0;
 };
 
 }  // namespace calc

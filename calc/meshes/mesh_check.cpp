@@ -69,7 +69,9 @@ SurfaceModel surface_of(const TriangleMesh& mesh, double metres_per_unit, bool y
   model.material_of = mesh.material_of;
   model.object_name = mesh.object_name;
   model.material_name = mesh.material_name;
-  model.faces_left_out = mesh.faces_left_out;
+  model.faces_left_out = model.polygons_left_out = mesh.faces_left_out;
+  model.polygons_mended = mesh.faces_mended;
+  model.area_left_out_m2 = mesh.area_left_out * metres_per_unit * metres_per_unit;
   return model;
 }
 
@@ -95,6 +97,9 @@ SurfaceFindings check_surface(const SurfaceModel& model) {
   for (const std::string& name : model.material_name) findings.materials.push_back({name, 0, 0.0});
   findings.triangles = model.triangle.size();
   findings.degenerate = findings.left_out = model.faces_left_out;
+  findings.polygons_mended = model.polygons_mended;
+  findings.polygons_left_out = model.polygons_left_out;
+  findings.area_left_out_m2 = model.area_left_out_m2;
   const std::vector<std::uint32_t> welded = weld_vertices(model.vertex_m);
   std::vector<Edge> edges;
   std::vector<FaceCorners> faces;

@@ -21,7 +21,9 @@ struct SurfaceModel {
   std::vector<glm::uvec3> triangle;
   std::vector<std::uint32_t> object_of, material_of;
   std::vector<std::string> object_name, material_name;
-  std::size_t faces_left_out = 0;  // by the reader, because they had no area
+  std::size_t faces_left_out = 0;  // by the reader, because they had no area or could not be mended
+  std::size_t polygons_mended = 0, polygons_left_out = 0;  // see polygon_mend.h
+  double area_left_out_m2 = 0.0;                           // of the latter
 };
 
 // What <mesh> does with a file, without placing it.
@@ -47,9 +49,11 @@ struct SurfaceFindings {
   std::size_t duplicates = 0;     // triangles that have the corners of an earlier one
   std::size_t degenerate = 0;     // without area, those left out by the reader included
   std::size_t left_out = 0;       // of them, by the reader, which said so
-  std::size_t not_finite = 0;     // triangles with such a corner; counted nowhere else
-  bool is_watertight = false;     // every edge has an even number of triangles
-  double float_step_m = 0.0;      // distance of neighbouring floats at the farthest coordinate
+  std::size_t polygons_mended = 0, polygons_left_out = 0;  // as in the model
+  double area_left_out_m2 = 0.0;
+  std::size_t not_finite = 0;  // triangles with such a corner; counted nowhere else
+  bool is_watertight = false;  // every edge has an even number of triangles
+  double float_step_m = 0.0;   // distance of neighbouring floats at the farthest coordinate
 };
 SurfaceFindings check_surface(const SurfaceModel& model);
 

@@ -38,6 +38,8 @@ struct TriangleMesh {
   std::vector<std::string> object_name;    // "" = the file names none
   std::size_t faces = 0;                   // of the file, before they were split
   std::size_t faces_left_out = 0;          // of them, without area or with crossing sides
+  std::size_t faces_mended = 0;            // of them, see polygon_mend.h
+  double area_left_out = 0.0;              // what these enclose, square units of the file
 };
 
 inline constexpr double kMaxMeshCoordinate = 1.0e12;  // areas stay far from overflow

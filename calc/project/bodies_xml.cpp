@@ -5,6 +5,7 @@
 #include "calc/project/material_map.h"
 #include "calc/project/project_elements.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/polygon_mend.h"
 #include "calc/scene/solids.h"
 
 #include <fmt/format.h>
@@ -147,14 +148,20 @@ ObjectSet read_polygon(ProjectContext& context, ElementReader& reader) {
   std::vector<glm::dvec3> corners = read_corners_m(context, reader, "points");
   const std::uint32_t material = read_material(context, reader);
   if (!reader.ok()) return {};
-  std::optional<std::vector<glm::uvec3>> triangles = triangulate_polygon(corners);
-  if (!triangles) {
+  std::optional<MendedPolygon> mended = mend_polygon(corners);
+  if (!mended || mended->deviation > kNearlyPlanar) {
     reader.report(DiagnosticId::not_simple_polygon, reader.where("points"), "points", "polygon",
                   "lie in one plane and ");
     return {};
   }
-  return set_of(
-      single_material_body(std::move(corners), std::move(*triangles), material, reader.where()));
+  warn_of_mending(reader, "points", mended->mending, "");
+  if (mended->deviation > kPlanarTolerance) {
+    reader.report(DiagnosticId::outline_bent, reader.where("points"), "points", "polygon",
+                  mended->deviation);
+  }
+  drop_unused_corners(corners, mended->triangle);
+  return set_of(single_material_body(std::move(corners), std::move(mended->triangle), material,
+                                     reader.where()));
 }
 
 ObjectSet read_mesh(ProjectContext& context, ElementReader& reader) {

@@ -160,9 +160,11 @@ class PlaneReader {
   }
 
   std::optional<PlanarArea> read_polygon() {
-    std::vector<glm::dvec3> corners = read_corners(reader_);
+    const std::vector<glm::dvec3> corners = read_corners(reader_);
     if (corners.empty()) return std::nullopt;
-    std::optional<PlanarArea> area = polygon_area(corners);
+    const std::vector<glm::dvec3> outline = mended_outline(reader_, "points", corners);
+    std::optional<PlanarArea> area;
+    if (!outline.empty()) area = polygon_area(outline);
     if (!area) {
       reader_.report(DiagnosticId::not_simple_polygon, reader_.where("points"), "points", "plane",
                      "lie in one plane and ");
@@ -190,7 +192,8 @@ class PlaneReader {
       }
       outline.push_back(area_coordinates(area, corner));
     }
-    if (!is_simple_polygon(outline)) {
+    outline = mended_outline(reader, "points", outline);
+    if (outline.empty()) {
       reader.report(DiagnosticId::not_simple_polygon, reader.where("points"), "points", "hole", "");
       return;
     }

@@ -105,6 +105,41 @@ glm::dvec3 read_size_m(const ProjectContext& context, ElementReader& reader,
   return to_vector(reader.numbers(name, 3, kXyz, kPositive)) * context.metres_per_unit;
 }
 
+void warn_of_mending(ElementReader& reader, std::string_view attribute, const Mending& mending,
+                     std::string_view also) {
+  if (!mending.is_any()) return;
+  reader.report(DiagnosticId::outline_mended, reader.where(attribute), attribute,
+                reader.element().name, mending.words(), mending.longest, mending.at.x, mending.at.y,
+                mending.at.z, also);
+}
+
+namespace {
+
+template <class Point>
+std::vector<Point> mended_corners(ElementReader& reader, std::string_view attribute,
+                                  const std::vector<Point>& corners, std::string_view also) {
+  const std::optional<MendedPolygon> mended = mend_polygon(corners);
+  std::vector<Point> outline;
+  if (!mended || mended->mending.joints > 0) return outline;
+  for (const std::uint32_t c : mended->ring[0]) outline.push_back(corners[c]);
+  warn_of_mending(reader, attribute, mended->mending, also);
+  return outline;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> mended_outline(ElementReader& reader, std::string_view attribute,
+                                       const std::vector<glm::dvec2>& corners,
+                                       std::string_view also) {
+  return mended_corners(reader, attribute, corners, also);
+}
+
+std::vector<glm::dvec3> mended_outline(ElementReader& reader, std::string_view attribute,
+                                       const std::vector<glm::dvec3>& corners,
+                                       std::string_view also) {
+  return mended_corners(reader, attribute, corners, also);
+}
+
 std::vector<glm::dvec3> read_corners_m(const ProjectContext& context, ElementReader& reader,
                                        std::string_view name) {
   const std::vector<double> numbers = reader.number_groups(

@@ -3,6 +3,7 @@
 
 #include "calc/base/xml_reader.h"
 #include "calc/project/project_files.h"
+#include "calc/scene/polygon_mend.h"
 #include "calc/scene/project.h"
 
 #include <glm/glm.hpp>
@@ -80,6 +81,18 @@ glm::dvec3 read_point_m_or_zero(const ProjectContext& context, ElementReader& re
                                 std::string_view name);
 // Each component > 0.
 glm::dvec3 read_size_m(const ProjectContext& context, ElementReader& reader, std::string_view name);
+// Says what was mended of an outline that an attribute states, if anything was. also: more words.
+void warn_of_mending(ElementReader& reader, std::string_view attribute, const Mending& mending,
+                     std::string_view also);
+// The corners without doubled ones and spikes, which are said. Empty, and nothing is said, where
+// that leaves no simple outline: sides cross, or a hole or another part is joined to it.
+std::vector<glm::dvec2> mended_outline(ElementReader& reader, std::string_view attribute,
+                                       const std::vector<glm::dvec2>& corners,
+                                       std::string_view also = "");
+std::vector<glm::dvec3> mended_outline(ElementReader& reader, std::string_view attribute,
+                                       const std::vector<glm::dvec3>& corners,
+                                       std::string_view also = "");
+
 // At least three corners, at most kCornerLimit. Empty on errors.
 std::vector<glm::dvec3> read_corners_m(const ProjectContext& context, ElementReader& reader,
                                        std::string_view name);

@@ -46,13 +46,15 @@ RoomPlan read_plan(const ProjectContext& context, ElementReader& reader) {
     reader.report(DiagnosticId::missing_form, reader.where(), "room",
                   "'size', or 'footprint' and 'height'");
   }
-  plan.is_clockwise = signed_area(plan.corners_m) < 0.0;
+  plan.is_clockwise = signed_area(plan.corners_m) < 0.0;  // mending keeps it
   // A size can be too thin for its length, too.
   const char* attribute = reader.has("size") ? "size" : "footprint";
   const bool is_read = !plan.corners_m.empty() && (reader.has("footprint") || reader.ok());
-  if (is_read && !triangulate_polygon(plan.outline())) {
+  if (!is_read) return plan;
+  plan.corners_m = mended_outline(reader, attribute, plan.corners_m,
+                                  "; walls are numbered without these corners");
+  if (plan.corners_m.empty()) {
     reader.report(DiagnosticId::not_simple_polygon, reader.where(attribute), attribute, "room", "");
-    plan.corners_m.clear();
   }
   return plan;
 }

@@ -139,7 +139,8 @@ class WorkplaceReader {
     for (glm::dvec2& corner : corners) {
       corner = corner * context_.metres_per_unit + glm::dvec2(around_.origin_m);
     }
-    if (!is_simple_polygon(corners)) {
+    corners = mended_outline(reader, name, corners);
+    if (corners.empty()) {
       reader.report(DiagnosticId::not_simple_polygon, reader.where(name), name,
                     reader.element().name, "");
       return {};

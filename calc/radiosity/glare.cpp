@@ -25,9 +25,14 @@ struct SeenAt {
         sideways(glm::length(glm::cross(look, to_source - to_source.z * kUp)) / along_m),
         upwards(to_source.z / along_m) {}
 
+  // Where it ends above a source is out, below one is in: so none is passed over without a word.
   bool is_in_field() const {
     return along_m > 0.0 && sideways <= kWidestSource + kBinaryNoise &&
-           std::abs(upwards) <= kHighestSource + kBinaryNoise;
+           upwards < kHighestSource - kBinaryNoise && upwards >= -kHighestSource - kBinaryNoise;
+  }
+  // Where the table has an index, and not only the closed form.
+  bool is_on_table() const {
+    return is_in_field() && upwards <= highest_on_table(sideways + kBinaryNoise) + kBinaryNoise;
   }
   // 1 where the field ends, less inside it.
   double share_of_field() const {
@@ -39,23 +44,31 @@ struct SeenAt {
   static constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
 };
 
+// Of a whole of which only so much is seen: how far that may be off, one straight edge.
+double doubt_of(double share) { return share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0; }
+
 // Lines of sight from an eye to an opening: how much could reach it, and how much does. Each line
 // stands for the same part of the opening and weighs 1, or 1 / p^2 of its own end.
 struct Sight {
   double open = 0.0, all = 0.0;
+  double sure_open = 0.0, sure_all = 0.0;    // the same of Counted::sure
   std::size_t facing = 0;                    // ends that face the eye, whatever they weigh
   std::vector<std::uint8_t> faces, is_seen;  // [end]; seen: only of those that weigh anything
 
   double part() const { return all / static_cast<double>(facing); }
+  // Of the whole with an index of 1, at least.
+  double sure() const {
+    if (!(sure_all > 0.0)) return 0.0;
+    return std::max(0.0, sure_open - doubt_of(sure_open / sure_all) * sure_all) /
+           static_cast<double>(facing);
+  }
 };
-
-// Of a whole of which only so much is seen: how far that may be off, one straight edge.
-double doubt_of(double share) { return share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0; }
 
 // What counts of an opening: a weight for each end.
 struct Counted {
   std::vector<double> weights;
-  bool is_below = false;  // something of it is below the line of sight
+  std::vector<double> sure;  // 1 / p^2 of ends that have an index on the table, else 0
+  bool is_below = false;     // something of it is below the line of sight
 
   bool is_nothing() const {
     return std::all_of(weights.begin(), weights.end(), [](double w) { return w == 0.0; });
@@ -64,7 +77,7 @@ struct Counted {
 
 // The parts in the field of indices, each with its own.
 Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiver& receiver) {
-  Counted parts{std::vector<double>(ends.size(), 0.0)};
+  Counted parts{std::vector<double>(ends.size(), 0.0), std::vector<double>(ends.size(), 0.0)};
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const glm::dvec3 to_end = ends[k].position_m - receiver.position_m;
     const SeenAt end(to_end, receiver.axis);
@@ -72,8 +85,26 @@ Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiv
     parts.is_below = parts.is_below || end.is_below();
     const double index = guth_index(to_end, receiver.axis).value_or(1.0);
     parts.weights[k] = 1.0 / (index * index);
+    if (end.is_on_table()) parts.sure[k] = parts.weights[k];
   }
   return parts;
+}
+
+// Usually a source counts by its centre. One whose centre is outside the field may still reach into
+// it, and then counts with its parts on the table, each with its own index; a large one (add_large)
+// with all in the field. Sure of one whose centre is above the table are its parts on it.
+Counted counted_of(const SeenAt& centre, bool is_large, const std::vector<OpeningView::Point>& ends,
+                   const Receiver& receiver) {
+  const std::vector<double> all(ends.size(), 1.0);
+  if (centre.is_on_table()) return {all, {}, centre.is_below()};
+  Counted counted = parts_in_field(ends, receiver);
+  if (centre.is_in_field()) {
+    counted.weights = all;
+    counted.is_below = false;
+  } else if (!is_large) {
+    counted.weights = counted.sure;
+  }
+  return counted;
 }
 
 // The ends of lines of sight, evenly spread over an opening: a Hammersley set, of which no row or
@@ -95,10 +126,9 @@ std::vector<OpeningView::Point> sight_ends(const PlacedLuminaire& luminaire,
   return ends;
 }
 
-// weights: one per end.
 Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
-              bool has_shadows, const std::vector<OpeningView::Point>& ends,
-              const std::vector<double>& weights, std::uint64_t& rays) {
+              bool has_shadows, const std::vector<OpeningView::Point>& ends, const Counted& counted,
+              std::uint64_t& rays) {
   ShadowBatch batch(tracer, has_shadows);
   const glm::vec3 from(tracer.lift(receiver));
   std::vector<double> is_seen(ends.size(), 0.0);
@@ -115,14 +145,16 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
     }
     ++sight.facing;
     sight.faces[k] = 1;
-    if (!(weights[k] > 0.0)) continue;
-    sight.all += weights[k];
+    if (!(counted.weights[k] > 0.0)) continue;
+    sight.all += counted.weights[k];
+    if (!counted.sure.empty()) sight.sure_all += counted.sure[k];
     batch.add(from, glm::vec3(to), 1.0, &is_seen[k]);
   }
   batch.flush();
   rays += batch.rays();
   for (std::size_t k = 0; k < ends.size(); ++k) {
-    sight.open += weights[k] * is_seen[k];
+    sight.open += counted.weights[k] * is_seen[k];
+    if (!counted.sure.empty()) sight.sure_open += counted.sure[k] * is_seen[k];
     sight.is_seen.push_back(is_seen[k] > 0.0 ? 1 : 0);
   }
   return sight;
@@ -143,24 +175,19 @@ class GlareEye {
     const glm::dvec3 to_source = luminaire.position_m - receiver_.position_m;
     const SeenAt seen(to_source, receiver_.axis);
     const std::vector<OpeningView::Point> ends = sight_ends(luminaire, receiver_);
-    // Usually a source counts by its centre. One whose centre is outside the field may still reach
-    // into it, and then counts with the parts that do, each with its own index.
-    const bool is_whole = seen.is_in_field();
-    const Counted counted = is_whole
-                                ? Counted{std::vector<double>(ends.size(), 1.0), seen.is_below()}
-                                : parts_in_field(ends, receiver_);
-    if (counted.is_nothing()) return;
     const double r2 = glm::dot(to_source, to_source);
     const glm::dvec3 out = to_source / -std::sqrt(r2);
-    const double cd = intensity_cd(luminaire, out);
     const double area_m2 = seen_opening_m2(luminaire, out);
     const double solid_angle_sr = area_m2 / r2;
     // Parts of a large one may shine into the eye though its centre does not, or be seen through a
     // gap between two lines.
     const bool is_large = solid_angle_sr > kLargestGlareSource_sr;
+    const bool is_whole = seen.is_in_field();
+    const Counted counted = counted_of(seen, is_large, ends, receiver_);
+    if (counted.is_nothing()) return;
+    const double cd = intensity_cd(luminaire, out);
     if (!(cd > 0.0) && !(is_large && shines_here(luminaire, ends))) return;
-    const Sight sight =
-        look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted.weights, rays_);
+    const Sight sight = look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted, rays_);
     if (!is_large && !(sight.open > 0.0)) return;
     if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
     if (counted.is_below && sight.open > 0.0) {
@@ -168,9 +195,13 @@ class GlareEye {
     }
     if (counted.is_below || !(sight.all > 0.0)) return;  // hidden, or a body turned away
     const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
-    const double whole = cd * cd / (area_m2 * r2) / (index * index) * sight.part();
-    const GlareSum found =
-        bounds(whole, sight.open / sight.all, solid_angle_sr < kSmallestGlareSource_sr);
+    const double squares = cd * cd / (area_m2 * r2);
+    const double whole = squares / (index * index) * sight.part();
+    const bool is_too_small = solid_angle_sr < kSmallestGlareSource_sr;
+    GlareSum found = bounds(whole, sight.open / sight.all, is_too_small);
+    if (!counted.sure.empty() && !is_too_small) {
+      found.low = std::min(found.low, squares * sight.sure());
+    }
     if (is_large) {
       return add_large(luminaire, ends, sight, solid_angle_sr, found);
     }
@@ -208,6 +239,7 @@ class GlareEye {
     const Counted parts = parts_in_field(ends, receiver_);
     const auto facing = static_cast<double>(sight.facing);
     double all = 0.0, open = 0.0, all_sr = 0.0, open_sr = 0.0, counted = 0.0, seen = 0.0;
+    double sure = 0.0;  // of what is open
     std::vector<std::pair<double, double>>
         parts_given;  // share of the field, what it gives if seen
     for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -224,6 +256,7 @@ class GlareEye {
       parts_given.emplace_back(SeenAt(to_end, receiver_.axis).share_of_field(), given);
       all += given;
       open += given * is_seen;
+      if (parts.sure[k] > 0.0) sure += given * is_seen;
       all_sr += part_sr;
       open_sr += part_sr * is_seen;
       counted += 1.0;
@@ -249,7 +282,7 @@ class GlareEye {
     const double doubt_of_sum = at_edge + at_hiding;
     GlareSum sum;
     sum.value = open;
-    sum.low = std::min(std::max(0.0, open - doubt_of_sum), found.low);
+    sum.low = std::min(std::max(0.0, sure - doubt_of_sum), found.low);
     sum.high = std::max(std::min(all + at_edge, open + doubt_of_sum), found.high);
     add(luminaire, sum);
   }
@@ -286,6 +319,11 @@ class GlareEye {
 };
 
 }  // namespace
+
+double highest_on_table(double sideways) {
+  if (sideways < 0.4) return 1.7;
+  return sideways < 0.9 ? 1.8 : 1.9;
+}
 
 std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& look) {
   const SeenAt seen(to_source, look);

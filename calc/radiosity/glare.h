@@ -9,10 +9,10 @@
 //
 // L = I / A: luminous intensity towards the eye over the opening's area as seen from there; w = A /
 // r^2, r to the opening's centre; both as for an eye far away, of the whole opening. The index p is
-// that of the centre. If the centre is outside the field of indices but parts of the opening are in
-// it, each of them counts with its own. Of an opening that is partly hidden, L stays and w is the
-// share that is seen, counted on kSightLines^2 lines of sight spread evenly over the opening; one
-// straight edge across it is then off by no more than 1 / kSightLines of the opening.
+// that of the centre. If the centre is outside the field but parts of the opening are on the table
+// of indices, each of them counts with its own. Of an opening that is partly hidden, L stays and w
+// is the share that is seen, counted on kSightLines^2 lines of sight spread evenly over the
+// opening; one straight edge across it is then off by no more than 1 / kSightLines of the opening.
 //
 // A source of more than 0.1 sr is too large for the formula. What counts is what is seen of it in
 // the field, at most: if that is not too large, each seen part in the field counts as a source of
@@ -35,9 +35,16 @@ namespace calc {
 // The range of w that CIE 117 states the formula for, sr.
 inline constexpr double kSmallestGlareSource_sr = 3.0e-4;
 inline constexpr double kLargestGlareSource_sr = 0.1;
-// The field that position indices are tabulated for: sideways and upwards from the line of sight,
-// as multiples of the distance along it.  [CIE 117, table of position indices]
+// The field of sources that count: sideways up to this, upwards less than this, as multiples of the
+// distance along the line of sight. At exactly 2 a source is out: the first row of the grid that
+// UGR tables are made on lies there, and the example of CIE 190 holds without it.
 inline constexpr double kWidestSource = 3.0, kHighestSource = 2.0;
+
+// Up to where the table of CIE 117 has an index, with so much sideways (0 to 3): 1.7 below 0.4
+// sideways, 1.8 below 0.9, else 1.9. From there to 2 there is the closed form only, and programs
+// differ in whether sources count there: so in GlareSum they stand in `value` and `high`, and `low`
+// has only those of their parts that are on the table.
+double highest_on_table(double sideways);
 
 inline constexpr std::size_t kSightLines = 16;
 
@@ -47,8 +54,8 @@ inline constexpr std::size_t kSightLines = 16;
 //   s^2
 // with s the angle between the source and the line of sight, t that between the vertical and the
 // plane of both, in degrees.  [closed form of the IES Lighting Handbook; within 12 % of the table
-// of CIE 117] Empty outside the field above and for sources below the line of sight, for which
-// there is no index.
+// of CIE 117, and goes on above it] Empty outside the field above and for sources below the line of
+// sight, for which there is no index.
 std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& look);
 
 // What all luminaires send to one eye. sums: one per channel; refused: per channel, the first

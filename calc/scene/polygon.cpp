@@ -192,6 +192,9 @@ bool all_finite(const std::vector<glm::dvec3>& corners) {
 
 }  // namespace
 
+double polygon_gap(const std::vector<glm::dvec2>& polygon) { return length_tolerance(polygon); }
+double polygon_gap(const std::vector<glm::dvec3>& polygon) { return length_tolerance(polygon); }
+
 bool is_simple_polygon(const std::vector<glm::dvec2>& polygon) {
   if (polygon.empty()) return false;
   return is_simple(shifted_to_first(polygon), length_tolerance(polygon));

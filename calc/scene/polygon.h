@@ -15,6 +15,10 @@ inline constexpr double kPolygonTolerance = 1.0e-9;
 // A polygon in space is planar when no corner is farther from its plane than this times its size.
 inline constexpr double kPlanarTolerance = 1.0e-6;
 
+// The length that counts as zero among these corners.
+double polygon_gap(const std::vector<glm::dvec2>& polygon);
+double polygon_gap(const std::vector<glm::dvec3>& polygon);
+
 // At least 3 corners, all finite, area not zero, no two sides crossing, touching or lying on each
 // other. Corners in the middle of a straight side are fine; equal corners and spikes are not.
 bool is_simple_polygon(const std::vector<glm::dvec2>& polygon);

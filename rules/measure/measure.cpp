@@ -191,8 +191,8 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
     }
   } else {
     result.reason =
-        "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, or hardly "
-        "visible";
+        "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, above the "
+        "table of position indices, or hardly visible";
     result.unseen_points = 0;
   }
   return result;
@@ -228,8 +228,9 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   Measurement result = measure_derived(points, request);
   if (points.has_inexact_sources()) {
     result.remark =
-        "sources smaller than 0.0003 sr and hidden parts of openings count only in the upper end, "
-        "and large sources of which not all is seen in the field are known less well";
+        "sources smaller than 0.0003 sr or above the table of position indices and hidden parts of "
+        "openings count only in the upper end, and large sources of which not all is seen in the "
+        "field are known less well";
   }
   return result;
 }

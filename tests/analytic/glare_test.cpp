@@ -77,9 +77,42 @@ TEST(GuthIndex, ExistsInItsFieldAboveTheLineOfSightOnly) {
   EXPECT_FALSE(calc::guth_index({1, 3.01, 0}, kAhead));
   EXPECT_TRUE(calc::guth_index({1, 0, 1.99}, kAhead));
   EXPECT_FALSE(calc::guth_index({1, 0, 2.01}, kAhead));
+  // At exactly 2 a source is out, whatever binary numbers make of 1.6 / 0.8.
+  EXPECT_FALSE(calc::guth_index({1, 0, 2}, kAhead));
+  EXPECT_FALSE(calc::guth_index({0.8, 0, 2.8 - 1.2}, kAhead));
+  EXPECT_FALSE(calc::guth_index({0.1, 0.3, 0.2}, kAhead));
+  EXPECT_TRUE(calc::guth_index({0.1, 0.3, 0.19}, kAhead));  // sideways 3 is in
   EXPECT_FALSE(calc::guth_index({1, 0, -0.1}, kAhead));
   EXPECT_FALSE(calc::guth_index({-1, 0, 0.1}, kAhead));
   EXPECT_FALSE(calc::guth_index({0, 1, 0}, kAhead));
+}
+
+// Nodes of the table of CIE 117 and what the closed form has there, computed apart from this
+// program.
+TEST(GuthIndex, IsNearTheTable) {
+  struct Node {
+    double sideways, upwards, table, closed;
+  };
+  for (const Node& node :
+       {Node{0, 0.5, 2.86, 2.860}, Node{0, 1, 7.00, 7.059}, Node{1, 0, 2.11, 2.050},
+        Node{1, 1, 7.00, 7.030}, Node{2, 0.5, 5.80, 5.459}, Node{3, 1.9, 16.00, 15.062}}) {
+    const double index = calc::guth_index({1, node.sideways, node.upwards}, kAhead).value();
+    EXPECT_NEAR(index, node.closed, 5e-4);
+    EXPECT_NEAR(index / node.table, 1.0, 0.12);
+    EXPECT_LE(node.upwards, calc::highest_on_table(node.sideways));
+  }
+  // T/R 0.5 and H/R 1.9: no entry; the closed form goes on.
+  EXPECT_NEAR(calc::guth_index({1, 0.5, 1.9}, kAhead).value(), 17.885, 5e-4);
+  EXPECT_LT(calc::highest_on_table(0.5), 1.9);
+}
+
+TEST(GuthIndex, TheTableEndsByHowFarAside) {
+  EXPECT_EQ(calc::highest_on_table(0.0), 1.7);
+  EXPECT_EQ(calc::highest_on_table(0.39), 1.7);
+  EXPECT_EQ(calc::highest_on_table(0.4), 1.8);
+  EXPECT_EQ(calc::highest_on_table(0.89), 1.8);
+  EXPECT_EQ(calc::highest_on_table(0.9), 1.9);
+  EXPECT_EQ(calc::highest_on_table(3.0), 1.9);
 }
 
 // A luminous ball of 0.1 m in the middle of a sphere of radius R: all of the wall gets I / R^2 and
@@ -247,8 +280,81 @@ TEST(Ugr, RefusesWhatTheFormulaIsNotFor) {
   expect_refused(room_with(point, {{0.9, 3, 2.8}}), {0.1, 3, 2.0}, "no luminous area");
 }
 
+// What a panel of 4 cm at this place gives.
+calc::GlareField field_of_small_source(const glm::dvec3& from_eye) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 90, {calc::OpeningShape::rectangle, 0.04, 0.04, 0.0});
+  const glm::dvec3 eye_m(1, 3, 1.2);
+  return solve_eyes(room_with(web, {eye_m + from_eye}), eyes({eye_m}), 64).glare;
+}
+
+// The grid of UGR tables has its first row at half the height of the eye below the luminaires. The
+// centre decides: also the half of a panel that is nearer to the line of sight is not on the table.
+TEST(Ugr, OfASourceAtTwiceItsDistanceIsNothing) {
+  for (const double aside : {0.0, 0.4, 1.2}) {
+    const calc::GlareField glare = field_of_small_source({0.8, aside, 1.6});
+    EXPECT_EQ(glare.high[0], 0.0) << aside;
+    EXPECT_TRUE(glare.refusals.empty());
+  }
+}
+
+// Between the end of the table and 2 it is open whether a source counts.
+TEST(Ugr, OfASourceAboveTheTableIsOpenDownwards) {
+  struct Place {
+    double aside, above;
+    bool is_on_table;
+  };
+  for (const Place& at :
+       {Place{0.0, 1.65, true}, Place{0.0, 1.75, false}, Place{0.5, 1.75, true},
+        Place{0.5, 1.85, false}, Place{1.0, 1.85, true}, Place{1.0, 1.95, false}}) {
+    const glm::dvec3 from_eye = 0.8 * glm::dvec3(1, at.aside, at.above);
+    const calc::GlareField glare = field_of_small_source(from_eye);
+    const double r2 = glm::dot(from_eye, from_eye),
+                 index = calc::guth_index(from_eye, kAhead).value();
+    const double cosine = from_eye.z / std::sqrt(r2), area_m2 = 0.04 * 0.04;
+    const double sum = 500.0 * 500.0 / area_m2 * cosine / r2 / (index * index);
+    EXPECT_NEAR(glare.value[0] / sum, 1.0, 1e-3) << at.aside << " " << at.above;
+    EXPECT_EQ(glare.high[0], glare.value[0]);
+    EXPECT_EQ(glare.low[0], at.is_on_table ? glare.value[0] : 0.0) << at.aside << " " << at.above;
+  }
+}
+
+// A panel whose centre is above the table, but not the far quarter of it: the lower end has that.
+TEST(Ugr, OfASourcePartlyAboveTheTableHasTheRestInItsLowerEnd) {
+  const double ahead_m = 0.9, above_m = 1.6, length_m = 0.4, width_m = 0.1;
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 720, {calc::OpeningShape::rectangle, length_m, width_m, 0.0});
+  const calc::GlareField glare =
+      solve_eyes(room_with(web, {{3, 3, 1.2 + above_m}}), eyes({{3 - ahead_m, 3, 1.2}}), 64).glare;
+  double weights = 0.0;
+  constexpr int kParts = 100000;
+  for (int k = 0; k < kParts; ++k) {
+    const double x = ahead_m + length_m * ((k + 0.5) / kParts - 0.5);
+    if (above_m > 1.7 * x) continue;
+    weights += 1.0 / std::pow(calc::guth_index({x, 0, above_m}, kAhead).value(), 2) / kParts;
+  }
+  const double r2 = above_m * above_m + ahead_m * ahead_m, area_m2 = length_m * width_m;
+  const double squares = 500.0 * 500.0 / area_m2 * above_m / std::sqrt(r2) / r2;
+  EXPECT_GT(weights, 0.0);
+  EXPECT_NEAR(glare.low[0] / (squares * weights), 1.0, 0.05);
+  EXPECT_NEAR(glare.value[0] /
+                  (squares / std::pow(calc::guth_index({ahead_m, 0, above_m}, kAhead).value(), 2)),
+              1.0, 1e-3);
+  EXPECT_EQ(glare.high[0], glare.value[0]);
+}
+
+// Nothing of it may go unsaid, also where the field ends.
+TEST(Ugr, RefusesASourceAtTwiceItsDistanceBelow) {
+  const calc::PhotometricWeb lamp = calc::PhotometricWeb::make(
+      {0.0}, {0.0, calc::kPi}, {50.0, 50.0}, {calc::OpeningShape::ellipsoid, 0.04, 0.04, 0.04}, {});
+  const calc::GlareField glare =
+      solve_eyes(room_with(lamp, {{1.5, 3, 0.2}}), eyes({{1, 3, 1.2}}), 64).glare;
+  ASSERT_EQ(glare.refusals.size(), 1u);
+  EXPECT_EQ(glare.refusals[0].problem, calc::GlareProblem::below_sight);
+}
+
 // A strip of 2.4 m overhead: its centre is 76 degrees above the line of sight and out of the field,
-// but what lies more than 0.8 m ahead is in it and counts, each part with its own index.
+// but what lies more than 0.94 m ahead is on the table and counts, each part with its own index.
 TEST(Ugr, OfALongSourceCountsThePartsInTheField) {
   const double length_m = 2.4, width_m = 0.06, above_m = 1.6, ahead_m = 0.4;
   const calc::PhotometricWeb web =
@@ -262,7 +368,8 @@ TEST(Ugr, OfALongSourceCountsThePartsInTheField) {
   for (int k = 0; k < kParts; ++k) {
     const double x = ahead_m + length_m * ((k + 0.5) / kParts - 0.5);
     const auto index = calc::guth_index({x, 0, above_m}, kAhead);
-    if (index) weights += 1.0 / (*index * *index * kParts);
+    if (index && above_m <= calc::highest_on_table(0.0) * x)
+      weights += 1.0 / (*index * *index * kParts);
   }
   const double luminance = 500.0 / (length_m * width_m);
   const double solid_angle_sr = length_m * width_m * cosine / r2;
@@ -270,8 +377,10 @@ TEST(Ugr, OfALongSourceCountsThePartsInTheField) {
   EXPECT_NEAR(field.glare.value[0] / (luminance * luminance * solid_angle_sr * weights), 1.0, 0.01);
 }
 
-// Sum of L^2 w / p^2 over a lambertian ceiling panel, part by part, of those in the field only.
-double sum_of_parts(double length_m, double width_m, double ahead_m, double above_m) {
+// Sum of L^2 w / p^2 over a lambertian ceiling panel, part by part, of those in the field only, or
+// of those that have an index on the table.
+double sum_of_parts(double length_m, double width_m, double ahead_m, double above_m,
+                    bool on_table_only = false) {
   constexpr int kParts = 1000;
   const double area_m2 = length_m * width_m, luminance = 500.0 / area_m2;
   double sum = 0.0;
@@ -281,6 +390,8 @@ double sum_of_parts(double length_m, double width_m, double ahead_m, double abov
                           width_m * ((j + 0.5) / kParts - 0.5), above_m);
       const auto index = calc::guth_index(to, kAhead);
       if (!index) continue;
+      const bool is_on_table = above_m <= calc::highest_on_table(std::abs(to.y) / to.x) * to.x;
+      if (on_table_only && !is_on_table) continue;
       const double r = glm::length(to);
       sum += area_m2 / kParts / kParts * above_m / (r * r * r) / (*index * *index);
     }
@@ -318,7 +429,9 @@ TEST(Ugr, OfALargeSourceJudgesWhatIsSeen) {
   EXPECT_GE(half.glare.high[0], (0.5 + row) * std::max(parts, centre) * 0.99);
   EXPECT_LE(half.glare.high[0], (0.5 + 3.0 * row) * std::max(parts, centre));
   EXPECT_LE(half.glare.low[0], (0.5 - row) * std::min(parts, centre) * 1.01);
-  EXPECT_GE(half.glare.low[0], (0.5 - 3.0 * row) * std::min(parts, centre));
+  const double sure = sum_of_parts(0.85, 0.85, 1.1, 1.6, true);
+  EXPECT_LT(sure, parts);
+  EXPECT_GE(half.glare.low[0], (0.5 - 3.0 * row) * std::min(sure, centre));
 }
 
 // A strip of 2.4 x 0.2 m along the line of sight, its centre 0.85 m ahead and 1.6 m above: 0.13 sr,

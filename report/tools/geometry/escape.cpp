@@ -4,6 +4,7 @@
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/scene/prepared_scene.h"
+#include "report/tools/geometry/rimless.h"
 
 #include <cmath>
 
@@ -13,6 +14,10 @@ namespace {
 constexpr std::uint64_t kMostPoints = 16384, kEnoughInside = 4096;
 constexpr int kProbes = 32;    // rays that decide whether a point is inside; not counted again
 constexpr int kFewEscape = 3;  // of them; in a corner outside a room a quarter gets out
+// So many that agree from the first on decide alone. Without a rim all agree, but for rays through
+// a gap that rounding leaves. With one they may differ: had only 60 % of all directions said so,
+// eight would agree on the contrary in one point of 1500, and in most of those the rest, too.
+constexpr int kAgreeWithoutRim = 2, kAgreeWithRim = 8;
 constexpr double kNormalQuantile = 1.959963984540054;  // of 0.975
 
 // Triangles with a corner that is not finite are left out.
@@ -36,25 +41,46 @@ calc::PreparedScene scene_of(const calc::SurfaceModel& model) {
 
 class Sampler {
  public:
-  Sampler(const calc::Tracer& tracer, double reach_m, bool is_sheet)
-      : tracer_(tracer), reach_m_(reach_m), is_sheet_(is_sheet) {}
+  Sampler(const calc::Tracer& tracer, double reach_m, bool is_sheet, bool has_rim)
+      : tracer_(tracer),
+        reach_m_(reach_m),
+        is_sheet_(is_sheet),
+        agree_(has_rim ? kAgreeWithRim : kAgreeWithoutRim) {}
 
   bool escapes(const glm::dvec3& from_m, calc::RandomKey key) const {
     calc::SurfaceHit hit;
     return !tracer_.closest_hit(from_m, direction(key), reach_m_, hit);
   }
 
+  // As kProbes rays say; those that can change nothing any more are not traced.
   bool is_inside(const glm::dvec3& point_m, calc::RandomKey key) const {
-    int odd = 0, escaped = 0;
-    for (int probe = 0; probe < kProbes; ++probe) {
+    Votes votes;
+    for (int probe = 0; probe < kProbes && !is_decided(votes); ++probe) {
       const int crossings = count_crossings(point_m, key.with(static_cast<std::uint64_t>(probe)));
-      if (crossings % 2 == 1) ++odd;
-      if (crossings == 0) ++escaped;
+      ++votes.rays;
+      if (crossings % 2 == 1) ++votes.odd;
+      if (crossings == 0) ++votes.escaped;
     }
-    return 2 * odd > kProbes || (!is_sheet_ && escaped <= kFewEscape);
+    return says_inside(votes);
   }
 
  private:
+  struct Votes {
+    int rays = 0, odd = 0, escaped = 0;
+  };
+
+  bool says_inside(const Votes& votes) const {
+    return 2 * votes.odd > votes.rays || (!is_sheet_ && votes.escaped <= kFewEscape);
+  }
+
+  bool is_decided(const Votes& votes) const {
+    if (2 * votes.odd > kProbes) return true;
+    const bool all_agree = votes.rays == agree_ && (votes.odd == votes.rays || votes.odd == 0);
+    const bool is_even = 2 * (votes.odd + kProbes - votes.rays) <= kProbes;
+    if (votes.odd > 0 && all_agree) return true;
+    return (is_even || all_agree) && (is_sheet_ || votes.escaped > kFewEscape);
+  }
+
   static glm::dvec3 direction(calc::RandomKey key) {
     const double z = 2.0 * key.with(0u).uniform() - 1.0;
     const double r = std::sqrt(1.0 - z * z);
@@ -77,6 +103,7 @@ class Sampler {
   const calc::Tracer& tracer_;
   double reach_m_;
   bool is_sheet_;
+  int agree_;  // from the first probe on: enough
 };
 
 // Score interval: unlike Student's t it says something when nothing has escaped. [Wilson27]
@@ -103,7 +130,7 @@ Escape measure_escape(const calc::SurfaceModel& model, const calc::BoundingBox& 
   }
   const calc::FlushDenormals flush;
   const calc::Tracer tracer(scene);
-  const Sampler sampler(tracer, 4.0 * scene.extent_m, is_sheet);
+  const Sampler sampler(tracer, 4.0 * scene.extent_m, is_sheet, !is_rimless(model));
   const calc::RandomKey seed = calc::RandomKey(1).with("geometry");
   std::uint64_t tried = 0, escaped = 0;
   for (; tried < kMostPoints && escape.points < kEnoughInside; ++tried) {

@@ -12,7 +12,10 @@
 #include "report/shell/print.h"
 #include "rules/verdict/outcome.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -23,14 +26,21 @@ namespace {
 // Below it a model is furniture rather than a room, and open edges mean nothing.
 constexpr double kRoomShare = 0.3;
 
-SurfaceReport report_of(const calc::SurfaceModel& model, bool is_room,
-                        const calc::SourceLocation& where, calc::Diagnostics& diagnostics) {
+SurfaceReport report_of(const calc::SurfaceModel& model, bool is_room) {
   SurfaceReport surface;
   surface.is_room = is_room;
   surface.findings = calc::check_surface(model);
   surface.escape = measure_escape(model, surface.findings.bounds_m, is_room);
-  calc::warn_about_surface(surface.findings, where, diagnostics);
   return surface;
+}
+
+// The rooms of a building; each model has its own rays, so that they may run at the same time.
+std::vector<SurfaceReport> reports_of(const std::vector<calc::SurfaceModel>& models,
+                                      const std::vector<std::uint8_t>& is_room) {
+  std::vector<SurfaceReport> surfaces(models.size());
+  tbb::parallel_for(std::size_t{0}, models.size(),
+                    [&](std::size_t i) { surfaces[i] = report_of(models[i], is_room[i] != 0); });
+  return surfaces;
 }
 
 void warn_about_leaks(const SurfaceReport& surface, const std::string& name,
@@ -90,7 +100,8 @@ void examine_mesh(const std::string& bytes, const calc::FileReader& files,
   const calc::SourceLocation where{report.path, 0, 0};
   const calc::SurfaceModel model =
       calc::surface_of(*mesh, metres_per_unit(axes->units), axes->up == "y");
-  report.surfaces.push_back(report_of(model, false, where, diagnostics));
+  report.surfaces.push_back(report_of(model, false));
+  calc::warn_about_surface(report.surfaces.back().findings, where, diagnostics);
   warn_about_leaks(report.surfaces.back(), report.path, where, diagnostics);
 }
 
@@ -99,14 +110,20 @@ void examine_project(const calc::FileReader& files, calc::Diagnostics& diagnosti
   const std::optional<calc::Project> project = calc::load_project(files, report.path, diagnostics);
   if (!project) return;
   report.kind = "project";
+  std::vector<calc::SurfaceModel> models;
+  std::vector<std::uint8_t> is_room;
   for (const calc::Space& space : project->spaces) {
-    const bool is_room = space.shell || !space.surfaces_file.empty();
-    SurfaceReport surface =
-        report_of(calc::surface_of(*project, space), is_room, space.where, diagnostics);
+    models.push_back(calc::surface_of(*project, space));
+    is_room.push_back(space.shell || !space.surfaces_file.empty() ? 1 : 0);
+  }
+  report.surfaces = reports_of(models, is_room);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const calc::Space& space = project->spaces[i];
+    SurfaceReport& surface = report.surfaces[i];
     surface.id = space.id;
     surface.name = space.name;
+    calc::warn_about_surface(surface.findings, space.where, diagnostics);
     if (surface.is_room) warn_about_leaks(surface, space.id, space.where, diagnostics);
-    report.surfaces.push_back(std::move(surface));
   }
 }
 
@@ -123,6 +140,9 @@ calc::SurfaceModel surface_of(const calc::GbxmlRoom& room) {
     model.material_of.resize(model.triangle.size(), types.index_of(part.type));
   }
   model.material_name = types.names();
+  model.polygons_mended = room.polygons_mended;
+  model.polygons_left_out = room.polygons_left_out;
+  model.area_left_out_m2 = room.area_left_out_m2;
   return model;
 }
 
@@ -133,20 +153,23 @@ void examine_gbxml(std::string bytes, calc::Diagnostics& diagnostics, GeometryRe
   if (!building) return;
   report.kind = "gbxml";
   const calc::SourceLocation where{report.path, 0, 0};
+  std::vector<calc::SurfaceModel> models;
   for (const calc::GbxmlSpace& space : building->space) {
     calc::Diagnostics of_room;  // a space without surfaces is no error of the file
     const std::optional<calc::GbxmlRoom> room =
         calc::gbxml_room(*building, space.id, where, of_room);
-    SurfaceReport surface;
-    if (room) {
-      for (const calc::Diagnostic& d : of_room.all()) report.diagnostics.push_back(d);
-      surface = report_of(surface_of(*room), true, where, diagnostics);
-    }
+    models.push_back(room ? surface_of(*room) : calc::SurfaceModel());
+    if (!room) continue;
+    for (const calc::Diagnostic& d : of_room.all()) report.diagnostics.push_back(d);
+  }
+  report.surfaces = reports_of(models, std::vector<std::uint8_t>(models.size(), 1));
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const calc::GbxmlSpace& space = building->space[i];
+    SurfaceReport& surface = report.surfaces[i];
     surface.id = space.id;
     surface.name = space.name;
-    surface.is_room = true;
+    calc::warn_about_surface(surface.findings, where, diagnostics);
     warn_about_leaks(surface, space.id, where, diagnostics);
-    report.surfaces.push_back(std::move(surface));
   }
 }
 

@@ -40,6 +40,9 @@ Json surface_json(const SurfaceReport& surface) {
   json["duplicate_triangles"] = found.duplicates;
   json["triangles_without_area"] = found.degenerate;
   json["triangles_not_finite"] = found.not_finite;
+  json["polygons_mended"] = found.polygons_mended;
+  json["polygons_left_out"] = found.polygons_left_out;
+  json["area_left_out_m2"] = found.area_left_out_m2;
   json["edges"] = found.edges;
   json["open_edges"] = found.open_edges;
   json["crowded_edges"] = found.crowded_edges;

@@ -57,6 +57,10 @@ std::string surface_text(const SurfaceReport& surface) {
   text += fmt::format(
       "    triangles  {}, area {} m2; {} duplicate, {} without area, {} not finite\n",
       found.triangles, f(found.area_m2), found.duplicates, found.degenerate, found.not_finite);
+  if (found.polygons_mended + found.polygons_left_out > 0) {
+    text += fmt::format("    polygons   {} mended, {} left out: {} m2 are missing\n",
+                        found.polygons_mended, found.polygons_left_out, f(found.area_left_out_m2));
+  }
   text += fmt::format("    edges      {}: {} open, {} of more than two triangles\n", found.edges,
                       found.open_edges, found.crowded_edges);
   text += fmt::format("    watertight {}\n", found.is_watertight ? "yes" : "no");

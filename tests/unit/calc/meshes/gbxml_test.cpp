@@ -125,6 +125,69 @@ TEST(Gbxml, OverlappingOpeningsCountOnce) {
   EXPECT_LT(found.at("b NonSlidingDoor"), 1.5);
 }
 
+// A spike in a floor, one in a window, a keyhole in a ceiling: all of their light is there.
+TEST(Gbxml, BrokenOutlinesAreMendedAndSaid) {
+  const std::string floor =
+      poly_loop({{0, 0, 0}, {0, 3, 0}, {4, 3, 0}, {4, 7, 9}, {4, 3, 0}, {4, 0, 0}, {4, 0, 0}});
+  const std::string window =
+      gbxml_opening("window", "FixedWindow",
+                    {{1, 0, 1}, {3, 0, 1}, {3, 0, 2}, {3, 0, 2.4}, {3, 0, 2}, {1, 0, 2}});
+  const std::string deck = poly_loop({{0, 0, 2.5},
+                                      {1, 1, 2.5},
+                                      {1, 2, 2.5},
+                                      {3, 2, 2.5},
+                                      {3, 1, 2.5},
+                                      {1, 1, 2.5},
+                                      {0, 0, 2.5},
+                                      {4, 0, 2.5},
+                                      {4, 3, 2.5},
+                                      {0, 3, 2.5}});
+  std::string xml =
+      with(two_rooms(window), poly_loop({{0, 0, 0}, {0, 3, 0}, {4, 3, 0}, {4, 0, 0}}), floor);
+  xml = with(xml, poly_loop({{0, 0, 2.5}, {4, 0, 2.5}, {4, 3, 2.5}, {0, 3, 2.5}}), deck);
+  const Room low = room_of(xml);
+  ASSERT_TRUE(low.room) << low.messages;
+  const std::map<std::string, double> found = areas(*low.room);
+  EXPECT_NEAR(found.at("slab SlabOnGrade"), 12.0, 1e-12);
+  EXPECT_NEAR(found.at("window FixedWindow"), 2.0, 1e-12);
+  EXPECT_NEAR(found.at("south ExteriorWall"), 8.0, 1e-12);
+  EXPECT_NEAR(found.at("deck Ceiling"), 10.0, 1e-12);
+  EXPECT_EQ(low.room->footprint_m.size(), 4u);
+  EXPECT_DOUBLE_EQ(low.room->height_m, 2.5);
+  EXPECT_EQ(low.room->polygons_mended, 3u);
+  EXPECT_EQ(low.room->polygons_left_out, 0u);
+  EXPECT_NE(
+      low.messages.find("warning[gbxml-mended]: 3 polygons around space 'low' were mended, their "
+                        "areas stay: 1 doubled corner, 2 spikes, 1 joined hole or part; the "
+                        "longest stretch that was taken out, 9.85 m, at (4.000, 7.000, 9.000) "
+                        "m, of 'slab'"),
+      std::string::npos)
+      << low.messages;
+}
+
+TEST(Gbxml, WhatCannotBeMendedIsMissingWithItsArea) {
+  const std::string tie = poly_loop({{0, 0, 0}, {4, 3, 0}, {4, 0, 0}, {0, 3, 0}});
+  const Room low =
+      room_of(with(two_rooms(), poly_loop({{0, 0, 0}, {0, 3, 0}, {4, 3, 0}, {4, 0, 0}}), tie));
+  ASSERT_TRUE(low.room) << low.messages;
+  EXPECT_EQ(low.room->polygons_left_out, 1u);
+  EXPECT_NE(
+      low.messages.find("'slab' was left out: it has no area or its sides cross; 6 m2 are missing"),
+      std::string::npos)
+      << low.messages;
+}
+
+TEST(Gbxml, BentSurfacesAreKeptAndSaid) {
+  const std::string bent = poly_loop({{0, 0, 0}, {0, 3, 0}, {4, 3, 0.004}, {4, 0, 0}});
+  const Room low =
+      room_of(with(two_rooms(), poly_loop({{0, 0, 0}, {0, 3, 0}, {4, 3, 0}, {4, 0, 0}}), bent));
+  ASSERT_TRUE(low.room) << low.messages;
+  EXPECT_NEAR(areas(*low.room).at("slab SlabOnGrade"), 12.0, 1e-4);
+  EXPECT_NE(low.messages.find("warning[gbxml-bent]: 1 polygons around space 'low' are not flat"),
+            std::string::npos)
+      << low.messages;
+}
+
 TEST(Gbxml, OpeningsThatDoNotFitAreWarnedOf) {
   const Room beyond = room_of(
       two_rooms(gbxml_opening("w", "FixedWindow", {{3, 0, 1}, {5, 0, 1}, {5, 0, 2}, {3, 0, 2}})));

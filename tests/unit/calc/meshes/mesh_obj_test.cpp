@@ -154,11 +154,40 @@ TEST(ObjMesh, FacesWithoutAreaAreLeftOutWithOneWarning) {
   ASSERT_TRUE(parsed.mesh);
   EXPECT_EQ(parsed.mesh->triangle.size(), 3u);
   EXPECT_EQ(parsed.mesh->triangle[2], glm::uvec3(0, 1, 2));
+  ASSERT_EQ(parsed.messages.size(), 2u);
+  EXPECT_EQ(
+      parsed.messages[0],
+      "desk.obj:11: warning[mesh-mended-faces]: 1 of 6 faces were mended, their areas stay: 1 "
+      "doubled corner; the longest stretch that was taken out, 0 long, at (0, 0, 0) in the "
+      "file's unit, of face 6");
+  EXPECT_EQ(
+      parsed.messages[1],
+      "desk.obj:7: warning[mesh-faces-left-out]: 4 of 6 faces were left out, the first one is "
+      "face 2: they have no area or their sides cross; an area of 0.5 (in the file's unit, "
+      "squared) "
+      "is missing, 0.5 of it of face 2");
+}
+
+// A square with a spike and one with a hole that a doubled side joins.
+TEST(ObjMesh, FacesAreMendedAndSaid) {
+  const Parsed parsed = parse(
+      "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 7 4 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n"
+      "f 1 2 3 5 3 4\n"
+      "f 1 6 7 8 9 6 1 2 3 4\n");
+  ASSERT_TRUE(parsed.mesh);
+  double area = 0.0;
+  for (const glm::uvec3& t : parsed.mesh->triangle) {
+    const auto& v = parsed.mesh->vertex;
+    area += 0.5 * glm::cross(v[t.y] - v[t.x], v[t.z] - v[t.x]).z;
+  }
+  EXPECT_NEAR(area, 16.0 + 15.0, 1e-12);
+  EXPECT_EQ(parsed.mesh->faces_mended, 2u);
   ASSERT_EQ(parsed.messages.size(), 1u);
   EXPECT_EQ(
       parsed.messages[0],
-      "desk.obj:7: warning[mesh-faces-left-out]: 4 of 6 faces were left out, the first one is "
-      "face 2: they have no area or their sides cross");
+      "desk.obj:10: warning[mesh-mended-faces]: 2 of 2 faces were mended, their areas stay: 1 "
+      "spike, 1 joined hole or part; the longest stretch that was taken out, 3 long, at (7, 4, "
+      "0) in the file's unit, of face 1");
 }
 
 TEST(ObjMesh, IndicesBeforeTheStartAreErrors) {

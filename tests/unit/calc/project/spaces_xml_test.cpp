@@ -40,6 +40,28 @@ double area_of(const Body& body) {
   return area;
 }
 
+// Doubled corners and spikes are taken out and said; sides that cross are an error.
+TEST(RoomXml, FootprintsAreMendedAndSaid) {
+  const auto room = [](const std::string& corners, const std::string& more = "") {
+    return load(in_project("<room id='r' footprint='" + corners + "' height='3' ceiling='white' " +
+                           more + " walls='white' floor='white'/>"));
+  };
+  const Loaded mended = room("0 0  4 0  6 1  4 0  4 3  0 3  0 3");
+  ASSERT_TRUE(mended.project) << mended.messages;
+  ASSERT_TRUE(mended.project->spaces[0].shell);
+  EXPECT_EQ(mended.project->spaces[0].bodies.size(), 6u);
+  EXPECT_NE(mended.messages.find("warning[outline-mended]: attribute 'footprint' of <room> was "
+                                 "mended, the area stays: 1 doubled corner, 1 spike; the longest "
+                                 "stretch that was taken out, 2.24 m, at (6.000, 1.000, 0.000) m; "
+                                 "walls are numbered without these corners"),
+            std::string::npos)
+      << mended.messages;
+  EXPECT_NE(room("0 0  4 3  4 0  0 3").messages.find("not-simple-polygon"), std::string::npos);
+  // A hole: no prism.
+  EXPECT_NE(room("0 0  1 1  1 2  2 2  1 1  0 0  4 0  4 3  0 3").messages.find("not-simple-polygon"),
+            std::string::npos);
+}
+
 TEST(RoomXml, SizeGivesAShellWithWallsFromTheFirstSide) {
   const Project project = project_with("<room id='r' name='Room' origin='10 20 1' size='4 3 2.5'" +
                                        std::string(kFinishes) + "/>");
