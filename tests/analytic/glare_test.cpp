@@ -1,4 +1,5 @@
 // UGR: Guth's index, one source in a uniform field, a hand-computed installation, what is refused.
+
 #include "calc/radiosity/glare.h"
 #include "calc/radiosity/opening.h"
 #include "rules/measure/derived_points.h"

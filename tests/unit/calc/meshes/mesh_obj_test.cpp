@@ -1,5 +1,6 @@
 #include "calc/meshes/mesh_obj.h"
 #include "calc/base/file_reader.h"
+#include "calc/meshes/mesh_obj.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Outlines with spikes, doubled corners and keyholes: mended, their area and direction stay.
-#include "calc/scene/polygon_mend.h"
 
+#include "calc/scene/polygon_mend.h"
 #include "calc/scene/polygon.h"
 
 #include <gtest/gtest.h>
@@ -221,6 +221,9 @@ TEST(PolygonMend, WhatCouldMeanTwoThingsIsNotMended) {
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}, {4, 0}, {0, 0}})) << "no area";
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}}));
   EXPECT_FALSE(mend_polygon(Outline{{0, 0}, {4, 0}, {4, std::nan("")}}));
+  EXPECT_FALSE(mend_polygon(
+      Outline{{0, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}))
+      << "a part in a part: enclosed twice";
   // A hole that lies outside.
   Outline outside = kSquare;
   insert_keyhole(outside, 1, {{5, 1}, {6, 1}, {6, 2}, {5, 2}});

@@ -1,5 +1,4 @@
 #include "report/tools/geometry/geometry.h"
-
 #include "tests/support/memory_file_reader.h"
 #include "tests/support/mesh_samples.h"
 

@@ -1,4 +1,5 @@
 // Surfaces with and without a rim, where edges lie on each other only in part.
+
 #include "report/tools/geometry/rimless.h"
 
 #include <gtest/gtest.h>
