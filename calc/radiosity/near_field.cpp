@@ -45,12 +45,13 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   connections.clear();
   draw_connections(field.tree, field.cut, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
                    connections);
-  ShadowBatch batch(field.tracer, field.tracer.has_shadows());
+  ShadowBatch batch(field.tracer, field.tracer.has_shadows(), kHitToVertex);
   const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
   for (const Connection& connection : connections) {
     const LightVertex& v = field.tree.vertices()[connection.vertex];
-    const double g =
-        geometry_term(at.position_m, at.normal, glm::dvec3(v.position_m), glm::dvec3(v.normal));
+    const double g = lifted_connection_geometry(
+        ReceiverKernel::planar, at.normal, glm::dvec3(v.normal),
+        glm::dvec3(v.position_m) - at.position_m, field.tracer.offset_m());
     if (g <= 0.0) continue;
     const float bounded = field.vertex_bounds.limited(connection.vertex, static_cast<float>(g));
     const auto flux = static_cast<double>(connection.weight * v.flux_lm * bounded);
@@ -156,7 +157,7 @@ double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& 
     if (lx < smallest_lx) continue;
     const glm::dvec3 source =
         lifted_source_m(luminaire, luminaire.position_m, position_m, tracer_.offset_m());
-    if (!tracer_.is_blocked(position_m, source)) direct_lx += lx;
+    if (!tracer_.is_blocked(position_m, source, kHitToSource)) direct_lx += lx;
   }
   return std::max(smallest_, vertices_per_lumen_ * direct_lx + ambient_per_m2_);
 }

@@ -13,6 +13,7 @@
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
+#include "calc/scene/surface_summary.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -68,6 +69,7 @@ class Solver {
     for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
       largest_path_lm_ = std::max(largest_path_lm_, largest_reflectance * emitter_.path_flux_lm(l));
     }
+    mean_reflectance_ = summarise_surfaces(scene).mean_reflectance;
     may_be_endless_ = largest_reflectance > kSuspectReflectance;
     if (settings.time_limit_s > 0.0) deadline_s_ = start_s_ + settings.time_limit_s;
   }
@@ -202,7 +204,9 @@ class Solver {
     for (PlaneWork& plane : planes_) {
       if (!plane.is_active() || !plane.decision().samples_reflection) continue;
       plane.start_look(is_pool ? bound.reach_m() : 0.0,
-                       is_pool ? largest_path_lm_ * bound.smallest() / kPi : 0.0);
+                       is_pool
+                           ? PossibleVertex{largest_path_lm_, mean_reflectance_, bound.smallest()}
+                           : PossibleVertex{});
       lit_planes_.push_back(&plane);
     }
     if (!lit_planes_.empty()) {
@@ -361,7 +365,8 @@ class Solver {
   std::mutex progress_mutex_;
   bool may_be_endless_ = false;
   double largest_path_lm_ = 0.0;  // reflected flux of one path's vertex, times the number of paths
-  double deadline_s_ = 0.0;       // 0 = none
+  double mean_reflectance_ = 0.0;
+  double deadline_s_ = 0.0;  // 0 = none
   SpaceSolution solution_;
 };
 

@@ -61,7 +61,7 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
       if (g <= 0.0) continue;
       ++expected_rays;
       if (g > 0.2) ++bounded;
-      if (tracer.is_blocked(tracer.lift(receiver), y)) {
+      if (tracer.is_blocked(tracer.lift(receiver), y, calc::kReceiverToVertex)) {
         ++blocked;
         continue;
       }
