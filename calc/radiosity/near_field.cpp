@@ -4,7 +4,9 @@
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/draws.h"
+#include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/scene/surface_summary.h"
@@ -25,6 +27,9 @@ constexpr double kKappa = 0.01;
 constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; never a result
 // Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
 constexpr std::uint32_t kFarDraws = 4;
+
+// Chains of short rays are short, but between surfaces that reflect everything.
+constexpr std::uint64_t kHitsPerLookAtTheClock = 1024;
 
 // Illuminance if the luminaire sent its largest intensity here and nothing stood between.
 double most_of(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
@@ -87,6 +92,13 @@ std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKe
   const Tracer& tracer = field.tracer;
   std::uint64_t rays = 0;
   for (std::uint64_t depth = 0;; ++depth) {
+    if (depth >= kMostReflections) {
+      if (field.has_endless_chain != nullptr) *field.has_endless_chain = true;
+      break;
+    }
+    if (depth % kHitsPerLookAtTheClock == kHitsPerLookAtTheClock - 1 && is_past(field.deadline_s)) {
+      break;
+    }
     const double rho = tracer.scene().reflectance[hit.triangle];
     if (rho <= 0.0 || g <= field.bound.smallest()) break;
     const double missing = 1.0 - field.bound.at(hit.position_m, hit.normal) / g;

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,7 +38,8 @@ struct VertexBatch {
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
-  ShortRayCaster* short_rays = nullptr;  // see Stages
+  ShortRayCaster* short_rays = nullptr;            // see Stages
+  std::atomic<bool>* has_endless_chain = nullptr;  // see NearField
 };
 
 // What one light vertex could be, if paths went where none went.

@@ -282,8 +282,9 @@ class Solver {
     }
     for (PlaneWork* plane : lit_planes_) {
       plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_,
-                      stages_.short_rays},
+                      stages_.short_rays, &has_endless_chain_},
                      stages_.gatherer, times);
+      if (has_endless_chain_) return StopReason::endless_path;
       if (const auto stopped = reason_to_stop(last)) return stopped;
     }
     return std::nullopt;
@@ -361,7 +362,7 @@ class Solver {
   std::vector<double> look_absorbed_lm_, look_escaped_lm_;  // the same, of one look
   std::uint64_t balanced_paths_ = 0;
   std::atomic<std::uint64_t> pool_rays_{0};
-  std::atomic<bool> is_stopped_{false};
+  std::atomic<bool> is_stopped_{false}, has_endless_chain_{false};
   std::mutex progress_mutex_;
   bool may_be_endless_ = false;
   double largest_path_lm_ = 0.0;  // reflected flux of one path's vertex, times the number of paths
