@@ -112,6 +112,7 @@ void DrawPass::trace(const GlProgram& program, DeviceState& device, Slot& slot, 
     program.set("node_count", scene.nodes);
     program.set("offset_m", static_cast<float>(piece.batch->tracer.offset_m()));
   }
+  program.set("lift_m", static_cast<float>(piece.batch->tracer.offset_m()));
   program.set("bounded_from_per_m2", std::min(piece.batch->bounds.lowest_per_m2(), FLT_MAX));
   const std::size_t places = piece.receivers.size() * piece.places_per_receiver();
   slot.dispatches = 0;

@@ -64,6 +64,7 @@ void GatherPass::dispatch(DeviceState& device, const GatherJob& job) {
   }
   const auto count = static_cast<std::uint32_t>(job.connections.size());
   shader.set("connection_count", count);
+  shader.set("lift_m", static_cast<float>(job.tracer->offset_m()));
   shader.set("bounded_from_per_m2", std::min(job.bounded_from_per_m2, FLT_MAX));
   glDispatchCompute((count + kGroupSize - 1) / kGroupSize, 1, 1);
   check_gl("tracing shadow rays");

@@ -112,6 +112,11 @@ struct PlaneField {
   // illuminance (all channels at full output), >= 0. Near 1 or above the value rests on one sample
   // and its t-interval is not to be trusted. Empty when nothing was sampled.
   std::vector<float> largest_share;
+  // [point]: what the largest single sample of reflected light, drawn or possible, adds to the mean
+  // over the replicates, lx (all channels at full output). Few such samples may have been drawn, or
+  // none, and then neither the mean nor the replicates' spread knows of them. Empty without
+  // reflection.
+  std::vector<double> largest_sample_lx;
   // [point]: what it counts in averages, in any unit; empty: all alike. See point_weights().
   std::vector<double> point_weight;
   // Looks that the plane might have taken, a number fixed before the first: its intervals hold over

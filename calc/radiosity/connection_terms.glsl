@@ -33,6 +33,15 @@ TERM REAL connection_geometry(KERNEL kernel, VEC3 axis, VEC3 vertex_normal, VEC3
   return response * cosine / (d2 * d2);
 }
 
+// The same for a vertex that is stored lifted off its surface by lift_m: G of its true place, which
+// a receiver a few offsets off a wall needs. 0 where it faces away as it is stored: so do receivers
+// in its surface.
+TERM REAL lifted_connection_geometry(KERNEL kernel, VEC3 axis, VEC3 vertex_normal, VEC3 w,
+                                     REAL lift_m) {
+  if (!(-dot(vertex_normal, w) > REAL(0))) return REAL(0);
+  return connection_geometry(kernel, axis, vertex_normal, w - lift_m * vertex_normal);
+}
+
 // What the connection adds if nothing stands between: `bounded` is the geometry after its limit.
 TERM REAL connection_lx(REAL weight, REAL flux_lm, REAL bounded) {
   const REAL per_pi = REAL(0.31830988618379067154);

@@ -17,29 +17,29 @@ bool is_point(const PlacedLuminaire& luminaire) {
 
 void add_source(ShadowBatch& batch, const PlacedLuminaire& luminaire, const glm::dvec3& source_m,
                 const Receiver& receiver, const glm::vec3& from_m, double weight, double offset_m,
-                double* sums, std::size_t stride) {
+                double* sums, std::size_t stride, float* largest = nullptr) {
   const double lx = point_illuminance_lx(luminaire, source_m, receiver);
   if (lx <= 0.0) return;
   batch.add(from_m, glm::vec3(lifted_source_m(luminaire, source_m, receiver.position_m, offset_m)),
-            weight * lx, &sums[luminaire.channel * stride]);
+            weight * lx, &sums[luminaire.channel * stride], largest);
 }
 
 // A point of a luminaire's opening, as seen from the receiver, with all of its light for `weight`.
 void add_opening_point(ShadowBatch& batch, const PlacedLuminaire& luminaire,
                        const OpeningView& view, double s, double t, const Receiver& receiver,
                        const glm::vec3& from_m, double weight, double offset_m, double* sums,
-                       std::size_t stride) {
+                       std::size_t stride, float* largest = nullptr) {
   const OpeningView::Point source = view.point(s, t);
   if (!luminaire.opening.is_body()) {
     return add_source(batch, luminaire, source.position_m, receiver, from_m, weight, offset_m, sums,
-                      stride);
+                      stride, largest);
   }
   const glm::dvec3 out = glm::normalize(receiver.position_m - source.position_m);
   const double lx =
       view.weight(source, out) * point_illuminance_lx(luminaire, source.position_m, receiver);
   if (!(lx > 0.0)) return;
   batch.add(from_m, glm::vec3(source.position_m + offset_m * source.normal), weight * lx,
-            &sums[luminaire.channel * stride]);
+            &sums[luminaire.channel * stride], largest);
 }
 
 OpeningView view_from(const PlacedLuminaire& luminaire, const glm::dvec3& position_m) {
@@ -123,7 +123,7 @@ bool has_extended_luminaires(const PreparedScene& scene) {
 
 DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
                              const DirectProofs& proofs, double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer, proofs.has_shadows);
+  ShadowBatch batch(tracer, proofs.has_shadows, kReceiverToSource);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
@@ -133,14 +133,14 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
                stride);
   }
   batch.flush();
-  return {batch.rays(), batch.has_contributions()};
+  return {batch.rays(), batch.has_contributions(), batch.has_hidden()};
 }
 
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
                                 const DirectProofs& proofs, RandomKey key,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
-                                std::size_t stride) {
-  ShadowBatch batch(tracer, proofs.has_shadows);
+                                std::size_t stride, float* largest) {
+  ShadowBatch batch(tracer, proofs.has_shadows, kReceiverToSource);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
@@ -156,17 +156,17 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
         const auto u = sobol.sample_pair(i, 0);
         add_opening_point(batch, luminaires[l], view, cell.s + cell.size_s * u[0],
                           cell.t + cell.size_t * u[1], receiver, from, weight, tracer.offset_m(),
-                          sums, stride);
+                          sums, stride, largest);
       }
     }
   }
   batch.flush();
-  return {batch.rays(), batch.has_contributions()};
+  return {batch.rays(), batch.has_contributions(), batch.has_hidden()};
 }
 
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride) {
-  ShadowBatch batch(tracer, tracer.has_shadows());
+  ShadowBatch batch(tracer, tracer.has_shadows(), kHitToSource);
   const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {

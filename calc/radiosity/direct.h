@@ -33,6 +33,7 @@ struct DirectProofs {
 struct DirectRays {
   std::uint64_t traced = 0;
   bool may_be_lit = false;  // some luminaire shines this way, whatever stands between
+  bool has_hidden = false;  // something stood between for a sample, or a luminaire
 };
 
 // Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
@@ -45,10 +46,11 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
 // instead of fixed parts: no far-field error near the luminaire, and soft shadows whose error shows
 // in the replicates]. first_round..last_round: rounds of samples; one round is what opening_cells()
 // gives. Adds the SUM over rounds of the rounds' means: divide by the number of rounds. Unbiased.
+// largest: raised to the largest sample that was added; may be null.
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
                                 const DirectProofs& proofs, RandomKey key,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
-                                std::size_t stride);
+                                std::size_t stride, float* largest = nullptr);
 
 // Adds one unbiased sample of the direct illuminance from all luminaires, times weight.
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,

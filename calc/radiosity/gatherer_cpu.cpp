@@ -14,7 +14,8 @@ class CpuGatherer : public Gatherer {
   // Single precision for the geometry of a pair: rounding is 1e-6 of a contribution and averages
   // out; the sums are double.
   std::uint64_t gather(const GatherBatch& batch, const GatherSums& sums) override {
-    ShadowBatch shadows(batch.tracer, batch.has_shadows);
+    ShadowBatch shadows(batch.tracer, batch.has_shadows, kReceiverToVertex);
+    const auto lift_m = static_cast<float>(batch.tracer.offset_m());
     std::uint32_t current = ~0u;
     glm::vec3 from(0.0f), x(0.0f), axis(0.0f);
     ReceiverKernel kernel = ReceiverKernel::planar;
@@ -28,7 +29,7 @@ class CpuGatherer : public Gatherer {
         kernel = receiver.kernel;
       }
       const LightVertex& v = batch.vertices[connection.vertex];
-      const float g = connection_geometry(kernel, axis, v.normal, v.position_m - x);
+      const float g = lifted_connection_geometry(kernel, axis, v.normal, v.position_m - x, lift_m);
       if (!(g > 0.0f)) continue;
       const float bounded = batch.bounds.limited(connection.vertex, g);
       const double lx = static_cast<double>(connection_lx(connection.weight, v.flux_lm, bounded));

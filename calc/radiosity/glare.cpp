@@ -129,7 +129,7 @@ std::vector<OpeningView::Point> sight_ends(const PlacedLuminaire& luminaire,
 Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
               bool has_shadows, const std::vector<OpeningView::Point>& ends, const Counted& counted,
               std::uint64_t& rays) {
-  ShadowBatch batch(tracer, has_shadows);
+  ShadowBatch batch(tracer, has_shadows, kReceiverToSource);
   const glm::vec3 from(tracer.lift(receiver));
   std::vector<double> is_seen(ends.size(), 0.0);
   Sight sight;

@@ -53,7 +53,8 @@ class PathWave {
         emitter.choose_luminaire(sobol_.sample(index, kLuminaireDimension));
     paths_.push_back(
         {index, tracer_.scene().luminaires[luminaire].channel,
-         emitter.path_flux_lm(luminaire) / paths, 1.0, sobol_.sample(index, kRouletteDimension),
+         emitter.path_flux_lm(luminaire) / paths, 1.0,
+         roulette_number(sobol_.sample(index, kRouletteDimension)),
          emitter.emit(luminaire, sobol_.sample_pair(index, kDirectionDimension),
                       sobol_.sample_pair(index, kOpeningDimension), tracer_.offset_m())});
   }

@@ -4,7 +4,9 @@
 #include "calc/radiosity/cut.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/draws.h"
+#include "calc/radiosity/light_paths.h"
 #include "calc/radiosity/low_discrepancy.h"
+#include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/scene/surface_summary.h"
@@ -26,6 +28,9 @@ constexpr double kHighestMeanReflectance = 0.999;  // only shapes the bound; nev
 // Vertices that continue a short ray's hit. The mean over many rays smooths their noise.
 constexpr std::uint32_t kFarDraws = 4;
 
+// Chains of short rays are short, but between surfaces that reflect everything.
+constexpr std::uint64_t kHitsPerLookAtTheClock = 1024;
+
 // Illuminance if the luminaire sent its largest intensity here and nothing stood between.
 double most_of(const PlacedLuminaire& luminaire, const glm::dvec3& position_m,
                const glm::dvec3& normal) {
@@ -45,12 +50,13 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   connections.clear();
   draw_connections(field.tree, field.cut, {at.position_m, at.normal}, 0, kFarDraws, u, scratch,
                    connections);
-  ShadowBatch batch(field.tracer, field.tracer.has_shadows());
+  ShadowBatch batch(field.tracer, field.tracer.has_shadows(), kHitToVertex);
   const glm::vec3 from(field.tracer.lift(at.position_m, at.normal));
   for (const Connection& connection : connections) {
     const LightVertex& v = field.tree.vertices()[connection.vertex];
-    const double g =
-        geometry_term(at.position_m, at.normal, glm::dvec3(v.position_m), glm::dvec3(v.normal));
+    const double g = lifted_connection_geometry(
+        ReceiverKernel::planar, at.normal, glm::dvec3(v.normal),
+        glm::dvec3(v.position_m) - at.position_m, field.tracer.offset_m());
     if (g <= 0.0) continue;
     const float bounded = field.vertex_bounds.limited(connection.vertex, static_cast<float>(g));
     const auto flux = static_cast<double>(connection.weight * v.flux_lm * bounded);
@@ -86,6 +92,13 @@ std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKe
   const Tracer& tracer = field.tracer;
   std::uint64_t rays = 0;
   for (std::uint64_t depth = 0;; ++depth) {
+    if (depth >= kMostReflections) {
+      if (field.has_endless_chain != nullptr) *field.has_endless_chain = true;
+      break;
+    }
+    if (depth % kHitsPerLookAtTheClock == kHitsPerLookAtTheClock - 1 && is_past(field.deadline_s)) {
+      break;
+    }
     const double rho = tracer.scene().reflectance[hit.triangle];
     if (rho <= 0.0 || g <= field.bound.smallest()) break;
     const double missing = 1.0 - field.bound.at(hit.position_m, hit.normal) / g;
@@ -156,7 +169,7 @@ double GeometryBound::at_lifted(const glm::dvec3& position_m, const glm::dvec3& 
     if (lx < smallest_lx) continue;
     const glm::dvec3 source =
         lifted_source_m(luminaire, luminaire.position_m, position_m, tracer_.offset_m());
-    if (!tracer_.is_blocked(position_m, source)) direct_lx += lx;
+    if (!tracer_.is_blocked(position_m, source, kHitToSource)) direct_lx += lx;
   }
   return std::max(smallest_, vertices_per_lumen_ * direct_lx + ambient_per_m2_);
 }

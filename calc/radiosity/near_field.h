@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,6 +67,10 @@ struct NearField {
   const VertexBounds& vertex_bounds;
   const Cut& cut;  // of the whole pool; continues the rays
   std::size_t channels;
+  double deadline_s = 0.0;  // see is_past(): what is left undone then is to be thrown away
+  // Set where a chain of rays does not end within kMostReflections; may be null. The sums are then
+  // worth nothing.
+  std::atomic<bool>* has_endless_chain = nullptr;
 };
 
 // Short rays of the first look reach so far: a third of the mean free path.

@@ -27,6 +27,10 @@ TERM UINT nested_scramble(UINT x, UINT seed) {
   return nested_scramble_reversed(reverse_bits(x), seed);
 }
 
+// The number that decides how long a path lives, never 0: a path with 0 would not end.
+// u: k 2^-32; survival probabilities stay exact to 2^-32.
+TERM double roulette_number(double u) { return u + DBL(1.1641532182693481e-10); }  // + 2^-33
+
 // Unit direction with density cos / pi about a unit normal.  u in [0, 1)^2
 TERM DVEC3 cosine_direction(IN_DVEC3 normal, double u0, double u1) {
   // Frame without a branch at the poles [Duff17].

@@ -113,9 +113,10 @@ NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t 
                                          const VertexBatch& batch) const {
   const std::uint32_t i = tile.point[k];
   const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path).with(i);
-  if (!(clear_m_[i] < reach_m_)) return {tile.receiver[k], key, 0};
+  const double clear_m = settings_.skips.allows(Skip::clear_distance) ? clear_m_[i] : 0.0;
+  if (!(clear_m < reach_m_)) return {tile.receiver[k], key, 0};
   const std::uint32_t draws = draws_per_point(batch.paths, points());
-  return {tile.receiver[k], key, short_rays_per_point(draws, clear_m_[i], reach_m_)};
+  return {tile.receiver[k], key, short_rays_per_point(draws, clear_m, reach_m_)};
 }
 
 // Of all these tiles, or of so many that their rays fill a cast: hits take memory on every thread.
@@ -155,8 +156,9 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
                                   const FirstHit* first_hits, TileSums& sums) const {
-  const NearField field{tracer_,      *batch.near_bound, batch.tree,
-                        batch.bounds, batch.global_cut,  channels()};
+  const NearField field{tracer_,          *batch.near_bound,      batch.tree,
+                        batch.bounds,     batch.global_cut,       channels(),
+                        batch.deadline_s, batch.has_endless_chain};
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
     const NearFieldRequest request = near_request(tile, k, batch);

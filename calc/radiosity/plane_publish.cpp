@@ -1,5 +1,6 @@
 // A plane's sums so far as a field, and how much they are to be trusted.
 #include "calc/base/statistics.h"
+#include "calc/base/units.h"
 #include "calc/radiosity/plane_work.h"
 
 #include <algorithm>
@@ -10,11 +11,19 @@ namespace {
 
 // Share of the indirect part's variance below which openings need no more samples.
 constexpr double kNegligibleVariance = 0.1;
+// Share of a point's light above which a single sample on an opening is too much of it, half of
+// what makes it doubtful.
+constexpr double kLargestOpeningShare = 0.05;
+constexpr double kMostRepeated = 0.9;  // of a vertex's light around a point, reflectance for ever
 
 }  // namespace
 
 bool PlaneWork::opening_error_matters() const {
   if (std::find(field_.unseen.begin(), field_.unseen.end(), 1) != field_.unseen.end()) return true;
+  for (std::size_t i = 0; i < points(); ++i) {
+    const double largest_lx = largest_opening_sample_lx(i);
+    if (active_[i] != 0 && largest_lx > kLargestOpeningShare * field_.mean_lx(i)) return true;
+  }
   if (field_.indirect_lx.empty()) return true;
   return squared_error(field_.direct_sampled_lx) >
          kNegligibleVariance * squared_error(field_.indirect_lx);
@@ -38,12 +47,23 @@ double PlaneWork::squared_error(const std::vector<double>& values_lx) const {
   return sum;
 }
 
+// Times the paths of the look. No vertex is nearer than the point is clear. What stands near a
+// point is near the surfaces around it, too, and comes from them once more by short rays.
+double PlaneWork::possible_sample_lx(std::size_t point) const {
+  const double most = possible_vertex_.most_per_m2,
+               clear_m = clear_m_.empty() ? 0.0 : clear_m_[point];
+  const double geometry = clear_m * clear_m * most > 1.0 ? 1.0 / (clear_m * clear_m) : most;
+  const double vertex_lx = possible_vertex_.flux_lm * geometry / kPi;
+  if (!(clear_m < reach_m_)) return vertex_lx;
+  return vertex_lx / (1.0 - std::min(possible_vertex_.mean_reflectance, kMostRepeated));
+}
+
 void PlaneWork::finish_look(std::uint64_t batch_paths) {
   for (std::size_t i = 0; i < points(); ++i) {
     if (active_[i] == 0) continue;
     paths_[i] += batch_paths;
     if (has_indirect_[i] != 0) {
-      possible_sample_lx_[i] = std::max(possible_sample_lx_[i], look_sample_lx_);
+      possible_sample_lx_[i] = std::max(possible_sample_lx_[i], possible_sample_lx(i));
     }
   }
   SolveCounters& counters = field_.counters;
@@ -73,7 +93,7 @@ void PlaneWork::publish(int looks_planned) {
   }
   if (!field_.is_exact()) {
     find_unseen();
-    find_largest_share();
+    find_largest_samples();
   }
 }
 
@@ -86,29 +106,36 @@ void PlaneWork::find_unseen() {
   }
 }
 
-void PlaneWork::find_largest_share() {
+void PlaneWork::find_largest_samples() {
   field_.largest_share.assign(points(), 0.0f);
-  if (indirect_sum_lx_.empty()) return;
-  const auto replicates = static_cast<double>(field_.replicates);
+  if (!indirect_sum_lx_.empty()) field_.largest_sample_lx.assign(points(), 0.0);
   for (std::size_t i = 0; i < points(); ++i) {
-    double total_lx = 0.0;
-    // What was drawn, or could have been where vertices are so few that none was.
-    double largest = possible_sample_lx_[i];
-    for (std::size_t c = 0; c < channels(); ++c) {
-      total_lx += field_.direct_exact_lx[c * points() + i];
+    double largest_lx = largest_opening_sample_lx(i);
+    if (!indirect_sum_lx_.empty()) {
+      field_.largest_sample_lx[i] = largest_reflected_sample_lx(i);
+      largest_lx = std::max(largest_lx, field_.largest_sample_lx[i]);
     }
-    for (std::size_t row = 0; row < field_.replicates * channels(); ++row) {
-      const std::size_t k = row * points() + i;
-      total_lx += field_.indirect_lx[k] / replicates;
-      if (!field_.direct_sampled_lx.empty()) total_lx += field_.direct_sampled_lx[k] / replicates;
-    }
-    for (std::size_t r = 0; r < field_.replicates; ++r) {
-      largest = std::max(largest, static_cast<double>(largest_sum_lx_[r * points() + i]));
-    }
-    if (!(total_lx > 0.0) || paths_[i] == 0) continue;
-    field_.largest_share[i] =
-        static_cast<float>(largest / (static_cast<double>(paths_[i]) * replicates * total_lx));
+    const double total_lx = field_.mean_lx(i);
+    if (total_lx > 0.0) field_.largest_share[i] = static_cast<float>(largest_lx / total_lx);
   }
+}
+
+// What was drawn, or could have been where vertices are so few that none was.
+double PlaneWork::largest_reflected_sample_lx(std::size_t point) const {
+  if (paths_[point] == 0) return 0.0;
+  double largest = possible_sample_lx_[point];
+  for (std::size_t r = 0; r < field_.replicates; ++r) {
+    largest = std::max(largest, static_cast<double>(largest_sum_lx_[r * points() + point]));
+  }
+  return largest / static_cast<double>(paths_[point] * field_.replicates);
+}
+
+// Where every sample on an opening arrives, few are enough: they are spread evenly. Where some are
+// hidden, those that are not may be few by chance.
+double PlaneWork::largest_opening_sample_lx(std::size_t point) const {
+  if (rounds_[point] == 0 || has_hidden_opening_[point] == 0) return 0.0;
+  return static_cast<double>(largest_opening_lx_[point]) /
+         static_cast<double>(rounds_[point] * field_.replicates);
 }
 
 }  // namespace calc

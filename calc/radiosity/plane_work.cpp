@@ -16,6 +16,10 @@
 namespace calc {
 namespace {
 
+// Clear distances are found up to so many reaches of short rays: the largest possible sample falls
+// with their square.
+constexpr double kClearReaches = 4.0;
+
 // Runs work(i) -> rays for every point on all threads and returns the sum of rays.
 template <class Work>
 std::uint64_t for_each_point(std::size_t points, const Work& work) {
@@ -51,6 +55,8 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   rounds_.assign(points(), 0);
   paths_.assign(points(), 0);
   possible_sample_lx_.assign(points(), 0.0);
+  largest_opening_lx_.assign(points(), 0.0f);
+  has_hidden_opening_.assign(points(), 0);
   // A point's other receivers see nothing that the first one does not.
   for (std::size_t part = 0; part < receivers_per_point(grid.derived); ++part) {
     may_be_sampled_.insert(may_be_sampled_.end(), decision.may_see_reflection.begin(),
@@ -124,8 +130,10 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
     for (std::size_t r = 0; r < field_.replicates; ++r) {
       const DirectRays direct = add_extended_sources(
           tracer_, receiver_[i], {decision_.is_dark, has_shadows()}, opening_key_.with(i).with(r),
-          rounds_[i], last, &direct_sum_lx_[r * channels() * points() + i], points());
+          rounds_[i], last, &direct_sum_lx_[r * channels() * points() + i], points(),
+          &largest_opening_lx_[i]);
       rays += direct.traced;
+      if (direct.has_hidden) has_hidden_opening_[i] = 1;
       if (direct.may_be_lit) may_be_sampled_[i] = 1;
     }
     rounds_[i] = last;
@@ -134,8 +142,8 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   most_rounds_ = last;
 }
 
-void PlaneWork::start_look(double near_reach_m, double largest_sample) {
-  look_sample_lx_ = largest_sample;
+void PlaneWork::start_look(double near_reach_m, const PossibleVertex& possible) {
+  possible_vertex_ = possible;
   if (spatial_order_.empty()) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
@@ -147,11 +155,11 @@ void PlaneWork::start_look(double near_reach_m, double largest_sample) {
   reach_m_ = near_reach_m;
   if (near_reach_m > 0.0 && clear_m_.empty()) {
     clear_m_.assign(points(), 0.0);
-    if (!settings_.skips.allows(Skip::clear_distance)) return;
     for_each_point(points(), [&](std::size_t i) {
       const Receiver& r = receiver_[i];
-      clear_m_[i] = tracer_.clear_distance(
-          r.position_m, has_back(r.kernel) ? r.axis : glm::dvec3(0.0), near_reach_m);
+      clear_m_[i] =
+          tracer_.clear_distance(r.position_m, has_back(r.kernel) ? r.axis : glm::dvec3(0.0),
+                                 kClearReaches * near_reach_m);
       return std::uint64_t{0};
     });
   }

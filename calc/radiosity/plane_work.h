@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,7 +38,15 @@ struct VertexBatch {
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
-  ShortRayCaster* short_rays = nullptr;  // see Stages
+  ShortRayCaster* short_rays = nullptr;            // see Stages
+  std::atomic<bool>* has_endless_chain = nullptr;  // see NearField
+};
+
+// What one light vertex could be, if paths went where none went.
+struct PossibleVertex {
+  double flux_lm = 0.0;           // the largest of any path, times the paths of the look
+  double mean_reflectance = 0.0;  // of the surfaces, [0, 1]
+  double most_per_m2 = 0.0;       // bound of its geometry term; 0: no such vertex
 };
 
 // Connections that each point draws from a pool of so many paths: fewer for planes with many
@@ -73,9 +82,8 @@ class PlaneWork {
   // Doubles the rounds of samples on extended openings, but only while their error matters beside
   // the indirect part.
   void sample_openings(double deadline_s, SolveTimes& times);
-  // Before the first replicate of a look. near_reach_m: of short rays, 0 = none. largest_sample:
-  // what one vertex could add to a point at most, times the paths of the look.
-  void start_look(double near_reach_m, double largest_sample);
+  // Before the first replicate of a look. near_reach_m: of short rays, 0 = none.
+  void start_look(double near_reach_m, const PossibleVertex& possible);
   // One replicate's indirect light: connections and near field. Replicates may run at the same
   // time.
   void connect(const VertexBatch& batch, Gatherer& gatherer, SolveTimes& times);
@@ -112,7 +120,10 @@ class PlaneWork {
   bool opening_error_matters() const;
   // Marks points that sampled light may reach but has not.
   void find_unseen();
-  void find_largest_share();
+  void find_largest_samples();
+  double largest_reflected_sample_lx(std::size_t point) const;
+  double largest_opening_sample_lx(std::size_t point) const;
+  double possible_sample_lx(std::size_t point) const;
   double squared_error(const std::vector<double>& values_lx) const;
 
   const Tracer& tracer_;
@@ -124,15 +135,17 @@ class PlaneWork {
   std::vector<std::uint8_t> active_;              // [point]
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
   std::vector<std::uint8_t> may_be_sampled_;      // [point]
-  std::vector<double> clear_m_;                   // [point], up to the first look's reach
-  std::vector<ReceiverGroup> tiles_;              // of this look
-  std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
-  double look_sample_lx_ = 0.0;                   // see start_look()
-  std::vector<double> possible_sample_lx_;        // [point], the largest of its looks
-  double reach_m_ = 0.0;                          // of this look's short rays
+  std::vector<double> clear_m_;       // [point], up to kClearReaches of the first look's reaches
+  std::vector<ReceiverGroup> tiles_;  // of this look
+  std::vector<std::uint8_t> has_indirect_;  // [point], 0 = proved that indirect light is 0
+  PossibleVertex possible_vertex_;          // of this look
+  std::vector<double> possible_sample_lx_;  // [point], the largest of its looks
+  double reach_m_ = 0.0;                    // of this look's short rays
 
-  std::vector<double> direct_sum_lx_;  // [replicate][channel][point], sum over rounds
-  std::vector<std::uint32_t> rounds_;  // [point]
+  std::vector<double> direct_sum_lx_;             // [replicate][channel][point], sum over rounds
+  std::vector<std::uint32_t> rounds_;             // [point]
+  std::vector<float> largest_opening_lx_;         // [point], largest sample of a round
+  std::vector<std::uint8_t> has_hidden_opening_;  // [point], 1: some sample was not seen
   std::uint32_t most_rounds_ = 0;
   std::vector<double> indirect_sum_lx_;  // [r][c][p], sum over batches of estimate times paths
   std::vector<std::uint64_t> paths_;     // [point], per replicate

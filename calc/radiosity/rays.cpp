@@ -69,10 +69,11 @@ std::uint32_t Tracer::closest_hits(const RayPacket& packet, float least_m, float
   return mask;
 }
 
-bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const {
+bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
+                        SegmentMargins left_out) const {
   if (!has_shadows_) return false;
   SegmentPacket packet;
-  packet.add(glm::vec3(from_m), glm::vec3(to_m));
+  packet.add(glm::vec3(from_m), glm::vec3(to_m), left_out);
   return blocked(packet) != 0;
 }
 
@@ -84,11 +85,12 @@ std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {
   for (std::size_t k = 0; k < static_cast<std::size_t>(packet.count); ++k) {
     const auto& [from, way, least, most] = packet.segment[k];
     const float margin = offset / glm::length(way);
-    // Two points nearer than both margins have nothing between them that could be told apart from
-    // them.
-    if (!(margin < 1.0f - margin)) continue;
+    const float begin = packet.margins[k].from * margin, end = 1.0f - packet.margins[k].to * margin;
+    // Two points nearer than their margins have nothing between them that could be told apart from
+    // them; two in one place have a margin that is no number.
+    if (!(begin < end)) continue;
     place[count] = k;
-    rays[count++] = {from, way, margin, 1.0f - margin};
+    rays[count++] = {from, way, begin, end};
   }
   const std::uint32_t found = tree_.blocked({rays.data(), count});
   if (count == static_cast<std::size_t>(packet.count)) return found;

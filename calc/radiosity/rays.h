@@ -36,18 +36,30 @@ struct CloseSurface {
   double distance_m;  // from the point
 };
 
+// What a segment leaves out at its ends, in ray offsets. A point that was lifted off the surface it
+// was found on stands in front of it: nothing needs to be left out there, and light would slip past
+// a partition that the point touches. A receiver may lie in a surface that it does not look out of,
+// and a luminaire in the ceiling.
+struct SegmentMargins {
+  float from = 1.0f, to = 1.0f;
+};
+inline constexpr SegmentMargins kReceiverToVertex{1.0f, 0.0f}, kHitToVertex{0.0f, 0.0f},
+    kReceiverToSource{1.0f, 1.0f}, kHitToSource{0.0f, 1.0f};
+
 // Up to 16 segments between lifted points, local coordinates.
 struct SegmentPacket {
   static constexpr int kSize = 16;
   std::array<Ray, kSize> segment;  // from one end to the other at 1
+  std::array<SegmentMargins, kSize> margins;
   int count = 0;
 
   bool is_full() const { return count == kSize; }
   // Returns its place. The packet must not be full.
-  std::size_t add(const glm::vec3& from_m, const glm::vec3& to_m) {
+  std::size_t add(const glm::vec3& from_m, const glm::vec3& to_m, SegmentMargins left_out = {}) {
     const auto k = static_cast<std::size_t>(count++);
     segment[k].origin = from_m;
     segment[k].direction = to_m - from_m;
+    margins[k] = left_out;
     return k;
   }
 };
@@ -73,8 +85,9 @@ static_assert(SegmentPacket::kSize == TriangleTree::kRays &&
 // are the same bits on every processor, see triangle_tree.h.
 //
 // Both ends of a segment stand off surfaces by PreparedScene::ray_offset_m(): callers lift points
-// along their normals; the query leaves out the last stretch of that length at either end as well,
-// so that a point in the plane of a wall does not hit the wall it lies in.  [METHOD, 8.1]
+// along their normals; the query leaves out the last stretch of that length as well at ends that
+// may lie in another surface, so that a point in the plane of a wall does not hit the wall it lies
+// in.  [METHOD, 8.1]
 class Tracer {
  public:
   explicit Tracer(const PreparedScene& scene);
@@ -131,7 +144,8 @@ class Tracer {
   std::optional<CloseSurface> close_surface(const ClosenessQuery& query) const;
 
   // Whether any surface stands between two lifted points.
-  bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m) const;
+  bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
+                  SegmentMargins left_out = {}) const;
 
   // Bit k is set if segment k is blocked.
   std::uint32_t blocked(const SegmentPacket& packet) const;

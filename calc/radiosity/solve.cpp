@@ -13,6 +13,7 @@
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
+#include "calc/scene/surface_summary.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -68,6 +69,7 @@ class Solver {
     for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
       largest_path_lm_ = std::max(largest_path_lm_, largest_reflectance * emitter_.path_flux_lm(l));
     }
+    mean_reflectance_ = summarise_surfaces(scene).mean_reflectance;
     may_be_endless_ = largest_reflectance > kSuspectReflectance;
     if (settings.time_limit_s > 0.0) deadline_s_ = start_s_ + settings.time_limit_s;
   }
@@ -202,7 +204,9 @@ class Solver {
     for (PlaneWork& plane : planes_) {
       if (!plane.is_active() || !plane.decision().samples_reflection) continue;
       plane.start_look(is_pool ? bound.reach_m() : 0.0,
-                       is_pool ? largest_path_lm_ * bound.smallest() / kPi : 0.0);
+                       is_pool
+                           ? PossibleVertex{largest_path_lm_, mean_reflectance_, bound.smallest()}
+                           : PossibleVertex{});
       lit_planes_.push_back(&plane);
     }
     if (!lit_planes_.empty()) {
@@ -278,8 +282,9 @@ class Solver {
     }
     for (PlaneWork* plane : lit_planes_) {
       plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_,
-                      stages_.short_rays},
+                      stages_.short_rays, &has_endless_chain_},
                      stages_.gatherer, times);
+      if (has_endless_chain_) return StopReason::endless_path;
       if (const auto stopped = reason_to_stop(last)) return stopped;
     }
     return std::nullopt;
@@ -357,11 +362,12 @@ class Solver {
   std::vector<double> look_absorbed_lm_, look_escaped_lm_;  // the same, of one look
   std::uint64_t balanced_paths_ = 0;
   std::atomic<std::uint64_t> pool_rays_{0};
-  std::atomic<bool> is_stopped_{false};
+  std::atomic<bool> is_stopped_{false}, has_endless_chain_{false};
   std::mutex progress_mutex_;
   bool may_be_endless_ = false;
   double largest_path_lm_ = 0.0;  // reflected flux of one path's vertex, times the number of paths
-  double deadline_s_ = 0.0;       // 0 = none
+  double mean_reflectance_ = 0.0;
+  double deadline_s_ = 0.0;  // 0 = none
   SpaceSolution solution_;
 };
 

@@ -7,7 +7,7 @@ layout(std430, binding = 5) readonly buffer Connections { uint connection[]; };
 layout(std430, binding = 12) writeonly buffer Results { uint result[]; };
 
 uniform uint connection_count;
-uniform float bounded_from_per_m2;
+uniform float bounded_from_per_m2, lift_m;
 
 uint gathered(uint i) {
   const uint r = 3u * connection[3u * i];
@@ -15,8 +15,8 @@ uint gathered(uint i) {
   const vec4 at = receiver[r];
   const vec4 axis = receiver[r + 1u];
   const vec4 position_and_flux = vertex_position[v];
-  const float g = connection_geometry(uint(axis.w), axis.xyz, vertex_normal[v].xyz,
-                                      position_and_flux.xyz - at.xyz);
+  const float g = lifted_connection_geometry(uint(axis.w), axis.xyz, vertex_normal[v].xyz,
+                                             position_and_flux.xyz - at.xyz, lift_m);
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
   bool is_cut;

@@ -11,7 +11,7 @@ void main() {
   const uint slot = gl_GlobalInvocationID.x;
   if (slot >= path_count) return;
   Path path = restored(slot);
-  const double roulette = path_sample(path.job, path.index, ROULETTE_DIMENSION);
+  const double roulette = roulette_number(path_sample(path.job, path.index, ROULETTE_DIMENSION));
   uint vertices = 0u, ending = PATH_LIVES;
   for (uint k = 0u; k < reflections; ++k) {
     uint triangle;

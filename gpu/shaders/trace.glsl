@@ -3,7 +3,7 @@
 layout(std430, binding = 12) writeonly buffer Results { uint result[]; };
 
 uniform uint first_place, place_count;
-uniform float bounded_from_per_m2;
+uniform float bounded_from_per_m2, lift_m;
 
 uint drawn(uint r, uint k) {
   uint v;
@@ -15,8 +15,9 @@ uint drawn(uint r, uint k) {
 #else
   const uint kernel = KERNEL_PLANAR;
 #endif
-  const float g = connection_geometry(kernel, receiver_axis(r), vertex_normal[v].xyz,
-                                      position_and_flux.xyz - receiver_position(r));
+  const float g =
+      lifted_connection_geometry(kernel, receiver_axis(r), vertex_normal[v].xyz,
+                                 position_and_flux.xyz - receiver_position(r), lift_m);
   if (!(g > 0.0)) return NO_RAY;
 #if HAS_SHADOWS
   bool is_cut;

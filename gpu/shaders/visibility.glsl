@@ -5,7 +5,7 @@ layout(std430, binding = 0) readonly buffer Nodes { uvec4 bvh_node[]; };
 layout(std430, binding = 1) readonly buffer Triangles { vec4 bvh_corner[]; };
 
 uniform uint node_count;
-uniform float offset_m;  // at either end, the stretch that is left out
+uniform float offset_m;  // the stretch that is left out where a segment begins
 
 // Edge tests by volumes, which are the same with opposite sign for both triangles at an edge: no
 // ray slips through between them. [Woop13 for the problem; volumes as in Embree's robust mode]
@@ -52,13 +52,13 @@ bool misses_box(uvec4 low, uvec4 high, vec3 from, vec3 per_along, float t_near, 
 
 // is_cut: the driver left the loop early, so that the answer means nothing: llvmpipe does after
 // 65535 turns, without a word.
+// from: a receiver, to: a light vertex (calc::kReceiverToVertex).
 bool is_blocked(vec3 from, vec3 to, out bool is_cut) {
   is_cut = false;
   const vec3 along = to - from;
-  const float margin = offset_m / sqrt(dot(along, along));
-  const float t_near = margin;
-  const float t_far = 1.0 - margin;
-  // Two points nearer than both margins have nothing between them.
+  const float t_near = offset_m / sqrt(dot(along, along));
+  const float t_far = 1.0;
+  // Two points nearer than the margin have nothing between them.
   if (!(t_near < t_far)) return false;
   const vec3 per_along = vec3(reciprocal(along.x), reciprocal(along.y), reciprocal(along.z));
   uint at = 0u;

@@ -160,7 +160,9 @@ DoubtfulPoints count_doubtful(const PointValues& values, Metric metric, const Ma
     if (values.is_unseen(i)) ++unseen;
     if (matters[i] == 0) continue;
     if (values.is_unseen(i)) ++doubtful.unseen;
-    if (untrusted_share(values, i) > 0.0) ++doubtful.single_sample;
+    if (!values.is_untrusted(i)) continue;
+    ++doubtful.single_sample;
+    doubtful.largest_share = std::max(doubtful.largest_share, values.largest_share[i]);
   }
   // The average does not hang on single points: unseen ones only matter if all of them are.
   if (metric == Metric::average) doubtful.unseen = unseen == values.points ? unseen : 0;

@@ -32,6 +32,7 @@ Candidates find_candidates(const PointValues& values, Metric metric, double perc
 struct DoubtfulPoints {
   std::size_t unseen = 0;         // sampled light may reach them, but no sample has
   std::size_t single_sample = 0;  // they rest on single samples
+  float largest_share = 0.0F;     // of those
 };
 DoubtfulPoints count_doubtful(const PointValues& values, Metric metric,
                               const std::vector<std::uint8_t>& matters);

@@ -88,6 +88,7 @@ bool may_sample(const std::vector<calc::LightChannel>& channels,
 calc::PlaneField direct_part(calc::PlaneField field, const std::vector<double>& weights) {
   const std::vector<double> indirect_lx = std::move(field.indirect_lx);
   field.indirect_lx.clear();
+  field.largest_sample_lx.clear();
   if (field.direct_sampled_lx.empty() || !may_sample(field.channels, weights)) {
     field.direct_sampled_lx.clear();  // of channels that are out
     field.replicates = 1;
@@ -139,6 +140,10 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
   if (has_light) {
     values.unseen = find_unseen(field, weights);
     values.largest_share = scale_shares(field, weights);
+    // It may be of any channel.
+    const double largest_weight = *std::max_element(weights.begin(), weights.end());
+    values.largest_sample_lx = field.largest_sample_lx;
+    for (double& sample : values.largest_sample_lx) sample *= largest_weight;
   }
   values.value_lx.assign(values.replicates * values.points, 0.0);
   for (std::size_t r = 0; r < values.replicates; ++r) {
@@ -164,6 +169,9 @@ PointValues select_points(const PointValues& values, const std::vector<std::size
     if (!values.unseen.empty()) selected.unseen.push_back(values.unseen[point]);
     if (!values.largest_share.empty()) {
       selected.largest_share.push_back(values.largest_share[point]);
+    }
+    if (!values.largest_sample_lx.empty()) {
+      selected.largest_sample_lx.push_back(values.largest_sample_lx[point]);
     }
     if (!values.weight.empty()) selected.weight.push_back(values.weight[point]);
   }

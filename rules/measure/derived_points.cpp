@@ -4,6 +4,7 @@
 #include "calc/base/statistics.h"
 #include "calc/base/units.h"
 #include "rules/measure/candidates.h"
+#include "rules/measure/replicate_sample.h"
 
 #include <fmt/format.h>
 
@@ -73,8 +74,10 @@ ModellingPoints::ModellingPoints(const PointValues& receivers,
     const std::vector<double> cylinder = column_of(receivers, i);
     const std::vector<double> plane = column_of(receivers, all + i);
     const calc::ReplicateMean a = calc::replicate_mean(cylinder), b = calc::replicate_mean(plane);
-    cylinder_.push_back({a.mean, a.standard_error * a.standard_error});
-    plane_.push_back({b.mean, b.standard_error * b.standard_error});
+    cylinder_.push_back(
+        {a.mean, a.standard_error * a.standard_error, receivers.largest_sample_at(i)});
+    plane_.push_back(
+        {b.mean, b.standard_error * b.standard_error, receivers.largest_sample_at(all + i)});
     covariance_.push_back(covariance_of(cylinder, a.mean, plane, b.mean));
     const bool is_unseen = has_mark(receivers.unseen, i) || has_mark(receivers.unseen, all + i);
     unseen_.push_back(is_unseen ? 1 : 0);
@@ -86,7 +89,9 @@ ModellingPoints::ModellingPoints(const PointValues& receivers,
 Limits ModellingPoints::limits(std::size_t point, double t) const {
   const Mean& a = cylinder_[point];
   const Mean& b = plane_[point];
-  Limits limits = fieller_limits({a.value, b.value, a.variance, covariance_[point], b.variance}, t);
+  Limits limits = fieller_limits({a.value, b.value, a.variance, covariance_[point], b.variance,
+                                  a.largest_sample, b.largest_sample},
+                                 t);
   if (!(b.value > 0.0)) limits.value = a.value > 0.0 ? kInfinity : 0.0;
   limits.low = std::clamp(limits.low, 0.0, limits.value);
   limits.high = std::max(limits.high, limits.value);
@@ -99,7 +104,7 @@ GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& gl
   replicates_ = indirect.replicates;
   for (const std::size_t i : points) {
     const calc::ReplicateMean mean = calc::replicate_mean(column_of(indirect, i));
-    Eye eye{0.0, 0.0, 0.0, mean.mean, mean.standard_error};
+    Eye eye{0.0, 0.0, 0.0, mean.mean, mean.standard_error, indirect.largest_sample_at(i)};
     for (std::size_t c = 0; c < channel_weights.size(); ++c) {
       const double square = channel_weights[c] * channel_weights[c];
       const std::size_t k = c * indirect.points + i;
@@ -115,9 +120,10 @@ GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& gl
 
 Limits GlarePoints::limits(std::size_t point, double t) const {
   const Eye& eye = eye_[point];
-  const double half_width_lx = t * eye.error_lx;
-  return {ugr_of(eye.low_sum, eye.mean_lx + half_width_lx), ugr_of(eye.sum, eye.mean_lx),
-          ugr_of(eye.high_sum, eye.mean_lx - half_width_lx)};
+  const double most_lx = eye.mean_lx + t * std::sqrt(variance_with(eye.error_lx * eye.error_lx,
+                                                                   eye.largest_sample_lx));
+  return {ugr_of(eye.low_sum, most_lx), ugr_of(eye.sum, eye.mean_lx),
+          ugr_of(eye.high_sum, eye.mean_lx - t * eye.error_lx)};
 }
 
 bool GlarePoints::has_inexact_sources() const {
@@ -145,6 +151,7 @@ PointValues mean_of_four_planes(const PointValues& receivers) {
   mean.value_lx.assign(mean.replicates * mean.points, 0.0);
   if (!receivers.unseen.empty()) mean.unseen.assign(mean.points, 0);
   if (!receivers.largest_share.empty()) mean.largest_share.assign(mean.points, 0.0F);
+  if (!receivers.largest_sample_lx.empty()) mean.largest_sample_lx.assign(mean.points, 0.0);
   for (std::size_t part = 1; part < kParts; ++part) {
     for (std::size_t i = 0; i < mean.points; ++i) {
       const std::size_t receiver = part * mean.points + i;
@@ -156,6 +163,10 @@ PointValues mean_of_four_planes(const PointValues& receivers) {
       if (!mean.unseen.empty()) mean.unseen[i] |= receivers.unseen[receiver];
       if (!mean.largest_share.empty()) {
         mean.largest_share[i] = std::max(mean.largest_share[i], receivers.largest_share[receiver]);
+      }
+      if (!mean.largest_sample_lx.empty()) {
+        mean.largest_sample_lx[i] +=
+            receivers.largest_sample_lx[receiver] / static_cast<double>(kPlanes);
       }
     }
   }

@@ -47,7 +47,7 @@ class ModellingPoints : public DerivedPoints {
 
  private:
   struct Mean {
-    double value, variance;
+    double value, variance, largest_sample;
   };
   std::vector<Mean> cylinder_, plane_;
   std::vector<double> covariance_;
@@ -75,7 +75,7 @@ class GlarePoints : public DerivedPoints {
  private:
   struct Eye {
     double sum, low_sum, high_sum;  // of L^2 w / p^2
-    double mean_lx, error_lx;
+    double mean_lx, error_lx, largest_sample_lx;
   };
   std::vector<Eye> eye_;
 };

@@ -410,6 +410,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   const DoubtfulPoints doubtful = count_doubtful(values, metric, candidates.matters);
   result.unseen_points = doubtful.unseen;
   result.single_sample_points = doubtful.single_sample;
+  result.largest_share = doubtful.largest_share;
   result.active =
       repeated(spread_marks(candidates.active, masked.points, grid.position_m.size()), parts);
   if (result.metric->point) result.metric->point = masked.points[*result.metric->point];

@@ -25,6 +25,7 @@ struct Measurement {
   // quantity. While there are any, neither pass nor fail is proved.
   std::size_t unseen_points = 0;         // no sampled light has reached them, although some may
   std::size_t single_sample_points = 0;  // a single sample is too large a share of their value
+  float largest_share = 0.0F;            // of those single samples, the largest; 0: not known
   // What must be read with the interval where it leaves the verdict open; or "".
   std::string remark;
   // [point of the field]: 1 where more samples would serve the goal; empty: everywhere.

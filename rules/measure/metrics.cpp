@@ -25,6 +25,7 @@ calc::Estimate within_range(const calc::Estimate& estimate, Metric metric) {
 
 PointValues negated(PointValues values) {
   for (double& value : values.value_lx) value = -value;
+  for (double& sample : values.largest_sample_lx) sample = -sample;
   return values;
 }
 
@@ -159,10 +160,18 @@ calc::Estimate percentile(const PointValues& values, double percent, double alph
   return ranked(values, rank, alpha);
 }
 
-calc::Estimate value_at(const PointValues& values, std::size_t point, double confidence) {
-  std::vector<double> replicates;
-  for (std::size_t r = 0; r < values.replicates; ++r) replicates.push_back(values.at(r, point));
-  return calc::t_interval(replicates, confidence);
+calc::Estimate interval_of(const Limits& limits) {
+  return calc::Estimate{limits.value, limits.low, limits.high};
+}
+
+calc::Estimate value_at(const PointValues& values, std::size_t point, double alpha) {
+  const ReplicateSample all = summarize(values, 0, values.replicates);
+  return interval_of(point_limits(all, point, one_sided_t(values.replicates, alpha / 2.0)));
+}
+
+calc::Estimate average(const PointValues& values, double alpha) {
+  const ReplicateSample all = summarize(values, 0, values.replicates);
+  return interval_of(plane_limits(all, one_sided_t(values.replicates, alpha / 2.0)));
 }
 
 std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric metric,
@@ -171,7 +180,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
   const double alpha = 1.0 - confidence;
   switch (metric) {
     case Metric::average:
-      return MetricEstimate{calc::t_interval(plane_means(values), confidence), std::nullopt};
+      return MetricEstimate{average(values, alpha), std::nullopt};
     case Metric::minimum:
       return minimum(values, alpha);
     case Metric::maximum:
@@ -183,7 +192,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::percentile:
       return MetricEstimate{percentile(values, percent, alpha), std::nullopt};
     case Metric::value_at_point:
-      return MetricEstimate{value_at(values, point.value(), confidence), point};
+      return MetricEstimate{value_at(values, point.value(), alpha), point};
     case Metric::share:  // not from values alone, see MetricSource and measure.cpp
     case Metric::power_density:
     case Metric::power_per_100_lx:

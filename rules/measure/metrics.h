@@ -32,6 +32,9 @@ struct PointValues {
   // [point]: the largest single sample's share of the value, >= 0; see calc::PlaneField. May be
   // empty.
   std::vector<float> largest_share = {};
+  // [point]: what a single sample of reflected light adds to the value, lx, where it is large; see
+  // calc::PlaneField::largest_sample_lx. Below 0 for values that are mirrored. May be empty.
+  std::vector<double> largest_sample_lx = {};
   // [point]: what it counts in averages, > 0, in any unit. Empty: all alike.
   std::vector<double> weight = {};
 
@@ -39,6 +42,9 @@ struct PointValues {
   bool is_unseen(std::size_t point) const { return !unseen.empty() && unseen[point] != 0; }
   bool is_untrusted(std::size_t point) const {
     return !largest_share.empty() && largest_share[point] > kLargestTrustedShare;
+  }
+  double largest_sample_at(std::size_t point) const {
+    return largest_sample_lx.empty() ? 0.0 : largest_sample_lx[point];
   }
   double at(std::size_t replicate, std::size_t point) const {
     return value_lx[replicate * points + point];
@@ -63,9 +69,10 @@ PointValues combine_channels(const calc::PlaneField& field, LightState state,
 PointValues select_points(const PointValues& values, const std::vector<std::size_t>& points);
 
 // confidence = 1 - alpha in (0, 1), e.g. 0.95: two-sided level of every interval below. The
-// intervals assume that replicates are independent and normally distributed; points may be
-// correlated in any way. Limits outside the range of the quantity (below 0 lx, above a ratio of 1)
-// are moved onto its end, which no true value lies beyond.
+// intervals assume that replicates are independent and normally distributed, but for large single
+// samples that may be missing (LargeSample); points may be correlated in any way. Limits outside
+// the range of the quantity (below 0 lx, above a ratio of 1) are moved onto its end, which no true
+// value lies beyond.
 
 // Student-t interval of each point.  [METHOD, 7.1]
 std::vector<calc::Estimate> point_estimates(const PointValues& values, double confidence);

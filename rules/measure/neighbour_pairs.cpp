@@ -28,8 +28,13 @@ MeanPair means_of(const PointValues& values, std::size_t a, std::size_t b) {
     products += (of_a[r] - mean_a.mean) * (of_b[r] - mean_b.mean);
   }
   const double covariance = values.replicates < 2 ? 0.0 : products / ((count - 1.0) * count);
-  return {mean_a.mean, mean_b.mean, square(mean_a.standard_error), covariance,
-          square(mean_b.standard_error)};
+  return {mean_a.mean,
+          mean_b.mean,
+          square(mean_a.standard_error),
+          covariance,
+          square(mean_b.standard_error),
+          values.largest_sample_at(a),
+          values.largest_sample_at(b)};
 }
 
 }  // namespace

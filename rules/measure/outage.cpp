@@ -37,6 +37,7 @@ void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse
   worst.metric->estimate = {worse(a.value, b.value), worse(a.low, b.low), worse(a.high, b.high)};
   worst.unseen_points = std::max(worst.unseen_points, next.unseen_points);
   worst.single_sample_points = std::max(worst.single_sample_points, next.single_sample_points);
+  worst.largest_share = std::max(worst.largest_share, next.largest_share);
   if (worst.remark.empty()) worst.remark = next.remark;
   if (worst.active.empty() || next.active.empty()) {
     worst.active.clear();  // everywhere

@@ -18,6 +18,8 @@ struct ReplicateSample {
   std::vector<double> covariance;  // per point, of its mean with the plane's mean
   double plane_mean_lx = 0.0;      // mean over the points, by their weights
   double plane_variance = 0.0;
+  std::vector<double> largest_sample_lx;  // per point, what it adds to the mean
+  double plane_largest_lx = 0.0;  // of neighbours together, what they add to the plane's mean
 };
 
 // first + count <= values.replicates, count >= 1, values.points >= 1.
@@ -37,12 +39,22 @@ struct Limits {
 
 using LimitsOfPoint = Limits (*)(const ReplicateSample& sample, std::size_t point, double t);
 
-// mean -+ t * standard error
-Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
+// Variance of the mean as an upper limit has to take it, where one sample adds `sample` to the
+// mean. Light is a sum of many small samples and a few large ones. The number of the large ones is
+// a Poisson number, and none of them may have been drawn: then up to -ln(level) of them are still
+// expected, 1.7 to 2 times t for all levels in use, of which neither the mean nor the variance
+// knows. Samples are never negative, so a lower limit has nothing to add.  [METHOD, 7.1]
+double variance_with(double variance, double sample);
 
-// Two means a, b, with the variances and the covariance of the means.
+// mean -+ t * standard error; farther up for the largest sample (down for values that are mirrored)
+Limits point_limits(const ReplicateSample& sample, std::size_t point, double t);
+// The same of the plane's mean.
+Limits plane_limits(const ReplicateSample& sample, double t);
+
+// Two means a, b, with the variances and the covariance of the means, and the largest samples.
 struct MeanPair {
   double a, b, variance_a, covariance, variance_b;
+  double largest_a = 0.0, largest_b = 0.0;
 };
 
 // The ratio a / b by Fieller's theorem, restricted to ratios >= 0:

@@ -55,6 +55,40 @@ std::string single_sample_text(std::size_t doubtful, std::size_t points) {
       doubtful, points);
 }
 
+// Times the light paths that would take the limit out of the interval and the largest sample out
+// of doubt, if the value stayed: errors fall as the root of paths, or faster, samples as paths.
+// infinite: none would.
+double more_work(const Finding& finding, const Measurement& measurement) {
+  const calc::Estimate& is = finding.measured;
+  const double limit = finding.requirement.limit;
+  const bool is_below = is.value < limit;
+  const double error = is_below ? is.high - is.value : is.value - is.low;
+  const double room = is_below ? limit - is.value : is.value - limit;
+  double times = 1.0;
+  if (is.low <= limit && limit <= is.high) {
+    times = room > 0.0 ? (error / room) * (error / room) : kInfinity;
+  }
+  if (measurement.single_sample_points > 0) {
+    times = std::max(times, static_cast<double>(measurement.largest_share / kLargestTrustedShare));
+  }
+  return times;
+}
+
+// "" where paths do not help, or nobody knows how many.
+std::string more_work_text(const Finding& finding, const Measurement& measurement) {
+  const bool is_unknown = measurement.unseen_points > 0 || !measurement.remark.empty() ||
+                          (measurement.single_sample_points > 0 && measurement.largest_share <= 0);
+  if (finding.verdict != Verdict::undecided || is_unknown) return {};
+  constexpr double kMostTimes = 65536.0;
+  const double times = more_work(finding, measurement);
+  if (!(times <= kMostTimes)) {
+    return "; the value is too close to the limit for any number of light paths to decide";
+  }
+  double power = 2.0;
+  while (power < times) power *= 2.0;
+  return fmt::format("; about {:.0f} times the light paths would decide (--max-paths)", power);
+}
+
 int digits_of(const Requirement& requirement) {
   // A modelling ratio is printed as all ratios are, a glare rating as other numbers.
   const bool is_of_two =
@@ -121,8 +155,9 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
   std::vector<Finding> findings;
   findings.reserve(requirements.size());
   for (const Requirement& requirement : requirements) {
-    findings.push_back(
-        judge_measurement(requirement, measure(requirement, grid, field, scenes, level), grid));
+    const Measurement measurement = measure(requirement, grid, field, scenes, level);
+    findings.push_back(judge_measurement(requirement, measurement, grid));
+    if (!field.is_exact()) findings.back().reason += more_work_text(findings.back(), measurement);
   }
   return findings;
 }

@@ -106,6 +106,34 @@ TEST(ExtremeOpening, TooFewPathsForASlitAreNotTakenForDarkness) {
   }
 }
 
+// Behind a closed partition without thickness, beside where it meets floor, wall and both. What
+// passes is within rounding of its edges: less than 1e-5 of the 100 lx before it.
+TEST(ExtremeOpening, NoLightPassesAClosedPartition) {
+  const calc::PhotometricWeb web = isotropic_web(1000.0);
+  calc::PreparedScene scene;
+  add_box(scene, {-3, -1.5, -1.25}, {6, 3, 2.5}, 0.5);
+  add_quad(scene, {0, -1.5, -1.25}, {0, 3, 0}, {0, 0, 2.5}, 0.5);
+  add_luminaire(scene, web, {-2, -0.8, 0.55});
+  set_extent(scene);
+  const calc::SensorGrid grid = points_of(
+      {{0.001, 0, -1.249}, {0.001, -1.499, 0}, {0.001, -1.499, -1.249}, {0.0001, 1.4999, 0}},
+      {{-1, 0, 0}, kUp, kUp, {-1, 0, 0}});
+  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 4096);
+  for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
+    EXPECT_LT(calc::replicate_mean(replicates_at(solution.fields[0], i)).mean, 1e-3) << i;
+  }
+}
+
+// Light enters no cavity without an opening: its point is dark, but short rays in it have no end.
+TEST(ExtremeOpening, ChainsOfShortRaysThatDoNotEndAreSaid) {
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  calc::PreparedScene scene = plain_room(web, 0.6);
+  add_box(scene, {1, 1, 0.5}, {0.001, 0.001, 0.001}, 1.0);
+  const calc::SensorGrid grid = points_of({{1.0005, 1.0005, 0.5005}}, {kUp});
+  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 16, 4);
+  EXPECT_NE(solution.fields[0].problem, "");
+}
+
 TEST(ExtremeSurface, CoincidentWallsCountOnce) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   const calc::PreparedScene simple = plain_room(web, 0.6);

@@ -51,7 +51,7 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
     double most = 0.0;
     for (std::size_t j = 0; j < vertices.size(); ++j) {
       const glm::dvec3 y(vertices[j].position_m), ny(vertices[j].normal);
-      const glm::dvec3 w = y - receiver.position_m;
+      const glm::dvec3 w = y - tracer.offset_m() * ny - receiver.position_m;
       const double d = glm::length(w);
       const double cosine = glm::dot(receiver.axis, w) / d;
       const double response = receiver.kernel == calc::ReceiverKernel::planar
@@ -61,7 +61,7 @@ TEST(CpuGatherer, EqualsTheFormulaRayByRay) {
       if (g <= 0.0) continue;
       ++expected_rays;
       if (g > 0.2) ++bounded;
-      if (tracer.is_blocked(tracer.lift(receiver), y)) {
+      if (tracer.is_blocked(tracer.lift(receiver), y, calc::kReceiverToVertex)) {
         ++blocked;
         continue;
       }

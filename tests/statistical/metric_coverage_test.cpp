@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -128,6 +130,40 @@ TEST(MetricCoverage, OfAPercentileIsAtLeastTheConfidence) {  // 99.2 %, 2.1 %
   const Coverage coverage = coverage_of(Metric::percentile);
   EXPECT_GE(coverage.share, 0.94);
   EXPECT_LT(coverage.mean_relative_width, 0.023);
+}
+
+// Few large samples beside normal noise: `expected` of them in all replicates, 1 lx each.
+double coverage_with_large_samples(double expected, double noise_lx, Metric metric) {
+  constexpr double kTruth = 100.0;
+  constexpr auto kCount = static_cast<double>(kReplicates);
+  std::mt19937_64 generator(7);
+  std::poisson_distribution<int> samples(expected / kCount);
+  NormalNumbers normal(8);
+  int covered = 0;
+  for (int experiment = 0; experiment < kExperiments; ++experiment) {
+    PointValues values{1, kReplicates, {}};
+    values.largest_sample_lx = {1.0};
+    for (std::size_t r = 0; r < kReplicates; ++r) {
+      values.value_lx.push_back(kTruth - expected + noise_lx * std::sqrt(kCount) * normal.next() +
+                                kCount * samples(generator));
+    }
+    const calc::Estimate estimate =
+        compute_metric(values, metric, kPercent, 0, kConfidence)->estimate;
+    if (estimate.low <= kTruth && kTruth <= estimate.high) ++covered;
+  }
+  return static_cast<double>(covered) / kExperiments;
+}
+
+TEST(MetricCoverage, OfFewLargeSamplesIsTheConfidence) {
+  for (const Metric metric : {Metric::value_at_point, Metric::average, Metric::minimum}) {
+    for (const double expected : {0.1, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0}) {
+      for (const double noise_lx : {0.01, 0.5, 1.0}) {
+        EXPECT_GE(coverage_with_large_samples(expected, noise_lx, metric),
+                  kConfidence - kBinomialBand)
+            << expected << " samples, noise " << noise_lx;
+      }
+    }
+  }
 }
 
 }  // namespace

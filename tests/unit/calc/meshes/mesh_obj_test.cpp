@@ -1,4 +1,3 @@
-#include "calc/meshes/mesh_obj.h"
 #include "calc/base/file_reader.h"
 #include "calc/meshes/mesh_obj.h"
 

@@ -39,4 +39,10 @@ TEST_F(TraceLightPaths, StopsAtTheDeadline) {
   EXPECT_EQ(trace(0.5, 1024, calc::now_s() - 1.0).rays, 0u);
 }
 
+// A path whose number is 0 would not end by roulette.
+TEST(LightPaths, RouletteHasNoZero) {
+  EXPECT_EQ(calc::roulette_number(0.0), 0x1p-33);
+  EXPECT_EQ(calc::roulette_number(1.0 - 0x1p-32), 1.0 - 0x1p-33);
+}
+
 }  // namespace

@@ -16,6 +16,23 @@ TEST(GeometryTerm, IsCosinesOverSquaredDistance) {
   EXPECT_EQ(calc::geometry_term({0, 0, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 1}), 0.0);
 }
 
+// A receiver 10 um before a wall, whose vertices are stored 7 um before it.
+TEST(GeometryTerm, IsThatOfTheTruePlaceOfALiftedVertex) {
+  const glm::dvec3 x(1e-5, 0, 0), up(0, 0, 1), y(0, 0.2, 0.3), normal(1, 0, 0);
+  constexpr double kLift_m = 7e-6;
+  const double expected = calc::geometry_term(x, up, y, normal);
+  const auto planar = calc::ReceiverKernel::planar;
+  const glm::dvec3 w = y + kLift_m * normal - x;
+  EXPECT_DOUBLE_EQ(calc::lifted_connection_geometry(planar, up, normal, w, kLift_m), expected);
+  EXPECT_NEAR(static_cast<double>(calc::lifted_connection_geometry(
+                  planar, glm::vec3(up), glm::vec3(normal), glm::vec3(w), 7e-6f)) /
+                  expected,
+              1.0, 1e-4);
+  // What lies in the wall is not lit by it, whatever rounding does to its place.
+  const glm::dvec3 in_wall = y + kLift_m * normal - glm::dvec3(1e-7, 0, 0);
+  EXPECT_EQ(calc::lifted_connection_geometry(planar, up, normal, in_wall, kLift_m), 0.0);
+}
+
 TEST(GeometryBound, FollowsTheLightOnASurface) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   calc::PreparedScene scene;

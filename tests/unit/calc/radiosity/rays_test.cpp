@@ -89,6 +89,26 @@ TEST(Tracer, AThinWallBlocksFromBothSidesInPacketsToo) {
   EXPECT_TRUE(tracer.is_blocked({1, 0, 0}, {-1, 0, 0}));
 }
 
+// Vertices and hits at the foot of a partition, nearer to it than what is left out at receivers.
+TEST(Tracer, APartitionBlocksFromWhatStandsAtItsFoot) {
+  calc::PreparedScene scene;
+  add_box(scene, {-3, -1.5, 0}, {6, 3, 2.5}, 0.5);
+  add_quad(scene, {0, -1.5, 0}, {0, 3, 0}, {0, 0, 2.5}, 0.5);
+  set_extent(scene);
+  const calc::Tracer tracer(scene);
+  const glm::dvec3 behind(0.001, 0.0, 0.001);
+  for (const double offsets : {0.01, 0.1, 0.5, 0.9}) {
+    const glm::dvec3 foot = tracer.lift({-offsets * tracer.offset_m(), 0.0, 0.0}, {0, 0, 1});
+    EXPECT_TRUE(tracer.is_blocked(behind, foot, calc::kReceiverToVertex)) << offsets;
+    EXPECT_TRUE(tracer.is_blocked(foot, behind, calc::kHitToVertex)) << offsets;
+    EXPECT_TRUE(tracer.is_blocked(foot, behind, calc::kHitToSource)) << offsets;
+    // A receiver's end is left out: it may lie in the surface.
+    EXPECT_FALSE(tracer.is_blocked(foot, behind, calc::kReceiverToVertex)) << offsets;
+  }
+  // In one place nothing is between.
+  EXPECT_FALSE(tracer.is_blocked(behind, behind, calc::kHitToVertex));
+}
+
 TEST(CosineDirection, HasCosineDistributionAboutAnyNormal) {
   for (const glm::dvec3 n :
        {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, -2, 0.3))}) {

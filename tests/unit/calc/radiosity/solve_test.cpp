@@ -84,4 +84,28 @@ TEST_F(SolveIlluminance, PointsLeftOutKeepTheirEstimate) {
   EXPECT_EQ(shares[2], shares[0]);
 }
 
+// A panel over a black floor, seen whole or past an edge that leaves a hundredth of it.
+TEST_F(SolveIlluminance, FewSamplesOfAnOpeningAreMarked) {
+  const calc::PhotometricWeb panel =
+      lambert_web(500.0, 45, {calc::OpeningShape::rectangle, 1.0, 1.0, 0.0});
+  calc::PreparedScene scene;
+  add_quad(scene, {-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, 0.0);
+  add_luminaire(scene, panel, {0, 0, 3});
+  const calc::SensorGrid grid = one_point({0, 0, 1});
+  calc::RadiositySettings settings;
+  settings.first_paths = settings.max_paths = 1;
+  settings.replicates = 4;
+  const auto share = [&] {
+    set_extent(scene);
+    const auto gatherer = calc::make_cpu_gatherer();
+    const calc::SpaceSolution solution =
+        calc::solve_illuminance(scene, {{"plane", &grid}}, settings, 0.95, *gatherer, go_on, {});
+    EXPECT_EQ(solution.fields[0].unseen[0], 0);
+    return solution.fields[0].largest_share[0];
+  };
+  EXPECT_EQ(share(), 0.0f);
+  add_quad(scene, {-2, -0.24, 2}, {4, 0, 0}, {0, 4, 0}, 0.0);
+  EXPECT_GT(share(), 0.1f);
+}
+
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace rules {
 namespace {
@@ -53,6 +55,69 @@ TEST(PointLimits, AreTStandardErrorsFromTheMean) {
   EXPECT_NEAR(limits.low, 12.0 - half_width, 1e-12);
   EXPECT_EQ(limits.value, 12.0);
   EXPECT_NEAR(limits.high, 12.0 + half_width, 1e-12);
+}
+
+PointValues with_samples(std::vector<double> largest_lx) {
+  PointValues values = three_points();
+  values.largest_sample_lx = std::move(largest_lx);
+  return values;
+}
+
+// If no sample as large as this was drawn, -ln(0.025) = 3.7 of them may still be expected: with
+// nothing else known they reach as far up as that.
+TEST(PointLimits, ReachUpForASampleThatWasNotDrawn) {
+  const PointValues values = with_samples({1.0, 0.0, 0.0});
+  const ReplicateSample sample = summarize(values, 0, 4);
+  const ReplicateSample plain = summarize(three_points(), 0, 4);
+  constexpr double kT = 2.13;  // of 16 replicates
+  const Limits limits = point_limits(sample, 0, kT);
+  EXPECT_EQ(limits.low, point_limits(plain, 0, kT).low);
+  EXPECT_NEAR(limits.high, 12.0 + kT * std::sqrt(14.0 / 12.0 + 4.0), 1e-12);
+  EXPECT_EQ(point_limits(sample, 1, kT).high, point_limits(plain, 1, kT).high);
+  ReplicateSample quiet = sample;
+  quiet.variance[0] = 0.0;
+  EXPECT_GT(point_limits(quiet, 0, kT).high, 12.0 + 3.7);
+}
+
+TEST(PointLimits, OfMirroredValuesReachDown) {
+  PointValues values = with_samples({-1.0, 0.0, 0.0});
+  const Limits limits = point_limits(summarize(values, 0, 4), 0, 2.0);
+  EXPECT_NEAR(limits.low, 12.0 - 2.0 * std::sqrt(14.0 / 12.0 + 4.0), 1e-12);
+  EXPECT_NEAR(limits.high, 12.0 + 2.0 * std::sqrt(14.0 / 12.0), 1e-12);
+}
+
+TEST(Summarize, ASampleIsALargerPartOfFewerReplicates) {
+  EXPECT_EQ(summarize(with_samples({1.5, 0.0, 0.0}), 0, 2).largest_sample_lx[0], 3.0);
+}
+
+// One vertex adds to neighbouring points, at most to all of them.
+TEST(PlaneLimits, ReachUpForWhatNeighboursShare) {
+  EXPECT_DOUBLE_EQ(summarize(with_samples({3.0, 0.0, 0.0}), 0, 4).plane_largest_lx, 1.0);
+  EXPECT_DOUBLE_EQ(summarize(with_samples({3.0, 3.0, 3.0}), 0, 4).plane_largest_lx, 3.0);
+  PointValues many{100, 2, std::vector<double>(200, 5.0)};
+  many.largest_sample_lx.assign(100, 3.0);
+  EXPECT_DOUBLE_EQ(summarize(many, 0, 2).plane_largest_lx, 0.6);  // 2 sqrt(100) 3 / 100
+  many.weight.assign(100, 1.0);
+  many.weight[0] = 901.0;  // of 1000
+  EXPECT_NEAR(summarize(many, 0, 2).plane_largest_lx, 3.0, 1e-12);
+  const ReplicateSample sample = summarize(with_samples({3.0, 0.0, 0.0}), 0, 4);
+  EXPECT_NEAR(plane_limits(sample, 2.0).high, 22.0 + 2.0 * std::sqrt(0.5 + 4.0), 1e-12);
+  EXPECT_NEAR(plane_limits(sample, 2.0).low, 22.0 - 2.0 * std::sqrt(0.5), 1e-12);
+}
+
+// More in the numerator than was measured lifts the upper end, more in the denominator lowers the
+// lower one.
+TEST(RatioLimits, ReachFartherForSamplesThatWereNotDrawn) {
+  const MeanPair plain{10.0, 20.0, 0.01, 0.0, 0.04};
+  MeanPair a = plain, b = plain;
+  a.largest_a = 0.5;
+  b.largest_b = 0.5;
+  const Limits of_plain = fieller_limits(plain, 2.0), of_a = fieller_limits(a, 2.0),
+               of_b = fieller_limits(b, 2.0);
+  EXPECT_EQ(of_a.low, of_plain.low);
+  EXPECT_GT(of_a.high, of_plain.high + 0.05);
+  EXPECT_LT(of_b.low, of_plain.low - 0.02);
+  EXPECT_EQ(of_b.high, of_plain.high);
 }
 
 // E_i - u * mean(E) in every replicate, and its one-sided limits from first principles.

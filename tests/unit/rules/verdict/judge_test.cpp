@@ -1,6 +1,9 @@
 #include "rules/verdict/judge.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace rules {
 namespace {
@@ -37,6 +40,9 @@ calc::PlaneField sampled_field(double average_lx, double spread_lx) {
   }
   return field;
 }
+
+const std::string kTooClose =
+    "; the value is too close to the limit for any number of light paths to decide";
 
 Requirement at_least(Metric metric, double limit) {
   Requirement requirement;
@@ -143,17 +149,52 @@ TEST(Judge, IsUndecidedWithinTheInterval) {
   // standard error 5 * sqrt(4 / 3) / 2, t 3.182: 500 -+ 9.19
   const Finding finding = judge(at_least(Metric::average, 505), sampled_field(500, 5));
   EXPECT_EQ(finding.verdict, Verdict::undecided);
-  EXPECT_EQ(finding.reason, "the interval 491 to 509 lx contains the limit 505 lx");
+  EXPECT_EQ(
+      finding.reason,
+      "the interval 491 to 509 lx contains the limit 505 lx; about 4 times the light paths would "
+      "decide (--max-paths)");
 }
 
 TEST(Judge, ShowsEnoughDigitsToBelieveTheReason) {
   // 500 -+ 0.0184 and 500 -+ 0.184
   EXPECT_EQ(judge(at_least(Metric::average, 500), sampled_field(500, 0.01)).reason,
-            "the interval 499.98 to 500.02 lx contains the limit 500 lx");
+            "the interval 499.98 to 500.02 lx contains the limit 500 lx" + kTooClose);
   EXPECT_EQ(judge(at_least(Metric::average, 499.9), sampled_field(500, 0.1)).reason,
-            "the interval 499.8 to 500.2 lx contains the limit 499.9 lx");
+            "the interval 499.8 to 500.2 lx contains the limit 499.9 lx; about 4 times the light "
+            "paths would decide (--max-paths)");
   EXPECT_EQ(judge(at_least(Metric::average, 2), sampled_field(2, 0.1)).reason,
-            "the interval 1.82 to 2.18 lx contains the limit 2 lx");
+            "the interval 1.82 to 2.18 lx contains the limit 2 lx" + kTooClose);
+}
+
+// 500 -+ 9.19 lx.
+TEST(Judge, SaysHowMuchMoreWorkWouldDecide) {
+  const auto reason_at = [](double limit) {
+    return judge(at_least(Metric::average, limit), sampled_field(500, 5)).reason;
+  };
+  EXPECT_THAT(reason_at(508), testing::HasSubstr("about 2 times"));
+  EXPECT_THAT(reason_at(502.5), testing::HasSubstr("about 16 times"));  // 3.7^2
+  EXPECT_THAT(reason_at(497.5), testing::HasSubstr("about 16 times"));
+  EXPECT_THAT(reason_at(500.01), testing::HasSubstr("too close to the limit"));
+  EXPECT_EQ(reason_at(400), "");
+}
+
+TEST(Judge, SaysWhenASingleSampleWouldBeSmallEnough) {
+  calc::PlaneField field = sampled_field(500, 1);
+  field.largest_share = {0.75F, 0.01F, 0.01F};
+  const Finding finding = judge(at_least(Metric::minimum, 200), field);
+  EXPECT_EQ(finding.verdict, Verdict::undecided);
+  EXPECT_THAT(finding.reason, testing::HasSubstr("about 8 times the light paths would decide"));
+}
+
+// An average of 500 -+ 1.84 lx to which one sample may add 20 lx at a point, and so 6.7 lx.
+TEST(Judge, LeavesOpenWhatASampleThatWasNotDrawnMayChange) {
+  Requirement at_most = at_least(Metric::average, 505);
+  at_most.comparison = Comparison::at_most;
+  calc::PlaneField field = sampled_field(500, 1);
+  EXPECT_EQ(judge(at_most, field).verdict, Verdict::pass);
+  field.largest_sample_lx = {20.0, 0.0, 0.0};
+  EXPECT_EQ(judge(at_most, field).verdict, Verdict::undecided);
+  EXPECT_EQ(judge(at_least(Metric::average, 495), field).verdict, Verdict::pass);
 }
 
 TEST(Judge, ShowsRatiosWithoutUnit) {
@@ -162,7 +203,7 @@ TEST(Judge, ShowsRatiosWithoutUnit) {
   const Finding finding = judge(at_least(Metric::uniformity_min_avg, 0.6), field);
   EXPECT_EQ(finding.verdict, Verdict::undecided);
   // 0.6 - 3.182 * 0.0204; above, three points share the level: 0.6 + 4.857 * 0.0204
-  EXPECT_EQ(finding.reason, "the interval 0.54 to 0.70 contains the limit 0.6");
+  EXPECT_EQ(finding.reason, "the interval 0.54 to 0.70 contains the limit 0.6" + kTooClose);
 }
 
 TEST(Judge, DoesNotJudgeAnUndefinedUniformity) {
