@@ -9,7 +9,7 @@
 namespace calc {
 namespace {
 
-glm::dvec3 newell_normal(const std::vector<glm::dvec3>& corners) {
+glm::dvec3 unit_normal_of(const std::vector<glm::dvec3>& corners) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
@@ -79,7 +79,7 @@ PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up)
 std::optional<PlanarArea> polygon_area(const std::vector<glm::dvec3>& corners) {
   if (!triangulate_polygon(corners)) return std::nullopt;
   PlanarArea area;
-  const glm::dvec3 normal = newell_normal(corners);
+  const glm::dvec3 normal = unit_normal_of(corners);
   const glm::dvec3 side = corners[1] - corners[0];
   area.origin_m = corners[0];
   area.u = glm::normalize(side - glm::dot(side, normal) * normal);

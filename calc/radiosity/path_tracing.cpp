@@ -22,7 +22,7 @@
 namespace calc {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoLimit = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kPathsPerRound = 256;  // rounds of samples on extended openings
 
 // By formulas of its own: this is the second method that the first is held against.
@@ -60,7 +60,7 @@ void add_path(const Tracer& tracer, const Receiver& receiver, const ScrambledSob
   for (int reflection = 0;; ++reflection) {
     SurfaceHit hit;
     ++sums.path_rays;
-    if (!tracer.closest_hit(origin_m, direction, kInfinity, hit)) return;
+    if (!tracer.closest_hit(origin_m, direction, kNoLimit, hit)) return;
     const double rho = tracer.scene().reflectance[hit.triangle];
     const RandomKey at_hit = key.with(static_cast<std::uint64_t>(reflection));
     if (reflection == 0) {

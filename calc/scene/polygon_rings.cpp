@@ -13,7 +13,7 @@
 namespace calc {
 namespace {
 
-using Corners = std::vector<glm::dvec2>;
+using RingCorners = std::vector<glm::dvec2>;
 using Ring = std::vector<std::uint32_t>;
 using Side = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -24,14 +24,14 @@ double left_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
   return turn_of(b - a, p - a) / glm::length(b - a);
 }
 
-Corners corners_of(const Corners& corner, const Ring& ring) {
-  Corners points;
+RingCorners corners_of(const RingCorners& corner, const Ring& ring) {
+  RingCorners points;
   for (const std::uint32_t c : ring) points.push_back(corner[c]);
   return points;
 }
 
 // Each corner's number: that of the first one at its place.
-Ring places_of(const Corners& corner, double gap) {
+Ring places_of(const RingCorners& corner, double gap) {
   Ring place(corner.size());
   for (std::uint32_t i = 0; i < corner.size(); ++i) {
     place[i] = i;
@@ -44,7 +44,7 @@ Ring places_of(const Corners& corner, double gap) {
 
 class RingSplitter {
  public:
-  explicit RingSplitter(const Corners& corner)
+  explicit RingSplitter(const RingCorners& corner)
       : corner_(corner),
         gap_(polygon_gap(corner)),
         direction_(signed_area(corner) < 0.0 ? -1.0 : 1.0),
@@ -173,7 +173,7 @@ class RingSplitter {
 
   // Parts lie in no other part, holes in one, rings of the outline's own direction are parts.
   bool is_nested() {
-    std::vector<Corners> outline;
+    std::vector<RingCorners> outline;
     for (const Ring& ring : set_.ring) outline.push_back(corners_of(corner_, ring));
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const bool is_hole = signed_area(outline[i]) * direction_ < 0.0;
@@ -187,7 +187,7 @@ class RingSplitter {
     return true;
   }
 
-  const Corners& corner_;
+  const RingCorners& corner_;
   double gap_;
   double direction_;  // 1: counter-clockwise
   Ring place_;
@@ -198,7 +198,7 @@ class RingSplitter {
 // Ear clipping of a ring that may come to one place several times, counter-clockwise.
 class RingClipper {
  public:
-  RingClipper(const Corners& corner, const Ring& ring, double gap)
+  RingClipper(const RingCorners& corner, const Ring& ring, double gap)
       : corner_(corner), ring_(ring), gap_(gap) {}
 
   bool run(std::vector<glm::uvec3>& triangles) {
@@ -243,7 +243,7 @@ class RingClipper {
     });
   }
 
-  const Corners& corner_;
+  const RingCorners& corner_;
   Ring ring_;
   double gap_;
   std::size_t start_ = 0;
@@ -252,7 +252,7 @@ class RingClipper {
 // A part with its holes as one ring.
 class HoleJoiner {
  public:
-  HoleJoiner(const Corners& corner, Ring part, std::vector<Ring> holes, double gap)
+  HoleJoiner(const RingCorners& corner, Ring part, std::vector<Ring> holes, double gap)
       : corner_(corner), ring_(std::move(part)), holes_(std::move(holes)), gap_(gap) {}
 
   std::optional<Ring> run() {
@@ -348,7 +348,7 @@ class HoleJoiner {
     holes_.erase(holes_.begin() + static_cast<std::ptrdiff_t>(h));
   }
 
-  const Corners& corner_;
+  const RingCorners& corner_;
   Ring ring_;
   std::vector<Ring> holes_;
   double gap_;
@@ -375,7 +375,7 @@ std::optional<std::vector<glm::uvec3>> triangulate_rings(
   }
   std::vector<glm::uvec3> triangles;
   for (Ring& part : parts) {
-    const Corners outline = corners_of(corner, part);
+    const RingCorners outline = corners_of(corner, part);
     std::vector<Ring> inside;
     std::erase_if(holes, [&](const Ring& hole) {
       const bool is_inside = contains_point(outline, 0.5 * (corner[hole[0]] + corner[hole[1]]));

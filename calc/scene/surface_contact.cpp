@@ -27,11 +27,11 @@ constexpr double kHalfWay = 0.70710678118654752;  // cosine of 45 degrees
 constexpr std::size_t kTurns = 32;
 constexpr std::array kWays{1.02, 2.0, 6.0};  // in stand-offs
 
-// Places around a point, and which of them surfaces keep apart.
-class Places {
+// PlacesAround around a point, and which of them surfaces keep apart.
+class PlacesAround {
  public:
-  Places(std::vector<BodyTriangle> near, const glm::dvec3& point_m, const glm::dvec3& front,
-         ReceiverKernel kernel, double offset_m)
+  PlacesAround(std::vector<BodyTriangle> near, const glm::dvec3& point_m, const glm::dvec3& front,
+               ReceiverKernel kernel, double offset_m)
       : near_(std::move(near)), front_(front), offset_m_(offset_m) {
     // Relative to the point: the places are some micrometres apart.
     for (BodyTriangle& one : near_) {
@@ -111,7 +111,7 @@ class Places {
   std::vector<std::size_t> depth_;                // steps from the border of its side
 };
 
-void Places::add_places() {
+void PlacesAround::add_places() {
   const glm::dvec3 aside = std::abs(front_.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 u = glm::normalize(aside - glm::dot(aside, front_) * front_);
   const glm::dvec3 v = glm::cross(front_, u);
@@ -138,7 +138,7 @@ void Places::add_places() {
   std::iota(joined_.begin(), joined_.end(), std::size_t{0});
 }
 
-void Places::join(std::size_t i, std::size_t k) {
+void PlacesAround::join(std::size_t i, std::size_t k) {
   const bool is_same_way = i / of_way() == k / of_way();
   if (!is_apart_[i] || !is_apart_[k] || !sees(place_m_[i], place_m_[k])) {
     if (is_same_way) is_border_[i] = is_border_[k] = true;
@@ -152,7 +152,7 @@ void Places::join(std::size_t i, std::size_t k) {
 
 // The middle of a side is farthest from its border, also where a surface ends and all places
 // behind its end are equally far from it.
-void Places::measure_depths() {
+void PlacesAround::measure_depths() {
   std::vector<std::size_t> row;
   depth_.assign(place_m_.size(), place_m_.size());
   for (std::size_t i = 0; i < place_m_.size(); ++i) {
@@ -169,7 +169,7 @@ void Places::measure_depths() {
   }
 }
 
-void Places::connect() {
+void PlacesAround::connect() {
   const std::size_t all = place_m_.size();
   for (std::size_t i = 0; i < all; ++i) {
     if (i + of_way() < all) join(i, i + of_way());
@@ -183,7 +183,7 @@ void Places::connect() {
   }
 }
 
-std::vector<SurfaceContact::Side> Places::sides() {
+std::vector<SurfaceContact::Side> PlacesAround::sides() {
   add_places();
   connect();
   measure_depths();
@@ -222,8 +222,8 @@ SurfaceContact surface_contact(const NearTriangles& near, const glm::dvec3& poin
                                double ray_offset_m) {
   SurfaceContact contact;
   if (near.within(point_m, kTouching * ray_offset_m).empty()) return contact;
-  Places places(near.within(point_m, kContactReach * ray_offset_m), point_m, front, kernel,
-                ray_offset_m);
+  PlacesAround places(near.within(point_m, kContactReach * ray_offset_m), point_m, front, kernel,
+                      ray_offset_m);
   contact.body = places.touched();
   if (contact.body == nullptr) return contact;
   if (kernel != ReceiverKernel::planar && places.is_all_across()) {

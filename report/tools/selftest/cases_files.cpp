@@ -24,7 +24,7 @@ using calc::kPi;
 double rad(double degrees) { return calc::radians_from_degrees(degrees); }
 
 // A luminaire's axes in the world: C 0, C 90 and away from gamma 0.
-struct Axes {
+struct LampAxes {
   glm::dvec3 c0, c90, back;
 
   glm::dvec3 towards(double c_deg, double gamma_deg) const {
@@ -34,7 +34,7 @@ struct Axes {
 };
 
 // Straight down, C 0 turned from +x towards +y.
-Axes turned(double degrees) {
+LampAxes turned(double degrees) {
   const glm::dvec3 c0(calc::cos(rad(degrees)), calc::sin(rad(degrees)), 0.0);
   return {c0, {-c0.y, c0.x, 0.0}, kUp};
 }
@@ -92,7 +92,7 @@ std::string eulumdat_text(int symmetry, double step_deg, const std::vector<doubl
 }
 
 // Level points below a lamp in directions of its table: I cos / d^2.
-std::vector<KnownPoint> below_in_directions(const glm::dvec3& lamp_m, const Axes& axes,
+std::vector<KnownPoint> below_in_directions(const glm::dvec3& lamp_m, const LampAxes& axes,
                                             const std::vector<std::array<double, 2>>& c_gamma_deg,
                                             const Light& light, double level_m = 0.0) {
   std::vector<KnownPoint> known;
@@ -127,7 +127,8 @@ CaseResult lm63_turned(const Effort& effort) {
   const std::map<std::string, std::string> files{
       {"lamp.ies", lm63_text(kC_deg, kGamma_deg, lopsided_circle_cd)}};
   const glm::dvec3 lamp(1, 2, 3);
-  const auto add = [&](const std::string& label, const std::string& luminaire, const Axes& axes) {
+  const auto add = [&](const std::string& label, const std::string& luminaire,
+                       const LampAxes& axes) {
     add_points_from_files(
         result,
         project_of(
@@ -148,7 +149,7 @@ CaseResult lm63_aimed(const Effort& effort) {
   const std::map<std::string, std::string> files{
       {"lamp.ies", lm63_text(kC_deg, kGamma_deg, lopsided_circle_cd)}};
   const glm::dvec3 lamp(1, 2, 3);
-  const auto add = [&](const std::string& label, const std::string& luminaire, const Axes& axes,
+  const auto add = [&](const std::string& label, const std::string& luminaire, const LampAxes& axes,
                        const std::vector<std::array<double, 2>>& directions) {
     add_points_from_files(
         result,
@@ -159,10 +160,10 @@ CaseResult lm63_aimed(const Effort& effort) {
   };
   // Tipped from straight down towards +x by the smallest rotation: about y, C 90 stays.
   const double tip = calc::atan2(2.0, 3.0);
-  const Axes tipped{
+  const LampAxes tipped{
       {calc::cos(tip), 0, calc::sin(tip)}, {0, 1, 0}, {-calc::sin(tip), 0, calc::cos(tip)}};
   add("aim: ", "aim=\"3 2 0\"", tipped, {{0, 0}, {0, 20}, {90, 20}, {180, 60}, {270, 40}});
-  const Axes level{{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};  // axis along +x, C 0 down
+  const LampAxes level{{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}};  // axis along +x, C 0 down
   add("axis level, c0 down: ", "axis=\"1 0 0\" c0=\"0 0 -1\"", level, {{0, 40}, {0, 80}, {0, 60}});
   return result;
 }
