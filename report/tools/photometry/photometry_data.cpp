@@ -16,14 +16,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double degrees(double rad) { return std::round(calc::degrees_from_radians(rad) * 1.0e9) / 1.0e9; }
+double rounded_degrees(double rad) {
+  return std::round(calc::degrees_from_radians(rad) * 1.0e9) / 1.0e9;
+}
 
 Json if_stated(double value) { return value > 0.0 ? Json(value) : Json(nullptr); }
 
 Json width_json(PlanePair pair, const calc::BeamWidth& width) {
-  Json json = {{"planes", plane_pair_name(pair)},     {"lobes", width.lobes},
-               {"lobe_deg", degrees(width.lobe_rad)}, {"span_deg", degrees(width.span_rad)},
-               {"from_deg", degrees(width.from_rad)}, {"to_deg", degrees(width.to_rad)}};
+  Json json = {{"planes", plane_pair_name(pair)},
+               {"lobes", width.lobes},
+               {"lobe_deg", rounded_degrees(width.lobe_rad)},
+               {"span_deg", rounded_degrees(width.span_rad)},
+               {"from_deg", rounded_degrees(width.from_rad)},
+               {"to_deg", rounded_degrees(width.to_rad)}};
   return json;
 }
 
@@ -40,8 +45,8 @@ Json table_json(const calc::PhotometricWeb& web) {
   Json json = {{"axis", is_lateral ? "C90-C270" : "vertical"},
                {"c_planes", web.is_axial() ? 1 : web.c_rad().size() - 1},
                {"gamma_angles", web.gamma_rad().size()},
-               {"gamma_first_deg", degrees(web.gamma_rad().front())},
-               {"gamma_last_deg", degrees(web.gamma_rad().back())}};
+               {"gamma_first_deg", rounded_degrees(web.gamma_rad().front())},
+               {"gamma_last_deg", rounded_degrees(web.gamma_rad().back())}};
   if (is_lateral) {
     const LateralAngles angles = lateral_angles(web);
     json.update({{"v_first_deg", angles.v_first_deg},
@@ -55,7 +60,7 @@ Json table_json(const calc::PhotometricWeb& web) {
 Json lamp_tilt_json(const std::optional<calc::LampTilt>& tilt) {
   if (!tilt) return nullptr;
   Json angles = Json::array();
-  for (const double rad : tilt->angle_rad) angles.push_back(degrees(rad));
+  for (const double rad : tilt->angle_rad) angles.push_back(rounded_degrees(rad));
   return {{"geometry", tilt->geometry}, {"angles_deg", angles}, {"factors", tilt->factor}};
 }
 
@@ -75,8 +80,8 @@ Json light_json(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
                {"downward_share", facts.downward_share},
                {"maximum",
                 {{"intensity_cd", facts.peak.intensity_cd},
-                 {"c_deg", degrees(facts.peak.c_rad)},
-                 {"gamma_deg", degrees(facts.peak.gamma_rad)}}}};
+                 {"c_deg", rounded_degrees(facts.peak.c_rad)},
+                 {"gamma_deg", rounded_degrees(facts.peak.gamma_rad)}}}};
   if (source.rated_lamp_flux_lm > 0.0) {
     json["light_output_ratio"] = flux / source.rated_lamp_flux_lm;
   }
@@ -181,17 +186,17 @@ std::string light_cells(const calc::PhotometricWeb& web, const PhotometryFacts& 
   ratio(flux, source.input_power_w);
   number(facts.downward_share);
   number(facts.peak.intensity_cd);
-  number(degrees(facts.peak.c_rad));
-  number(degrees(facts.peak.gamma_rad));
+  number(rounded_degrees(facts.peak.c_rad));
+  number(rounded_degrees(facts.peak.gamma_rad));
   for (const auto* widths : {&facts.beam, &facts.field}) {
-    for (const calc::BeamWidth& width : *widths) number(degrees(width.span_rad));
+    for (const calc::BeamWidth& width : *widths) number(rounded_degrees(width.span_rad));
   }
   text(symmetry_name(calc::symmetry_within(facts.symmetry, calc::kExactSymmetry)));
   text(web.axis() == calc::TableAxis::lateral ? "C90-C270" : "vertical");
   number(web.is_axial() ? 1.0 : static_cast<double>(web.c_rad().size() - 1));
   number(static_cast<double>(web.gamma_rad().size()));
-  number(degrees(web.gamma_rad().front()));
-  number(degrees(web.gamma_rad().back()));
+  number(rounded_degrees(web.gamma_rad().front()));
+  number(rounded_degrees(web.gamma_rad().back()));
   for (double calc::InterpolationDifference::*share :
        {&calc::InterpolationDifference::largest_share,
         &calc::InterpolationDifference::flux_share}) {
