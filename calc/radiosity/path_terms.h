@@ -21,9 +21,9 @@ using std::sqrt;
 
 using path_terms::cosine_direction;
 using path_terms::nested_scramble;
-using path_terms::roulette_number;
 using path_terms::nested_scramble_reversed;
 using path_terms::reverse_bits;
+using path_terms::roulette_number;
 using path_terms::sphere_direction;
 
 }  // namespace calc

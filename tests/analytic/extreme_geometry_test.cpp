@@ -124,16 +124,6 @@ TEST(ExtremeOpening, NoLightPassesAClosedPartition) {
   }
 }
 
-// Light enters no cavity without an opening: its point is dark, but short rays in it have no end.
-TEST(ExtremeOpening, ChainsOfShortRaysThatDoNotEndAreSaid) {
-  const calc::PhotometricWeb web = isotropic_web(100.0);
-  calc::PreparedScene scene = plain_room(web, 0.6);
-  add_box(scene, {1, 1, 0.5}, {0.001, 0.001, 0.001}, 1.0);
-  const calc::SensorGrid grid = points_of({{1.0005, 1.0005, 0.5005}}, {kUp});
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 16, 4);
-  EXPECT_NE(solution.fields[0].problem, "");
-}
-
 TEST(ExtremeSurface, CoincidentWallsCountOnce) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   const calc::PreparedScene simple = plain_room(web, 0.6);

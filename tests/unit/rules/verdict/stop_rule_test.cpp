@@ -187,7 +187,7 @@ TEST(SingleSamples, LeaveTheVerdictOpenAndThePointActive) {
   EXPECT_EQ(finding.verdict, Verdict::undecided);
   EXPECT_EQ(finding.reason,
             "the result rests on single samples at 1 of 4 points: their intervals cannot be "
-            "trusted");
+            "trusted; about 8 times the light paths would decide (--max-paths)");
   const StopAnswer open = verdict_answer(requirements, field);
   EXPECT_FALSE(open.finished);
   EXPECT_THAT(open.active, ElementsAre(0, 1, 0, 0));
