@@ -22,6 +22,7 @@ add_executable(bench_core
   bench/scaling.cpp
   bench/scenes.cpp
   bench/smoke.cpp
+  bench/sparse.cpp
   bench/stiff.cpp
   bench/table.cpp
   bench/truth.cpp

@@ -13,9 +13,10 @@ namespace calc {
 // Why the first such point of a plane cannot be computed; "" if all can. receivers: receivers_of()
 // the grid.
 // - It lies inside a luminous body, or at a luminaire without size.
-// - refuses_close: a surface that it does not lie in (Tracer::touching_m()) is so close to where
-//   its rays begin that they miss it: nearer than one ray offset, or about two where the point
-//   looks at it. Only what reaches in front of a planar point counts.
+// - refuses_close: a surface is so close to where its rays begin that they miss it: nearer than one
+//   ray offset, or about two where the point looks at it. Only what reaches farther in front of a
+//   planar point than Tracer::touching_m() counts; for points that lie in other surfaces the grid
+//   has a shift off them.
 std::string point_problem(const Tracer& tracer, const SensorGrid& grid,
                           std::span<const Receiver> receivers, bool refuses_close);
 

@@ -127,7 +127,6 @@ std::optional<CloseSurface> Tracer::close_surface(const ClosenessQuery& query) c
   tree_.visit_near(query.origin_m, around_m, [&](std::uint32_t index) {
     const Triangle& triangle = tree_.triangle(index);
     double from_point_m = distance_m(query.position_m, triangle);
-    if (from_point_m <= query.touching_m) return around_m;
     double from_origin_m = distance_m(query.origin_m, triangle);
     if (query.normal != glm::dvec3(0.0)) {
       // Heights count from the point, distances from where its rays begin.

@@ -28,7 +28,7 @@ struct FirstHit;
 struct ClosenessQuery {
   glm::dvec3 position_m, origin_m;
   glm::dvec3 normal;  // unit: only what reaches in front of the plane through the point; 0 = all
-  double touching_m;  // a surface no farther from the point than this is one it lies in
+  double touching_m;  // a surface that reaches no farther in front of that plane lies in it
   double least_m;     // distance of `origin_m` from other surfaces that is enough
 };
 struct CloseSurface {

@@ -485,7 +485,7 @@ TEST(Ugr, OfALargeSourceWithACutOffIsNotNothing) {
       {0.0}, {0.0, cut, cut + 0.02, calc::kPi}, {9000.0, 9000.0, 0.0, 0.0},
       {calc::OpeningShape::rectangle, 6.0, 6.0, 0.0}, {});
   calc::PreparedScene scene;
-  add_box(scene, {-10, -10, 0}, {10, 10, 3.0}, 0.5);
+  add_box(scene, {-10, -10, 0}, {20, 20, 3.0}, 0.5);
   add_luminaire(scene, web, {0, 0, 2.9});
   set_extent(scene);
   // The centre is 65 degrees from the vertical, the near edge 22.

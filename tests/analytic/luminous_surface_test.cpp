@@ -74,7 +74,7 @@ TEST(LuminousSurface, GivesTheFormFactorOfItsRectangle) {
       {40, 0.05, {{20, 0.025, 0.02}, {20, 0.025, 3}, {20, 2, 3}}}};
   for (const Case& c : cases) {
     const calc::Project project = project_with(
-        fmt::format("<quad id='sky' origin='0 {} 5' u='{} 0 0' v='0 -{} 0' material='black' "
+        fmt::format("<quad id='sky' origin='0 {} 5' u='{} 0 0' v='0 -{} 0' material='white' "
                     "luminous-exitance='2000'/>",
                     c.depth_m, c.width_m, c.depth_m));
     std::vector<glm::dvec3> points;

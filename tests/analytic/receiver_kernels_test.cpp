@@ -277,45 +277,34 @@ TEST(ReceiverKernels, AWallFiveMillimetresAwayIsSeenInFull) {
   }
 }
 
-// A point in a wall stands a hair in front of it, on the side that its plane faces.
-TEST(ReceiverKernels, APointInASurfaceIsInFrontOfIt) {
+// In the wall itself: from behind it they would miss the wall and its light.
+TEST(ReceiverKernels, APointInASurfaceIsRefused) {
+  const calc::PhotometricWeb web = isotropic_web(100.0);
+  const calc::PreparedScene scene = one_wall(web, {1.0, 0.5, 0.3});
+  for (const NearWall& wall : kNearWall) {
+    const calc::SpaceSolution solution =
+        solve_with_paths(scene, grid_of(wall.kernel, {{0.0, 0.2, -0.1}}, {wall.axis}), 21, 64, 4);
+    EXPECT_NE(solution.fields[0].problem, "") << wall.name;
+  }
+}
+
+// As make_sensor_grid() has them measured: a hair off, on one of its sides.
+TEST(ReceiverKernels, APointInASurfaceIsMeasuredFromOffIt) {
   const calc::PhotometricWeb web = isotropic_web(100.0);
   const glm::dvec3 source_m(1.0, 0.5, 0.3), receiver_m(0.0, 0.2, -0.1);
   const calc::PreparedScene scene = one_wall(web, source_m);
-  const auto grid_in_wall = [&](ReceiverKernel kernel, const glm::dvec3& axis, double side) {
-    calc::SensorGrid grid = grid_of(kernel, {receiver_m}, {axis});
-    grid.columns = grid.rows = 1;
-    grid.u = {0, side, 0};
-    grid.v = {0, 0, 1};  // u x v = side * x
-    return grid;
-  };
-  const std::array<NearWall, 4> in_wall{
-      {{"cylinder",
-        ReceiverKernel::cylindrical,
-        {1, 0, 0},
-        [](const glm::dvec3& w) { return std::hypot(w.y, w.z) / calc::kPi; }},
-       {"half cylinder along the wall",
-        ReceiverKernel::semicylindrical,
-        {0, 1, 0},
-        [](const glm::dvec3& w) { return (std::hypot(w.x, w.y) + w.y) / calc::kPi; }},
-       {"half sphere",
-        ReceiverKernel::hemispherical,
-        {1, 0, 0},
-        [](const glm::dvec3& w) { return 0.25 * (1.0 + w.x); }},
-       {"sphere", ReceiverKernel::scalar, {1, 0, 0}, [](const glm::dvec3&) { return 0.25; }}}};
-  for (const NearWall& wall : in_wall) {
+  for (const NearWall& wall : kNearWall) {
+    calc::SensorGrid grid = grid_of(wall.kernel, {receiver_m}, {wall.axis});
+    grid.shift_m = {{3.0 * scene.ray_offset_m(), 0, 0}};
     const double expected = wall_lx({1e-5, 0.2, -0.1}, source_m, 100.0, 0.6, 2.0, wall.formula);
-    const calc::SpaceSolution front =
-        solve_with_paths(scene, grid_in_wall(wall.kernel, wall.axis, 1.0), 21, 1024, 64);
+    const calc::SpaceSolution front = solve_with_paths(scene, grid, 21, 1024, 64);
     const calc::Estimate e = calc::t_interval(indirect_lx(front.fields[0], 0), 0.999);
     EXPECT_LT(e.low, 1.001 * expected) << wall.name;
     EXPECT_GT(e.high, 0.999 * expected) << wall.name;
     EXPECT_LT(e.half_width() / e.value, 0.02) << wall.name;
     EXPECT_GT(front.fields[0].direct_exact_lx[0], 0.0) << wall.name;
-    if (wall.kernel == ReceiverKernel::semicylindrical) continue;
-    // From behind, the wall hides the lamp and its own light.
-    const calc::SpaceSolution behind =
-        solve_with_paths(scene, grid_in_wall(wall.kernel, -wall.axis, -1.0), 21, 1024, 4);
+    grid.shift_m = {{-3.0 * scene.ray_offset_m(), 0, 0}};  // the wall hides the lamp
+    const calc::SpaceSolution behind = solve_with_paths(scene, grid, 21, 1024, 4);
     EXPECT_EQ(behind.fields[0].direct_exact_lx[0], 0.0) << wall.name;
     for (const double lx : indirect_lx(behind.fields[0], 0)) EXPECT_EQ(lx, 0.0) << wall.name;
   }

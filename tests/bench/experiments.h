@@ -13,6 +13,7 @@ void run_near(const Options& options);
 void run_openings(const Options& options);
 void run_stiff(const Options& options);
 void run_coverage(const Options& options);
+void run_sparse(const Options& options);
 void run_scaling(const Options& options);
 // names: scene (office), number of seeds (none: cost of one).
 void run_verdicts(const Options& options);

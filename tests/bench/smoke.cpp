@@ -53,6 +53,7 @@ void run_smoke(const Options& given) {
   run_near(options);
   options.names = {"2"};
   run_coverage(options);
+  run_sparse(options);
   options.names = {"luminaires"};
   run_scaling(options);
   run_files(options);

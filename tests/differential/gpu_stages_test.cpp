@@ -39,7 +39,7 @@ struct Hall {
 
   Hall() {
     for (int i = 0; i < 80; ++i) {
-      task.position_m.emplace_back(-3.8 + 0.09 * i, -2.7 + 0.06 * i, 0.05);
+      task.position_m.emplace_back(-3.795 + 0.09 * i, -2.7 + 0.06 * i, 0.05);
       task.normal.emplace_back(0, 0, 1);
       corner.position_m.emplace_back(-3.98, -2.9 + 0.07 * i, 0.03);  // short rays matter here
       corner.normal.emplace_back(1, 0, 0);
