@@ -132,27 +132,71 @@ bool overlaps(const BoundingBox& a, const BoundingBox& b, double tolerance_m) {
          glm::all(glm::lessThanEqual(b.lower, a.upper + tolerance_m));
 }
 
+// Bodies by where they begin along one axis, so that of many only those nearby are looked at.
+class Shelf {
+ public:
+  Shelf(const std::vector<BoundingBox>& box, glm::length_t axis) : box_(box), axis_(axis) {}
+
+  void add(std::size_t body) {
+    bodies_.push_back(body);
+    widest_m_ = std::max(widest_m_, box_[body].upper[axis_] - box_[body].lower[axis_]);
+  }
+  void sort() {
+    std::stable_sort(bodies_.begin(), bodies_.end(), [&](std::size_t a, std::size_t b) {
+      return box_[a].lower[axis_] < box_[b].lower[axis_];
+    });
+  }
+  // In the order of the file.
+  std::vector<std::size_t> near(const BoundingBox& box, double tolerance_m) const {
+    std::vector<std::size_t> found;
+    auto it =
+        std::lower_bound(bodies_.begin(), bodies_.end(), box.lower[axis_] - widest_m_ - tolerance_m,
+                         [&](std::size_t body, double m) { return box_[body].lower[axis_] < m; });
+    for (; it != bodies_.end() && box_[*it].lower[axis_] <= box.upper[axis_] + tolerance_m; ++it) {
+      if (overlaps(box, box_[*it], tolerance_m)) found.push_back(*it);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  const std::vector<std::size_t>& bodies() const { return bodies_; }
+
+ private:
+  const std::vector<BoundingBox>& box_;
+  glm::length_t axis_;
+  std::vector<std::size_t> bodies_;
+  double widest_m_ = 0.0;
+};
+
 class Settler {
  public:
   Settler(Space& space, std::size_t shell_bodies)
-      : space_(space), tolerance_m_(std::max(kSamePlane_m, touching_m(extent_m(space)))) {
+      : space_(space),
+        tolerance_m_(std::max(kSamePlane_m, touching_m(extent_m(space)))),
+        box_(boxes_of(space)),
+        shell_(box_, longest_axis(box_)),
+        solids_(box_, longest_axis(box_)),
+        sheets_(box_, longest_axis(box_)) {
     for (std::size_t i = 0; i < space.bodies.size(); ++i) {
-      const Body& body = space.bodies[i];
-      box_.push_back(bounding_box(body.vertex_m));
-      if (i < shell_bodies || body.is_closed) {
-        below_.push_back(i);
-      } else if (body.triangle.size() <= kMostSheetTriangles) {
-        sheets_.push_back(i);
+      if (i < shell_bodies) {
+        shell_.add(i);
+      } else if (space.bodies[i].is_closed) {
+        solids_.add(i);
+      } else if (space.bodies[i].triangle.size() <= kMostSheetTriangles) {
+        sheets_.add(i);
       }
     }
+    for (Shelf* shelf : {&shell_, &solids_, &sheets_}) shelf->sort();
   }
 
   void cover() {
-    for (const std::size_t sheet : sheets_) {
-      for (const std::size_t below : below_) {
-        if (!overlaps(box_[sheet], box_[below], tolerance_m_)) continue;
-        for (std::size_t t = 0; t < space_.bodies[sheet].triangle.size(); ++t) {
-          cover_by(space_.bodies[sheet], t, space_.bodies[below]);
+    std::vector<std::size_t> in_file_order = sheets_.bodies();
+    std::sort(in_file_order.begin(), in_file_order.end());
+    for (const std::size_t sheet : in_file_order) {
+      for (const Shelf* shelf : {&shell_, &solids_}) {
+        for (const std::size_t below : shelf->near(box_[sheet], tolerance_m_)) {
+          for (std::size_t t = 0; t < space_.bodies[sheet].triangle.size(); ++t) {
+            cover_by(space_.bodies[sheet], t, space_.bodies[below]);
+          }
         }
       }
     }
@@ -160,14 +204,13 @@ class Settler {
 
   void warn_of_sheets_in_sheets(Diagnostics& diagnostics) const {
     std::vector<std::pair<const Body*, const Body*>> pairs;
-    for (std::size_t i = 0; i < sheets_.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        const Body &upper = space_.bodies[sheets_[i]], &lower = space_.bodies[sheets_[k]];
-        if (overlaps(box_[sheets_[i]], box_[sheets_[k]], tolerance_m_) && share(upper, lower)) {
-          pairs.emplace_back(&upper, &lower);
-        }
+    for (const std::size_t sheet : sheets_.bodies()) {
+      for (const std::size_t other : sheets_.near(box_[sheet], tolerance_m_)) {
+        const Body &upper = space_.bodies[sheet], &lower = space_.bodies[other];
+        if (other < sheet && share(upper, lower)) pairs.emplace_back(&upper, &lower);
       }
     }
+    std::sort(pairs.begin(), pairs.end());  // in the order of the file
     warn_of_first_few<std::pair<const Body*, const Body*>>(
         pairs, "pairs of this space", [&](const auto& pair, const std::string& more) {
           diagnostics.report(DiagnosticId::surfaces_coincide, pair.first->where, pair.first->id,
@@ -176,6 +219,23 @@ class Settler {
   }
 
  private:
+  static std::vector<BoundingBox> boxes_of(const Space& space) {
+    std::vector<BoundingBox> boxes;
+    for (const Body& body : space.bodies) boxes.push_back(bounding_box(body.vertex_m));
+    return boxes;
+  }
+  static glm::length_t longest_axis(const std::vector<BoundingBox>& boxes) {
+    BoundingBox all;
+    for (const BoundingBox& box : boxes) {
+      if (box.is_empty()) continue;
+      all.add(box.lower);
+      all.add(box.upper);
+    }
+    const glm::dvec3 size_m = all.is_empty() ? glm::dvec3(0.0) : all.upper - all.lower;
+    if (size_m.x >= std::max(size_m.y, size_m.z)) return 0;
+    return size_m.y >= size_m.z ? 1 : 2;
+  }
+
   bool lies_in(const PlaneFrame& frame, const Corners3& one, const Corners3& other) const {
     if (!frame.is_valid) return false;
     if (frame.holds(other, tolerance_m_)) return true;
@@ -228,7 +288,7 @@ class Settler {
   Space& space_;
   double tolerance_m_;
   std::vector<BoundingBox> box_;
-  std::vector<std::size_t> below_, sheets_;
+  Shelf shell_, solids_, sheets_;
 };
 
 }  // namespace

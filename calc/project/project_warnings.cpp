@@ -84,9 +84,12 @@ bool reaches_into(const RoomShell& shell, const BoundingBox& room, const Body& b
     return false;
   }
   for (const glm::uvec3& t : body.triangle) {
-    if (reaches_into(shell, {body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z]})) {
-      return true;
-    }
+    const std::vector<glm::dvec3> corners{body.vertex_m[t.x], body.vertex_m[t.y],
+                                          body.vertex_m[t.z]};
+    const BoundingBox around = bounding_box(corners);
+    const bool is_apart = glm::any(glm::greaterThan(around.lower, room.upper)) ||
+                          glm::any(glm::lessThan(around.upper, room.lower));
+    if (!is_apart && reaches_into(shell, corners)) return true;
   }
   // The room may lie wholly within a body.
   return body.is_closed &&
