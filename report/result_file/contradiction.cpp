@@ -319,6 +319,11 @@ void check_role(const Place& place, const Findings& findings, const rules::RoleC
     return;
   }
   rules::Outcome outcome = rules::Outcome::nothing_asked;
+  if (role.state == rules::RoleState::asked_in_part) {
+    if (role.of.empty()) refuse_place(place, "of", "nothing is asked of any part");
+    if (role.words.empty()) refuse_place(place, "words", "it is not said of what part");
+    return;
+  }
   for (std::size_t i = 0; i < role.of.size(); ++i) {
     outcome = graver(outcome, outcome_of(*findings.of(place, i, role.of[i]).finding));
   }

@@ -247,11 +247,12 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);
   };
-  std::string words = !row.is_whole()
-                          ? t.say<Text::row_in_part>(
-                                title, roles_in(row, {met, failed, undecided, not_judged, waived}))
-                      : row.is_met() ? t.say<Text::row_is_met>(title)
-                                     : t.say<Text::row_is_asked>(title);
+  std::string words =
+      !row.is_whole()
+          ? t.say<Text::row_in_part>(
+                title, roles_in(row, {met, failed, undecided, not_judged, waived, asked_in_part}))
+      : row.is_met() ? t.say<Text::row_is_met>(title)
+                     : t.say<Text::row_is_asked>(title);
   words += end(said(roles_in(row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
   // Of a workplace the room's notes say the rest.

@@ -1,8 +1,11 @@
 #include "rules/fitness/fitness.h"
 
+#include "calc/base/elementary.h"
 #include "calc/base/names.h"
 #include "calc/base/text.h"
+#include "calc/base/units.h"
 #include "calc/scene/plane_place.h"
+#include "rules/fitness/covered_surface.h"
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
 #include "rules/fitness/place_in_space.h"
@@ -14,6 +17,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -21,6 +25,7 @@ namespace rules {
 namespace {
 
 constexpr double kSameLength_m = 1e-6;
+constexpr double kDegrees = 180.0 / calc::kPi;
 
 void add_words(std::string& text, const std::string& words) {
   if (words.empty()) return;
@@ -85,14 +90,23 @@ class PlaneFit {
     return *lost_;
   }
 
-  // Only planar points, and those that modelling is related to, face a way of their own.
+  // Planar points and half-spheres face a way of their own, and so do those that modelling is
+  // related to: that of the plane's normal.
   bool faces_somewhere() const {
-    const bool is_plain = plane().kernel == calc::ReceiverKernel::planar &&
+    using enum calc::ReceiverKernel;
+    const bool is_plain = (plane().kernel == planar || plane().kernel == hemispherical) &&
                           plane().derived == calc::DerivedQuantity::none;
     return is_plain || plane().derived == calc::DerivedQuantity::modelling;
   }
 
+  // The normal is the axis of a cylinder, of which either end may be up. Half-cylinders and eyes
+  // look in a horizontal direction on any plane, and spheres have no axis.
+  bool is_of_cylinders() const {
+    return plane().kernel == calc::ReceiverKernel::cylindrical && !faces_somewhere();
+  }
+
   std::string orientation(const Meant& meant) const {
+    if (is_of_cylinders()) return axis(meant);
     if (!faces_somewhere()) return {};
     const std::vector<glm::dvec3> normals = calc::normals_of(plane());
     const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
@@ -109,6 +123,20 @@ class PlaneFit {
         "a limit from above says nothing here: the {} faces away from every luminaire", noun());
   }
 
+  std::string axis(const Meant& meant) const {
+    const std::vector<glm::dvec3> axes = calc::normals_of(plane());
+    const auto unfit = std::find_if(axes.begin(), axes.end(), [&](const glm::dvec3& end) {
+      return !faces(meant.plane, end) && !faces(meant.plane, -end);
+    });
+    if (unfit == axes.end()) return {};
+    const bool is_upright = std::string_view(orientation_words(meant.plane)) != "vertical";
+    const double leans_deg = calc::acos(std::min(1.0, std::abs(unfit->z))) * kDegrees;
+    return fmt::format(
+        "{} is about cylinders that {}, and those of this plane lean {:.0f} degrees from upright: "
+        "their axis is the plane's normal, so that they stand upright on a lying plane",
+        role_words(meant), is_upright ? "stand upright" : "lie", leans_deg);
+  }
+
   std::string place(const Meant& meant) const {
     if (meant.plane.area == ZoneArea::walls && !lies_on(plane(), context_.space, ".wall")) {
       return fmt::format("{} is about walls, and this {} lies on none", role_words(meant), noun());
@@ -117,7 +145,31 @@ class PlaneFit {
       return fmt::format("{} is about the ceiling, and this {} does not lie on it",
                          role_words(meant), noun());
     }
-    return {};
+    return extent(meant);
+  }
+
+  // A number about a wall or the ceiling is about all of it that the role counts: on a part of it
+  // whoever draws the plane chooses where it is bright enough.
+  std::string extent(const Meant& meant) const {
+    const bool is_wall = meant.plane.area == ZoneArea::walls;
+    if (!is_wall && meant.plane.area != ZoneArea::ceiling) return {};
+    const auto* area = std::get_if<calc::PlanarArea>(&plane().area);
+    if (area == nullptr) return {};  // a list: its points are no grid
+    const double strip_m = allowed_margin_m(meant);
+    const double own_strip_m = std::max(std::min(area->margin_m, strip_m), mask_strip_m(meant));
+    std::string words;
+    for (const CoveredSurface& surface :
+         covered_surfaces(*area, own_strip_m,
+                          surfaces_of(context_.space, is_wall ? ".wall" : ".ceiling"), strip_m)) {
+      if (surface.share >= 1.0 - meant.plane.missing_share) continue;
+      add_words(words, fmt::format("{:.0f} % of the {:.3g} m2 of '{}'",
+                                   std::floor(100.0 * surface.share), surface.area_m2, surface.id));
+    }
+    if (words.empty()) return words;
+    return fmt::format(
+        "{} is about {}, and what counts of this plane covers only {}{}", role_words(meant),
+        is_wall ? "a whole wall" : "the whole ceiling", words,
+        strip_m > 0.0 ? fmt::format(" ({:.3g} m along the edges count of neither)", strip_m) : "");
   }
 
   std::string height(const Meant& meant) const {
@@ -160,8 +212,34 @@ class PlaneFit {
       return fmt::format("{} x {} points, where {} asks for {} x {} on this area", own.columns,
                          own.rows, role_words(meant), asked.columns, asked.rows);
     }
-    if (!(own.missed_m2 > 0.0)) return {};
-    return fmt::format("its grid leaves {:.2g} m2 of the area without a point", own.missed_m2);
+    if (own.missed_m2 > 0.0) {
+      return fmt::format("its grid leaves {:.2g} m2 of the area without a point", own.missed_m2);
+    }
+    return grid_behind_mask(meant, *rule->rule);
+  }
+
+  // A formula gives a small area a closer grid than a large one, and the area that a mask leaves is
+  // what the number is about. A spacing holds there as everywhere, and a count is of the whole.
+  std::string grid_behind_mask(const Meant& meant, const calc::GridRule& rule) const {
+    if (!std::holds_alternative<calc::GridByRule>(rule)) return {};
+    const calc::SensorGrid& own = context_.grid;
+    const MaskedPoints left = apply_mask(meant.check.mask, own);
+    if (!left.problem.empty() || left.points.empty()) return {};  // the measurement says so
+    if (left.points.size() == own.position_m.size()) return {};
+    const auto cells = [&](const std::vector<int>& of) {
+      const auto [least, most] =
+          std::minmax_element(left.points.begin(), left.points.end(),
+                              [&](std::size_t a, std::size_t b) { return of[a] < of[b]; });
+      return of[*most] - of[*least] + 1;
+    };
+    const int columns = cells(own.column), rows = cells(own.row);
+    const double u_m = columns * own.spacing_u_m, v_m = rows * own.spacing_v_m;
+    const calc::GridCounts asked = counts_by(rule, u_m, v_m);
+    if (columns >= asked.columns && rows >= asked.rows) return {};
+    return fmt::format(
+        "the mask leaves {} x {} points, where {} asks for {} x {} on the {:.3g} x {:.3g} m that "
+        "are left",
+        columns, rows, role_words(meant), asked.columns, asked.rows, u_m, v_m);
   }
 
   // Leg by leg, each as an area of its own; a number of cells is of the whole route.
@@ -207,11 +285,15 @@ class PlaneFit {
 
   // The widest strip that the role leaves out: its own margin, or what its mask takes.
   static double allowed_margin_m(const Meant& meant) {
-    double allowed_m = meant.plane.margin_m;
+    return std::max(meant.plane.margin_m, mask_strip_m(meant));
+  }
+
+  static double mask_strip_m(const Meant& meant) {
+    double strip_m = 0.0;
     for (const MaskOperation& operation : meant.check.mask.operations) {
-      if (operation.step == MaskStep::inset) allowed_m = std::max(allowed_m, operation.metres);
+      if (operation.step == MaskStep::inset) strip_m = std::max(strip_m, operation.metres);
     }
-    return allowed_m;
+    return strip_m;
   }
 
   std::string margin(const Meant& meant) const {

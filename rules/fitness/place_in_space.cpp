@@ -54,11 +54,6 @@ double lowest_corner_m(const calc::Space& space) {
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
-bool is_part(std::string_view id, std::string_view part) {
-  const std::size_t last = id.find_last_not_of("0123456789");
-  return last != std::string_view::npos && id.substr(0, last + 1).ends_with(part);
-}
-
 // Whether the place lies on the triangle, looking away from it on either side.
 bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
              const std::array<glm::dvec3, 3>& corner) {
@@ -83,6 +78,11 @@ bool lies_on(const glm::dvec3& place, const glm::dvec3& normal,
 }
 
 }  // namespace
+
+bool is_part(std::string_view id, std::string_view part) {
+  const std::size_t last = id.find_last_not_of("0123456789");
+  return last != std::string_view::npos && id.substr(0, last + 1).ends_with(part);
+}
 
 bool looks_up(const glm::dvec3& normal) { return normal.z >= kAlike; }
 bool looks_down(const glm::dvec3& normal) { return normal.z <= -kAlike; }

@@ -26,6 +26,9 @@ bool looks_sideways(const glm::dvec3& normal);
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 
+// Whether the id of a body ends so, before its digits: ".wall" of "r.wall2".
+bool is_part(std::string_view id, std::string_view part);
+
 // Whether every place lies on a surface of a body whose id ends so (".ceiling", ".wall2": before
 // the digits), within kLift_m, and looks the way it does or the other one, up to 15 degrees. True
 // for spaces that do not know their walls.

@@ -50,8 +50,17 @@ std::size_t point_at(const calc::SensorGrid& grid, const glm::dvec3& wanted_m) {
   return static_cast<std::size_t>(nearest - grid.position_m.begin());
 }
 
-// Within half a cell along the plane's axes and, across the plane, half of the cell's shorter side;
-// of a route in the cell itself.
+// What is meant to lie in a plane lies in it but for how it was measured out or written down.
+constexpr double kSamePlane_m = 0.05;
+
+// Of the place, from the plane of the point.
+double distance_across_m(const calc::SensorGrid& grid, std::size_t point,
+                         const glm::dvec3& wanted_m) {
+  return std::abs(glm::dot(grid.position_m[point] - wanted_m, glm::cross(grid.u, grid.v)));
+}
+
+// Within half a cell along the plane's axes, and hardly off the plane; of a route in the cell
+// itself.
 bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& wanted_m) {
   if (grid.route) return is_in_cell(grid, grid.route->cells(grid.rows), point, wanted_m);
   const glm::dvec3 offset_m = grid.position_m[point] - wanted_m;
@@ -61,7 +70,7 @@ bool is_near(const calc::SensorGrid& grid, std::size_t point, const glm::dvec3& 
   const double half_v = 0.5 * grid.spacing_v_m + kBinaryNoise_m;
   return std::abs(glm::dot(offset_m, grid.u)) <= half_u &&
          std::abs(glm::dot(offset_m, grid.v)) <= half_v &&
-         std::abs(glm::dot(offset_m, glm::cross(grid.u, grid.v))) <= std::min(half_u, half_v);
+         distance_across_m(grid, point, wanted_m) <= kSamePlane_m + kBinaryNoise_m;
 }
 
 constexpr double kSameLook = 0.9998;  // cosine: about a degree
@@ -104,8 +113,16 @@ std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_
 std::string near_text(const calc::SensorGrid& grid) {
   if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
   if (grid.route) return fmt::format("its cell and {} m of height", kSameStep_m);
-  return fmt::format("half a cell ({:.3f} x {:.3f} m)", 0.5 * grid.spacing_u_m,
-                     0.5 * grid.spacing_v_m);
+  return fmt::format("half a cell ({:.3f} x {:.3f} m) along the plane and {} m across it",
+                     0.5 * grid.spacing_u_m, 0.5 * grid.spacing_v_m, kSamePlane_m);
+}
+
+// What is easily overlooked in three coordinates.
+std::string off_plane_text(const calc::SensorGrid& grid, std::size_t point,
+                           const glm::dvec3& wanted_m) {
+  if (grid.columns == 0 || grid.route) return {};
+  const double across_m = distance_across_m(grid, point, wanted_m);
+  return across_m > kSamePlane_m ? fmt::format(", the plane {:.3f} m away", across_m) : "";
 }
 
 const std::vector<std::pair<std::string, double>>* levels_of(
@@ -340,9 +357,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     point = point_at(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
     if (!is_near(grid, *point, wanted_m)) {
-      return nothing_to_measure(
-          fmt::format("no calculation point within {} of {}; nearest is at {}", near_text(grid),
-                      point_text(wanted_m), point_text(nearest_m)));
+      return nothing_to_measure(fmt::format(
+          "no calculation point within {} of {}; nearest is at {}{}", near_text(grid),
+          point_text(wanted_m), point_text(nearest_m), off_plane_text(grid, *point, wanted_m)));
     }
     std::string reason;
     point = point_facing(grid, *point, requirement, reason);
@@ -382,6 +399,11 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   Measurement result;
   result.points_used = values.points;
   const Metric metric = requirement.metric;
+  const bool is_uniformity =
+      metric == Metric::uniformity_min_avg || metric == Metric::uniformity_min_max;
+  if (is_uniformity && values.points == 1) {
+    return nothing_to_measure("a single point has no uniformity: it would be 1 whatever it gets");
+  }
   const MetricSource source = metric_row(metric).source;
   if (source == MetricSource::counted_values) {
     const ShareEstimate share = compute_share(values, requirement.range, confidence);

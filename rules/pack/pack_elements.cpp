@@ -175,7 +175,8 @@ const ElementRow kPlaneElement{
     .type = "plane",
     .attributes = {
         {"role", &kIdType, required},
-        {"orientation", &kOrientationType, required},
+        {"orientation", &kOrientationType, required,
+         "Of the plane's normal. Of cylinders it is the axis, of which either end may be up."},
         {"heights", &kTextType},
         {"heights-are", &kHeightsAreType, optional, "", "required"},
         {"grid", &kIdType, optional,

@@ -1,5 +1,6 @@
 #include "rules/verdict/coverage.h"
 
+#include "rules/fitness/covered_surface.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/waiver.h"
 
@@ -10,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace rules {
 namespace {
@@ -139,9 +141,31 @@ void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool
   if (has_ended) coverage.state = RoleState::left_out_ended;
 }
 
+// Walls that the planes of these requirements do not lie on, of those that are wide enough to
+// count: "r.wall2, r.wall3". A workplace makes a plane of every wall, and says of which it could
+// not.
+std::string walls_not_asked(const calc::Space& space, const std::vector<RequirementName>& of,
+                            double strip_m) {
+  if (!space.shell) return "it is not known what walls there are";
+  std::string words;
+  for (const RoomSurface& wall : surfaces_of(space, ".wall")) {
+    if (!has_inside(wall, strip_m)) continue;
+    const bool is_asked =
+        std::any_of(space.planes.begin(), space.planes.end(), [&](const calc::CalcPlane& plane) {
+          const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
+          return area != nullptr &&
+                 std::any_of(of.begin(), of.end(),
+                             [&](const auto& name) { return name.plane_id == plane.id; }) &&
+                 !covered_surfaces(*area, strip_m, {wall}, strip_m).empty();
+        });
+    if (!is_asked) words += (words.empty() ? "without " : ", ") + wall.id;
+  }
+  return words;
+}
+
 // Empty: the row requires nothing of it, or advice only.
-std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role,
-                                  std::string_view today) {
+std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
+                                  const std::string& role, std::string_view today) {
   const LimitScope scope{*asked.pack, asked.row, asked.level, asked.facts};
   const RuleCheck* needed = required_check(
       role, scope, [](const RuleCheck& check) { return check.severity != Severity::advice; });
@@ -161,6 +185,10 @@ std::optional<RoleCoverage> cover(const Asked& asked, const std::string& role,
   // Where the pack says no place the project has to draw the plane, and has not.
   const RulePlane* place = asked.pack->find_plane(role);
   const bool has_place = place != nullptr && place->area != ZoneArea::none;
+  if (is_asked && asked.workplace == nullptr && has_place && place->area == ZoneArea::walls) {
+    coverage.words = walls_not_asked(space, coverage.of, place->margin_m);
+    if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
+  }
   if (coverage.state == RoleState::not_made && !has_place) coverage.state = RoleState::never_asked;
   if (!is_asked && !needed->quantity->kernel) {
     coverage.state = RoleState::not_possible;
@@ -191,7 +219,8 @@ RoleState state_of(Outcome outcome) {
 
 bool RowCoverage::is_whole() const {
   return std::none_of(roles.begin(), roles.end(), [](const RoleCoverage& role) {
-    return role.state == RoleState::never_asked || role.state == RoleState::left_out_ended;
+    return role.state == RoleState::never_asked || role.state == RoleState::left_out_ended ||
+           role.state == RoleState::asked_in_part;
   });
 }
 
@@ -228,7 +257,7 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
                              level.empty() ? "" : fmt::format(" ({})", level),
                              asked.scene.empty() ? "" : ", scene " + asked.scene);
     for (const std::string& role : asked.pack->roles()) {
-      if (std::optional<RoleCoverage> covered = cover(asked, role, today)) {
+      if (std::optional<RoleCoverage> covered = cover(space, asked, role, today)) {
         row.roles.push_back(std::move(*covered));
       }
     }

@@ -24,6 +24,7 @@ enum class RoleState {
   not_made,        // by a workplace, which has no place for it in this room
   not_possible,    // its quantity is not measured on planes
   never_asked,
+  asked_in_part,  // of some of the walls only; or it is not known which walls there are
 };
 
 // Of a role that is asked for: what everything that is asked came to.
@@ -41,7 +42,9 @@ struct LeftOutZone {
 struct RoleCoverage {
   std::string role;
   RoleState state = RoleState::never_asked;
-  std::string words;  // of left_out, not_made and not_possible: why; parts of a role: which
+  // Of left_out, not_made and not_possible: why; of asked_in_part: without what; parts of a role:
+  // which.
+  std::string words;
   std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
   std::vector<LeftOutZone> left_out = {};
 };
@@ -52,8 +55,9 @@ struct RowCoverage {
   std::string clause;               // "EN 12464-1:2021 34.2"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
 
-  bool is_whole() const;  // nothing of it was never asked, or is no longer
-  bool is_met() const;    // whole, and all that was asked is met
+  // Nothing of it was never asked, or is no longer, or is asked of a part only.
+  bool is_whole() const;
+  bool is_met() const;  // whole, and all that was asked is met
 };
 
 // Of all rows that something in the space refers to: workplaces in file order, then rows of
@@ -86,7 +90,8 @@ struct EnumNames<rules::RoleState> {
       {rules::RoleState::left_out_ended, "left-out-ended"},
       {rules::RoleState::not_made, "not-made"},
       {rules::RoleState::not_possible, "not-possible"},
-      {rules::RoleState::never_asked, "never-asked"}};
+      {rules::RoleState::never_asked, "never-asked"},
+      {rules::RoleState::asked_in_part, "asked-in-part"}};
 };
 
 }  // namespace calc

@@ -392,12 +392,100 @@ TEST(FitnessOfRoute, SaysThatPointsCountAlikeInAShare) {
 TEST(Fitness, AFloatingPlaneIsNoWall) {
   const std::string wall = kDeskWork + " role='wall'";
   EXPECT_THAT(fit({"on='wall1' margin='0.5'", wall}).aspects("wall.Em"), IsEmpty());
-  EXPECT_THAT(fit({"origin='2 0.04 0.5' u='0 0 2' v='4 0 0'", wall}).aspects("wall.Em"), IsEmpty())
+  EXPECT_THAT(
+      fit({"origin='0.5 0.04 0.5' u='0 0 2' v='11 0 0' margin='0.5'", wall}).aspects("wall.Em"),
+      ElementsAre("place"))
+      << "a little before it, and its own edges do not count";
+  EXPECT_THAT(fit({"origin='0 0.04 0' u='0 0 3' v='12 0 0' margin='0.5'", wall}).aspects("wall.Em"),
+              IsEmpty())
       << "a little before it";
-  EXPECT_THAT(fit({"origin='2 2 0.5' u='0 0 2' v='4 0 0'", wall}).aspects("wall.Em"),
+  EXPECT_THAT(fit({"origin='2 2 0.5' u='0 0 2' v='4 0 0' margin='0.5'", wall}).aspects("wall.Em"),
               ElementsAre("place"));
   EXPECT_THAT(fit({"height='1' margin='0.5'", wall}).aspects("wall.Em"),
               ElementsAre("orientation"));
+}
+
+TEST(Fitness, CylindersOfALyingPlaneStandUprightAndOthersDoNot) {
+  const std::string cylinder = kDeskWork + " role='cylinder'";
+  const std::string lying = "origin='2 2 1.2' u='8 0 0' v='0 2.4 0'";
+  const std::string over = "origin='2 2 1.2' u='0 2.4 0' v='8 0 0'";
+  const std::string upright = "origin='2 2 1.2' u='8 0 0' v='0 0 0.4'";
+  const std::string leaning = "origin='2 2 1.2' u='8 0 0' v='0 0.4 0.2'";
+  const std::string quantity = " quantity='cylindrical'";
+  EXPECT_THAT(fit({lying + quantity, cylinder}).aspects("cylinder.Em"), IsEmpty());
+  EXPECT_THAT(fit({over + quantity, cylinder}).aspects("cylinder.Em"), IsEmpty())
+      << "either end of a cylinder may be up";
+  EXPECT_THAT(fit({upright + quantity, cylinder}).aspects("cylinder.Uo"),
+              ElementsAre("orientation"));
+  EXPECT_THAT(fit({leaning + quantity, cylinder}).aspects("cylinder.Em"),
+              ElementsAre("orientation"));
+  EXPECT_THAT(fit({upright + " quantity='cylindrical'", cylinder}).first().problem,
+              HasSubstr("role 'cylinder' of en12464-1:2021 is about cylinders that stand upright, "
+                        "and those of this plane lean 90 degrees from upright"));
+  EXPECT_THAT(fit({leaning + " quantity='cylindrical'", cylinder}).first().problem,
+              HasSubstr("lean 27 degrees"));
+}
+
+// A square metre of the wall is no wall, wherever it lies: its own edges do not count, either.
+TEST(Fitness, APartOfAWallIsNotTheWall) {
+  const std::string wall = kDeskWork + " role='wall'", ceiling = kDeskWork + " role='ceiling'";
+  const auto of_wall = [&](const std::string& plane) { return fit({plane, wall}); };
+  const Fitted patch = of_wall("origin='2.5 0 1' u='-1 0 0' v='0 0 1'");
+  EXPECT_THAT(patch.aspects("wall.Em"), ElementsAre("place", "grid"));
+  EXPECT_THAT(patch.first().problem,
+              HasSubstr("role 'wall' of en12464-1:2021 is about a whole wall, and what counts of "
+                        "this plane covers only 0 % of the 22 m2 of 'r.wall1' (0.5 m along the "
+                        "edges count of neither)"));
+  // Two thirds; a speck between two of the places where it is measured; one in a corner.
+  EXPECT_THAT(of_wall("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'").first().problem,
+              HasSubstr("64 % of the 22 m2 of 'r.wall1'"));
+  EXPECT_THAT(of_wall("origin='2.501 0 1' u='-0.001 0 0' v='0 0 0.001'").aspects("wall.Uo"),
+              testing::Contains("place"));
+  EXPECT_THAT(of_wall("origin='0.3 0 0' u='-0.3 0 0' v='0 0 0.3'").aspects("wall.Uo"),
+              testing::Contains("place"));
+  // A tenth may lack, as of points.
+  EXPECT_THAT(of_wall("origin='11.5 0 0' u='-11.5 0 0' v='0 0 3' margin='0.5'").aspects("wall.Em"),
+              IsEmpty());
+  EXPECT_THAT(of_wall("origin='10.8 0 0' u='-10.8 0 0' v='0 0 3' margin='0.5'").aspects("wall.Em"),
+              ElementsAre("place"));
+  EXPECT_THAT(fit({"points='12 8 3  12 0 3  0 0 3'", ceiling}).aspects("ceiling.Em"),
+              testing::Contains("place"))
+      << "half of the ceiling";
+  EXPECT_THAT(fit({"on='ceiling' margin='0.5'", ceiling}).aspects("ceiling.Em"), IsEmpty());
+}
+
+TEST(Fitness, APartOfAWallIsJudgedIfSomebodyStatesIt) {
+  const std::string stated =
+      "<deviation in='place' because='the rest is glass' by='A. Meier' until='2027-12-31'/>";
+  const Fitted fitted =
+      fit({"origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'", kDeskWork + " role='wall'", stated});
+  EXPECT_EQ(fitted.first().problem, "");
+  EXPECT_THAT(fitted.first().deviations.at(0).words, HasSubstr("64 %"));
+}
+
+// Two pieces of one straight side: each by itself, or both together.
+TEST(Fitness, AWallInPiecesIsCoveredPieceByPiece) {
+  const std::string room =
+      "<room id='r' height='3' footprint='0 0  7 0  12 0  12 8  0 8' "
+      "ceiling='m' walls='m' floor='m'>";
+  const auto aspects = [&](const std::string& plane) {
+    return fit({plane, kDeskWork + " role='wall'", "", room}).aspects("wall.Em");
+  };
+  EXPECT_THAT(aspects("on='wall1' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("on='wall2' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='12 0 0' u='-12 0 0' v='0 0 3' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='10 0 0' u='-10 0 0' v='0 0 3' margin='0.5'"), ElementsAre("place"));
+}
+
+// The formula gives what a mask leaves a closer grid than the whole.
+TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
+  const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
+  EXPECT_THAT(fitted.aspects("wall.Em"), ElementsAre("grid"));
+  EXPECT_THAT(fitted.first().problem,
+              HasSubstr("the mask leaves 26 x 5 points, where role 'wall' of en12464-1:2021 asks "
+                        "for 33 x 6 on the 11.1 x 2.14 m that are left"));
+  EXPECT_THAT(fit({"on='wall1' count='40 12'", kDeskWork + " role='wall'"}).aspects("wall.Em"),
+              IsEmpty());
 }
 
 // What fits, and how each aspect is spoilt, by role. In a room of 12 m x 8 m x 3 m.
@@ -425,7 +513,8 @@ RolePlane plane_of(const std::string& role) {
   if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), "", 1.1};
   if (role == "cylinder") {
     const std::string quantity = " quantity='cylindrical'";
-    return {flat(1.2) + quantity, turned(1.2) + quantity, flat(0.2) + quantity, "", 1.5};
+    const std::string lying = "origin='2 2 1.2' u='8 0 0' v='0 0 0.3'";
+    return {flat(1.2) + quantity, lying + quantity, flat(0.2) + quantity, "", 1.5};
   }
   if (role == "modelling") {
     const std::string quantity = " quantity='modelling'";

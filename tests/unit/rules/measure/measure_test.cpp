@@ -52,6 +52,57 @@ TEST(Measure, CountsThePointsOfTheMaskOnly) {
   EXPECT_EQ(result.points_used, 2u);
 }
 
+// A place over a point is not its place: what is asked of eyes is not what a desk gets.
+TEST(Measure, AValueIsThatOfAPlaceInThePlane) {
+  const calc::SensorGrid grid = grid_of_twelve();
+  const auto measured = [&](const glm::dvec3& off_m) {
+    Requirement requirement = minimum_at_least(1);
+    requirement.metric = Metric::value_at_point;
+    requirement.direct_only = true;
+    requirement.point_m = grid.position_m[6] + off_m;
+    return measure(requirement, grid, field_of_twelve(), {}, 0.95);
+  };
+  const glm::dvec3 across = glm::cross(grid.u, grid.v);
+  const double half_m = 0.5 * grid.spacing_u_m;
+  ASSERT_GT(half_m, 0.06);
+  EXPECT_TRUE(measured(half_m * grid.u).metric);
+  EXPECT_TRUE(measured(0.05 * across).metric);
+  EXPECT_TRUE(measured(-0.05 * across).metric);
+  EXPECT_FALSE(measured(0.051 * across).metric);
+  EXPECT_FALSE(measured(-0.051 * across).metric);
+  EXPECT_THAT(measured(1.15 * across).reason, testing::HasSubstr("along the plane and 0.05 m "
+                                                                 "across it of"));
+  EXPECT_THAT(measured(1.15 * across).reason, testing::EndsWith("the plane 1.150 m away"));
+}
+
+TEST(Measure, ASinglePointHasNoUniformity) {
+  const calc::SensorGrid grid = grid_of_twelve();
+  Requirement requirement = minimum_at_least(0.1);
+  requirement.direct_only = true;
+  for (const Metric metric : {Metric::uniformity_min_avg, Metric::uniformity_min_max}) {
+    requirement.metric = metric;
+    requirement.mask = {"inner", {{MaskStep::inset, 0.6, 0, 0}}};
+    EXPECT_TRUE(measure(requirement, grid, field_of_twelve(), {}, 0.95).metric) << "two points";
+  }
+  calc::SensorGrid one = grid;
+  calc::PlaneField field = field_of_twelve();
+  one.position_m.resize(1);
+  one.column.resize(1);
+  one.row.resize(1);
+  one.normal.resize(std::min<std::size_t>(one.normal.size(), 1));
+  field.points = 1;
+  field.direct_exact_lx.resize(1);
+  requirement.mask = {};
+  for (const Metric metric : {Metric::uniformity_min_avg, Metric::uniformity_min_max}) {
+    requirement.metric = metric;
+    const Measurement result = measure(requirement, one, field, {}, 0.95);
+    EXPECT_FALSE(result.metric);
+    EXPECT_THAT(result.reason, testing::HasSubstr("a single point has no uniformity"));
+  }
+  requirement.metric = Metric::average;
+  EXPECT_TRUE(measure(requirement, one, field, {}, 0.95).metric);
+}
+
 TEST(Measure, AValueUnderAMaskIsThatOfItsPoint) {
   const calc::SensorGrid grid = grid_of_twelve();
   Requirement requirement = minimum_at_least(1);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,17 @@ struct Covered {
   }
 };
 
-Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
-              const std::vector<RulePack>& packs = builtin_rule_packs(),
-              const std::string& today = "2027-01-01") {
+const std::string kRoom = "<room id='r' size='12 8 3' ceiling='m' walls='m' floor='m'>";
+
+// room: "" for the open space.
+Covered cover_in(const std::string& room, const std::string& inside, Verdict verdict,
+                 const std::vector<RulePack>& packs, const std::string& today) {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.7'/>"
       "<luminaire-type id='spot' photometry='spot.ies'/><scene id='em'><dim group='e' level='1'/>"
-      "</scene><room id='r' size='12 8 3' ceiling='m' walls='m' floor='m'>" +
-      inside + "<luminaire id='l' type='spot' position='6 4 2.9' group='e'/></room></luxgate>";
+      "</scene>" +
+      room + inside + "<luminaire id='l' type='spot' position='6 4 2.9' group='e'/>" +
+      (room.empty() ? "" : "</room>") + "</luxgate>";
   calc::Diagnostics diagnostics;
   Covered covered;
   const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
@@ -67,6 +71,16 @@ Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
   }
   covered.rows = row_coverage(space, planes, packs, today);
   return covered;
+}
+
+Covered cover(const std::string& inside, Verdict verdict = Verdict::pass,
+              const std::vector<RulePack>& packs = builtin_rule_packs(),
+              const std::string& today = "2027-01-01") {
+  return cover_in(kRoom, inside, verdict, packs, today);
+}
+
+Covered cover_open(const std::string& inside) {
+  return cover_in("", inside, Verdict::pass, builtin_rule_packs(), "2027-01-01");
 }
 
 const std::string kTask =
@@ -232,6 +246,62 @@ TEST(RowCoverage, WhatARowDoesNotRequireIsNotMissed) {
     EXPECT_FALSE(role.starts_with("ceiling")) << role;
     EXPECT_FALSE(role.starts_with("modelling")) << "advice";
   }
+}
+
+std::string wall_plane(const std::string& on) {
+  return "<plane id='" + on + "' on='" + on +
+         "' margin='0.5'><require pack='en12464-1:2021' row='34.2' role='wall'/></plane>";
+}
+
+const RoleCoverage& role_of(const Covered& covered, const std::string& role) {
+  const auto& roles = covered.rows.at(0).roles;
+  return *std::find_if(roles.begin(), roles.end(),
+                       [&](const RoleCoverage& one) { return one.role == role; });
+}
+
+// All that 34.2 asks for but for the walls.
+const std::string kAllButWalls =
+    kTask +
+    "<plane id='s' height='0.75' margin='0.5'><require pack='en12464-1:2021' row='34.2' "
+    "role='surround'/></plane>"
+    "<plane id='b' height='0' margin='0.5'><require pack='en12464-1:2021' row='34.2' "
+    "role='background'/></plane>"
+    "<plane id='c' on='ceiling' margin='0.5'><require pack='en12464-1:2021' row='34.2' "
+    "role='ceiling'/></plane>"
+    "<plane id='z' height='1.2' margin='0.5' quantity='cylindrical'><require "
+    "pack='en12464-1:2021' row='34.2' role='cylinder'/></plane>"
+    "<plane id='e' height='1.2' margin='0.5' quantity='ugr' direction='1 0 0'><require "
+    "pack='en12464-1:2021' row='34.2' role='observer'/></plane>";
+
+TEST(RowCoverage, OneWallIsNotAllWalls) {
+  const Covered one = cover(kAllButWalls + wall_plane("wall1") + wall_plane("wall3"));
+  EXPECT_EQ(role_of(one, "wall").state, RoleState::asked_in_part);
+  EXPECT_EQ(role_of(one, "wall").words, "without r.wall2, r.wall4");
+  EXPECT_EQ(role_of(one, "wall").of.size(), 4u);
+  EXPECT_FALSE(one.rows.at(0).is_whole());
+  EXPECT_FALSE(one.rows.at(0).is_met());
+  const Covered all = cover(kAllButWalls + wall_plane("wall1") + wall_plane("wall2") +
+                            wall_plane("wall3") + wall_plane("wall4"));
+  EXPECT_EQ(role_of(all, "wall").state, RoleState::met) << role_of(all, "wall").words;
+  EXPECT_TRUE(all.rows.at(0).is_whole());
+  EXPECT_TRUE(all.rows.at(0).is_met());
+}
+
+// A plane that is asked for something else, or in another row, covers no wall of this one.
+TEST(RowCoverage, AWallOfAnotherRowIsNotOfThisOne) {
+  const std::string other =
+      "<plane id='o' on='wall2' margin='0.5'><require pack='en12464-1:2021' row='34.7' "
+      "role='wall'/></plane>";
+  const Covered covered = cover(wall_plane("wall1") + other);
+  EXPECT_EQ(role_of(covered, "wall").words, "without r.wall2, r.wall3, r.wall4");
+}
+
+TEST(RowCoverage, OutdoorsItIsNotKnownWhatWallsThereAre) {
+  const Covered covered = cover_open(
+      "<plane id='p' origin='0 0 0' u='0 0 3' v='4 0 0'><require pack='en12464-1:2021' row='34.2' "
+      "role='wall'/></plane>");
+  EXPECT_EQ(role_of(covered, "wall").state, RoleState::asked_in_part);
+  EXPECT_EQ(role_of(covered, "wall").words, "it is not known what walls there are");
 }
 
 TEST(RowCoverage, RowsAndWorkplacesAreApart) {

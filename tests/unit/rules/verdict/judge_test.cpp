@@ -238,7 +238,9 @@ TEST(Judge, TakesAPlaceOnTheEdgeOfACell) {
 TEST(Judge, DoesNotJudgeAPlaceWithoutACalculationPoint) {
   const calc::PlaneField field = exact_field({500, 300, 400});
   const std::string nearest = "; nearest is at (2.500, 0.250, 0.750) m";
-  const std::string none = "no calculation point within half a cell (0.500 x 0.250 m) of ";
+  const std::string none =
+      "no calculation point within half a cell (0.500 x 0.250 m) along the plane and 0.05 m across "
+      "it of ";
   const Finding along = judge(value_at({3.1, 0.25, 0.75}), field);
   EXPECT_EQ(along.verdict, Verdict::not_judged);
   EXPECT_EQ(along.reason, none + "(3.100, 0.250, 0.750) m" + nearest);

@@ -1,0 +1,168 @@
+#include "rules/fitness/covered_surface.h"
+
+#include "calc/scene/polygon.h"
+#include "rules/fitness/place_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace rules {
+namespace {
+
+constexpr int kPlacesPerSide = 64;
+constexpr double kSameEdge_m = 1e-6;
+
+struct FlatBounds {
+  glm::dvec2 low{0.0}, high{0.0};
+};
+
+FlatBounds bounds_of(const std::vector<glm::dvec2>& outline_m) {
+  FlatBounds bounds{outline_m.front(), outline_m.front()};
+  for (const glm::dvec2& corner : outline_m) {
+    bounds.low = glm::min(bounds.low, corner);
+    bounds.high = glm::max(bounds.high, corner);
+  }
+  return bounds;
+}
+
+// Inside the outline, and not nearer to it than the strip is wide.
+bool is_inside(const std::vector<glm::dvec2>& outline_m, const glm::dvec2& place, double strip_m) {
+  if (!calc::contains_point(outline_m, place)) return false;
+  return !(strip_m > 0.0) || calc::distance_to_boundary(outline_m, place) >= strip_m - kSameEdge_m;
+}
+
+// Cell centres of the surface without its strip, in its own axes.
+struct SurfacePlaces {
+  std::vector<glm::dvec2> place_m;
+  double cell_m2 = 0.0;
+};
+
+SurfacePlaces places_on(const RoomSurface& surface, double strip_m) {
+  SurfacePlaces places;
+  const FlatBounds bounds = bounds_of(surface.outline_m);
+  const glm::dvec2 low = bounds.low + strip_m, size_m = bounds.high - strip_m - low;
+  if (!(size_m.x > kSameEdge_m && size_m.y > kSameEdge_m)) return places;
+  const glm::dvec2 cell_m = size_m / static_cast<double>(kPlacesPerSide);
+  places.cell_m2 = cell_m.x * cell_m.y;
+  for (int row = 0; row < kPlacesPerSide; ++row) {
+    for (int column = 0; column < kPlacesPerSide; ++column) {
+      const glm::dvec2 place = low + cell_m * glm::dvec2(column + 0.5, row + 0.5);
+      if (is_inside(surface.outline_m, place, strip_m)) places.place_m.push_back(place);
+    }
+  }
+  return places;
+}
+
+// Whether the area can lie on the surface: along it, and not all of it before or behind it.
+bool is_near(const calc::PlanarArea& area, const RoomSurface& surface) {
+  constexpr double kParallel = 0.966;  // cosine, 15 degrees
+  const glm::dvec3 face = glm::cross(surface.u, surface.v);
+  if (std::abs(glm::dot(face, area.normal())) < kParallel) return false;
+  double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
+  for (const glm::dvec2& corner : area.outline_m) {
+    const glm::dvec3 place = area.origin_m + corner.x * area.u + corner.y * area.v;
+    const double off_m = glm::dot(place - surface.origin_m, face);
+    least_m = std::min(least_m, off_m);
+    most_m = std::max(most_m, off_m);
+  }
+  constexpr double kFar_m = 2.0 * kLift_m;
+  return least_m <= kFar_m && most_m >= -kFar_m;
+}
+
+class AreaOnSurface {
+ public:
+  AreaOnSurface(const calc::PlanarArea& area, const RoomSurface& surface)
+      : area_(area), surface_(surface) {}
+
+  // Whether a place of the surface lies in the area, without a strip along its outline.
+  bool covers(const glm::dvec2& place, double own_strip_m) const {
+    const glm::dvec3 offset_m =
+        surface_.origin_m + place.x * surface_.u + place.y * surface_.v - area_.origin_m;
+    if (std::abs(glm::dot(offset_m, area_.normal())) > kLift_m + kSameEdge_m) return false;
+    const glm::dvec2 flat(glm::dot(offset_m, area_.u), glm::dot(offset_m, area_.v));
+    return is_inside(area_.outline_m, flat, own_strip_m) &&
+           std::none_of(area_.holes_m.begin(), area_.holes_m.end(),
+                        [&](const auto& hole) { return calc::contains_point(hole, flat); });
+  }
+
+  // Areas smaller than what lies between two places of the surface: by places of their own, off
+  // their corners, which may touch the next surface.
+  bool has_place_on_surface() const {
+    glm::dvec2 middle(0.0);
+    for (const glm::dvec2& corner : area_.outline_m) middle += corner;
+    middle /= static_cast<double>(area_.outline_m.size());
+    return std::any_of(area_.outline_m.begin(), area_.outline_m.end(), [&](const auto& corner) {
+      const glm::dvec2 own = 0.5 * (middle + corner);
+      const glm::dvec3 offset_m =
+          area_.origin_m + own.x * area_.u + own.y * area_.v - surface_.origin_m;
+      const glm::dvec3 face = glm::cross(surface_.u, surface_.v);
+      return std::abs(glm::dot(offset_m, face)) <= kLift_m + kSameEdge_m &&
+             calc::contains_point(surface_.outline_m, glm::dvec2(glm::dot(offset_m, surface_.u),
+                                                                 glm::dot(offset_m, surface_.v)));
+    });
+  }
+
+ private:
+  const calc::PlanarArea& area_;
+  const RoomSurface& surface_;
+};
+
+// Its first vertices are the corners of its outline, in their order; what covers it may have added
+// more (calc/project/coincident_surfaces.h).
+RoomSurface surface_of(const calc::Body& body, std::size_t corners) {
+  const glm::dvec3 origin_m = body.vertex_m.at(0);
+  const glm::dvec3 u = glm::normalize(body.vertex_m.at(1) - origin_m);
+  const glm::uvec3& first = body.triangle.at(0);
+  const glm::dvec3 normal =
+      glm::normalize(glm::cross(body.vertex_m.at(first.y) - body.vertex_m.at(first.x),
+                                body.vertex_m.at(first.z) - body.vertex_m.at(first.x)));
+  RoomSurface surface{body.id, origin_m, u, glm::cross(normal, u), {}};
+  for (std::size_t i = 0; i < corners; ++i) {
+    const glm::dvec3& corner = body.vertex_m.at(i);
+    surface.outline_m.emplace_back(glm::dot(corner - origin_m, surface.u),
+                                   glm::dot(corner - origin_m, surface.v));
+  }
+  return surface;
+}
+
+}  // namespace
+
+std::vector<RoomSurface> surfaces_of(const calc::Space& space, std::string_view part) {
+  std::vector<RoomSurface> surfaces;
+  if (!space.shell) return surfaces;
+  for (const calc::Body& body : space.bodies) {
+    if (!is_part(body.id, part)) continue;
+    const bool is_wall = is_part(body.id, ".wall");
+    surfaces.push_back(surface_of(body, is_wall ? 4 : space.shell->footprint_m.size()));
+  }
+  return surfaces;
+}
+
+bool has_inside(const RoomSurface& surface, double strip_m) {
+  return !places_on(surface, strip_m).place_m.empty();
+}
+
+std::vector<CoveredSurface> covered_surfaces(const calc::PlanarArea& area, double own_strip_m,
+                                             const std::vector<RoomSurface>& surfaces,
+                                             double strip_m) {
+  std::vector<CoveredSurface> covered;
+  for (const RoomSurface& surface : surfaces) {
+    if (!is_near(area, surface)) continue;
+    const SurfacePlaces places = places_on(surface, strip_m);
+    if (places.place_m.empty()) continue;
+    const AreaOnSurface on(area, surface);
+    std::size_t touched = 0, counted = 0;
+    for (const glm::dvec2& place : places.place_m) {
+      touched += on.covers(place, 0.0) ? 1 : 0;
+      counted += on.covers(place, own_strip_m) ? 1 : 0;
+    }
+    if (touched == 0 && !on.has_place_on_surface()) continue;
+    const double all = static_cast<double>(places.place_m.size());
+    covered.push_back({surface.id, all * places.cell_m2, static_cast<double>(counted) / all});
+  }
+  return covered;
+}
+
+}  // namespace rules
