@@ -477,6 +477,18 @@ TEST(Fitness, AWallInPiecesIsCoveredPieceByPiece) {
   EXPECT_THAT(aspects("origin='10 0 0' u='-10 0 0' v='0 0 3' margin='0.5'"), ElementsAre("place"));
 }
 
+// The surfaces of a room are cut where a window lies in them, and are still those surfaces.
+TEST(Fitness, AWallWithAWindowDrawnInItIsAWall) {
+  const std::string room =
+      "<material id='glass' reflectance='0.1'/><room id='r' size='12 8 3' ceiling='m' walls='m' "
+      "floor='m'><quad id='w' origin='1 0 1' u='9 0 0' v='0 0 1' material='glass'/>";
+  const auto aspects = [&](const std::string& plane) {
+    return fit({plane, kDeskWork + " role='wall'", "", room}).aspects("wall.Em");
+  };
+  EXPECT_THAT(aspects("on='wall1' margin='0.5'"), IsEmpty());
+  EXPECT_THAT(aspects("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'"), ElementsAre("place"));
+}
+
 // The formula gives what a mask leaves a closer grid than the whole.
 TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
   const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
