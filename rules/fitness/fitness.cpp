@@ -5,6 +5,7 @@
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/scene/plane_place.h"
+#include "calc/scene/polygon.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
@@ -354,6 +355,18 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
   return ids;
 }
 
+// Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
+// it, but who reads the verdict must see it.
+std::string speck_words(const calc::CalcPlane& plane) {
+  constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
+  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
+  if (area == nullptr) return {};
+  double area_m2 = std::abs(calc::signed_area(area->outline_m));
+  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
+  if (!(area_m2 < kSpeck_m2)) return {};
+  return fmt::format("the plane has only {:.2g} m2", std::max(area_m2, 0.0));
+}
+
 std::string maintenance_problem(const FitContext& context, const Requirement& requirement) {
   if (requirement.state == LightState::initial || is_of_space(requirement.metric)) return {};
   const std::vector<std::string> ids = types_without_factor(context);
@@ -421,6 +434,7 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
         pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {
+      add_words(requirement.note, speck_words(context.plane));
       requirement.deviations =
           fit.deviations({*pack, *check, pack->find_row(requirement.origin.row), *role});
     }

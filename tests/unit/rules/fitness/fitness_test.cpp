@@ -489,6 +489,16 @@ TEST(Fitness, AWallWithAWindowDrawnInItIsAWall) {
   EXPECT_THAT(aspects("origin='8 0 0' u='-8 0 0' v='0 0 3' margin='0.5'"), ElementsAre("place"));
 }
 
+TEST(Fitness, ASpeckIsSaid) {
+  EXPECT_EQ(fit({"origin='2 2 0.75' u='0.02 0 0' v='0 0.02 0'", kDeskWork}).first().note,
+            "the plane has only 0.0004 m2");
+  EXPECT_EQ(fit({"origin='2 2 0.75' u='0.4 0 0' v='0 0.3 0'", kDeskWork}).first().note, "");
+  EXPECT_EQ(fit({"origin='2 2 0.75' u='0.02 0 0' v='0 0.02 0'", "quantity='average' at-least='1'"})
+                .first()
+                .note,
+            "");
+}
+
 // The formula gives what a mask leaves a closer grid than the whole.
 TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
   const Fitted fitted = fit({"on='wall1'", kDeskWork + " role='wall'"});
