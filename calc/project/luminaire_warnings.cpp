@@ -50,6 +50,25 @@ void warn_luminaires_outside(const Space& room, Diagnostics& diagnostics) {
   });
 }
 
+// In a wall, the floor or the ceiling, and turned the wrong way.
+void warn_surfaces_that_face_out(const Project& project, const Space& room,
+                                 Diagnostics& diagnostics) {
+  constexpr double kBefore_m = 0.01;
+  PerElement outwards;
+  for (const Luminaire& luminaire : room.luminaires) {
+    const LuminaireType& type = project.luminaire_types[luminaire.type];
+    const bool is_surface = type.photometry_file.empty();  // all others come from a file
+    if (!is_surface || !room_contains(*room.shell, luminaire.position_m)) continue;
+    const glm::dvec3 before_m =
+        luminaire.position_m - kBefore_m * luminaire.world_from_luminaire[2];
+    if (!room_contains(*room.shell, before_m)) outwards.add(luminaire.id, luminaire.where);
+  }
+  outwards.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::luminous_surface_faces_out, first.where, first.id,
+                       and_others(first.others), room.id);
+  });
+}
+
 // The outermost points of the opening as seen from below, in the world.
 std::vector<glm::dvec3> opening_edge_m(const LuminousOpening& opening, const Luminaire& luminaire) {
   const LuminousOpening flat = flattened(opening);
@@ -302,6 +321,7 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
   if (space.shell) {
     warn_luminaires_outside(space, diagnostics);
     warn_luminaires_partly_outside(project, space, diagnostics);
+    warn_surfaces_that_face_out(project, space, diagnostics);
   }
   warn_luminaires_in_solids(space, diagnostics);
   warn_luminaires_partly_in_solids(project, space, diagnostics);

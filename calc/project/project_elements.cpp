@@ -314,7 +314,9 @@ const std::vector<AttributeRow> kLuminousAttributes{
 
 const ElementRow kQuadElement{
     .type = "quad",
-    .meaning = "A parallelogram with the sides u and v.",
+    .meaning =
+        "A parallelogram with the sides u and v. Where it lies exactly in a surface of the room or "
+        "of a box, it covers that.",
     .attributes = {
         kIdAttribute,
         {"origin", &kVectorType, required},
@@ -594,7 +596,7 @@ material ids (required); wall-materials: one id per wall, instead of "walls" for
 
 Or a space of a gbXML file, in the building's coordinates: file and space (its id) instead of all of these; each
 map gives the surfaces of one surfaceType, or the openings of one openingType, a material, the attribute
-"material" all others. Every surface next to the space counts, without its openings, which are surfaces of their
+"material" all others but Air, where nothing stands. Every surface next to the space counts, without its openings, which are surfaces of their
 own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in such a room cannot be given by
 "on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.)",
     .attributes = {{"id", &kRoomIdType, required},

@@ -282,6 +282,17 @@ TEST(ProjectWarnings, ALuminaireThatIsPartlyInASolid) {
   EXPECT_THAT(at("11.7 1 2.2"), Not(HasSubstr("in-solid"))) << "beside it";
 }
 
+TEST(ProjectWarnings, ALuminousSurfaceThatFacesOutOfItsRoom) {
+  const auto ceiling = [](const std::string& u, const std::string& v, const std::string& z) {
+    return messages(in_room("<quad id='sky' origin='1 1 " + z + "' u='" + u + "' v='" + v +
+                            "' material='white' luminous-exitance='500'/>"));
+  };
+  EXPECT_THAT(ceiling("1 0 0", "0 1 0", "2.5"),
+              HasSubstr("the luminous surface 'sky' faces out of room 'r'"));
+  EXPECT_THAT(ceiling("0 1 0", "1 0 0", "2.5"), Not(HasSubstr("faces-out")));
+  EXPECT_THAT(ceiling("1 0 0", "0 1 0", "2.4"), Not(HasSubstr("faces-out")));
+}
+
 TEST(ProjectWarnings, TheSameSurfaceOrTheSameFileTwice) {
   const auto quad = [](const std::string& id) {
     return "<quad id='" + id +
