@@ -234,6 +234,8 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
   const Luminaire *first = nullptr, *pasted = nullptr;
   std::size_t others = 0;
   for (const Luminaire& luminaire : space.luminaires) {
+    // A second emitter of one product may be where its first one is.
+    if (!project.luminaire_types[luminaire.type].counts_as_luminaire()) continue;
     const Luminaire* same = places.like(luminaire);
     if (same == nullptr) {
       places.add(luminaire);

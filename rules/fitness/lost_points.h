@@ -15,8 +15,8 @@ struct LostPoints {
   double share() const;  // [0, 1]
 };
 
-// Of those within the outline and its margin: what lies inside bodies, in their surfaces or beyond the walls; of a
-// route also where something stands in the way, or where nothing is walked on.
+// Of those within the outline and its margin: what lies inside bodies, in their surfaces or beyond
+// the walls; of a route also where something stands in the way, or where nothing is walked on.
 LostPoints lost_points(const calc::SensorGrid& grid);
 
 // "3 of 20 points lie in a surface that stands on the plane, the first in 'cupboard', and are

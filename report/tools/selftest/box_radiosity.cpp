@@ -27,6 +27,8 @@ double patch_mean(const Patch& patch, int n, Function&& value) {
   return sum / (n * n);
 }
 
+constexpr int kCoarse = 6, kFine = 9;
+
 }  // namespace
 
 DirectLight isotropic_light(double intensity_cd, const glm::dvec3& source) {
@@ -247,6 +249,18 @@ double BoxRadiosity::indirect_lx(const glm::dvec3& x, const glm::dvec3& n) const
   double sum = 0.0;
   for (const Patch& patch : patches_) sum += part_lx(patch, x, n);
   return sum;
+}
+
+BoxReference::BoxReference(const glm::dvec3& size, const FaceReflectances& rho,
+                           const DirectLight& direct)
+    : coarse_(size, rho, direct, kCoarse), fine_(size, rho, direct, kFine) {}
+
+KnownValue BoxReference::indirect_lx(const glm::dvec3& x, const glm::dvec3& n) const {
+  constexpr double kFloor = 3e-4;  // of the sums between the patches' centres
+  constexpr double kLeft = static_cast<double>(kCoarse) / (kFine - kCoarse);
+  const double fine_lx = fine_.indirect_lx(x, n);
+  const double difference = std::abs(coarse_.indirect_lx(x, n) / fine_lx - 1.0);
+  return {fine_lx, kLeft * difference + kFloor};
 }
 
 }  // namespace cli::selftest

@@ -32,13 +32,11 @@ struct RoomTruth {
 
   RoomTruth() {
     const DirectLight direct = isotropic_light(kCd, kLamp);
-    const BoxRadiosity coarse(kRoom, same_on_all(kRho), direct, 6);
-    const BoxRadiosity fine(kRoom, same_on_all(kRho), direct, 9);
+    const BoxReference reference(kRoom, same_on_all(kRho), direct);
     for (const Point& p : room_points()) {
-      const double indirect = fine.indirect_lx(p.position_m, p.normal);
-      const double other = coarse.indirect_lx(p.position_m, p.normal);
-      total_lx.push_back(indirect + direct(p.position_m, p.normal));
-      known_to.push_back(mesh_error(other, indirect) * indirect / total_lx.back());
+      const KnownValue indirect = reference.indirect_lx(p.position_m, p.normal);
+      total_lx.push_back(indirect.value + direct(p.position_m, p.normal));
+      known_to.push_back(indirect.known_to * indirect.value / total_lx.back());
     }
   }
 };

@@ -125,21 +125,21 @@ CaseResult integrating_sphere(const Effort& effort) {
   return result;
 }
 
-// Points of a box against the matrix solution; two meshes say how well it is known.
+// Points of a box against the matrix solution; which says how well it is known.
 CaseResult box_points(const glm::dvec3& size, const FaceReflectances& rho,
                       const calc::PhotometricWeb& web, const glm::dvec3& lamp,
                       const DirectLight& direct, const std::vector<Point>& points,
                       const Effort& effort) {
-  const BoxRadiosity coarse(size, rho, direct, 6), fine(size, rho, direct, 9);
+  const BoxReference reference(size, rho, direct);
   Scene scene;
   scene.add_box({0, 0, 0}, size, rho);
   scene.add_luminaire(web, lamp);
   std::vector<double> exact;
   CaseResult result;
   for (const Point& p : points) {
-    exact.push_back(fine.indirect_lx(p.position_m, p.normal));
-    const double other = coarse.indirect_lx(p.position_m, p.normal);
-    result.known_each.push_back(mesh_error(other, exact.back()));
+    const KnownValue indirect = reference.indirect_lx(p.position_m, p.normal);
+    exact.push_back(indirect.value);
+    result.known_each.push_back(indirect.known_to);
   }
   Effort more = effort;
   more.paths = 4096;
@@ -211,7 +211,7 @@ CaseResult plates(const Effort& effort) {
                ? exitance * rectangle_factor(x, n, ceiling.corner, ceiling.u, ceiling.v)
                : 0.0;
   };
-  const BoxRadiosity coarse({wide, wide, 1}, rho, direct, 6), fine({wide, wide, 1}, rho, direct, 9);
+  const BoxReference reference({wide, wide, 1}, rho, direct);
   const std::vector<Point> points = {{{0.5 * wide, 0.5 * wide, 0.0}, kUp},
                                      {{0.4 * wide, 0.6 * wide, 0.5}, kUp},
                                      {{0.5 * wide, 0.45 * wide, 1.0}, kDown}};
@@ -219,9 +219,9 @@ CaseResult plates(const Effort& effort) {
   CaseResult result;
   for (const Point& p : points) {
     const double first = direct(p.position_m, p.normal);
-    exact.push_back(first + fine.indirect_lx(p.position_m, p.normal));
-    const double other = first + coarse.indirect_lx(p.position_m, p.normal);
-    result.known_each.push_back(mesh_error(other, exact.back()));
+    const KnownValue indirect = reference.indirect_lx(p.position_m, p.normal);
+    exact.push_back(first + indirect.value);
+    result.known_each.push_back(indirect.known_to * indirect.value / exact.back());
   }
   result.labels = {"middle of the floor", "half-way up", "middle of the ceiling"};
   Effort more = effort;

@@ -1,5 +1,5 @@
-#include "calc/base/file_reader.h"
 #include "calc/meshes/gbxml.h"
+#include "calc/base/file_reader.h"
 #include "tests/support/gbxml_samples.h"
 #include "tests/support/mesh_samples.h"
 

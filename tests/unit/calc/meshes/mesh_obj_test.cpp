@@ -1,5 +1,5 @@
-#include "calc/base/file_reader.h"
 #include "calc/meshes/mesh_obj.h"
+#include "calc/base/file_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -33,6 +33,8 @@ const std::vector<MessageCase> kCases{
      "dir/p.xml:4:1: error[missing-attribute]: <material> needs the attribute 'reflectance'"},
     {"EmptyAttribute", in_project(R"(<material id="" reflectance="0.1"/>)"),
      "dir/p.xml:4:11: error[empty-attribute]: attribute 'id' of <material> must not be empty"},
+    {"BlankGroup", in_room(R"(<luminaire id="k" type="spot" position="2 1.5 2.5" group=" "/>)"),
+     "dir/p.xml:5:52: error[empty-attribute]: attribute 'group' of <luminaire> must not be empty"},
     {"BadId", in_project(R"(<material id="dark wood" reflectance="0.1"/>)"),
      "dir/p.xml:4:11: error[not-an-id]: attribute 'id' of <material>: 'dark wood' is not an id; "
      "allowed are the letters A-Z and a-z, digits, and _ . : -"},

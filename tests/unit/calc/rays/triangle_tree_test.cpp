@@ -1,9 +1,9 @@
 // The tree against every triangle tried one by one: the same answers, to the bit. ctest runs these
 // under every instruction set that the processor has.
 
+#include "calc/rays/triangle_tree.h"
 #include "calc/base/triangle.h"
 #include "calc/rays/instruction_set.h"
-#include "calc/rays/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

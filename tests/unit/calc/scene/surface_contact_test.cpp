@@ -1,6 +1,6 @@
+#include "calc/scene/surface_contact.h"
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "calc/scene/surface_contact.h"
 
 #include <gtest/gtest.h>
 

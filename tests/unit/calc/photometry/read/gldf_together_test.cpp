@@ -19,6 +19,7 @@ namespace {
 using test_support::GldfSample;
 using test_support::zip_bytes;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string object(const std::string& name, const std::string& position,
                    const std::string& rotation) {
@@ -30,17 +31,20 @@ std::string object(const std::string& name, const std::string& position,
 const std::string kZero = "x='0' y='0' z='0'";
 
 // "down" at (1, 0, 2) and "up" at (1, 0, 3), turned over about x; the latter behind a joint.
-std::string l3d(const std::string& up_name = "up") {
+std::string structure_xml(const std::string& up_name) {
   const std::string joint =
       "<Joints><Joint partName='j'><Position x='0' y='0' z='1'/><Rotation " + kZero +
       "/><DefaultRotation x='180' y='0' z='0'/><Geometries><Geometry partName='head'><Position " +
       kZero + "/><Rotation " + kZero + "/>" + object(up_name, kZero, kZero) +
       "</Geometry></Geometries></Joint></Joints>";
-  return zip_bytes({{"structure.xml",
-                     "<Luminaire><Structure><Geometry partName='base'><Position x='1' y='0' "
-                     "z='2'/><Rotation " +
-                         kZero + "/>" + object("down", kZero, "x='0' y='0' z='90'") + joint +
-                         "</Geometry></Structure></Luminaire>"}});
+  return "<Luminaire><Structure><Geometry partName='base'><Position x='1' y='0' z='2'/>"
+         "<Rotation " +
+         kZero + "/>" + object("down", kZero, "x='0' y='0' z='90'") + joint +
+         "</Geometry></Structure></Luminaire>";
+}
+
+std::string l3d(const std::string& up_name = "up") {
+  return zip_bytes({{"structure.xml", structure_xml(up_name)}});
 }
 
 GldfSample two_emitters() {
@@ -244,6 +248,31 @@ TEST(GldfTogether, ALuminaireOfTwoEmittersCountsOnce) {
   EXPECT_EQ(luminaires_of_type(project, 0), 2);
   EXPECT_NEAR(luminaire_flux_lm(project, project.luminaire_types[0]), 2000.0, 3.0);
   EXPECT_FALSE(project.luminaire_types[1].counts_as_luminaire());
+}
+
+TEST(GldfTogether, EmittersAtOnePlaceAreNotALuminairePastedTwice) {
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  std::string same = structure_xml("up");
+  same = replaced(same, "<Position x='0' y='0' z='1'/>", "<Position x='0' y='0' z='0'/>");
+  same = replaced(same, "<DefaultRotation x='180'", "<DefaultRotation x='0'");
+  const auto warnings = [&](const std::string& luminaires) {
+    Diagnostics diagnostics;
+    const std::string xml =
+        "<luxgate version='1'><material id='m' reflectance='0.5'/>"
+        "<luminaire-type id='t' photometry='a.gldf' emitter='all' maintenance-factor='0.8'/>"
+        "<room id='r' size='4 4 4' floor='m' ceiling='m' walls='m'>" +
+        luminaires + "<plane id='p' height='0.8'/></room></luxgate>";
+    const MemoryFileReader files(
+        {{"p.xml", xml}, {"a.gldf", gldf(two_emitters(), zip_bytes({{"structure.xml", same}}))}});
+    EXPECT_TRUE(load_project(files, "p.xml", diagnostics));
+    return test_support::diagnostics_text(diagnostics);
+  };
+  const std::string one = "<luminaire id='L' type='t' position='2 2 1.5'/>";
+  EXPECT_THAT(warnings(one), Not(HasSubstr("luminaires-coincide")));
+  EXPECT_THAT(warnings(one + "<luminaire id='M' type='t' position='2 2 1.5'/>"),
+              HasSubstr("luminaires-coincide"));
 }
 
 TEST(GldfTogether, TheLuminaireTurnsAsAWhole) {
