@@ -156,9 +156,9 @@ PlaneWork::ShortRays PlaneWork::cast_short_rays(std::size_t first_tile, std::siz
 
 std::uint64_t PlaneWork::add_near(const ReceiverGroup& tile, const VertexBatch& batch,
                                   const FirstHit* first_hits, TileSums& sums) const {
-  const NearField field{tracer_,          *batch.near_bound,      batch.tree,
-                        batch.bounds,     batch.global_cut,       channels(),
-                        batch.deadline_s, batch.has_endless_chain};
+  const NearField field{tracer_,    *batch.near_bound, batch.luminaires,
+                        batch.tree, batch.bounds,      batch.global_cut,
+                        channels(), batch.deadline_s,  batch.has_endless_chain};
   std::uint64_t rays = 0;
   for (std::size_t k = 0; k < tile.point.size(); ++k) {
     const NearFieldRequest request = near_request(tile, k, batch);

@@ -34,6 +34,7 @@ struct VertexBatch {
   const VertexTree& tree;
   const VertexBounds& bounds;
   const GeometryBound* near_bound;  // null: no near field
+  const LuminaireChoice& luminaires;
   const Cut& global_cut;            // continues short rays
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
@@ -146,6 +147,7 @@ class PlaneWork {
   std::vector<std::uint32_t> rounds_;             // [point]
   std::vector<float> largest_opening_lx_;         // [point], largest sample of a round
   std::vector<std::uint8_t> has_hidden_opening_;  // [point], 1: some sample was not seen
+  std::vector<std::uint8_t> has_seen_opening_;    // [point], 1: some sample was
   std::uint32_t most_rounds_ = 0;
   std::vector<double> indirect_sum_lx_;  // [r][c][p], sum over batches of estimate times paths
   std::vector<std::uint64_t> paths_;     // [point], per replicate
