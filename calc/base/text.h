@@ -15,6 +15,8 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // Splits at blanks, tabs and line ends; no empty parts.
 std::vector<std::string_view> split_words(std::string_view text);
 std::string_view trim(std::string_view text);
+// A to Z as a to z, all else as it is.
+std::string ascii_lowered(std::string_view text);
 
 // A finite decimal number that fills the whole text ("1.5", "-2e3"); no nan, inf, hex or trailing
 // text.

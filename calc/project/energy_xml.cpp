@@ -1,5 +1,6 @@
 #include "calc/project/energy_xml.h"
 
+#include "calc/base/text.h"
 #include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ void read_part(const XmlElement& element, const GroupNames& groups, IdTable& see
                Diagnostics& diagnostics) {
   ElementReader reader(element, diagnostics);
   reader.allow(kEnergyPartElement);
-  const std::string group = reader.text("group");
+  const std::string group(trim(reader.text("group")));
   const EnergyFactors factors = read_factors(reader);
   if (!factors.occupancy && !factors.daylight && !factors.constant_illuminance && reader.ok()) {
     reader.report(DiagnosticId::missing_form, reader.where(), "part",

@@ -24,13 +24,23 @@ std::vector<std::string> types_in(const GbxmlBuilding& building) {
   return {types.begin(), types.end()};
 }
 
+constexpr const char* kOpenBoundary = "Air";
+
 void add_bodies(GbxmlRoom room, const MaterialMap& materials, ElementReader& reader, Space& space) {
   std::vector<std::string> missing;
   for (GbxmlPart& part : room.part) {
-    const std::optional<std::uint32_t> material = materials.find(part.type);
+    // Nothing stands there: what all surfaces are made of does not fit it.
+    const bool is_open = part.type == kOpenBoundary && !materials.of_name.contains(kOpenBoundary);
+    const std::optional<std::uint32_t> material =
+        is_open ? std::nullopt : materials.find(part.type);
     if (!material) {
       const std::string words =
-          part.type.empty() ? "surfaces without a type" : "'" + part.type + "'";
+          part.type.empty() ? "surfaces without a type"
+          : is_open         ? fmt::format(
+                                  "'{}', an open boundary that 'material' does not cover: map it to "
+                                          "a black material, which takes in what leaves there",
+                                  kOpenBoundary)
+                    : "'" + part.type + "'";
       if (std::find(missing.begin(), missing.end(), words) == missing.end()) {
         missing.push_back(words);
       }

@@ -1,5 +1,6 @@
 #include "calc/project/library_xml.h"
 
+#include "calc/base/text.h"
 #include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
@@ -134,7 +135,7 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
 // Empty if `name` was dimmed before.
 void read_dim(const ProjectContext& context, ElementReader& reader, LightScene& scene) {
   reader.allow(kDimElement);
-  const std::string group = reader.text("group");
+  const std::string group(trim(reader.text("group")));
   const double level = reader.number("level", kFraction);
   if (group.empty()) return;
   if (!context.groups.contains(group)) {
@@ -154,7 +155,7 @@ LightScene read_light_scene(const ProjectContext& context, ElementReader& reader
     if (child.name != "dim") continue;
     ElementReader dim(child, reader.diagnostics());
     read_dim(context, dim, scene);
-    groups.add(dim, dim.text_or("group", ""), 0);
+    groups.add(dim, std::string(trim(dim.text_or("group", ""))), 0);
   }
   return scene;
 }

@@ -93,6 +93,46 @@ void warn_luminaires_partly_outside(const Project& project, const Space& room,
   });
 }
 
+// A millimetre from its rim inwards: what is set into a surface, or stands at one, is not in it.
+bool reaches_into_solid(const LuminousOpening& opening, const Luminaire& luminaire,
+                        const Body& body, const BoundingBox& box) {
+  constexpr double kTolerated_m = 1.0e-3;
+  for (const glm::dvec3& point_m : opening_edge_m(opening, luminaire)) {
+    const glm::dvec3 inwards = luminaire.position_m - point_m;
+    const double reach_m = glm::length(inwards);
+    if (reach_m <= kTolerated_m) continue;
+    const glm::dvec3 inner_m = point_m + kTolerated_m / reach_m * inwards;
+    if (locate_point(body, box, inner_m) == SolidSide::inside) return true;
+  }
+  return false;
+}
+
+void warn_luminaires_partly_in_solids(const Project& project, const Space& space,
+                                      Diagnostics& diagnostics) {
+  PerElement partly;
+  std::map<std::pair<int, int>, std::string> solid;
+  for (const Body& body : space.bodies) {
+    if (!body.is_closed) continue;
+    const BoundingBox box = bounding_box(body.vertex_m);
+    for (const Luminaire& luminaire : space.luminaires) {
+      const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
+      const double reach_m = 0.5 * glm::length(web.opening().size_m());
+      if (!(reach_m > 0.0) ||
+          !BoundingBox{box.lower - reach_m, box.upper + reach_m}.contains(luminaire.position_m)) {
+        continue;
+      }
+      if (locate_point(body, box, luminaire.position_m) == SolidSide::inside) continue;
+      if (!reaches_into_solid(web.opening(), luminaire, body, box)) continue;
+      partly.add(luminaire.id, luminaire.where);
+      solid.try_emplace({luminaire.where.line, luminaire.where.column}, body.id);
+    }
+  }
+  partly.report([&](const FirstOfElement& first) {
+    diagnostics.report(DiagnosticId::luminaire_partly_in_solid, first.where, first.id,
+                       and_others(first.others), solid.at({first.where.line, first.where.column}));
+  });
+}
+
 void warn_luminaires_in_solids(const Space& space, Diagnostics& diagnostics) {
   PerElement buried;
   std::map<std::pair<int, int>, std::string> solid;
@@ -119,17 +159,30 @@ std::string luminaire_words(const Luminaire& luminaire) {
 
 constexpr double kSamePlace_m = 0.010;
 
-// Other types at one place are the direct and the indirect light of one luminaire, other aims the
+// Two types may name the same file; every luminous surface is a type of its own.
+bool have_same_light(const Project& project, std::size_t a, std::size_t b) {
+  if (a == b) return true;
+  const LuminaireType &first = project.luminaire_types[a], &second = project.luminaire_types[b];
+  const PhotometricWeb &one = project.webs[first.web], &other = project.webs[second.web];
+  return first.photometry_file == second.photometry_file && first.flux_scale == second.flux_scale &&
+         one.flux_lm() == other.flux_lm() && one.max_intensity_cd() == other.max_intensity_cd() &&
+         one.opening().size_m() == other.opening().size_m();
+}
+
+// Other light at one place is the direct and the indirect part of one luminaire, other aims are the
 // heads of one mast.
-bool is_same_luminaire(const Luminaire& a, const Luminaire& b) {
+bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
   constexpr double kSameAim = 0.99985;  // cosine of 1 degree
-  return a.type == b.type && glm::distance(a.position_m, b.position_m) < kSamePlace_m &&
+  return have_same_light(project, a.type, b.type) &&
+         glm::distance(a.position_m, b.position_m) < kSamePlace_m &&
          glm::dot(a.world_from_luminaire[2], b.world_from_luminaire[2]) > kSameAim;
 }
 
 // Looks luminaires up by place, in cells of the distance that counts as none.
 class Places {
  public:
+  explicit Places(const Project& project) : project_(project) {}
+
   const Luminaire* like(const Luminaire& luminaire) const {
     const Cell centre = cell_of(luminaire);
     for (int k = 0; k < 27; ++k) {
@@ -138,7 +191,7 @@ class Places {
                          std::get<2>(centre) + k / 9 - 1});
       if (found == in_cell_.end()) continue;
       for (const Luminaire* other : found->second) {
-        if (is_same_luminaire(*other, luminaire)) return other;
+        if (is_same_luminaire(project_, *other, luminaire)) return other;
       }
     }
     return nullptr;
@@ -152,11 +205,13 @@ class Places {
     const glm::dvec3& p = luminaire.position_m;
     return {index(p.x), index(p.y), index(p.z)};
   }
+  const Project& project_;
   std::map<Cell, std::vector<const Luminaire*>> in_cell_;
 };
 
-void warn_coincident_luminaires(const Space& space, Diagnostics& diagnostics) {
-  Places places;
+void warn_coincident_luminaires(const Project& project, const Space& space,
+                                Diagnostics& diagnostics) {
+  Places places(project);
   const Luminaire *first = nullptr, *pasted = nullptr;
   std::size_t others = 0;
   for (const Luminaire& luminaire : space.luminaires) {
@@ -249,7 +304,8 @@ void warn_luminaires(const Project& project, const Space& space, Diagnostics& di
     warn_luminaires_partly_outside(project, space, diagnostics);
   }
   warn_luminaires_in_solids(space, diagnostics);
-  warn_coincident_luminaires(space, diagnostics);
+  warn_luminaires_partly_in_solids(project, space, diagnostics);
+  warn_coincident_luminaires(project, space, diagnostics);
   warn_lamp_tilts(project, space, diagnostics);
   warn_cut_openings(project, space, diagnostics);
 }

@@ -57,7 +57,7 @@ Luminaire read_common(ProjectContext& context, ElementReader& reader, const Elem
   luminaire.world_from_luminaire = glm::dmat3(1.0);
   luminaire.where = reader.where();
   if (reader.has("group")) {
-    luminaire.group = reader.text("group");
+    luminaire.group = trim(reader.text("group"));
     context.groups.insert(luminaire.group);
   }
   reader.allow_children(row);

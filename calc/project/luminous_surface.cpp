@@ -1,6 +1,7 @@
 #include "calc/project/luminous_surface.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/project/frame.h"
 #include "calc/project/project_elements.h"
@@ -76,7 +77,7 @@ void add_luminous_surface(ProjectContext& context, ElementReader& reader,
   type.where = reader.where();
   Luminaire luminaire;
   if (reader.has("group")) {
-    luminaire.group = reader.text("group");
+    luminaire.group = trim(reader.text("group"));
     context.groups.insert(luminaire.group);
   }
   if (!reader.ok()) return;

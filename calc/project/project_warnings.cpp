@@ -1,5 +1,6 @@
 #include "calc/project/project_warnings.h"
 
+#include "calc/base/text.h"
 #include "calc/project/luminaire_warnings.h"
 #include "calc/project/plane_warnings.h"
 #include "calc/project/room_inside.h"
@@ -9,6 +10,11 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace calc {
@@ -71,15 +77,27 @@ void warn_objects_outside(const Space& room, Diagnostics& diagnostics) {
   });
 }
 
-glm::dvec3 centre_of(const Body& body) {
+bool reaches_into(const RoomShell& shell, const BoundingBox& room, const Body& body) {
   const BoundingBox box = bounding_box(body.vertex_m);
-  return 0.5 * (box.lower + box.upper);
+  if (glm::any(glm::greaterThan(box.lower, room.upper)) ||
+      glm::any(glm::lessThan(box.upper, room.lower))) {
+    return false;
+  }
+  for (const glm::uvec3& t : body.triangle) {
+    if (reaches_into(shell, {body.vertex_m[t.x], body.vertex_m[t.y], body.vertex_m[t.z]})) {
+      return true;
+    }
+  }
+  // The room may lie wholly within a body.
+  return body.is_closed &&
+         locate_point(body, box, 0.5 * (room.lower + room.upper)) == SolidSide::inside;
 }
 
 void warn_open_objects_in_room(const Space& open, const Space& room, Diagnostics& diagnostics) {
   PerElement bodies, luminaires;
+  const BoundingBox box = room_box(room);
   for (const Body& body : open.bodies) {
-    if (room_contains(*room.shell, centre_of(body))) bodies.add(body.id, body.where);
+    if (reaches_into(*room.shell, box, body)) bodies.add(body.id, body.where);
   }
   for (const Luminaire& luminaire : open.luminaires) {
     if (room_contains(*room.shell, luminaire.position_m)) {
@@ -96,6 +114,79 @@ void warn_open_objects_in_room(const Space& open, const Space& room, Diagnostics
   luminaires.report(warn_as("luminaire"));
 }
 
+void warn_rooms_that_overlap(const Project& project, Diagnostics& diagnostics) {
+  std::vector<const Space*> rooms;
+  std::vector<BoundingBox> box;
+  for (const Space& space : project.spaces) {
+    if (!space.shell) continue;
+    rooms.push_back(&space);
+    box.push_back(room_box(space));
+  }
+  using Pair = std::pair<const Space*, const Space*>;
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (glm::any(glm::greaterThan(box[i].lower, box[k].upper)) ||
+          glm::any(glm::lessThan(box[i].upper, box[k].lower))) {
+        continue;
+      }
+      if (share_space(*rooms[i]->shell, *rooms[k]->shell)) pairs.emplace_back(rooms[i], rooms[k]);
+    }
+  }
+  warn_of_first_few<Pair>(pairs, "pairs of rooms", [&](const Pair& pair, const std::string& more) {
+    diagnostics.report(DiagnosticId::rooms_overlap, pair.first->where, pair.first->id,
+                       pair.second->id, more);
+  });
+}
+
+// Where light of the open space runs: around its luminaires and planes.
+BoundingBox open_light_box(const Space& open) {
+  BoundingBox box;
+  if (open.luminaires.empty() || open.planes.empty()) return box;
+  for (const Luminaire& luminaire : open.luminaires) box.add(luminaire.position_m);
+  for (const CalcPlane& plane : open.planes) {
+    if (const auto* area = std::get_if<PlanarArea>(&plane.area)) {
+      for (const glm::dvec2& p : area->outline_m) {
+        box.add(area->origin_m + p.x * area->u + p.y * area->v);
+      }
+    } else if (const auto* list = std::get_if<PointList>(&plane.area)) {
+      for (const glm::dvec3& p : list->position_m) box.add(p);
+    }
+  }
+  return box;
+}
+
+void warn_rooms_in_open_space(const Project& project, const Space& open, Diagnostics& diagnostics) {
+  const BoundingBox light = open_light_box(open);
+  if (light.is_empty()) return;
+  std::vector<const Space*> rooms;
+  for (const Space& room : project.spaces) {
+    const BoundingBox box = room_box(room);
+    if (&room == &open || box.is_empty()) continue;
+    if (glm::all(glm::lessThan(box.lower, light.upper)) &&
+        glm::all(glm::greaterThan(box.upper, light.lower))) {
+      rooms.push_back(&room);
+    }
+  }
+  warn_of_first_few<const Space*>(rooms, "rooms", [&](const Space* room, const std::string& more) {
+    diagnostics.report(DiagnosticId::room_in_open_space, room->where, room->id, more);
+  });
+}
+
+void warn_groups_alike(const Project& project, Diagnostics& diagnostics) {
+  std::map<std::string, const Luminaire*> first;  // by the name in small letters
+  std::set<std::string> said;
+  for (const Space& space : project.spaces) {
+    for (const Luminaire& luminaire : space.luminaires) {
+      const std::string name = ascii_lowered(luminaire.group);
+      const Luminaire* other = first.try_emplace(name, &luminaire).first->second;
+      if (other->group == luminaire.group || !said.insert(name).second) continue;
+      diagnostics.report(DiagnosticId::groups_alike, luminaire.where, luminaire.group,
+                         other->group);
+    }
+  }
+}
+
 }  // namespace
 
 void warn_about_project(const Project& project, const std::set<std::string>& planes_on_surfaces,
@@ -103,6 +194,8 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
   bool has_plane = false;
   warn_efficacies(project, diagnostics);
   warn_room_sizes(project, diagnostics);
+  warn_rooms_that_overlap(project, diagnostics);
+  warn_groups_alike(project, diagnostics);
   for (const Space& space : project.spaces) {
     const bool has_planes_here = !space.planes.empty() || !space.workplaces.empty();
     has_plane = has_plane || has_planes_here;
@@ -118,6 +211,7 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
       for (const Space& room : project.spaces) {
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
       }
+      warn_rooms_in_open_space(project, space, diagnostics);
     }
     warn_luminaires(project, space, diagnostics);
     warn_planes(project, space, planes_on_surfaces, diagnostics);

@@ -1,6 +1,7 @@
 #include "calc/project/spaces_xml.h"
 
 #include "calc/base/text.h"
+#include "calc/project/coincident_surfaces.h"
 #include "calc/project/gbxml_space.h"
 #include "calc/project/objects_xml.h"
 #include "calc/project/planes_xml.h"
@@ -95,6 +96,7 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
                  Space& space, PlaneSurroundings& surroundings) {
   context.instances += objects.instances();
   context.triangles += objects.triangles;
+  const std::size_t shell_bodies = space.bodies.size();
   for (Body& body : objects.bodies) {
     for (glm::dvec3& vertex : body.vertex_m) vertex += origin_m;
     space.bodies.push_back(std::move(body));
@@ -102,6 +104,9 @@ void add_objects(ProjectContext& context, ObjectSet objects, const glm::dvec3& o
   for (Luminaire& luminaire : objects.luminaires) {
     luminaire.position_m += origin_m;
     space.luminaires.push_back(std::move(luminaire));
+  }
+  if (surroundings.objects_are_good && surroundings.room_is_good) {
+    settle_coincident_surfaces(space, shell_bodies, context.diagnostics);
   }
   surroundings.origin_m = origin_m;
   surroundings.box_tops = std::move(objects.box_tops);

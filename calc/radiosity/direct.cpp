@@ -92,9 +92,9 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
   return static_cast<std::uint32_t>(n);
 }
 
-// A receiver in touch with the opening would split for ever; 2^-12 of an opening's sides is a
-// fraction of a millimetre.
-constexpr int kDeepestSplit = 24;
+// A receiver in touch with the opening would split for ever. 2^-32 of its sides is below the
+// distance that any receiver keeps, see ray_offset_m().
+constexpr int kDeepestSplit = 64;
 
 void split_cell(const OpeningView& view, const glm::dvec3& position_m, const OpeningCell& cell,
                 int depth, std::vector<OpeningCell>& cells) {

@@ -90,6 +90,19 @@ TEST(LuminousSurface, GivesTheFormFactorOfItsRectangle) {
   }
 }
 
+// As at 0.3 mm from a surface of 40 m: points nearer to it than a thousandth of its parts' sizes.
+TEST(LuminousSurface, FillsHalfOfWhatAPointBesideItSees) {
+  const calc::Project project = project_with(
+      "<quad id='floor' origin='0 0 0' u='40 0 0' v='0 40 0' material='white' "
+      "luminous-exitance='1000'/>");
+  for (const double above_m : {3e-4, 1e-3, 1e-2}) {
+    for (const double found :
+         values_lx(project, {{20, 20, above_m}, {11.3, 29.7, above_m}}, {0, 0, -1})) {
+      EXPECT_NEAR(found, 1000.0, 2.0) << above_m;
+    }
+  }
+}
+
 TEST(LuminousSurface, IsALuminaireOfATypeOfItsOwn) {
   const calc::Project project = project_with(
       "<quad id='wall' origin='0 0 0' u='0 3 0' v='0 0 2' material='white' luminous-exitance='800' "

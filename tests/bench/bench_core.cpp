@@ -28,7 +28,7 @@ constexpr Experiment kExperiments[] = {
     {"openings", run_openings, ""},
     {"stiff", run_stiff, ""},
     {"coverage", run_coverage, "[SEEDS]"},
-    {"sparse", run_sparse, "[SEEDS]"},
+    {"sparse", run_sparse, "[SEEDS [FAMILY]]"},
     {"verdicts", run_verdicts, "[SCENE [SEEDS]]"},
     {"scaling", run_scaling, "[points|luminaires|triangles|reflectance]"},
     {"files", run_files, ""},

@@ -1,5 +1,6 @@
 #include "report/tools/photometry/photometry.h"
 
+#include "calc/base/text.h"
 #include "calc/photometry/write/write_eulumdat.h"
 #include "calc/photometry/write/write_lm63.h"
 #include "report/formats/write.h"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -24,9 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string lower_extension(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+  return calc::ascii_lowered(fs::path(path).extension().string());
 }
 
 class Run {

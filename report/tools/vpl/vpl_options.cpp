@@ -1,18 +1,15 @@
 #include "report/tools/vpl/vpl_options.h"
 
+#include "calc/base/text.h"
 #include "report/shell/option_values.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace cli {
 
 bool is_exr(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".exr";
+  return calc::ascii_lowered(std::filesystem::path(file).extension().string()) == ".exr";
 }
 
 namespace {

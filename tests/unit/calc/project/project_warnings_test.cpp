@@ -202,5 +202,97 @@ TEST(ProjectWarnings, APointListFacesAwayOnlyIfAllItsPointsDo) {
   EXPECT_EQ(messages(in_room(R"(<plane id="p" file="mixed.csv"/>)")), "");
 }
 
+std::string room_at(const std::string& id, const std::string& origin, const std::string& size) {
+  return fmt::format(
+      "<room id='{}' origin='{}' size='{}' ceiling='white' walls='white' floor='white'/>\n", id,
+      origin, size);
+}
+
+TEST(ProjectWarnings, RoomsThatShareSpaceDoNotSeeEachOther) {
+  const auto of_two = [](const std::string& origin, const std::string& size) {
+    return messages(in_project(room_at("a", "0 0 0", "6 4 3") + room_at("b", origin, size)));
+  };
+  EXPECT_THAT(of_two("5.9 1 0", "4 2 3"), HasSubstr("rooms 'b' and 'a' share space:"));
+  EXPECT_THAT(of_two("1 1 1", "1 1 1"), HasSubstr("rooms-overlap"));
+  for (const char* beside : {"6 0 0", "5.995 0 0", "0 4 0", "0 0 3", "0 0 2.995"}) {
+    EXPECT_THAT(of_two(beside, "6 4 3"), Not(HasSubstr("rooms-overlap"))) << beside;
+  }
+  // In the corner of an L there is room for another.
+  const std::string l_room =
+      "<room id='l' footprint='0 0 6 0 6 2 2 2 2 6 0 6' height='3' ceiling='white' walls='white' "
+      "floor='white'/>\n";
+  EXPECT_THAT(messages(in_project(l_room + room_at("b", "2 2 0", "4 4 3"))),
+              Not(HasSubstr("rooms-overlap")));
+  EXPECT_THAT(messages(in_project(l_room + room_at("b", "1.9 2 0", "4 4 3"))),
+              HasSubstr("rooms-overlap"));
+}
+
+TEST(ProjectWarnings, ObjectsOfTheOpenSpaceThatReachIntoARoom) {
+  const auto with = [](const std::string& object) {
+    return messages(in_project(object + room_at("a", "0 0 0", "6 4 3")));
+  };
+  // A deck over the whole room whose middle lies outside; a wall across; a box around all of it.
+  EXPECT_THAT(with("<quad id='d' origin='-1 -1 1.5' u='30 0 0' v='0 8 0' material='white'/>\n"),
+              HasSubstr("object 'd' stands in the open space, but within room 'a'"));
+  EXPECT_THAT(with("<quad id='d' origin='3 -9 -1' u='0 30 0' v='0 0 9' material='white'/>\n"),
+              HasSubstr("object-inside-room"));
+  EXPECT_THAT(with("<box id='d' position='-1 -1 -1' size='30 30 30' material='white'/>\n"),
+              HasSubstr("object-inside-room"));
+  // The ground, a slab, a neighbour's wall.
+  EXPECT_THAT(with("<quad id='d' origin='-9 -9 0' u='30 0 0' v='0 30 0' material='white'/>\n"),
+              Not(HasSubstr("object-inside-room")));
+  EXPECT_THAT(with("<box id='d' position='-1 -1 3' size='8 6 0.3' material='white'/>\n"),
+              Not(HasSubstr("object-inside-room")));
+  EXPECT_THAT(with("<quad id='d' origin='6 -9 0' u='0 30 0' v='0 0 3' material='white'/>\n"),
+              Not(HasSubstr("object-inside-room")));
+}
+
+TEST(ProjectWarnings, RoomsThrowNoShadowInTheOpenSpace) {
+  const std::string site =
+      "<luminaire id='mast' type='spot' position='20 2 8'/>\n"
+      "<plane id='p' points='-10 0 0  -5 0 0  -5 5 0  -10 5 0'/>\n";
+  EXPECT_THAT(messages(in_project(site + room_at("a", "0 0 0", "6 4 3"))),
+              HasSubstr("room 'a' stands among the luminaires and planes of the open space"));
+  EXPECT_THAT(messages(in_project(site + room_at("a", "0 40 0", "6 4 3"))),
+              Not(HasSubstr("room-in-open-space")));
+}
+
+TEST(ProjectWarnings, GroupsThatDifferInCaseOnly) {
+  const auto of_groups = [](const std::string& a, const std::string& b) {
+    return messages(
+        in_room(fmt::format("<luminaire id='1' type='spot' position='1 1 2' group='{}'/>\n"
+                            "<luminaire id='2' type='spot' position='2 1 2' group='{}'/>",
+                            a, b)));
+  };
+  EXPECT_THAT(of_groups("main", "Main"), HasSubstr("groups 'Main' and 'main' differ only in case"));
+  EXPECT_THAT(of_groups("main", " main "), Not(HasSubstr("groups-alike")));
+  EXPECT_THAT(of_groups("main", "side"), Not(HasSubstr("groups-alike")));
+}
+
+TEST(ProjectWarnings, ALuminaireThatIsPartlyInASolid) {
+  const auto at = [](const std::string& position) {
+    return messages_in_room(
+        "<box id='beam' position='12 0 2' size='0.4 3 0.5' material='white'/>\n"
+        "<luminaire id='cut' type='panel' position='" +
+        position + "'/>");
+  };
+  EXPECT_THAT(at("11.8 1 2.2"), HasSubstr("luminaire-partly-in-solid"));
+  EXPECT_THAT(at("12.2 1 2.2"), HasSubstr("luminaire-in-solid"));
+  EXPECT_THAT(at("12.2 1 1.9995"), Not(HasSubstr("in-solid"))) << "below it";
+  EXPECT_THAT(at("11.7 1 2.2"), Not(HasSubstr("in-solid"))) << "beside it";
+}
+
+TEST(ProjectWarnings, TheSameSurfaceOrTheSameFileTwice) {
+  const auto quad = [](const std::string& id) {
+    return "<quad id='" + id +
+           "' origin='1 1 2' u='1 0 0' v='0 -1 0' material='white' luminous-exitance='500'/>\n";
+  };
+  EXPECT_THAT(messages(in_room(quad("a") + quad("b"))), HasSubstr("luminaires-coincide"));
+  EXPECT_THAT(messages(in_project("<luminaire-type id='again' photometry='spot.ies'/>\n"
+                                  "<luminaire id='1' type='spot' position='1 1 2'/>\n"
+                                  "<luminaire id='2' type='again' position='1 1 2'/>")),
+              HasSubstr("luminaires-coincide"));
+}
+
 }  // namespace
 }  // namespace calc::testing

@@ -52,7 +52,7 @@ const std::vector<MessageCase> kCases{
     {"DuplicateMaterial", in_project(R"(<material id="white" reflectance="0.8"/>)"),
      "dir/p.xml:4:11: error[duplicate-id]: the material 'white' is given twice, also in line 2"},
     {"UnusualReflectance", in_room(R"(</room><material id="snow" reflectance="0.97"/>
-<room id="q" size="4 3 2.5" ceiling="white" walls="white" floor="white">)"),
+<room id="q" origin="10 0 0" size="4 3 2.5" ceiling="white" walls="white" floor="white">)"),
      "dir/p.xml:5:28: warning[reflectance-very-high]: material 'snow': a reflectance of 0.97 is "
      "unusual; white paint and tiles stay at 0.9 or below"},
     {"AbsentPhotometry", in_project(R"(<luminaire-type id="t" photometry="none.ies"/>)"),
