@@ -148,8 +148,8 @@ class Tracer {
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
                   SegmentMargins left_out = {}) const;
 
-  // What a receiver sees of a parallelogram, by proof; free if nothing can stand between any two
-  // points. from_m, corner_m: lifted, as the ends of segments would be.
+  // What a receiver sees of a parallelogram, by proof, whatever has_shadows() says: a receiver may
+  // be outside the convex space. from_m, corner_m: lifted, as the ends of segments would be.
   Sight sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const;
 
   // Bit k is set if segment k is blocked.
