@@ -57,12 +57,17 @@ void CaseResult::add_points(const Solution& solution, const std::vector<Point>& 
   std::vector<double> ratios;
   double ratios_known_to = known_to;
   int sampled = 0;
+  // Where nothing arrives at all, the strip of an edge that rays blur is all that is sampled.
+  constexpr double kDarkScale = 0.01;
+  const double largest =
+      exact_lx.empty() ? 0.0 : *std::max_element(exact_lx.begin(), exact_lx.end());
   for (std::size_t i = 0; i < points.size(); ++i) {
     Measured m;
     m.what = i < labels.size() && !labels[i].empty() ? labels[i] : label_of(points[i]);
     m.exact = exact_lx[i];
     m.known_to = (known_to + (i < known_each.size() ? known_each[i] : 0.0)) * exact_lx[i];
     m.replicates = solution.replicates(i, part);
+    if (m.exact == 0.0) m.scale = kDarkScale * largest;
     m.widest = i < widest_each.size() && widest_each[i] > 0.0 ? widest_each[i] : widest;
     if (m.replicates.size() > 1 && m.exact > 0.0) {
       ratios_known_to = std::max(ratios_known_to, m.known_to / m.exact);

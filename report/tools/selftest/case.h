@@ -16,8 +16,10 @@ struct Measured {
   double exact = 0.0;
   double known_to = 0.0;           // absolute: as far as `exact` itself may be off
   std::vector<double> replicates;  // one: nothing was sampled, it must be exact
-  // Relative half-width of the 95 % interval that is too vague: about twice what is reached.
+  // Half-width of the 95 % interval that is too vague, about twice what is reached: times |exact|,
+  // or times `scale` where that is more.
   double widest = 0.0;
+  double scale = 0.0;  // 0 lx beside lit places is known as well as a hundredth of the brightest
   // The program's own interval at a confidence level; empty: Student's t of the replicates.
   std::function<calc::Estimate(double)> interval = {};
 };

@@ -77,6 +77,12 @@ CaseResult reflected_past_obstacle(const Effort& effort) {
   Effort more = effort;
   more.paths = 8192;
   result.add_points(solve(scene, cie.points, more), cie.points, exact, 2e-5, 0.01, Part::indirect);
+  // The wall's upper edge is just hidden there. Rays blur edges by some 1e-5 m: a strip of 0.15 mm
+  // of the wall, of which the neighbour that sees 0.3 m gets 2 lx.
+  constexpr double kBlurred_lx = 1e-3;
+  for (Measured& m : result.measured) {
+    if (m.exact == 0.0) m.known_to = kBlurred_lx;
+  }
   return result;
 }
 

@@ -105,8 +105,10 @@ JudgedNumber judge(const std::vector<Measured>& of_seeds) {
   number.high = family.high + allowed;
   const bool is_in = number.low <= exact && exact <= number.high;
   const double luck = of_seeds.size() == 1 ? kLuck : 1.0;
-  const bool is_vague = number.is_sampled() && !(middle_of(half_widths) <=
-                                                 luck * number.measured.widest * std::abs(exact));
+  const bool is_vague =
+      number.is_sampled() &&
+      !(middle_of(half_widths) <=
+        luck * number.measured.widest * std::max(std::abs(exact), number.measured.scale));
   number.verdict = !is_in ? Verdict::wrong : is_vague ? Verdict::too_vague : Verdict::right;
   return number;
 }

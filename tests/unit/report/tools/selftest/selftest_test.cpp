@@ -71,6 +71,17 @@ TEST(Judge, OneUnluckyWidthIsNotTooVagueManyAre) {
   EXPECT_EQ(judge({unlucky, unlucky, lucky}).verdict, Verdict::too_vague) << "the middle one";
 }
 
+TEST(Judge, NothingBesideLightIsKnownAsWellAsAShareOfTheLight) {
+  std::vector<double> once(kReplicates, 0.0);
+  once[3] = 0.001;
+  Measured dark = number(0.0, once);
+  EXPECT_EQ(judge(dark).verdict, Verdict::too_vague);
+  dark.scale = 0.2;
+  EXPECT_EQ(judge(dark).verdict, Verdict::right);
+  dark.scale = 0.001;
+  EXPECT_EQ(judge(dark).verdict, Verdict::too_vague);
+}
+
 TEST(Judge, SeedsTogetherSeeABiasThatNoneSees) {
   const Measured biased = number(100.7, around_100(1.0));
   EXPECT_EQ(judge(biased).verdict, Verdict::right) << "0.53 at 95 %, but far more at the level";
