@@ -17,8 +17,7 @@ namespace calc {
 // the surface and the largest intensity near that direction. Half of the probability goes to all
 // luminaires alike, half evenly to the channels that reach the point, so that a weak channel is
 // known as well as a strong one. What a luminaire without size sends is at most its weight, so that
-// one sample is never more than twice the sum of what all could send.  [Shirley96: choosing one of
-// many luminaires]
+// one sample is never more than twice the sum of what all could send.  [METHOD, 2.4]
 class LuminaireChoice {
  public:
   // The scene must outlive it.

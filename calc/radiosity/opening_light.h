@@ -7,7 +7,7 @@
 // the opening. A polynomial through a few places of it has a mean that is known; what is left is
 // sampled, of all such openings together by few samples, each of an opening chosen in proportion to
 // how much the light varies over it. Unbiased whatever the polynomial, so that the error of the
-// whole shows in the replicates.  [control variates; METHOD, 3.2]
+// whole shows in the replicates.  [control variates; METHOD, 2.6]
 
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/random.h"

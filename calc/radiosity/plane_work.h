@@ -54,8 +54,8 @@ struct PossibleVertex {
 // points, where the pool is shared by more of them. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
-// Short rays of a point for one replicate and look, a power of two: as many as draws where a
-// surface touches the point, two where it is nearly out of reach and the near field but a trace.
+// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws where
+// a surface touches the point, two where it is nearly out of reach and the near field but a trace.
 // clear_m in [0, reach_m].
 std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m);
 
