@@ -18,7 +18,9 @@ luxgate_test(radiosity_tests
     unit/calc/radiosity/emission_test.cpp
     unit/calc/radiosity/low_discrepancy_test.cpp
     unit/calc/radiosity/light_paths_test.cpp
+    unit/calc/radiosity/luminaire_choice_test.cpp
     unit/calc/radiosity/near_field_test.cpp
+    unit/calc/radiosity/opening_light_test.cpp
     unit/calc/radiosity/point_problem_test.cpp
     unit/calc/radiosity/rays_test.cpp
     unit/calc/radiosity/settings_test.cpp

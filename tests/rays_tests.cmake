@@ -3,6 +3,7 @@ luxgate_test(rays_tests
   SOURCES
     differential/embree_test.cpp
     unit/calc/base/elementary_test.cpp
+    unit/calc/rays/sight_test.cpp
     unit/calc/rays/triangle_hit_test.cpp
     unit/calc/rays/triangle_tree_test.cpp
   LIBRARIES calc_radiosity embree)

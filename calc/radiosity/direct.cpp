@@ -133,7 +133,28 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
                stride);
   }
   batch.flush();
-  return {batch.rays(), batch.has_contributions(), batch.has_hidden()};
+  return {batch.rays(), batch.has_contributions(), batch.has_hidden(), batch.has_seen()};
+}
+
+void add_opening_samples(ShadowBatch& batch, const Tracer& tracer, std::size_t luminaire,
+                         std::span<const OpeningCell> cells, const Receiver& receiver,
+                         RandomKey key, std::uint32_t first_round, std::uint32_t last_round,
+                         double* sums, std::size_t stride, float* largest) {
+  const PlacedLuminaire& placed = tracer.scene().luminaires[luminaire];
+  const glm::vec3 from(tracer.lift(receiver));
+  const OpeningView view = view_from(placed, receiver.position_m);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const OpeningCell& cell = cells[c];
+    const double weight =
+        cell.size_s * cell.size_t / cell.samples;  // the sample square is area-preserving
+    const ScrambledSobol sobol(key.with(luminaire).with(c));
+    for (std::uint32_t i = first_round * cell.samples; i < last_round * cell.samples; ++i) {
+      const auto u = sobol.sample_pair(i, 0);
+      add_opening_point(batch, placed, view, cell.s + cell.size_s * u[0],
+                        cell.t + cell.size_t * u[1], receiver, from, weight, tracer.offset_m(),
+                        sums, stride, largest);
+    }
+  }
 }
 
 DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
@@ -141,27 +162,14 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
                                 std::uint32_t first_round, std::uint32_t last_round, double* sums,
                                 std::size_t stride, float* largest) {
   ShadowBatch batch(tracer, proofs.has_shadows, kReceiverToSource);
-  const glm::vec3 from(tracer.lift(receiver));
   const auto& luminaires = tracer.scene().luminaires;
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     if (is_point(luminaires[l]) || proofs.leaves_out(l)) continue;
-    const OpeningView view = view_from(luminaires[l], receiver.position_m);
-    const std::vector<OpeningCell> cells = opening_cells(luminaires[l], receiver.position_m);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const OpeningCell& cell = cells[c];
-      const double weight =
-          cell.size_s * cell.size_t / cell.samples;  // the sample square is area-preserving
-      const ScrambledSobol sobol(key.with(l).with(c));
-      for (std::uint32_t i = first_round * cell.samples; i < last_round * cell.samples; ++i) {
-        const auto u = sobol.sample_pair(i, 0);
-        add_opening_point(batch, luminaires[l], view, cell.s + cell.size_s * u[0],
-                          cell.t + cell.size_t * u[1], receiver, from, weight, tracer.offset_m(),
-                          sums, stride, largest);
-      }
-    }
+    add_opening_samples(batch, tracer, l, opening_cells(luminaires[l], receiver.position_m),
+                        receiver, key, first_round, last_round, sums, stride, largest);
   }
   batch.flush();
-  return {batch.rays(), batch.has_contributions(), batch.has_hidden()};
+  return {batch.rays(), batch.has_contributions(), batch.has_hidden(), batch.has_seen()};
 }
 
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
@@ -175,6 +183,18 @@ std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, 
                       opening_key.with(0).uniform(), opening_key.with(1).uniform(), receiver, from,
                       weight, tracer.offset_m(), sums, stride);
   }
+  batch.flush();
+  return batch.rays();
+}
+
+std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
+                                   const Receiver& receiver, RandomKey key, double weight,
+                                   double* sums, std::size_t stride) {
+  const PlacedLuminaire& placed = tracer.scene().luminaires[luminaire];
+  ShadowBatch batch(tracer, tracer.has_shadows(), kHitToSource);
+  add_opening_point(batch, placed, view_from(placed, receiver.position_m), key.with(0).uniform(),
+                    key.with(1).uniform(), receiver, glm::vec3(tracer.lift(receiver)), weight,
+                    tracer.offset_m(), sums, stride);
   batch.flush();
   return batch.rays();
 }

@@ -6,6 +6,7 @@
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/radiosity/shadow_batch.h"
 
 #include <glm/glm.hpp>
 
@@ -34,6 +35,7 @@ struct DirectRays {
   std::uint64_t traced = 0;
   bool may_be_lit = false;  // some luminaire shines this way, whatever stands between
   bool has_hidden = false;  // something stood between for a sample, or a luminaire
+  bool has_seen = false;    // a sample that nothing is proved of arrived
 };
 
 // Adds to sums[channel * stride] the direct illuminance (lx) from all luminaires with a point
@@ -55,6 +57,18 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
 // Adds one unbiased sample of the direct illuminance from all luminaires, times weight.
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride);
+
+// The same by one luminaire alone.
+std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
+                                   const Receiver& receiver, RandomKey key, double weight,
+                                   double* sums, std::size_t stride);
+
+// As add_extended_sources(), of one luminaire, into a batch. cells: opening_cells().
+struct OpeningCell;
+void add_opening_samples(ShadowBatch& batch, const Tracer& tracer, std::size_t luminaire,
+                         std::span<const OpeningCell> cells, const Receiver& receiver,
+                         RandomKey key, std::uint32_t first_round, std::uint32_t last_round,
+                         double* sums, std::size_t stride, float* largest);
 
 // A part of an opening in its sample square (OpeningView): [s, s + size_s] x [t, t + size_t], with
 // its samples per round.

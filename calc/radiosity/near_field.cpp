@@ -66,6 +66,15 @@ std::uint64_t add_far_draws(const NearField& field, const SurfaceHit& at, double
   return batch.rays();
 }
 
+// Direct light at a short ray's hit, from one luminaire.
+std::uint64_t add_direct_draw(const NearField& field, const SurfaceHit& at, RandomKey key,
+                              double weight, double* sums, std::size_t stride) {
+  const auto choice = field.luminaires.choose(at.position_m, at.normal, key.with(2).uniform());
+  if (!choice) return 0;
+  return add_direct_sample_of(field.tracer, choice->luminaire, {at.position_m, at.normal}, key,
+                              weight / choice->probability, sums, stride);
+}
+
 // A short ray's direction, and its weight k(w) / (density pi).
 struct FirstRay {
   glm::dvec3 origin_m, direction;
@@ -111,8 +120,7 @@ std::uint64_t add_hit(const NearField& field, SurfaceHit hit, double g, RandomKe
     } else if (key.with(0).uniform() >= factor) {
       break;  // roulette with survival probability `factor`: the weight stays
     }
-    rays +=
-        add_direct_sample(tracer, {hit.position_m, hit.normal}, key.with(1), weight, sums, stride);
+    rays += add_direct_draw(field, hit, key.with(1), weight, sums, stride);
     rays += add_far_draws(field, hit, key.with(2).uniform(), weight, sums, stride);
     const glm::dvec3 position = hit.position_m;
     const glm::dvec3 normal = hit.normal;

@@ -5,6 +5,7 @@
 
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/light_vertex.h"
+#include "calc/radiosity/luminaire_choice.h"
 #include "calc/radiosity/path_terms.h"
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
@@ -63,6 +64,7 @@ inline double geometry_term(const glm::dvec3& x, const glm::dvec3& nx, const glm
 struct NearField {
   const Tracer& tracer;
   const GeometryBound& bound;
+  const LuminaireChoice& luminaires;
   const VertexTree& tree;
   const VertexBounds& vertex_bounds;
   const Cut& cut;  // of the whole pool; continues the rays
@@ -79,7 +81,7 @@ double near_reach_m(const SurfaceSummary& surfaces);
 // Adds to sums[channel * stride] the mean over the rays of
 //   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a ray within
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
-// where E_far(y) uses a few vertices drawn from the pool and E_near(y) one more ray, ended by
+// where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the pool and E_near(y) one more ray, ended by
 // roulette on its weight. largest: raised to the largest single ray's contribution. Returns the
 // rays traced. first_hits: of a ShortRayCaster, one per ray; null: they are traced here.
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,

@@ -47,12 +47,12 @@ double outline_m2(const LuminousOpening& opening, const glm::dvec3& half_m,
   return sum;
 }
 
+}  // namespace
+
 glm::dvec2 unit_disk(double s, double t) {
   const double radius = std::sqrt(s);  // area-preserving
   return radius * glm::dvec2(calc::cos(2.0 * kPi * t), calc::sin(2.0 * kPi * t));
 }
-
-}  // namespace
 
 glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t) {
   const LuminousOpening& opening = luminaire.opening;

@@ -12,6 +12,9 @@
 
 namespace calc {
 
+// (s, t) of the unit square as a place in the unit disk, which they fill evenly.
+glm::dvec2 unit_disk(double s, double t);
+
 // A flat opening's point at (s, t) of the unit square, which it fills evenly; local coordinates. Of
 // a body: the centre.
 glm::dvec3 opening_point_m(const PlacedLuminaire& luminaire, double s, double t);

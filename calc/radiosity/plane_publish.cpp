@@ -99,10 +99,11 @@ void PlaneWork::publish(int looks_planned) {
 
 void PlaneWork::find_unseen() {
   field_.unseen = may_be_sampled_;
-  for (const std::vector<double>* sums : {&direct_sum_lx_, &indirect_sum_lx_}) {
-    for (std::size_t k = 0; k < sums->size(); ++k) {
-      if ((*sums)[k] > 0.0) field_.unseen[k % points()] = 0;
-    }
+  for (std::size_t i = 0; i < points(); ++i) {
+    if (has_seen_opening_[i] != 0) field_.unseen[i] = 0;
+  }
+  for (std::size_t k = 0; k < indirect_sum_lx_.size(); ++k) {
+    if (indirect_sum_lx_[k] > 0.0) field_.unseen[k % points()] = 0;
   }
 }
 

@@ -3,6 +3,7 @@
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/glare.h"
 #include "calc/radiosity/grid_receivers.h"
+#include "calc/radiosity/opening_light.h"
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/point_problem.h"
 #include "calc/radiosity/random.h"
@@ -57,6 +58,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
   possible_sample_lx_.assign(points(), 0.0);
   largest_opening_lx_.assign(points(), 0.0f);
   has_hidden_opening_.assign(points(), 0);
+  has_seen_opening_.assign(points(), 0);
   // A point's other receivers see nothing that the first one does not.
   for (std::size_t part = 0; part < receivers_per_point(grid.derived); ++part) {
     may_be_sampled_.insert(may_be_sampled_.end(), decision.may_see_reflection.begin(),
@@ -125,19 +127,17 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   direct_sum_lx_.resize(values());
   const std::uint32_t last = std::max<std::uint32_t>(1, 2 * most_rounds_);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
-    std::uint64_t rays = 0;
-    if (active_[i] == 0 || is_past(deadline_s)) return rays;
-    for (std::size_t r = 0; r < field_.replicates; ++r) {
-      const DirectRays direct = add_extended_sources(
-          tracer_, receiver_[i], {decision_.is_dark, has_shadows()}, opening_key_.with(i).with(r),
-          rounds_[i], last, &direct_sum_lx_[r * channels() * points() + i], points(),
-          &largest_opening_lx_[i]);
-      rays += direct.traced;
-      if (direct.has_hidden) has_hidden_opening_[i] = 1;
-      if (direct.may_be_lit) may_be_sampled_[i] = 1;
-    }
+    if (active_[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
+    const DirectRays direct =
+        add_openings(tracer_, receiver_[i], {decision_.is_dark, has_shadows()},
+                     opening_key_.with(i), {rounds_[i], last, field_.replicates},
+                     {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(),
+                      channels() * points(), &largest_opening_lx_[i]});
+    if (direct.has_hidden) has_hidden_opening_[i] = 1;
+    if (direct.may_be_lit) may_be_sampled_[i] = 1;
+    if (direct.has_seen) has_seen_opening_[i] = 1;
     rounds_[i] = last;
-    return rays;
+    return direct.traced;
   });
   most_rounds_ = last;
 }

@@ -34,6 +34,7 @@ struct VertexBatch {
   const VertexTree& tree;
   const VertexBounds& bounds;
   const GeometryBound* near_bound;  // null: no near field
+  const LuminaireChoice& luminaires;
   const Cut& global_cut;            // continues short rays
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
@@ -53,8 +54,8 @@ struct PossibleVertex {
 // points, where the pool is shared by more of them. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
-// Short rays of a point for one replicate and look, a power of two: as many as draws where a
-// surface touches the point, two where it is nearly out of reach and the near field but a trace.
+// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws where
+// a surface touches the point, two where it is nearly out of reach and the near field but a trace.
 // clear_m in [0, reach_m].
 std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m);
 
@@ -146,6 +147,7 @@ class PlaneWork {
   std::vector<std::uint32_t> rounds_;             // [point]
   std::vector<float> largest_opening_lx_;         // [point], largest sample of a round
   std::vector<std::uint8_t> has_hidden_opening_;  // [point], 1: some sample was not seen
+  std::vector<std::uint8_t> has_seen_opening_;    // [point], 1: some sample was
   std::uint32_t most_rounds_ = 0;
   std::vector<double> indirect_sum_lx_;  // [r][c][p], sum over batches of estimate times paths
   std::vector<std::uint64_t> paths_;     // [point], per replicate

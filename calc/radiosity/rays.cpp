@@ -77,6 +77,12 @@ bool Tracer::is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
   return blocked(packet) != 0;
 }
 
+Sight Tracer::sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const {
+  // Segments leave out one offset at their ends.
+  constexpr double kOffsetsFromEnds = 2.0;
+  return sight_of(tree_, {from_m, corner_m, touching_m(), kOffsetsFromEnds * offset_m_});
+}
+
 std::uint32_t Tracer::blocked(const SegmentPacket& packet) const {
   std::array<Ray, SegmentPacket::kSize> rays;
   std::array<std::size_t, SegmentPacket::kSize> place;

@@ -3,6 +3,7 @@
 
 #include "calc/radiosity/identity.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/rays/sight.h"
 #include "calc/rays/triangle_tree.h"
 #include "calc/scene/prepared_scene.h"
 
@@ -146,6 +147,10 @@ class Tracer {
   // Whether any surface stands between two lifted points.
   bool is_blocked(const glm::dvec3& from_m, const glm::dvec3& to_m,
                   SegmentMargins left_out = {}) const;
+
+  // What a receiver sees of a parallelogram, by proof, whatever has_shadows() says: a receiver may
+  // be outside the convex space. from_m, corner_m: lifted, as the ends of segments would be.
+  Sight sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const;
 
   // Bit k is set if segment k is blocked.
   std::uint32_t blocked(const SegmentPacket& packet) const;

@@ -41,6 +41,7 @@ class ShadowBatch {
         continue;
       }
       *sum_[k] += contribution_[k];
+      has_seen_ = true;
       if (largest_[k] != nullptr && static_cast<float>(contribution_[k]) > *largest_[k]) {
         *largest_[k] = static_cast<float>(contribution_[k]);
       }
@@ -54,6 +55,7 @@ class ShadowBatch {
   bool has_contributions() const { return has_contributions_; }
   // Whether any was behind something.
   bool has_hidden() const { return has_hidden_; }
+  bool has_seen() const { return has_seen_; }
 
  private:
   const Tracer& tracer_;
@@ -64,7 +66,7 @@ class ShadowBatch {
   std::array<double*, SegmentPacket::kSize> sum_;
   std::array<float*, SegmentPacket::kSize> largest_;
   std::uint64_t rays_ = 0;
-  bool has_contributions_ = false, has_hidden_ = false;
+  bool has_contributions_ = false, has_hidden_ = false, has_seen_ = false;
 };
 
 }  // namespace calc

@@ -58,7 +58,8 @@ class Solver {
         start_s_(now_s()),
         plan_(decide(scene, tasks, settings.skips)),
         tracer_(scene),
-        emitter_(scene, plan_.is_unlit) {
+        emitter_(scene, plan_.is_unlit),
+        luminaire_choice_(scene) {
     solution_.times.build_s = now_s() - start_s_;
     solution_.balance.emitted_lm = emitter_.flux_lm();
     solution_.balance.untraced_lm = emitter_.flux_lm() - emitter_.traced_flux_lm();
@@ -274,15 +275,15 @@ class Solver {
     }
     times.pool_s += now_s() - sort_begin_s;
     if (stages_.gatherer.connects_all() && bound == nullptr) {
-      gather_all_planes(
-          tracer_, lit_planes_,
-          {tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_},
-          stages_.gatherer, times);
+      gather_all_planes(tracer_, lit_planes_,
+                        {tree, bounds, bound, luminaire_choice_, global_cut, replicate, first,
+                         last - first, deadline_s_},
+                        stages_.gatherer, times);
       return reason_to_stop(last);
     }
     for (PlaneWork* plane : lit_planes_) {
-      plane->connect({tree, bounds, bound, global_cut, replicate, first, last - first, deadline_s_,
-                      stages_.short_rays, &has_endless_chain_},
+      plane->connect({tree, bounds, bound, luminaire_choice_, global_cut, replicate, first,
+                      last - first, deadline_s_, stages_.short_rays, &has_endless_chain_},
                      stages_.gatherer, times);
       if (has_endless_chain_) return StopReason::endless_path;
       if (const auto stopped = reason_to_stop(last)) return stopped;
@@ -356,6 +357,7 @@ class Solver {
   SolvePlan plan_;
   Tracer tracer_;
   Emitter emitter_;
+  LuminaireChoice luminaire_choice_;
   std::vector<PlaneWork> planes_;
   std::vector<PlaneWork*> lit_planes_;            // active ones with indirect light, of this look
   std::vector<double> absorbed_lm_, escaped_lm_;  // per replicate

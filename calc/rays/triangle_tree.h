@@ -44,6 +44,11 @@ class TriangleTree {
   template <class Visit>
   void visit_near(const glm::dvec3& point_m, double radius_m, const Visit& visit) const;
 
+  // Calls visit(triangle index) for every triangle in boxes that keep(node, lane) does not leave
+  // out, in no order to rely on, until it returns false.
+  template <class Keep, class Visit>
+  void visit_if(const Keep& keep, const Visit& visit) const;
+
   // A child of a node: another node, or a block of triangles, or none.
   using Child = std::uint32_t;
   static constexpr Child kBlock = 0x8000'0000;  // flag; the rest is an index
@@ -103,11 +108,9 @@ inline constexpr std::size_t kStack = 512;  // the builder refuses deeper trees
 
 }  // namespace tree_detail
 
-template <class Visit>
-void TriangleTree::visit_near(const glm::dvec3& point_m, double radius_m,
-                              const Visit& visit) const {
+template <class Keep, class Visit>
+void TriangleTree::visit_if(const Keep& keep, const Visit& visit) const {
   if (root_ == kNone) return;
-  constexpr double kRounding = 1.0 + 1e-9;  // far above that of the squares
   std::array<Child, tree_detail::kStack> stack;
   std::size_t size = 0;
   stack[size++] = root_;
@@ -116,18 +119,30 @@ void TriangleTree::visit_near(const glm::dvec3& point_m, double radius_m,
     if ((child & kBlock) != 0) {
       const Block& block = blocks_[child & ~kBlock];
       for (std::uint32_t lane = 0; lane < block.count; ++lane) {
-        radius_m = visit(block.index[lane]);
+        if (!visit(block.index[lane])) return;
       }
       continue;
     }
     const Node& node = nodes_[child];
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      if (node.child[lane] == kNone) continue;
-      if (tree_detail::squared_distance(node, lane, point_m) <= radius_m * radius_m * kRounding) {
-        stack[size++] = node.child[lane];
-      }
+      if (node.child[lane] != kNone && keep(node, lane)) stack[size++] = node.child[lane];
     }
   }
+}
+
+template <class Visit>
+void TriangleTree::visit_near(const glm::dvec3& point_m, double radius_m,
+                              const Visit& visit) const {
+  constexpr double kRounding = 1.0 + 1e-9;  // far above that of the squares
+  visit_if(
+      [&](const Node& node, std::size_t lane) {
+        return tree_detail::squared_distance(node, lane, point_m) <=
+               radius_m * radius_m * kRounding;
+      },
+      [&](std::uint32_t index) {
+        radius_m = visit(index);
+        return true;
+      });
 }
 
 }  // namespace calc

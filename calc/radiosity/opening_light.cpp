@@ -1,0 +1,294 @@
+#include "calc/radiosity/opening_light.h"
+
+#include "calc/radiosity/opening.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace calc {
+namespace {
+
+// Samples of the rest, of all openings of a channel together, in each round of a replicate: as many
+// as keep its error at that share of what is known.
+constexpr double kWantedError = 0.003;
+constexpr std::size_t kFewestSamples = 2, kMostSamples = 16;
+// Root mean square of the rest over OpeningPatch::rest_lx().  [measured: 0.05 to 0.08]
+constexpr double kMeanRest = 0.07;
+// Sizes over distances up to which one place, five places, tell enough of how the light varies.
+constexpr double kOnePlace = 0.01, kFivePlaces = 0.1;
+// Larger parts are halved: the rest falls with the third power.
+constexpr double kLargestPart = 0.7;
+
+// A part of a flat opening that is seen in full: light from (x, y) in [-1, 1]^2, or in the unit
+// disk, as a polynomial.
+class OpeningPatch {
+ public:
+  OpeningPatch(const PlacedLuminaire& luminaire, const Receiver& receiver, const OpeningCell& cell)
+      : luminaire_(luminaire), share_(cell.size_s * cell.size_t) {
+    const LuminousOpening& opening = luminaire.opening;
+    is_disk_ = opening.shape == OpeningShape::disk;
+    const glm::dmat3& axes = luminaire.world_from_luminaire;
+    const double u = 0.5 * opening.along_c0_m, v = 0.5 * opening.along_c90_m;
+    u_m_ = cell.size_s * u * axes[0];
+    v_m_ = cell.size_t * v * axes[1];
+    centre_m_ = luminaire.position_m + (2.0 * cell.s + cell.size_s - 1.0) * u * axes[0] +
+                (2.0 * cell.t + cell.size_t - 1.0) * v * axes[1];
+    const double size_m = 2.0 * std::sqrt(glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_));
+    ratio_ = size_m / glm::length(centre_m_ - receiver.position_m);
+    fit(receiver);
+  }
+
+  double ratio() const { return ratio_; }  // of its size to its distance
+  // Mean of the polynomial over the patch, times its share of the opening.
+  double known_lx() const {
+    const double xx = is_disk_ ? 0.25 : 1.0 / 3.0, xxyy = is_disk_ ? 1.0 / 24.0 : 1.0 / 9.0;
+    return share_ * (c_[0][0] + xx * (c_[2][0] + c_[0][2]) + xxyy * c_[2][2]);
+  }
+  // About how large the rest may be.
+  double rest_lx() const { return share_ * rest_lx_; }
+  // The rest at a place, in [0, 1)^2 as OpeningView has it.
+  double rest_lx(const Receiver& receiver, double s, double t) const {
+    const glm::dvec2 at = is_disk_ ? unit_disk(s, t) : glm::dvec2(2.0 * s - 1.0, 2.0 * t - 1.0);
+    double polynomial = 0.0;
+    for (std::size_t i = 3; i-- > 0;) {
+      polynomial = polynomial * at.x + (c_[i][0] + at.y * (c_[i][1] + at.y * c_[i][2]));
+    }
+    return share_ * (light_lx(receiver, at.x, at.y) - polynomial);
+  }
+
+ private:
+  double light_lx(const Receiver& receiver, double x, double y) const {
+    return point_illuminance_lx(luminaire_, centre_m_ + x * u_m_ + y * v_m_, receiver);
+  }
+
+  void fit(const Receiver& receiver) {
+    const double middle_lx = light_lx(receiver, 0.0, 0.0);
+    c_[0][0] = middle_lx;
+    if (ratio_ < kOnePlace) {
+      rest_lx_ = ratio_ * middle_lx;
+      if (middle_lx > 0.0) return;
+    }
+    if (ratio_ < kFivePlaces) {
+      fit_five(receiver, middle_lx);
+    } else {
+      fit_nine(receiver, middle_lx);
+    }
+  }
+
+  // p(-h), p(0), p(h) -> coefficients of x and x^2.
+  static constexpr double kPlace = 0.7745966692414834;  // sqrt(3/5), of Gauss's rule
+  static glm::dvec2 curve(double before, double middle, double after) {
+    return {(after - before) / (2.0 * kPlace),
+            (after - 2.0 * middle + before) / (2.0 * kPlace * kPlace)};
+  }
+
+  void fit_five(const Receiver& receiver, double middle_lx) {
+    const double west = light_lx(receiver, -kPlace, 0.0), east = light_lx(receiver, kPlace, 0.0),
+                 south = light_lx(receiver, 0.0, -kPlace), north = light_lx(receiver, 0.0, kPlace);
+    const glm::dvec2 x = curve(west, middle_lx, east), y = curve(south, middle_lx, north);
+    c_[1][0] = x[0], c_[2][0] = x[1], c_[0][1] = y[0], c_[0][2] = y[1];
+    take_range(receiver, std::min({middle_lx, west, east, south, north}),
+               std::max({middle_lx, west, east, south, north}));
+  }
+
+  void fit_nine(const Receiver& receiver, double middle_lx) {
+    double lowest = middle_lx, highest = middle_lx;
+    std::array<std::array<double, 3>, 3> along_y;  // [x place]: coefficients of 1, y, y^2
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<double, 3> at;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = (static_cast<double>(i) - 1.0) * kPlace,
+                     y = (static_cast<double>(k) - 1.0) * kPlace;
+        at[k] = i == 1 && k == 1 ? middle_lx : light_lx(receiver, x, y);
+        lowest = std::min(lowest, at[k]);
+        highest = std::max(highest, at[k]);
+      }
+      const glm::dvec2 y = curve(at[0], at[1], at[2]);
+      along_y[i] = {at[1], y[0], y[1]};
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2 x = curve(along_y[0][k], along_y[1][k], along_y[2][k]);
+      c_[0][k] = along_y[1][k], c_[1][k] = x[0], c_[2][k] = x[1];
+    }
+    take_range(receiver, lowest, highest);
+  }
+
+  // Where all places are dark the light may still begin at a corner, or be a narrow beam between.
+  void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
+    constexpr double kFloor = 1e-3, kUnseenFloor = 1e-4;
+    if (!(highest_lx > 0.0)) {
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          highest_lx = std::max(highest_lx, light_lx(receiver, x, y));
+        }
+      }
+    }
+    const glm::dvec3 away = centre_m_ - receiver.position_m;
+    const double reach_m2 = glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_);
+    const double most_lx = luminaire_.web->max_intensity_cd() * luminaire_.flux_scale /
+                           std::max(glm::dot(away, away), reach_m2);
+    rest_lx_ =
+        ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx + kUnseenFloor * most_lx;
+  }
+
+  const PlacedLuminaire& luminaire_;
+  bool is_disk_;
+  double share_;
+  double ratio_;  // of its size to its distance
+  glm::dvec3 centre_m_, u_m_, v_m_;
+  std::array<std::array<double, 3>, 3> c_{};  // [power of x][power of y]
+  double rest_lx_ = 0.0;
+};
+
+std::array<glm::dvec3, 4> lifted_corners(const PlacedLuminaire& luminaire,
+                                         const glm::dvec3& receiver_m, double offset_m) {
+  const LuminousOpening& opening = luminaire.opening;
+  const glm::dvec3 u = 0.5 * opening.along_c0_m * luminaire.world_from_luminaire[0],
+                   v = 0.5 * opening.along_c90_m * luminaire.world_from_luminaire[1];
+  std::array<glm::dvec3, 4> corner{-u - v, u - v, u + v, v - u};
+  for (glm::dvec3& p : corner) {
+    p = lifted_source_m(luminaire, luminaire.position_m + p, receiver_m, offset_m);
+  }
+  return corner;
+}
+
+// Patches of one channel all of whose light arrives, and the samples of their rest.
+class SeenOpenings {
+ public:
+  void clear() {
+    patches_.clear();
+    cumulative_.clear();
+    known_lx_ = 0.0;
+  }
+
+  void add(const PlacedLuminaire& luminaire, const Receiver& receiver, const OpeningCell& cell) {
+    const OpeningPatch patch(luminaire, receiver, cell);
+    if (patch.ratio() > kLargestPart && luminaire.opening.shape == OpeningShape::rectangle &&
+        cell.size_s * cell.size_t > kSmallestShare) {
+      for (const OpeningCell& half : halves(luminaire.opening, cell)) {
+        add(luminaire, receiver, half);
+      }
+      return;
+    }
+    known_lx_ += patch.known_lx();
+    patches_.push_back(patch);
+    cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + patch.rest_lx());
+  }
+
+  double known_lx() const { return known_lx_; }
+
+  // Of each round.
+  std::size_t rest_samples() const {
+    if (patches_.empty()) return 0;
+    const double share = kMeanRest * cumulative_.back() / (kWantedError * known_lx_);
+    if (!(share * share < static_cast<double>(kMostSamples))) return kMostSamples;
+    return std::max(kFewestSamples, static_cast<std::size_t>(std::ceil(share * share)));
+  }
+
+  // One round of one replicate.
+  double sample_rest_lx(const Receiver& receiver, RandomKey key, std::size_t samples) const {
+    if (patches_.empty() || !(cumulative_.back() > 0.0)) return 0.0;
+    const auto count = static_cast<double>(samples);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < samples; ++k) {
+      const RandomKey sample = key.with(k);
+      const double u = (static_cast<double>(k) + sample.with(0).uniform()) / count;
+      const auto found =
+          std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, u * cumulative_.back());
+      const OpeningPatch& patch = patches_[static_cast<std::size_t>(found - cumulative_.begin())];
+      if (!(patch.rest_lx() > 0.0)) continue;
+      const double weight = cumulative_.back() / (patch.rest_lx() * count);
+      sum += weight * patch.rest_lx(receiver, sample.with(1).uniform(), sample.with(2).uniform());
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr double kSmallestShare = 0x1p-40;  // of an opening: it touches the receiver
+
+  static std::array<OpeningCell, 2> halves(const LuminousOpening& opening,
+                                           const OpeningCell& cell) {
+    OpeningCell first = cell;
+    const bool is_along_s = cell.size_s * opening.along_c0_m >= cell.size_t * opening.along_c90_m;
+    (is_along_s ? first.size_s : first.size_t) *= 0.5;
+    OpeningCell second = first;
+    (is_along_s ? second.s : second.t) += is_along_s ? first.size_s : first.size_t;
+    return {first, second};
+  }
+
+  std::vector<OpeningPatch> patches_;
+  std::vector<double> cumulative_;  // of rest_lx()
+  double known_lx_ = 0.0;
+};
+
+// Channel by channel, so that what is known of one does not hang on how bright another is.
+void add_seen(std::span<const SeenOpenings> seen, const Receiver& receiver, RandomKey key,
+              const OpeningRounds& rounds, const OpeningSums& sums) {
+  for (std::size_t c = 0; c < seen.size(); ++c) {
+    if (rounds.first == 0) sums.known_lx[c * sums.stride] += seen[c].known_lx();
+    const std::size_t samples = seen[c].rest_samples();
+    for (std::size_t r = 0; r < rounds.replicates; ++r) {
+      const RandomKey rest_key = key.with(r).with("rest").with(c);
+      double& sum = sums.sampled_lx[r * sums.replicate_stride + c * sums.stride];
+      for (std::uint32_t i = rounds.first; i < rounds.last; ++i) {
+        sum += seen[c].sample_rest_lx(receiver, rest_key.with(i), samples);
+      }
+    }
+  }
+}
+
+// Few cells, each a smooth part of the opening.
+bool has_patches(const PlacedLuminaire& luminaire, const std::vector<OpeningCell>& cells) {
+  switch (luminaire.opening.shape) {
+    case OpeningShape::rectangle:
+      return true;
+    case OpeningShape::disk:
+      return cells.size() == 1;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const DirectProofs& proofs,
+                        RandomKey key, const OpeningRounds& rounds, const OpeningSums& sums) {
+  thread_local std::vector<SeenOpenings> seen;
+  seen.resize(tracer.scene().channels.size());
+  for (SeenOpenings& channel : seen) channel.clear();
+  ShadowBatch batch(tracer, proofs.has_shadows, kReceiverToSource);
+  const glm::dvec3 from_m = tracer.lift(receiver);
+  const auto& luminaires = tracer.scene().luminaires;
+  const auto sampled = [&](std::size_t replicate) {
+    return sums.sampled_lx + replicate * sums.replicate_stride;
+  };
+  for (std::size_t l = 0; l < luminaires.size(); ++l) {
+    const PlacedLuminaire& luminaire = luminaires[l];
+    if (luminaire.opening.shape == OpeningShape::point || proofs.leaves_out(l)) continue;
+    const std::vector<OpeningCell> cells = opening_cells(luminaire, receiver.position_m);
+    if (has_patches(luminaire, cells)) {
+      const Sight sight = proofs.has_shadows
+                              ? tracer.sight(from_m, lifted_corners(luminaire, receiver.position_m,
+                                                                    tracer.offset_m()))
+                              : Sight::free;
+      if (sight == Sight::hidden) continue;
+      if (sight == Sight::free) {
+        for (const OpeningCell& cell : cells)
+          seen[luminaire.channel].add(luminaire, receiver, cell);
+        continue;
+      }
+    }
+    for (std::size_t r = 0; r < rounds.replicates; ++r) {
+      add_opening_samples(batch, tracer, l, cells, receiver, key.with(r), rounds.first, rounds.last,
+                          sampled(r), sums.stride, sums.largest);
+    }
+  }
+  batch.flush();
+  add_seen(seen, receiver, key, rounds, sums);
+  return {batch.rays(), batch.has_contributions(), batch.has_hidden(), batch.has_seen()};
+}
+
+}  // namespace calc
