@@ -40,7 +40,11 @@ find_program(LUXGATE_PYTHON python3)
 if(LUXGATE_PYTHON)
   add_test(NAME bench_report_cost_runs COMMAND ${LUXGATE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_cost.py
     $<TARGET_FILE:luxgate> ${CMAKE_SOURCE_DIR}/examples/05-failing-corridor/photometry/lambert_panel_600.ies 8)
+  add_test(NAME bench_users_projects_run COMMAND ${LUXGATE_PYTHON}
+    ${CMAKE_CURRENT_SOURCE_DIR}/bench/users_projects.py $<TARGET_FILE:luxgate> $<TARGET_FILE:luxgate> --quick)
 else()
-  add_test(NAME bench_report_cost_runs COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
-  set_tests_properties(bench_report_cost_runs PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+  foreach(name bench_report_cost_runs bench_users_projects_run)
+    add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+    set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+  endforeach()
 endif()

@@ -4,6 +4,7 @@ luxgate_test(radiosity_tests
     analytic/closed_room_flux_test.cpp
     analytic/extreme_geometry_test.cpp
     analytic/extreme_light_test.cpp
+    analytic/short_ray_share_test.cpp
     analytic/integrating_sphere_test.cpp
     analytic/inverse_square_cosine_test.cpp
     analytic/lambert_area_source_test.cpp

@@ -18,6 +18,7 @@ constexpr double kConnectionShadow_ns = 45.0;  // the part of it that a convex s
 constexpr double kShortRay_ns = 300.0;         // with the light at its end
 constexpr double kDirectRay_ns = 300.0;        // photometry and shadow ray
 constexpr double kDirectShadow_ns = 20.0;
+constexpr double kKnownOpening_ns = 2500.0;  // proof, nine places of its light, samples of the rest
 constexpr double kPrepare_ns_per_triangle = 1200.0;  // the tree
 constexpr double kPrepare_s = 0.0004;                // its device
 
@@ -53,6 +54,7 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
     const double direct_rays = plane.exact_direct_rays + plane.sampled_direct_rays;
     const double traced = plane.is_unobstructed ? 0.0 : 1.0;
     work.direct_rays += traced * direct_rays;
+    result.seconds.direct += ns * kKnownOpening_ns * plane.known_openings;
     result.seconds.direct += ns * (kDirectRay_ns - (1.0 - traced) * kDirectShadow_ns) * direct_rays;
     result.bytes += kBytesPerResult * replicates * static_cast<double>(space.channels) *
                     static_cast<double>(plane.points);

@@ -16,6 +16,7 @@ struct PlaneWorkload {
   double near_points = 0.0;          // of these, with a surface near enough for short rays
   double exact_direct_rays = 0.0;    // towards point openings: points times luminaires not dark
   double sampled_direct_rays = 0.0;  // one round towards extended openings, all replicates
+  double known_openings = 0.0;       // pairs of points and openings proved free: no ray
   bool is_unobstructed = false;      // convex space: none of these rays is traced
 };
 

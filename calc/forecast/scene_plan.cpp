@@ -4,30 +4,47 @@
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/near_field.h"
+#include "calc/radiosity/opening_light.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <optional>
 
 namespace calc {
 namespace {
 
-// One round of samples on extended openings for one replicate, from points spread over the plane.
-double opening_samples_per_point(const PreparedScene& scene, const PointSet& points,
-                                 const std::vector<std::uint8_t>& dark) {
-  constexpr std::size_t kProbes = 8;
+// Of a receiver, on average.
+struct OpeningEffort {
+  double samples = 0.0;  // of one round and one replicate, where nothing is proved
+  double known = 0.0;    // openings that are seen in full
+};
+
+// From points spread over the plane.
+OpeningEffort opening_effort(const Tracer& tracer, const PointSet& points,
+                             const PlaneDecision& decided) {
+  constexpr std::size_t kProbes = 16;
   const std::size_t count = points.position_m.size(), probes = std::min(kProbes, count);
-  double samples = 0.0;
+  const auto& luminaires = tracer.scene().luminaires;
+  OpeningEffort effort;
+  if (count == 0) return effort;
   for (std::size_t k = 0; k < probes; ++k) {
-    const glm::dvec3& position_m = points.position_m[(2 * k + 1) * count / (2 * probes)];
-    for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
-      const PlacedLuminaire& luminaire = scene.luminaires[l];
-      if (luminaire.opening.shape == OpeningShape::point) continue;
-      if (!dark.empty() && dark[l] != 0) continue;
-      for (const OpeningCell& cell : opening_cells(luminaire, position_m)) samples += cell.samples;
+    const std::size_t i = (2 * k + 1) * count / (2 * probes);
+    const Receiver receiver{points.position_m[i], points.normal[i], points.kernel};
+    for (std::size_t l = 0; l < luminaires.size(); ++l) {
+      if (luminaires[l].opening.shape == OpeningShape::point) continue;
+      if (!decided.is_dark.empty() && decided.is_dark[l] != 0) continue;
+      const Sight sight = opening_sight(tracer, l, receiver, !decided.is_unobstructed);
+      if (sight == Sight::free) ++effort.known;
+      if (sight != Sight::unknown) continue;
+      for (const OpeningCell& cell : opening_cells(luminaires[l], receiver.position_m)) {
+        effort.samples += cell.samples;
+      }
     }
   }
-  return samples / static_cast<double>(probes);
+  effort.samples /= static_cast<double>(probes);
+  effort.known /= static_cast<double>(probes);
+  return effort;
 }
 
 // Distance from a point to a box.
@@ -124,8 +141,10 @@ class Planner {
     const auto receivers = static_cast<double>(decided.receivers);
     load.exact_direct_rays = receivers * static_cast<double>(exact_openings);
     if (decided.samples_openings) {
-      load.sampled_direct_rays = receivers * settings_.replicates *
-                                 opening_samples_per_point(scene_, points, decided.is_dark);
+      if (!tracer_) tracer_.emplace(scene_);
+      const OpeningEffort effort = opening_effort(*tracer_, points, decided);
+      load.sampled_direct_rays = receivers * settings_.replicates * effort.samples;
+      load.known_openings = receivers * effort.known;
     }
     plan_.workload.planes.push_back(load);
   }
@@ -156,6 +175,7 @@ class Planner {
   const RadiositySettings& settings_;
   SurfaceSummary surfaces_;
   SolvePlan solve_;
+  std::optional<Tracer> tracer_;  // where openings are sampled
   ScenePlan plan_;
 };
 

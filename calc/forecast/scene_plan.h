@@ -32,7 +32,7 @@ struct ScenePlan {
   Prediction last_look;   // all planes up to max_paths: the most this can cost, but for openings
 };
 
-// Traces no ray. Settings must be valid.
+// Traces no light; what a few points see of the openings is looked up. Settings must be valid.
 ScenePlan make_scene_plan(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                           const RadiositySettings& settings);
 

@@ -81,9 +81,10 @@ double near_reach_m(const SurfaceSummary& surfaces);
 // Adds to sums[channel * stride] the mean over the rays of
 //   max(0, 1 - b(y) / G) rho(y) (E_dir(y) + E_far(y) + E_near(y)),   y = first hit of a ray within
 //   reach, drawn with density cos / pi (evenly on the sphere for receivers without a back),
-// where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the pool and E_near(y) one more ray, ended by
-// roulette on its weight. largest: raised to the largest single ray's contribution. Returns the
-// rays traced. first_hits: of a ShortRayCaster, one per ray; null: they are traced here.
+// where E_dir(y) asks one luminaire (LuminaireChoice), E_far(y) uses a few vertices drawn from the
+// pool and E_near(y) one more ray, ended by roulette on its weight. largest: raised to the largest
+// single ray's contribution. Returns the rays traced. first_hits: of a ShortRayCaster, one per ray;
+// null: they are traced here.
 std::uint64_t add_near_field(const NearField& field, const NearFieldRequest& request,
                              const FirstHit* first_hits, double* sums, std::size_t stride,
                              float& largest);

@@ -252,7 +252,23 @@ bool has_patches(const PlacedLuminaire& luminaire, const std::vector<OpeningCell
   }
 }
 
+Sight sight_of_cells(const Tracer& tracer, const PlacedLuminaire& luminaire,
+                     const std::vector<OpeningCell>& cells, const Receiver& receiver,
+                     bool has_shadows) {
+  if (!has_patches(luminaire, cells)) return Sight::unknown;
+  if (!has_shadows) return Sight::free;
+  return tracer.sight(tracer.lift(receiver),
+                      lifted_corners(luminaire, receiver.position_m, tracer.offset_m()));
+}
+
 }  // namespace
+
+Sight opening_sight(const Tracer& tracer, std::size_t luminaire, const Receiver& receiver,
+                    bool has_shadows) {
+  const PlacedLuminaire& placed = tracer.scene().luminaires[luminaire];
+  return sight_of_cells(tracer, placed, opening_cells(placed, receiver.position_m), receiver,
+                        has_shadows);
+}
 
 DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const DirectProofs& proofs,
                         RandomKey key, const OpeningRounds& rounds, const OpeningSums& sums) {
@@ -260,7 +276,6 @@ DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const Di
   seen.resize(tracer.scene().channels.size());
   for (SeenOpenings& channel : seen) channel.clear();
   ShadowBatch batch(tracer, proofs.has_shadows, kReceiverToSource);
-  const glm::dvec3 from_m = tracer.lift(receiver);
   const auto& luminaires = tracer.scene().luminaires;
   const auto sampled = [&](std::size_t replicate) {
     return sums.sampled_lx + replicate * sums.replicate_stride;
@@ -269,17 +284,11 @@ DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const Di
     const PlacedLuminaire& luminaire = luminaires[l];
     if (luminaire.opening.shape == OpeningShape::point || proofs.leaves_out(l)) continue;
     const std::vector<OpeningCell> cells = opening_cells(luminaire, receiver.position_m);
-    if (has_patches(luminaire, cells)) {
-      const Sight sight = proofs.has_shadows
-                              ? tracer.sight(from_m, lifted_corners(luminaire, receiver.position_m,
-                                                                    tracer.offset_m()))
-                              : Sight::free;
-      if (sight == Sight::hidden) continue;
-      if (sight == Sight::free) {
-        for (const OpeningCell& cell : cells)
-          seen[luminaire.channel].add(luminaire, receiver, cell);
-        continue;
-      }
+    const Sight sight = sight_of_cells(tracer, luminaire, cells, receiver, proofs.has_shadows);
+    if (sight == Sight::hidden) continue;
+    if (sight == Sight::free) {
+      for (const OpeningCell& cell : cells) seen[luminaire.channel].add(luminaire, receiver, cell);
+      continue;
     }
     for (std::size_t r = 0; r < rounds.replicates; ++r) {
       add_opening_samples(batch, tracer, l, cells, receiver, key.with(r), rounds.first, rounds.last,

@@ -32,6 +32,11 @@ struct OpeningSums {
   float* largest = nullptr;  // raised to the largest sample of what may be hidden; may be null
 };
 
+// What is proved of one opening, as seen from the receiver; unknown for shapes that are sampled
+// always. May only be asked of luminaires with an opening of some size.
+Sight opening_sight(const Tracer& tracer, std::size_t luminaire, const Receiver& receiver,
+                    bool has_shadows);
+
 // key: of the plane and the point.
 DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const DirectProofs& proofs,
                         RandomKey key, const OpeningRounds& rounds, const OpeningSums& sums);

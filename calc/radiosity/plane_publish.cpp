@@ -66,6 +66,7 @@ void PlaneWork::finish_look(std::uint64_t batch_paths) {
       possible_sample_lx_[i] = std::max(possible_sample_lx_[i], possible_sample_lx(i));
     }
   }
+  if (reach_m_ > 0.0) share_short_rays(batch_paths);
   SolveCounters& counters = field_.counters;
   counters.paths += batch_paths * field_.replicates;
   counters.connection_rays = std::accumulate(replicate_connection_rays_.begin(),

@@ -147,6 +147,9 @@ void PlaneWork::start_look(double near_reach_m, const PossibleVertex& possible) 
   if (spatial_order_.empty()) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
+  look_near_lx_.resize(field_.replicates * points());
+  look_drawn_lx_.resize(field_.replicates * points());
+  short_ray_factor_.resize(points(), 1.0);
   std::vector<std::uint8_t> is_wanted(points());
   for (std::size_t i = 0; i < points(); ++i) {
     is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && gathers_reflection_[i] != 0);

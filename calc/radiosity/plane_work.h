@@ -35,7 +35,7 @@ struct VertexBatch {
   const VertexBounds& bounds;
   const GeometryBound* near_bound;  // null: no near field
   const LuminaireChoice& luminaires;
-  const Cut& global_cut;            // continues short rays
+  const Cut& global_cut;  // continues short rays
   std::size_t replicate = 0;
   std::uint64_t first_path = 0, paths = 0;  // of this batch
   double deadline_s = 0.0;  // see is_past(); the rest is then left undone, to be thrown away
@@ -54,10 +54,17 @@ struct PossibleVertex {
 // points, where the pool is shared by more of them. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
-// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws where
-// a surface touches the point, two where it is nearly out of reach and the near field but a trace.
-// clear_m in [0, reach_m].
-std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m);
+// Short rays of a point for one replicate and look, a power of two: a quarter as many as draws
+// where a surface touches the point, two where it is nearly out of reach and the near field but a
+// trace; and `factor` times that. clear_m in [0, reach_m].
+std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double reach_m,
+                                   double factor = 1.0);
+
+// The factor for the next look, from what was measured in this one: variances of the short rays'
+// part and of the connections' over the replicates. Time and variance are best shared where each
+// ray, and each draw, takes as much off the variance for its time.  [METHOD, 4.4]
+double next_short_ray_factor(double factor, double near_variance, double drawn_variance,
+                             std::uint32_t draws, std::uint32_t rays);
 
 class PlaneWork {
  public:
@@ -118,6 +125,7 @@ class PlaneWork {
   std::uint64_t add_near(const ReceiverGroup& tile, const VertexBatch& batch,
                          const FirstHit* first_hits, TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
+  void share_short_rays(std::uint64_t batch_paths);
   bool opening_error_matters() const;
   // Marks points that sampled light may reach but has not.
   void find_unseen();
@@ -142,6 +150,8 @@ class PlaneWork {
   PossibleVertex possible_vertex_;          // of this look
   std::vector<double> possible_sample_lx_;  // [point], the largest of its looks
   double reach_m_ = 0.0;                    // of this look's short rays
+  std::vector<double> look_near_lx_, look_drawn_lx_;  // [replicate][point], of this look alone
+  std::vector<double> short_ray_factor_;              // [point]
 
   std::vector<double> direct_sum_lx_;             // [replicate][channel][point], sum over rounds
   std::vector<std::uint32_t> rounds_;             // [point]

@@ -18,8 +18,9 @@ struct RadiositySettings {
   SkipSet skips;  // what may be left out once a proof holds; all by default
   std::uint64_t seed = 1;
   int replicates = 16;  // independent repetitions that give the intervals, 4 to 64
-  std::uint64_t first_paths =
-      1024;  // light paths of one replicate at the first look, a power of two
+  // Light paths of one replicate at the first look, a power of two. Most verdicts fall then, and
+  // what goes on loses next to nothing by having been looked at early.
+  std::uint64_t first_paths = 256;
   std::uint64_t max_paths = 65536;  // of one replicate of one plane, a power of two >= first_paths
   // Largest geometry term of instant radiosity, 1/m^2; 0 = no limit. What it cuts off is lost.
   double clamp_per_m2 = 0.0;

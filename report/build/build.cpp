@@ -251,7 +251,7 @@ std::string four_planes_remark(const rules::PointValues& receivers, double confi
 PlanePart build_plane(const calc::CalcPlane& plane, const calc::SensorGrid& grid,
                       const calc::PlaneField& field, std::vector<rules::Finding> findings,
                       double confidence) {
-  const double level = rules::look_confidence(confidence, field.looks_planned);
+  const double level = rules::look_confidence(confidence, field);
   PlanePart part = named_plane(plane, std::move(findings));
   part.is_computed = true;
   part.grid = grid;

@@ -69,7 +69,7 @@ PlaneLook build_look(const calc::PlaneField& field, calc::DerivedQuantity derive
       field.counters.direct_rays + field.counters.connection_rays + field.counters.near_rays;
   look.points =
       field.counters.active_points.empty() ? field.points : field.counters.active_points.back();
-  const double level = rules::look_confidence(confidence, field.looks_planned);
+  const double level = rules::look_confidence(confidence, field);
   look.average = calc::is_plain_number(derived)
                      ? no_estimate()
                      : statistic(maintained(field, derived, {}), rules::Metric::average, level);

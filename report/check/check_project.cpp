@@ -240,7 +240,7 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
     if (planes.back().is_computed && apart) {
       planes.back().by_luminaire = report::build_luminaire_shares(
           *field, space.luminaires, loaded.project.luminaire_types, planes.back(),
-          rules::look_confidence(context.settings.confidence, field->looks_planned));
+          rules::look_confidence(context.settings.confidence, *field));
     }
     ++task;
   }

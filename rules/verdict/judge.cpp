@@ -151,7 +151,7 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence) {
   if (!field.problem.empty()) return not_judged_plane(requirements, field.problem);
-  const double level = look_confidence(confidence, field.looks_planned);
+  const double level = look_confidence(confidence, field);
   std::vector<Finding> findings;
   findings.reserve(requirements.size());
   for (const Requirement& requirement : requirements) {

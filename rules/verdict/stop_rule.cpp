@@ -62,7 +62,7 @@ StopAnswer stop_or_go_on(const StopRule& rule, const std::vector<Requirement>& r
                          const calc::SensorGrid& grid, const calc::PlaneField& field,
                          const std::vector<calc::LightScene>& scenes) {
   const Goal goal = requirements.empty() ? Goal::accuracy : rule.goal;
-  const double level = look_confidence(rule.confidence, field.looks_planned);
+  const double level = look_confidence(rule.confidence, field);
   ActivePoints active;
   bool is_finished = true;
   const std::vector<Requirement> judged =

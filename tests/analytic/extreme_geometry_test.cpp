@@ -23,7 +23,7 @@ calc::PreparedScene plain_room(const calc::PhotometricWeb& web, double rho) {
 void expect_all_right(const calc::PreparedScene& scene, const calc::PreparedScene& simple,
                       const calc::SensorGrid& grid, std::uint64_t paths, double widest,
                       int reference_paths = 60000) {
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, paths);
+  const calc::SpaceSolution solution = solve_in_looks(scene, grid, 3, paths);
   EXPECT_EQ(solution.balance.escaped_lm.value, 0.0);
   const PathReference reference(simple);
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {

@@ -126,7 +126,7 @@ TEST(ExtremeReflectance, OneWhiteWallInABlackRoom) {
   const calc::SensorGrid grid =
       points_of({{3, 1.5, 0.75}, {0.01, 1.5, 0.0}, {0.5, 1.0, 1.0}, {2, 1.5, 1.2}},
                 {kUp, kUp, {-1, 0, 0}, kDown});
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 4096);
+  const calc::SpaceSolution solution = solve_in_looks(scene, grid, 3, 4096);
   for (std::size_t i = 0; i < grid.position_m.size(); ++i) {
     const glm::dvec3 &x = grid.position_m[i], &n = grid.normal[i];
     expect_right(solution.fields[0], i, {direct_lx(scene.luminaires[0], x, n) + wall.lx(x, n), 0.0},
@@ -223,7 +223,7 @@ TEST(ExtremeLuminaire, InsideAnOpenBox) {
   const calc::SensorGrid grid =
       points_of({{3.0, 1.5, 0.75}, {1.6, 1.5, 0.4}, {1.7, 1.5, 2.4}, {1.05, 1.2, 0.801}},
                 {kUp, kUp, kDown, kUp});
-  const calc::SpaceSolution solution = solve_with_paths(scene, grid, 3, 8192);
+  const calc::SpaceSolution solution = solve_in_looks(scene, grid, 3, 8192);
   EXPECT_EQ(solution.fields[0].direct_exact_lx[0], 0.0);
   EXPECT_EQ(solution.fields[0].direct_exact_lx[1], 0.0);
   EXPECT_EQ(solution.balance.escaped_lm.value, 0.0);

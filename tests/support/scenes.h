@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -145,6 +146,15 @@ inline calc::SpaceSolution solve_with_paths(const calc::PreparedScene& scene,
   return calc::solve_illuminance(
       scene, {{"plane", &grid}}, settings, 0.95, *gatherer,
       [](std::size_t, const calc::PlaneField&, calc::Look) { return calc::LookAnswer{}; }, {});
+}
+
+// In looks as luxgate takes them: what one measures decides how the next one shares its rays.
+inline calc::SpaceSolution solve_in_looks(const calc::PreparedScene& scene,
+                                          const calc::SensorGrid& grid, std::uint64_t seed,
+                                          std::uint64_t paths, int replicates = 16) {
+  const std::uint64_t first = calc::RadiositySettings{}.first_paths;
+  return solve_with_paths(scene, grid, seed, paths, replicates,
+                          std::countr_zero(paths / first) + 1);
 }
 
 // Total illuminance of replicate r at point i, all channels.

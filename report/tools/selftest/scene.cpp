@@ -5,6 +5,7 @@
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli::selftest {
@@ -171,7 +172,8 @@ Solution solve(const calc::Project& project, const calc::Space& space, const cal
   settings.seed = effort.seed;
   settings.jobs = effort.jobs;
   settings.replicates = kReplicates;
-  settings.first_paths = settings.max_paths = effort.paths;
+  settings.max_paths = effort.paths;
+  settings.first_paths = std::min(settings.first_paths, effort.paths);  // looks as of a check
   const calc::PreparedScene prepared = calc::prepare_scene(project, space);
   const auto gatherer = calc::make_cpu_gatherer();
   calc::SpaceSolution solved = calc::solve_illuminance(

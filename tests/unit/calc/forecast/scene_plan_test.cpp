@@ -135,7 +135,8 @@ TEST_F(APlan, NamesTheBodyInTheWay) {
   EXPECT_EQ(decision(p, calc::Skip::convex).body, std::optional<std::uint32_t>(3));
 }
 
-TEST_F(APlan, ExtendedOpeningsAreSampled) {
+// Above all points nothing stands before the panel; a beam below it hides parts of it.
+TEST_F(APlan, ExtendedOpeningsAreSampledWhereNothingIsProved) {
   const auto panel =
       test_support::lambert_web(300, 9, {calc::OpeningShape::rectangle, 0.6, 0.6, 0.0});
   scene.luminaires.clear();
@@ -144,7 +145,14 @@ TEST_F(APlan, ExtendedOpeningsAreSampled) {
   settings.skips.forbid(calc::Skip::convex);
   const calc::ScenePlan p = plan();
   EXPECT_FALSE(p.planes[0].is_exact);
-  EXPECT_GE(p.first_look.work.direct_rays, 25.0 * settings.replicates);
+  EXPECT_EQ(p.first_look.work.direct_rays, 0.0);
+  EXPECT_EQ(p.workload.planes[0].known_openings, 25.0);
+  EXPECT_GT(p.first_look.seconds.direct, 0.0);
+
+  test_support::add_box(scene, {-0.1, -1, 1.2}, {0.2, 2, 0.1}, 0.0);
+  const calc::ScenePlan beam = plan();
+  EXPECT_GE(beam.first_look.work.direct_rays, settings.replicates);
+  EXPECT_LT(beam.workload.planes[0].known_openings, 25.0);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
   settings = {};
   settings.max_paths = 1000;
   EXPECT_EQ(calc::validate(settings),
-            "max paths is 1000; allowed: a power of two, 1024 to 1073741824");
+            "max paths is 1000; allowed: a power of two, 256 to 1073741824");
   settings = {};
   settings.max_paths = 128;
   EXPECT_EQ(calc::validate(settings),
-            "max paths is 128; allowed: a power of two, 1024 to 1073741824");
+            "max paths is 128; allowed: a power of two, 256 to 1073741824");
   settings = {};
   settings.first_paths = 0;
   EXPECT_EQ(calc::validate(settings), "first paths is 0; allowed: a power of two, 1 to 1073741824");

@@ -62,9 +62,30 @@ bool is_accurate_to(double tolerance, const std::vector<Requirement>& requiremen
 }
 
 TEST(ErrorSpending, SharesTheRiskOverTheLooks) {
-  EXPECT_DOUBLE_EQ(look_confidence(0.95, 1), 0.95);
-  EXPECT_DOUBLE_EQ(look_confidence(0.95, 5), 0.99);
-  EXPECT_DOUBLE_EQ(look_confidence(0.9, 2), 0.95);
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, 0, 1), 0.95);
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, 0, 6), 0.9875);
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, 5, 6), 0.9925);
+  EXPECT_DOUBLE_EQ(look_confidence(0.9, 1, 2), 0.95);
+  for (int planned = 1; planned < 31; ++planned) {
+    double sum = 0.0;
+    for (int look = 0; look < planned; ++look) {
+      sum += risk_share(look, planned);
+      // A point that was left out must not get a narrower interval later.
+      if (look == 0) continue;
+      EXPECT_LE(risk_share(look, planned), risk_share(look - 1, planned) + 1e-15);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12) << planned;
+  }
+}
+
+TEST(ErrorSpending, TheLevelIsThatOfTheLastLookTaken) {
+  calc::PlaneField field = field_with_spread(10);
+  field.looks_planned = 6;
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, field), 0.9875);
+  field.counters.active_points = {2};
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, field), 0.9875);
+  field.counters.active_points = {2, 1, 1};
+  EXPECT_DOUBLE_EQ(look_confidence(0.95, field), 0.9925);
 }
 
 // Average: 150 -+ 9.187 lx, wide, but on one side of 140.8; see AccuracyGoal.
