@@ -24,6 +24,8 @@ struct DirectProofs {
   // [luminaire]: 1 = gives nothing here (find_dark_luminaires()), left out; may be empty.
   std::span<const std::uint8_t> is_dark;
   bool has_shadows = true;  // false: nothing can stand between (ConvexSpace::holds())
+  // [luminaire]: 1 = all of its opening is seen (find_free_openings()); may be empty.
+  std::span<const std::uint8_t> is_free = {};
 
   bool leaves_out(std::size_t luminaire) const {
     return !is_dark.empty() && is_dark[luminaire] != 0;

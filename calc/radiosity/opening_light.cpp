@@ -240,6 +240,15 @@ void add_seen(std::span<const SeenOpenings> seen, const Receiver& receiver, Rand
   }
 }
 
+void widen(SightBox& box, const glm::dvec3& p) {
+  box.low_m = glm::min(box.low_m, p);
+  box.high_m = glm::max(box.high_m, p);
+}
+
+bool is_flat(const LuminousOpening& opening) {
+  return opening.shape == OpeningShape::rectangle || opening.shape == OpeningShape::disk;
+}
+
 // Few cells, each a smooth part of the opening.
 bool has_patches(const PlacedLuminaire& luminaire, const std::vector<OpeningCell>& cells) {
   switch (luminaire.opening.shape) {
@@ -270,6 +279,37 @@ Sight opening_sight(const Tracer& tracer, std::size_t luminaire, const Receiver&
                         has_shadows);
 }
 
+std::vector<std::uint8_t> find_free_openings(const Tracer& tracer,
+                                             std::span<const Receiver> receivers,
+                                             const DirectProofs& proofs) {
+  const auto& luminaires = tracer.scene().luminaires;
+  std::vector<std::uint8_t> is_free(luminaires.size(), 0);
+  if (!proofs.has_shadows || receivers.empty()) return is_free;  // needs no proof
+  const glm::dvec3 first_m = tracer.lift(receivers.front());
+  SightBox from{first_m, first_m}, at{receivers.front().position_m, receivers.front().position_m};
+  for (const Receiver& receiver : receivers) {
+    widen(from, tracer.lift(receiver));
+    widen(at, receiver.position_m);
+  }
+  for (std::size_t l = 0; l < luminaires.size(); ++l) {
+    if (!is_flat(luminaires[l].opening) || proofs.leaves_out(l)) continue;
+    // The opening is lifted to the side of the receiver: to both, if they are on both.
+    const auto lifted = [&](const glm::dvec3& p) {
+      return lifted_corners(luminaires[l], p, tracer.offset_m());
+    };
+    const glm::dvec3 any_m = lifted(at.low_m)[0];
+    SightBox to{any_m, any_m};
+    for (int k = 0; k < 8; ++k) {
+      const glm::dvec3 p((k & 1) != 0 ? at.high_m.x : at.low_m.x,
+                         (k & 2) != 0 ? at.high_m.y : at.low_m.y,
+                         (k & 4) != 0 ? at.high_m.z : at.low_m.z);
+      for (const glm::dvec3& corner_m : lifted(p)) widen(to, corner_m);
+    }
+    is_free[l] = static_cast<std::uint8_t>(tracer.is_free_between(from, to));
+  }
+  return is_free;
+}
+
 DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const DirectProofs& proofs,
                         RandomKey key, const OpeningRounds& rounds, const OpeningSums& sums) {
   thread_local std::vector<SeenOpenings> seen;
@@ -284,7 +324,9 @@ DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const Di
     const PlacedLuminaire& luminaire = luminaires[l];
     if (luminaire.opening.shape == OpeningShape::point || proofs.leaves_out(l)) continue;
     const std::vector<OpeningCell> cells = opening_cells(luminaire, receiver.position_m);
-    const Sight sight = sight_of_cells(tracer, luminaire, cells, receiver, proofs.has_shadows);
+    const bool is_free = !proofs.is_free.empty() && proofs.is_free[l] != 0;
+    const Sight sight =
+        sight_of_cells(tracer, luminaire, cells, receiver, proofs.has_shadows && !is_free);
     if (sight == Sight::hidden) continue;
     if (sight == Sight::free) {
       for (const OpeningCell& cell : cells) seen[luminaire.channel].add(luminaire, receiver, cell);

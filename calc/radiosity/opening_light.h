@@ -16,6 +16,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace calc {
 
@@ -36,6 +38,12 @@ struct OpeningSums {
 // always. May only be asked of luminaires with an opening of some size.
 Sight opening_sight(const Tracer& tracer, std::size_t luminaire, const Receiver& receiver,
                     bool has_shadows);
+
+// [luminaire]: 1 where all receivers see all of the opening, by one proof for all of them; 0: not
+// known. Receivers should be near each other. Shapes that are sampled always have 0.
+std::vector<std::uint8_t> find_free_openings(const Tracer& tracer,
+                                             std::span<const Receiver> receivers,
+                                             const DirectProofs& proofs);
 
 // key: of the plane and the point.
 DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const DirectProofs& proofs,

@@ -20,6 +20,8 @@ namespace {
 // Clear distances are found up to so many reaches of short rays: the largest possible sample falls
 // with their square.
 constexpr double kClearReaches = 4.0;
+// Neighbours that share one proof that an opening is seen; where it fails each has its own.
+constexpr std::size_t kPointsPerProof = 32;
 
 // Runs work(i) -> rays for every point on all threads and returns the sum of rays.
 template <class Work>
@@ -43,6 +45,7 @@ PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const Se
       near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
       draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
   receiver_ = receivers_of(tracer, grid);
+  spatial_order_ = spatial_order(receiver_);
   const auto replicates = static_cast<std::size_t>(settings.replicates);
   field_.plane_id = plane_id;
   field_.points = points();
@@ -125,14 +128,17 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   if (most_rounds_ > 0 && !opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
   direct_sum_lx_.resize(values());
+  if (free_openings_.empty() && has_shadows()) prove_openings(deadline_s);
   const std::uint32_t last = std::max<std::uint32_t>(1, 2 * most_rounds_);
-  field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
+  field_.counters.direct_rays += for_each_point(points(), [&](std::size_t place) {
+    const std::size_t i = spatial_order_[place];
     if (active_[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
-    const DirectRays direct =
-        add_openings(tracer_, receiver_[i], {decision_.is_dark, has_shadows()},
-                     opening_key_.with(i), {rounds_[i], last, field_.replicates},
-                     {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(),
-                      channels() * points(), &largest_opening_lx_[i]});
+    DirectProofs proofs{decision_.is_dark, has_shadows()};
+    if (has_shadows()) proofs.is_free = free_openings_[place / kPointsPerProof];
+    const DirectRays direct = add_openings(
+        tracer_, receiver_[i], proofs, opening_key_.with(i), {rounds_[i], last, field_.replicates},
+        {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(), channels() * points(),
+         &largest_opening_lx_[i]});
     if (direct.has_hidden) has_hidden_opening_[i] = 1;
     if (direct.may_be_lit) may_be_sampled_[i] = 1;
     if (direct.has_seen) has_seen_opening_[i] = 1;
@@ -142,9 +148,23 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   most_rounds_ = last;
 }
 
+void PlaneWork::prove_openings(double deadline_s) {
+  free_openings_.resize((points() + kPointsPerProof - 1) / kPointsPerProof);
+  for_each_point(free_openings_.size(), [&](std::size_t group) {
+    if (is_past(deadline_s)) return std::uint64_t{0};
+    std::vector<Receiver> receivers;
+    const std::size_t first = group * kPointsPerProof;
+    for (std::size_t k = first; k < std::min(points(), first + kPointsPerProof); ++k) {
+      receivers.push_back(receiver_[spatial_order_[k]]);
+    }
+    free_openings_[group] =
+        find_free_openings(tracer_, receivers, {decision_.is_dark, has_shadows()});
+    return std::uint64_t{0};
+  });
+}
+
 void PlaneWork::start_look(double near_reach_m, const PossibleVertex& possible) {
   possible_vertex_ = possible;
-  if (spatial_order_.empty()) spatial_order_ = spatial_order(receiver_);
   indirect_sum_lx_.resize(values());
   largest_sum_lx_.resize(field_.replicates * points());
   look_near_lx_.resize(field_.replicates * points());

@@ -109,6 +109,7 @@ class PlaneWork {
   struct TileSums;
 
   void add_glare(double deadline_s);
+  void prove_openings(double deadline_s);
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
   std::size_t values() const { return field_.replicates * channels() * points(); }
@@ -139,8 +140,10 @@ class PlaneWork {
   const RadiositySettings& settings_;
   const PlaneDecision& decision_;
   RandomKey opening_key_, near_key_, draw_key_;
-  std::vector<Receiver> receiver_;                // local
-  std::vector<std::uint32_t> spatial_order_;      // of points, neighbours together
+  std::vector<Receiver> receiver_;            // local
+  std::vector<std::uint32_t> spatial_order_;  // of points, neighbours together
+  // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
+  std::vector<std::vector<std::uint8_t>> free_openings_;
   std::vector<std::uint8_t> active_;              // [point]
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
   std::vector<std::uint8_t> may_be_sampled_;      // [point]

@@ -152,6 +152,11 @@ class Tracer {
   // be outside the convex space. from_m, corner_m: lifted, as the ends of segments would be.
   Sight sight(const glm::dvec3& from_m, const std::array<glm::dvec3, 4>& corner_m) const;
 
+  // true: by proof, every place of the one box sees all of the other. Both hold lifted places.
+  bool is_free_between(const SightBox& one, const SightBox& other) const {
+    return calc::is_free_between(tree_, one, other, touching_m());
+  }
+
   // Bit k is set if segment k is blocked.
   std::uint32_t blocked(const SegmentPacket& packet) const;
 

@@ -30,6 +30,15 @@ std::optional<HalfSpace> half_space(const glm::dvec3& a, const glm::dvec3& b, co
   return HalfSpace{outward, glm::dot(outward, a)};
 }
 
+SightBox box_of(const TriangleTree::Node& node, std::size_t lane) {
+  SightBox box{};
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    box.low_m[axis] = static_cast<double>(node.low_m[static_cast<std::size_t>(axis)][lane]);
+    box.high_m[axis] = static_cast<double>(node.high_m[static_cast<std::size_t>(axis)][lane]);
+  }
+  return box;
+}
+
 // The convex hull of a point and a parallelogram, as half-spaces that hold it, a margin wider.
 class Pyramid {
  public:
@@ -56,10 +65,8 @@ class Pyramid {
 
   // false: no triangle in that box meets it, by more than rounding.
   bool may_meet(const TriangleTree::Node& node, std::size_t lane) const {
-    glm::dvec3 low, high;
+    const auto [low, high] = box_of(node, lane);
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-      low[axis] = static_cast<double>(node.low_m[static_cast<std::size_t>(axis)][lane]);
-      high[axis] = static_cast<double>(node.high_m[static_cast<std::size_t>(axis)][lane]);
       if (low[axis] > high_m_[axis] || high[axis] < low_m_[axis]) return false;
     }
     const double slack_m = kSlack * margin_m_;
@@ -192,7 +199,85 @@ bool is_covered(const TriangleTree& tree, const SightQuery& query,
   return cover.hide(tree.triangle(first), tree.triangle(*second));
 }
 
+// The hull of two boxes, as half-spaces that hold it.
+class Shaft {
+ public:
+  Shaft(const SightBox& one, const SightBox& other, double margin_m)
+      : low_m_(glm::min(one.low_m, other.low_m) - margin_m),
+        high_m_(glm::max(one.high_m, other.high_m) + margin_m) {
+    for (glm::length_t across = 0; across < 3; ++across) {
+      const glm::length_t i = (across + 1) % 3, k = (across + 2) % 3;
+      for (const double side_i : {-1.0, 1.0}) {
+        for (const double side_k : {-1.0, 1.0}) {
+          const glm::dvec2 side(side_i, side_k);
+          const glm::dvec2 a = corner(one, i, k, side), b = corner(other, i, k, side);
+          const glm::dvec2 along = b - a;
+          const double length_m = glm::length(along);
+          if (!(length_m > margin_m)) continue;
+          glm::dvec2 normal = glm::dvec2(-along.y, along.x) / length_m;
+          if (normal.x * side.x < 0.0 || normal.y * side.y < 0.0) normal = -normal;
+          if (normal.x * side.x < 0.0 || normal.y * side.y < 0.0) continue;
+          HalfSpace plane{glm::dvec3(0.0), glm::dot(normal, a) + margin_m};
+          plane.normal[i] = normal.x;
+          plane.normal[k] = normal.y;
+          plane_[planes_++] = plane;
+        }
+      }
+    }
+  }
+
+  // false: nothing in that box reaches into it.
+  bool may_meet(const SightBox& box) const {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+      if (box.low_m[axis] > high_m_[axis] || box.high_m[axis] < low_m_[axis]) return false;
+    }
+    for (std::size_t p = 0; p < planes_; ++p) {
+      const glm::dvec3& n = plane_[p].normal;
+      const glm::dvec3 lowest(n.x > 0.0 ? box.low_m.x : box.high_m.x,
+                              n.y > 0.0 ? box.low_m.y : box.high_m.y,
+                              n.z > 0.0 ? box.low_m.z : box.high_m.z);
+      if (plane_[p].above(lowest) > 0.0) return false;
+    }
+    return true;
+  }
+
+  bool may_meet(const Triangle& t) const {
+    if (!may_meet(SightBox{glm::min(t.a, glm::min(t.b, t.c)), glm::max(t.a, glm::max(t.b, t.c))})) {
+      return false;
+    }
+    for (std::size_t p = 0; p < planes_; ++p) {
+      const HalfSpace& plane = plane_[p];
+      if (plane.above(t.a) > 0.0 && plane.above(t.b) > 0.0 && plane.above(t.c) > 0.0) return false;
+    }
+    return true;
+  }
+
+ private:
+  static glm::dvec2 corner(const SightBox& box, glm::length_t i, glm::length_t k,
+                           const glm::dvec2& side) {
+    return {side.x > 0.0 ? box.high_m[i] : box.low_m[i],
+            side.y > 0.0 ? box.high_m[k] : box.low_m[k]};
+  }
+
+  glm::dvec3 low_m_, high_m_;
+  std::array<HalfSpace, 12> plane_{};
+  std::size_t planes_ = 0;
+};
+
 }  // namespace
+
+bool is_free_between(const TriangleTree& tree, const SightBox& one, const SightBox& other,
+                     double margin_m) {
+  const Shaft shaft(one, other, margin_m);
+  bool is_free = true;
+  tree.visit_if(
+      [&](const auto& node, std::size_t lane) { return shaft.may_meet(box_of(node, lane)); },
+      [&](std::uint32_t index) {
+        is_free = !shaft.may_meet(tree.triangle(index));
+        return is_free;
+      });
+  return is_free;
+}
 
 Sight sight_of(const TriangleTree& tree, const SightQuery& query) {
   if (tree.is_empty()) return Sight::free;

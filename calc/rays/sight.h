@@ -29,4 +29,14 @@ struct SightQuery {
 // function of query and triangles alone.
 Sight sight_of(const TriangleTree& tree, const SightQuery& query);
 
+struct SightBox {
+  glm::dvec3 low_m, high_m;
+};
+
+// true: no triangle comes within the margin of the convex hull of the two boxes, so that every
+// place in the one sees every place in the other. false: not known. By the planes through two
+// parallel edges, one of each box, that leave both boxes on one side.  [shafts: HW94]
+bool is_free_between(const TriangleTree& tree, const SightBox& one, const SightBox& other,
+                     double margin_m);
+
 }  // namespace calc

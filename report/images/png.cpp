@@ -22,10 +22,8 @@ std::string encode_png(const Raster& raster) {
   image.width = static_cast<png_uint_32>(raster.width);
   image.height = static_cast<png_uint_32>(raster.height);
   image.format = PNG_FORMAT_RGBA;
-  png_alloc_size_t size = 0;
-  if (png_image_write_to_memory(&image, nullptr, &size, 0, raster.rgba.data(), 0, nullptr) == 0) {
-    fail(image);
-  }
+  // Asking for the size first would pack the picture twice.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, raster.rgba.data(), 0, nullptr) ==
       0) {

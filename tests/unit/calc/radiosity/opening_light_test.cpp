@@ -154,6 +154,42 @@ TEST(OpeningLight, OfFreeOpeningsIsKnownButForALittle) {
   EXPECT_LT(worst, 1e-3);
 }
 
+// A hall: most openings are known by their middle and by pairs of samples opposite to each other.
+TEST(OpeningLight, OfFarOpeningsIsKnownAsWell) {
+  Room room;
+  room.scene.channels = {{"", 1.0}};
+  const calc::LuminousOpening panel{OpeningShape::rectangle, 1.2, 0.3, 0.0};
+  for (int k = 0; k < 48; ++k) {
+    const glm::dvec3 at_m(4.0 + 8.0 * (k % 8), 4.0 + 8.0 * (k / 8), 12.5);
+    if (k % 2 == 0) {
+      room.add(lambert_web(1000, 18, panel), at_m);
+    } else {
+      room.add(crooked_web(panel), at_m);
+    }
+  }
+  add_quad(room.scene, {0, 0, 0}, {64, 0, 0}, {0, 48, 0}, 0.5);
+  set_extent(room.scene);
+  const calc::Tracer tracer(room.scene);
+  double worst = 0.0, sum_square = 0.0;
+  constexpr int kPlaces = 30;
+  for (int k = 0; k < kPlaces; ++k) {
+    const calc::Receiver receiver{{1.0 + 2.1 * k, 2.0 + 1.4 * k, 0.8}, {0, 0, 1}};
+    const auto seed = static_cast<std::uint64_t>(k);
+    const auto few =
+        calc::replicate_mean(replicate_totals(by_proof(tracer, receiver, seed, 16), 0));
+    worst = std::max(worst, few.standard_error / few.mean);
+    const auto ours =
+        calc::replicate_mean(replicate_totals(by_proof(tracer, receiver, seed, 256), 0));
+    const auto rays = calc::replicate_mean(by_rays(tracer, receiver, 256, 0));
+    const double z = (ours.mean - rays.mean) / std::hypot(ours.standard_error, rays.standard_error);
+    EXPECT_LT(std::abs(z), 4.5) << "place " << k << ": " << ours.mean << " and " << rays.mean;
+    sum_square += z * z;
+  }
+  std::printf("worst standard error %.5f %%\n", 100.0 * worst);
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_NEAR(sum_square / kPlaces, 1.0, 4.0 * std::sqrt(2.0 / kPlaces));
+}
+
 TEST(OpeningLight, MoreRoundsMakeTheErrorSmaller) {
   const Room room = office();
   const calc::Tracer tracer(room.scene);

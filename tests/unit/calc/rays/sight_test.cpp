@@ -178,4 +178,70 @@ TEST(Sight, EndsInSurfacesAreNotInTheWay) {
   EXPECT_EQ(calc::sight_of(model.tree(), query), Sight::unknown);
 }
 
+// Two boxes apart from each other, overlapping or flat, among small triangles.
+TEST(SightBetweenBoxes, IsNeverClaimedWhereSomethingStands) {
+  int proved = 0, free = 0;
+  const auto random_box = [](Draw& draw, bool is_flat) {
+    const glm::dvec3 low = draw.place(1.5);
+    glm::dvec3 size(draw.in(0.0, 0.8), draw.in(0.0, 0.8), draw.in(0.0, 0.8));
+    if (is_flat) size.z = 0.0;
+    return calc::SightBox{low, low + size};
+  };
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    Draw draw(RandomKey(4).with(seed));
+    const calc::SightBox one = random_box(draw, false), other = random_box(draw, seed % 2 == 0);
+    Model model;
+    for (std::uint64_t k = 0; k <= seed % 10; ++k) {
+      const glm::dvec3 a = draw.place(1.5);
+      const double size_m = draw.in(0.02, 0.8);
+      model.add_triangle(glm::vec3(a), glm::vec3(a + size_m * draw.place(1.0)),
+                         glm::vec3(a + size_m * draw.place(1.0)));
+    }
+    const calc::TriangleTree tree = model.tree();
+    const auto place_in = [&draw](const calc::SightBox& box) {
+      glm::dvec3 p;
+      for (glm::length_t axis = 0; axis < 3; ++axis) {
+        const double share = std::clamp(draw.in(-0.3, 1.3), 0.0, 1.0);
+        p[axis] = box.low_m[axis] + share * (box.high_m[axis] - box.low_m[axis]);
+      }
+      return glm::vec3(p + draw.place(0.2 * kMargin_m));
+    };
+    int blocked = 0;
+    for (int i = 0; i < 25; ++i) {
+      std::vector<calc::Ray> rays(16);
+      for (calc::Ray& ray : rays) {
+        ray.origin = place_in(one);
+        ray.direction = place_in(other) - ray.origin;
+        ray.most = 1.0f;
+      }
+      blocked += tree.blocked(rays) != 0 ? 1 : 0;
+    }
+    const bool is_free = calc::is_free_between(tree, one, other, kMargin_m);
+    if (is_free) {
+      EXPECT_EQ(blocked, 0) << seed;
+      ++proved;
+    }
+    free += blocked == 0 ? 1 : 0;
+  }
+  EXPECT_GT(free, 1000);
+  EXPECT_GT(proved, 0.8 * free);  // triangles are not told from their boxes past the planes
+}
+
+TEST(SightBetweenBoxes, OfAHallIsFreeBesideItsPillar) {
+  Model model;
+  model.add_quad({0, 0, 0}, {20, 0, 0}, {0, 20, 0});
+  model.add_quad({0, 0, 6}, {20, 0, 0}, {0, 20, 0});
+  model.add_quad({9, 10, 0}, {2, 0, 0}, {0, 0, 6});
+  const calc::TriangleTree tree = model.tree();
+  const calc::SightBox floor{{9, 2, 1e-5}, {10, 3, 1e-5}};
+  const auto lamp = [](double x, double y) {
+    return calc::SightBox{{x, y, 6 - 1e-5}, {x + 1.2, y + 0.3, 6 - 1e-5}};
+  };
+  EXPECT_TRUE(calc::is_free_between(tree, floor, lamp(9, 5), kMargin_m));
+  EXPECT_TRUE(calc::is_free_between(tree, floor, lamp(1, 15), kMargin_m));
+  EXPECT_TRUE(calc::is_free_between(tree, floor, lamp(16, 15), kMargin_m));
+  EXPECT_FALSE(calc::is_free_between(tree, floor, lamp(9, 15), kMargin_m));
+  EXPECT_FALSE(calc::is_free_between(tree, floor, {{9, 5, 6}, {10, 6, 6}}, kMargin_m));
+}
+
 }  // namespace
