@@ -9,16 +9,16 @@
 namespace calc {
 namespace {
 
-// Nanoseconds of one thread. Measured as CPU time on one core of a shared AMD EPYC, Embree 3.13, in
-// an office of 840 triangles and in the examples; they spread by 30 %. Other machines differ by a
-// factor, other scenes by another: --explain-cost shows it.
-constexpr double kPoolRay_ns = 450.0;          // closest hit, sampling, and sorting of the vertex
-constexpr double kConnection_ns = 170.0;       // draw, kernel, shadow ray
-constexpr double kConnectionShadow_ns = 45.0;  // the part of it that a convex space saves
+// Nanoseconds of one thread, as kConnection_ns. Measured on one core of a shared AMD Zen 5 in the
+// examples and the projects of tests/bench/users_projects.py: 20 of 22 take 0.6 to 1.3 times what
+// is predicted, two of 10 ms a third and a half. Other machines differ by a factor: --explain-cost
+// shows it.
+constexpr double kPoolRay_ns = 480.0;          // closest hit, sampling, and sorting of the vertex
+constexpr double kConnectionShadow_ns = 25.0;  // the part of a connection that a convex space saves
 constexpr double kShortRay_ns = 300.0;         // with the light at its end
 constexpr double kDirectRay_ns = 300.0;        // photometry and shadow ray
 constexpr double kDirectShadow_ns = 20.0;
-constexpr double kKnownOpening_ns = 2500.0;  // proof, nine places of its light, samples of the rest
+constexpr double kKnownOpening_ns = 1200.0;  // proof, nine places of its light, samples of the rest
 constexpr double kPrepare_ns_per_triangle = 1200.0;  // the tree
 constexpr double kPrepare_s = 0.0004;                // its device
 

@@ -9,12 +9,15 @@
 
 namespace calc {
 
+// Draw, kernel and shadow ray of a connection, on one thread.  [measured, see cost_model.cpp]
+inline constexpr double kConnection_ns = 95.0;
+
 // What a plane asks of the calculation, as far as it is known before.
 struct PlaneWorkload {
   std::size_t points = 0;
   std::size_t seeing_points = 0;     // that indirect light may reach
   double near_points = 0.0;          // of these, with a surface near enough for short rays
-  double exact_direct_rays = 0.0;    // towards point openings: points times luminaires not dark
+  double exact_direct_rays = 0.0;    // once: towards point openings, and of eyes
   double sampled_direct_rays = 0.0;  // one round towards extended openings, all replicates
   double known_openings = 0.0;       // pairs of points and openings proved free: no ray
   bool is_unobstructed = false;      // convex space: none of these rays is traced

@@ -3,6 +3,7 @@
 #include "calc/proofs/point_set.h"
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/direct.h"
+#include "calc/radiosity/glare.h"
 #include "calc/radiosity/near_field.h"
 #include "calc/radiosity/opening_light.h"
 
@@ -20,6 +21,16 @@ struct OpeningEffort {
   double known = 0.0;    // openings that are seen in full
 };
 
+// Rays of one round and one replicate towards an opening of which nothing is proved.
+double rays_towards(const PlacedLuminaire& luminaire, const Receiver& receiver, bool is_eye) {
+  if (is_eye) return static_cast<double>(kSightLines * kSightLines);
+  double rays = 0.0;
+  for (const OpeningCell& cell : opening_cells(luminaire, receiver.position_m)) {
+    rays += cell.samples;
+  }
+  return rays;
+}
+
 // From points spread over the plane.
 OpeningEffort opening_effort(const Tracer& tracer, const PointSet& points,
                              const PlaneDecision& decided) {
@@ -34,12 +45,11 @@ OpeningEffort opening_effort(const Tracer& tracer, const PointSet& points,
     for (std::size_t l = 0; l < luminaires.size(); ++l) {
       if (luminaires[l].opening.shape == OpeningShape::point) continue;
       if (!decided.is_dark.empty() && decided.is_dark[l] != 0) continue;
+      const bool is_eye = !decided.measures_direct;
+      if (is_eye && is_behind(luminaires[l], receiver)) continue;
       const Sight sight = opening_sight(tracer, l, receiver, !decided.is_unobstructed);
       if (sight == Sight::free) ++effort.known;
-      if (sight != Sight::unknown) continue;
-      for (const OpeningCell& cell : opening_cells(luminaires[l], receiver.position_m)) {
-        effort.samples += cell.samples;
-      }
+      if (sight == Sight::unknown) effort.samples += rays_towards(luminaires[l], receiver, is_eye);
     }
   }
   effort.samples /= static_cast<double>(probes);
@@ -130,20 +140,19 @@ class Planner {
                               ? near_share(scene_, points, near_reach_m(surfaces_))
                               : 1.0);
     }
-    std::size_t exact_openings = 0;
+    std::size_t point_openings = 0;
     for (std::size_t l = 0; l < scene_.luminaires.size(); ++l) {
       if (!decided.is_dark.empty() && decided.is_dark[l] != 0) continue;
-      // Eyes look at every opening once, whatever its shape.
-      if (!decided.measures_direct || scene_.luminaires[l].opening.shape == OpeningShape::point) {
-        ++exact_openings;
-      }
+      if (scene_.luminaires[l].opening.shape == OpeningShape::point) ++point_openings;
     }
     const auto receivers = static_cast<double>(decided.receivers);
-    load.exact_direct_rays = receivers * static_cast<double>(exact_openings);
-    if (decided.samples_openings) {
+    load.exact_direct_rays = receivers * static_cast<double>(point_openings);
+    if (decided.samples_openings || !decided.measures_direct) {
       if (!tracer_) tracer_.emplace(scene_);
       const OpeningEffort effort = opening_effort(*tracer_, points, decided);
-      load.sampled_direct_rays = receivers * settings_.replicates * effort.samples;
+      const bool is_eye = !decided.measures_direct;  // looks once, and not at random
+      if (is_eye) load.exact_direct_rays += receivers * effort.samples;
+      if (!is_eye) load.sampled_direct_rays = receivers * settings_.replicates * effort.samples;
       load.known_openings = receivers * effort.known;
     }
     plan_.workload.planes.push_back(load);

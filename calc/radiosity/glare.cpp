@@ -4,6 +4,7 @@
 #include "calc/base/units.h"
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/opening.h"
+#include "calc/radiosity/opening_light.h"
 #include "calc/radiosity/shadow_batch.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ double doubt_of(double share) { return share < 1.0 ? 1.0 / static_cast<double>(k
 
 // Lines of sight from an eye to an opening: how much could reach it, and how much does. Each line
 // stands for the same part of the opening and weighs 1, or 1 / p^2 of its own end.
-struct Sight {
+struct SeenEnds {
   double open = 0.0, all = 0.0;
   double sure_open = 0.0, sure_all = 0.0;    // the same of Counted::sure
   std::size_t facing = 0;                    // ends that face the eye, whatever they weigh
@@ -116,6 +117,7 @@ std::vector<OpeningView::Point> sight_ends(const PlacedLuminaire& luminaire,
   const bool is_point = luminaire.opening.shape == OpeningShape::point;
   const std::uint32_t count = is_point ? 1 : kSightLines * kSightLines;
   std::vector<OpeningView::Point> ends;
+  ends.reserve(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     double reversed = 0.0, digit = 0.5;
     for (std::uint32_t bits = k; bits != 0; bits >>= 1, digit *= 0.5) {
@@ -126,13 +128,13 @@ std::vector<OpeningView::Point> sight_ends(const PlacedLuminaire& luminaire,
   return ends;
 }
 
-Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
-              bool has_shadows, const std::vector<OpeningView::Point>& ends, const Counted& counted,
-              std::uint64_t& rays) {
-  ShadowBatch batch(tracer, has_shadows, kReceiverToSource);
+SeenEnds look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Receiver& receiver,
+                 Sight proved, const std::vector<OpeningView::Point>& ends, const Counted& counted,
+                 std::uint64_t& rays) {
+  ShadowBatch batch(tracer, proved == Sight::unknown, kReceiverToSource);
   const glm::vec3 from(tracer.lift(receiver));
   std::vector<double> is_seen(ends.size(), 0.0);
-  Sight sight;
+  SeenEnds sight;
   sight.faces.assign(ends.size(), 0);
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const OpeningView::Point& at = ends[k];
@@ -148,7 +150,7 @@ Sight look_at(const Tracer& tracer, const PlacedLuminaire& luminaire, const Rece
     if (!(counted.weights[k] > 0.0)) continue;
     sight.all += counted.weights[k];
     if (!counted.sure.empty()) sight.sure_all += counted.sure[k];
-    batch.add(from, glm::vec3(to), 1.0, &is_seen[k]);
+    if (proved != Sight::hidden) batch.add(from, glm::vec3(to), 1.0, &is_seen[k]);
   }
   batch.flush();
   rays += batch.rays();
@@ -171,8 +173,10 @@ class GlareEye {
            std::span<GlareSum> sums)
       : tracer_(tracer), receiver_(receiver), has_shadows_(has_shadows), sums_(sums) {}
 
-  void add(const PlacedLuminaire& luminaire) {
+  void add(std::size_t index_of_luminaire) {
+    const PlacedLuminaire& luminaire = tracer_.scene().luminaires[index_of_luminaire];
     const glm::dvec3 to_source = luminaire.position_m - receiver_.position_m;
+    if (is_behind(luminaire, receiver_)) return;
     const SeenAt seen(to_source, receiver_.axis);
     const std::vector<OpeningView::Point> ends = sight_ends(luminaire, receiver_);
     const double r2 = glm::dot(to_source, to_source);
@@ -187,7 +191,8 @@ class GlareEye {
     if (counted.is_nothing()) return;
     const double cd = intensity_cd(luminaire, out);
     if (!(cd > 0.0) && !(is_large && shines_here(luminaire, ends))) return;
-    const Sight sight = look_at(tracer_, luminaire, receiver_, has_shadows_, ends, counted, rays_);
+    const SeenEnds sight =
+        look_at(tracer_, luminaire, receiver_, proved(index_of_luminaire), ends, counted, rays_);
     if (!is_large && !(sight.open > 0.0)) return;
     if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
     if (counted.is_below && sight.open > 0.0) {
@@ -211,6 +216,14 @@ class GlareEye {
   std::uint64_t rays() const { return rays_; }
 
  private:
+  Sight proved(std::size_t luminaire) const {
+    if (!has_shadows_) return Sight::free;
+    if (tracer_.scene().luminaires[luminaire].opening.shape == OpeningShape::point) {
+      return Sight::unknown;
+    }
+    return opening_sight(tracer_, luminaire, receiver_, true);
+  }
+
   // Whether anything of it in the field sends light to the eye.
   bool shines_here(const PlacedLuminaire& luminaire,
                    const std::vector<OpeningView::Point>& ends) const {
@@ -235,7 +248,7 @@ class GlareEye {
   // found: as of a smaller source; it stands in the ends, so that nothing is proved by the way of
   // counting alone.
   void add_large(const PlacedLuminaire& luminaire, const std::vector<OpeningView::Point>& ends,
-                 const Sight& sight, double solid_angle_sr, const GlareSum& found) {
+                 const SeenEnds& sight, double solid_angle_sr, const GlareSum& found) {
     const Counted parts = parts_in_field(ends, receiver_);
     const auto facing = static_cast<double>(sight.facing);
     double all = 0.0, open = 0.0, all_sr = 0.0, open_sr = 0.0, counted = 0.0, seen = 0.0;
@@ -320,6 +333,11 @@ class GlareEye {
 
 }  // namespace
 
+bool is_behind(const PlacedLuminaire& luminaire, const Receiver& eye) {
+  const double reach_m = 0.5 * glm::length(luminaire.opening.size_m());
+  return glm::dot(luminaire.position_m - eye.position_m, eye.axis) < -reach_m;
+}
+
 double highest_on_table(double sideways) {
   if (sideways < 0.4) return 1.7;
   return sideways < 0.9 ? 1.8 : 1.9;
@@ -338,7 +356,7 @@ std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& 
 std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,
                                 std::span<GlareSum> channel_sums) {
   GlareEye eye(tracer, receiver, has_shadows, channel_sums);
-  for (const PlacedLuminaire& luminaire : tracer.scene().luminaires) eye.add(luminaire);
+  for (std::size_t l = 0; l < tracer.scene().luminaires.size(); ++l) eye.add(l);
   return eye.rays();
 }
 

@@ -48,6 +48,9 @@ double highest_on_table(double sideways);
 
 inline constexpr std::size_t kSightLines = 16;
 
+// Whether all of a luminaire's opening lies behind an eye, and so outside its field.
+bool is_behind(const PlacedLuminaire& luminaire, const Receiver& eye);
+
 // Guth's position index of a source at `to_source` (any length) from an eye that looks along the
 // unit, horizontal direction `look`:
 //   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5

@@ -1,5 +1,6 @@
 #include "report/check/backend.h"
 
+#include "calc/forecast/cost_model.h"
 #include "calc/rays/triangle_tree.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
@@ -52,7 +53,6 @@ std::string describe(const gpu::Device& device, const GpuStages& stages) {
 // None of the device's was measured on hardware. Cores: of the machine that a GPU is likely to
 // share, so that the answer is the same for any number of threads.
 constexpr double kCores = 16.0;
-constexpr double kCpuConnection_ns = 170.0;    // of one core, as in calc/forecast/cost_model.cpp
 constexpr double kOpen_s = 0.4;                // a context, programs; 0.15 to 0.5
 constexpr double kDeviceConnection_ns = 1.0;   // assumed
 constexpr double kBesideConnection_ns = 20.0;  // of one core: groups, packing [bench_gpu]
@@ -78,7 +78,7 @@ bool GpuStages::*find_gpu_stage(std::string_view name) {
 
 BackendCost backend_cost(const GatherWork& work) {
   BackendCost cost;
-  cost.cpu_s = 1e-9 * kCpuConnection_ns / kCores * work.connections;
+  cost.cpu_s = 1e-9 * calc::kConnection_ns / kCores * work.connections;
   cost.open_s = kOpen_s;
   cost.send_s = 1e-9 * (kVertex_ns * work.vertices + kTriangle_ns * work.triangles);
   cost.gather_s = 1e-9 * (kDeviceConnection_ns + kBesideConnection_ns / kCores) * work.connections;

@@ -31,13 +31,13 @@ check::BackendChoice choose(const gpu::DeviceList& list, double connections) {
 
 TEST(Backend, AutoTakesAGpuForMuchWorkOnly) {
   const gpu::DeviceList list{{device(0, "Card A", false), device(1, "Card B", false)}, ""};
-  const check::BackendChoice much = choose(list, 2e8);
+  const check::BackendChoice much = choose(list, 1.2e9);
   EXPECT_EQ(much.backend, check::Backend::gpu);
   EXPECT_EQ(much.device, 0);
-  EXPECT_THAT(check::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 200"));
+  EXPECT_THAT(check::backend_line(much), HasSubstr("backend: gpu: enough work for Card A: 1"));
   EXPECT_THAT(much.why,
-              HasSubstr("take some 2.1 s on 16 processor cores, 1.5 s with it: 0.4 s to "
-                        "open it, 0.6 s to send scene and light vertices, 0.45 s to gather"));
+              HasSubstr("take some 7.1 s on 16 processor cores, 6.7 s with it: 0.4 s to "
+                        "open it, 3.6 s to send scene and light vertices, 2.7 s to gather"));
   const check::BackendChoice little = choose(list, 6e7);
   EXPECT_EQ(little.backend, check::Backend::cpu);
   EXPECT_THAT(little.why, HasSubstr("too little work for Card A"));
@@ -49,9 +49,9 @@ TEST(Backend, AutoCountsWhatHasToBeSent) {
   const auto with = [&](const check::GatherWork& work) {
     return check::choose_automatically(list, [&] { return work; }).backend;
   };
-  EXPECT_EQ(with({1e8, 0.0, 0.0}), check::Backend::gpu);
-  EXPECT_EQ(with({1e8, 5e7, 0.0}), check::Backend::cpu);
-  EXPECT_EQ(with({1e8, 0.0, 5e6}), check::Backend::cpu);
+  EXPECT_EQ(with({2e8, 0.0, 0.0}), check::Backend::gpu);
+  EXPECT_EQ(with({2e8, 1e8, 0.0}), check::Backend::cpu);
+  EXPECT_EQ(with({2e8, 0.0, 5e6}), check::Backend::cpu);
 }
 
 TEST(Backend, AutoNeverTakesSoftwareOrWhatDoesNotWork) {
