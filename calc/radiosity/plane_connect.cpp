@@ -85,7 +85,7 @@ std::uint64_t PlaneWork::connect_tiles(std::size_t first, std::size_t last,
     }
     return rays;
   }
-  const std::uint32_t draws = draws_per_point(batch.paths, points());
+  const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
   const CutRequest cut{std::clamp(kCutNodesPerDraw * draws, kSmallestCut, kLargestCut),
                        static_cast<float>(batch.near_bound->smallest()),
                        settings_.skips.allows(Skip::hidden_nodes)};
@@ -138,7 +138,7 @@ NearFieldRequest PlaneWork::near_request(const ReceiverGroup& tile, std::size_t 
   const RandomKey key = near_key_.with(batch.replicate).with(batch.first_path).with(i);
   const double clear_m = settings_.skips.allows(Skip::clear_distance) ? clear_m_[i] : 0.0;
   if (!(clear_m < reach_m_)) return {tile.receiver[k], key, 0};
-  const std::uint32_t draws = draws_per_point(batch.paths, points());
+  const std::uint32_t draws = draws_per_point(batch.paths, look_points_);
   return {tile.receiver[k], key,
           short_rays_per_point(draws, clear_m, reach_m_, short_ray_factor_[i])};
 }
@@ -274,7 +274,7 @@ void PlaneWork::store(const ReceiverGroup& tile, const VertexBatch& batch, const
 // What this look measured decides how many rays the next one has; all replicates of a look have
 // the same number, so that they stay independent and alike.
 void PlaneWork::share_short_rays(std::uint64_t batch_paths) {
-  const std::uint32_t draws = draws_per_point(batch_paths, points());
+  const std::uint32_t draws = draws_per_point(batch_paths, look_points_);
   std::vector<double> at_point(field_.replicates);
   const auto variance = [&](const std::vector<double>& values_lx, std::size_t i) {
     for (std::size_t r = 0; r < field_.replicates; ++r) at_point[r] = values_lx[r * points() + i];

@@ -175,6 +175,7 @@ void PlaneWork::start_look(double near_reach_m, const PossibleVertex& possible) 
     is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && gathers_reflection_[i] != 0);
   }
   tiles_ = make_tiles(receiver_, spatial_order_, is_wanted);
+  look_points_ = static_cast<std::size_t>(std::count(is_wanted.begin(), is_wanted.end(), 1));
   reach_m_ = near_reach_m;
   if (near_reach_m > 0.0 && clear_m_.empty()) {
     clear_m_.assign(points(), 0.0);

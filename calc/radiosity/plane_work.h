@@ -50,8 +50,8 @@ struct PossibleVertex {
   double most_per_m2 = 0.0;       // bound of its geometry term; 0: no such vertex
 };
 
-// Connections that each point draws from a pool of so many paths: fewer for planes with many
-// points, where the pool is shared by more of them. A power of two.  [METHOD, 5.5]
+// Connections that each point draws from a pool of so many paths: fewer where many points of the
+// plane take part in the look, which share the pool. A power of two.  [METHOD, 5.5]
 std::uint32_t draws_per_point(std::uint64_t paths, std::size_t points);
 
 // Short rays of a point for one replicate and look, a power of two: a quarter as many as draws
@@ -149,6 +149,7 @@ class PlaneWork {
   std::vector<std::uint8_t> may_be_sampled_;      // [point]
   std::vector<double> clear_m_;       // [point], up to kClearReaches of the first look's reaches
   std::vector<ReceiverGroup> tiles_;  // of this look
+  std::size_t look_points_ = 0;       // in them
   std::vector<std::uint8_t> has_indirect_;  // [point], 0 = proved that indirect light is 0
   PossibleVertex possible_vertex_;          // of this look
   std::vector<double> possible_sample_lx_;  // [point], the largest of its looks
