@@ -19,6 +19,8 @@ constexpr std::size_t kFewestSamples = 2, kMostSamples = 16;
 constexpr double kMeanRest = 0.07;
 // Sizes over distances up to which one place, five places, tell enough of how the light varies.
 constexpr double kOnePlace = 0.01, kFivePlaces = 0.1;
+// Share of what the luminaire could send at most that the rest is never taken to be below.
+constexpr double kUnseenFloor = 1e-4;
 // Larger parts are halved: the rest falls with the third power.
 constexpr double kLargestPart = 0.7;
 
@@ -67,9 +69,10 @@ class OpeningPatch {
   void fit(const Receiver& receiver) {
     const double middle_lx = light_lx(receiver, 0.0, 0.0);
     c_[0][0] = middle_lx;
-    if (ratio_ < kOnePlace) {
-      rest_lx_ = ratio_ * middle_lx;
-      if (middle_lx > 0.0) return;
+    if (ratio_ < kOnePlace && middle_lx > 0.0) {
+      // Where a beam begins the middle says little of how steeply.
+      rest_lx_ = ratio_ * middle_lx + kUnseenFloor * most_lx(receiver);
+      return;
     }
     if (ratio_ < kFivePlaces) {
       fit_five(receiver, middle_lx);
@@ -118,7 +121,7 @@ class OpeningPatch {
 
   // Where all places are dark the light may still begin at a corner, or be a narrow beam between.
   void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
-    constexpr double kFloor = 1e-3, kUnseenFloor = 1e-4;
+    constexpr double kFloor = 1e-3;
     if (!(highest_lx > 0.0)) {
       for (const double x : {-1.0, 1.0}) {
         for (const double y : {-1.0, 1.0}) {
@@ -126,12 +129,16 @@ class OpeningPatch {
         }
       }
     }
+    rest_lx_ = ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx +
+               kUnseenFloor * most_lx(receiver);
+  }
+
+  // At its largest intensity, head-on.
+  double most_lx(const Receiver& receiver) const {
     const glm::dvec3 away = centre_m_ - receiver.position_m;
     const double reach_m2 = glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_);
-    const double most_lx = luminaire_.web->max_intensity_cd() * luminaire_.flux_scale /
-                           std::max(glm::dot(away, away), reach_m2);
-    rest_lx_ =
-        ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx + kUnseenFloor * most_lx;
+    return luminaire_.web->max_intensity_cd() * luminaire_.flux_scale /
+           std::max(glm::dot(away, away), reach_m2);
   }
 
   const PlacedLuminaire& luminaire_;
