@@ -128,8 +128,7 @@ struct PlaneField {
 
   // Number of the last look, 0: the first, or none was taken.
   int last_look() const {
-    return counters.active_points.empty() ? 0
-                                          : static_cast<int>(counters.active_points.size()) - 1;
+    return counters.active_points.empty() ? 0 : static_cast<int>(counters.active_points.size()) - 1;
   }
   bool is_exact() const { return direct_sampled_lx.empty() && indirect_lx.empty(); }
 

@@ -115,6 +115,35 @@ void split_cell(const OpeningView& view, const glm::dvec3& position_m, const Ope
   split_cell(view, position_m, second, depth + 1, cells);
 }
 
+struct DrawnCell {
+  OpeningCell cell;
+  double probability = 0.0;  // 0: all parts are behind the receiver
+};
+
+// A part of an opening, near ones more often: in proportion to area, cosine and 1 / distance^2.
+// Parts are no larger than their distance, so that none that the receiver sees is left out, and
+// that no sample is much larger than the whole.
+template <class Uniform>
+DrawnCell draw_cell(const OpeningView& view, const std::vector<OpeningCell>& cells,
+                    const Receiver& receiver, double least_m, const Uniform& uniform) {
+  if (cells.size() == 1) return {cells.front(), 1.0};
+  std::vector<double> up_to;  // sums of weights
+  double sum = 0.0;
+  for (const OpeningCell& cell : cells) {
+    const glm::dvec3 way =
+        view.point(cell.s + 0.5 * cell.size_s, cell.t + 0.5 * cell.size_t).position_m -
+        receiver.position_m;
+    const double distance = std::max(glm::length(way), least_m);
+    const double cosine = glm::dot(way, receiver.axis) / distance;
+    sum += cell.size_s * cell.size_t * std::max(0.0, cosine + 0.5) / (distance * distance);
+    up_to.push_back(sum);
+  }
+  if (!(sum > 0.0)) return {};
+  const auto found = std::upper_bound(up_to.begin(), up_to.end() - 1, uniform() * sum);
+  const auto k = static_cast<std::size_t>(found - up_to.begin());
+  return {cells[k], (up_to[k] - (k > 0 ? up_to[k - 1] : 0.0)) / sum};
+}
+
 }  // namespace
 
 bool has_extended_luminaires(const PreparedScene& scene) {
@@ -191,10 +220,16 @@ std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
                                    const Receiver& receiver, RandomKey key, double weight,
                                    double* sums, std::size_t stride) {
   const PlacedLuminaire& placed = tracer.scene().luminaires[luminaire];
+  const OpeningView view = view_from(placed, receiver.position_m);
+  const DrawnCell drawn = draw_cell(view, opening_cells(placed, receiver.position_m), receiver,
+                                    tracer.offset_m(), [&key] { return key.with(3).uniform(); });
+  if (!(drawn.probability > 0.0)) return 0;
   ShadowBatch batch(tracer, tracer.has_shadows(), kHitToSource);
-  add_opening_point(batch, placed, view_from(placed, receiver.position_m), key.with(0).uniform(),
-                    key.with(1).uniform(), receiver, glm::vec3(tracer.lift(receiver)), weight,
-                    tracer.offset_m(), sums, stride);
+  const OpeningCell& cell = drawn.cell;
+  add_opening_point(
+      batch, placed, view, cell.s + cell.size_s * key.with(0).uniform(),
+      cell.t + cell.size_t * key.with(1).uniform(), receiver, glm::vec3(tracer.lift(receiver)),
+      weight * cell.size_s * cell.size_t / drawn.probability, tracer.offset_m(), sums, stride);
   batch.flush();
   return batch.rays();
 }

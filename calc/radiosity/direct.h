@@ -60,7 +60,8 @@ DirectRays add_extended_sources(const Tracer& tracer, const Receiver& receiver,
 std::uint64_t add_direct_sample(const Tracer& tracer, const Receiver& receiver, RandomKey key,
                                 double weight, double* sums, std::size_t stride);
 
-// The same by one luminaire alone.
+// The same by one luminaire alone; of an opening that is larger than its distance, near parts are
+// drawn more often than far ones. receiver: a surface point, planar.
 std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
                                    const Receiver& receiver, RandomKey key, double weight,
                                    double* sums, std::size_t stride);

@@ -24,11 +24,12 @@ LuminaireChoice::LuminaireChoice(const PreparedScene& scene) : channels_(scene.c
     const auto [entry, is_new] = lobe_of_web.try_emplace({luminaire.web, is_extended},
                                                          static_cast<std::uint32_t>(lobes_.size()));
     if (is_new) lobes_.push_back(lobe_of(*luminaire.web, is_extended));
-    const double reach_m = is_extended ? 0.5 * glm::length(luminaire.opening.size_m()) : 0.0;
-    sources_.push_back({glm::vec3(luminaire.position_m),
-                        glm::vec3(-luminaire.world_from_luminaire[2]), static_cast<float>(reach_m),
-                        static_cast<float>(luminaire.flux_scale), entry->second,
-                        luminaire.channel});
+    const glm::dvec3 half_m = is_extended ? 0.5 * luminaire.opening.size_m() : glm::dvec3(0.0);
+    sources_.push_back(
+        {glm::vec3(luminaire.position_m), glm::vec3(-luminaire.world_from_luminaire[2]),
+         glm::mat3(glm::transpose(luminaire.world_from_luminaire)), glm::vec3(half_m),
+         static_cast<float>(glm::length(half_m)), static_cast<float>(luminaire.flux_scale),
+         entry->second, luminaire.channel});
   }
 }
 
@@ -36,6 +37,7 @@ LuminaireChoice::Lobe LuminaireChoice::lobe_of(const PhotometricWeb& web, bool i
   Lobe lobe;
   const auto largest_cd = static_cast<float>(web.max_intensity_cd());
   lobe.most_cd.fill(largest_cd);
+  lobe.largest_cd = largest_cd;
   if (web.axis() != TableAxis::vertical) return lobe;
   const std::vector<double>& gamma = web.gamma_rad();
   const std::size_t planes = web.c_rad().size();
@@ -72,12 +74,34 @@ float LuminaireChoice::most_lx(const Source& source, const glm::vec3& position_m
   const float centre2 = glm::dot(way, way);
   const float distance2 = centre2 + source.reach_m * source.reach_m;
   if (!(height_m > 0.0f) || !(distance2 > 0.0f)) return 0.0f;
+  if (centre2 < 4.0f * source.reach_m * source.reach_m) return most_nearby_lx(source, way);
   const float cosine = -glm::dot(source.axis, way) / std::sqrt(std::max(centre2, 1e-30f));
   const float place = (1.0f - cosine) * (0.5f * static_cast<float>(kBands));
   const auto band =
       static_cast<std::size_t>(std::clamp(place, 0.0f, static_cast<float>(kBands - 1)));
   return source.scale * lobes_[source.lobe].most_cd[band] * height_m /
          (distance2 * std::sqrt(distance2));
+}
+
+// Nearer than the opening is long: the intensity of as much of each side as is about as near as the
+// nearest place, at that distance. Where that is next to 0 it is four luminances.
+float LuminaireChoice::most_nearby_lx(const Source& source, const glm::vec3& way) const {
+  const glm::vec3 at = glm::abs(source.luminaire_from_world * way);
+  constexpr float kLeast = 1e-6f;  // of half the diagonal: a line has no width
+  const float distance_m =
+      std::max(glm::length(glm::max(at - source.half_m, 0.0f)), kLeast * source.reach_m);
+  const glm::vec3& half = source.half_m;
+  const float shortest = std::min({half.x, half.y, half.z});
+  float share_per_m2 = 1.0f;
+  bool is_shortest_left_out = false;  // of three sides the two longer ones count
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    if (!is_shortest_left_out && half[axis] == shortest) {
+      is_shortest_left_out = true;
+    } else {
+      share_per_m2 /= std::max(half[axis], distance_m);
+    }
+  }
+  return source.scale * lobes_[source.lobe].largest_cd * share_per_m2;
 }
 
 std::optional<LuminaireChoice::Choice> LuminaireChoice::choose(const glm::dvec3& position_m,

@@ -35,15 +35,19 @@ class LuminaireChoice {
   static constexpr std::size_t kBands = 32;  // of equal solid angle
   struct Lobe {
     std::array<float, kBands> most_cd;  // over the band and its neighbours
+    float largest_cd;
   };
   struct Source {
     glm::vec3 position_m, axis;
-    float reach_m;  // half the diagonal of its opening
+    glm::mat3 luminaire_from_world;
+    glm::vec3 half_m;  // half sizes of its opening along its axes
+    float reach_m;     // half the diagonal of its opening
     float scale;
     std::uint32_t lobe, channel;
   };
   static Lobe lobe_of(const PhotometricWeb& web, bool is_extended);
   float most_lx(const Source& source, const glm::vec3& position_m, const glm::vec3& normal) const;
+  float most_nearby_lx(const Source& source, const glm::vec3& way) const;
 
   std::vector<Source> sources_;
   std::vector<Lobe> lobes_;

@@ -258,14 +258,8 @@ bool is_flat(const LuminousOpening& opening) {
 
 // Few cells, each a smooth part of the opening.
 bool has_patches(const PlacedLuminaire& luminaire, const std::vector<OpeningCell>& cells) {
-  switch (luminaire.opening.shape) {
-    case OpeningShape::rectangle:
-      return true;
-    case OpeningShape::disk:
-      return cells.size() == 1;
-    default:
-      return false;
-  }
+  return is_flat(luminaire.opening) &&
+         (luminaire.opening.shape == OpeningShape::rectangle || cells.size() == 1);
 }
 
 Sight sight_of_cells(const Tracer& tracer, const PlacedLuminaire& luminaire,

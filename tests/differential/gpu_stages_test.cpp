@@ -96,10 +96,9 @@ TEST(GlStages, GiveTheSameSumEachAndTogether) {
     // Where a hit differs by rounding, a chain may end sooner or later: some ten rays each.
     constexpr double kChains = 4.0, kRaysPerChain = 10.0;
     for (std::size_t p = 0; p < cpu.size(); ++p) {
-      EXPECT_NEAR(
-          static_cast<double>(gl[p].counters.near_rays),
-          static_cast<double>(cpu[p].counters.near_rays),
-          1e-3 * static_cast<double>(cpu[p].counters.near_rays) + kChains * kRaysPerChain);
+      EXPECT_NEAR(static_cast<double>(gl[p].counters.near_rays),
+                  static_cast<double>(cpu[p].counters.near_rays),
+                  1e-3 * static_cast<double>(cpu[p].counters.near_rays) + kChains * kRaysPerChain);
     }
   };
   compare("near field", {*device.cpu, nullptr, device.near.get()}, 0.005, 1e-6);

@@ -9,8 +9,8 @@
 
 #include <glm/glm.hpp>
 
-#include <cmath>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>

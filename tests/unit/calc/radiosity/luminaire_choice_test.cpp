@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -71,6 +72,55 @@ TEST(LuminaireChoice, HasTheMeanOfAll) {
   expect_same_mean(hall.scene, {0.5, 1.0, 0.0}, {0, 0, 1});
   expect_same_mean(hall.scene, {-4.0, 0.3, 1.7}, {1, 0, 0});
   expect_same_mean(hall.scene, {2.0, -1.5, 3.5}, {0, 0, -1});  // the ceiling above a lamp
+}
+
+// Openings that are far larger than their distance, among small ones: a sample anywhere on them
+// would nearly always be far away, and rarely bring all the light.
+TEST(LuminaireChoice, OfALongOpeningNearPartsAreDrawn) {
+  using calc::OpeningShape;
+  const calc::PhotometricWeb small = lambert_web(10.0, 18);
+  const std::vector<calc::LuminousOpening> openings{
+      {OpeningShape::rectangle, 50.0, 0.05, 0.0},
+      {OpeningShape::rectangle, 1000.0, 1.0, 0.0},
+      {OpeningShape::rectangle, 40.0, 40.0, 0.0},
+      {OpeningShape::box, 30.0, 0.1, 0.1},
+  };
+  for (const calc::LuminousOpening& opening : openings) {
+    SCOPED_TRACE(opening.along_c0_m);
+    const calc::PhotometricWeb large = lambert_web(1000.0, 18, opening);
+    calc::PreparedScene scene;
+    add_luminaire(scene, large, {0, 0, 3});
+    for (int k = 0; k < 4; ++k) add_luminaire(scene, small, {0.5 * k, 1, 2.5});
+    add_quad(scene, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, 0.5);
+    set_extent(scene);
+    const calc::Tracer tracer(scene);
+    const calc::LuminaireChoice choice(scene);
+    for (const calc::Receiver& at :
+         {calc::Receiver{{3, 0.3, 2.7}, {0, 0, 1}}, calc::Receiver{{1, 0.1, 0.5}, {0, 0, 1}},
+          calc::Receiver{{-2, 0.4, 2.9}, {0, -0.6, 0.8}}}) {
+      double truth_lx = 0.0;
+      calc::add_point_sources(tracer, at, {}, &truth_lx, 1);
+      constexpr std::uint32_t kRounds = 256;
+      double of_large_lx = 0.0;
+      calc::add_extended_sources(tracer, at, {}, RandomKey(5), 0, kRounds, &of_large_lx, 1);
+      truth_lx += of_large_lx / kRounds;
+      std::vector<double> drawn;
+      for (std::uint64_t i = 0; i < kDraws; ++i) {
+        double sum = 0.0;
+        const RandomKey key = RandomKey(13).with(i);
+        const auto chosen = choice.choose(at.position_m, at.axis, key.with(7).uniform());
+        if (chosen) {
+          calc::add_direct_sample_of(tracer, chosen->luminaire, at, key, 1.0 / chosen->probability,
+                                     &sum, 1);
+        }
+        drawn.push_back(sum);
+      }
+      const calc::ReplicateMean mean = calc::replicate_mean(drawn);
+      EXPECT_NEAR(mean.mean, truth_lx, 4.0 * mean.standard_error);
+      EXPECT_LT(mean.standard_error * std::sqrt(kDraws), 2.5 * truth_lx) << at.position_m.z;
+      EXPECT_LT(*std::max_element(drawn.begin(), drawn.end()), 30.0 * truth_lx);
+    }
+  }
 }
 
 TEST(LuminaireChoice, AWeakChannelIsAskedAsWell) {

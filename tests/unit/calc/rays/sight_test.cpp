@@ -55,6 +55,11 @@ calc::SightQuery random_query(Draw& draw) {
   return query;
 }
 
+// On the way from the point to the middle of the parallelogram.
+glm::dvec3 place_between(const calc::SightQuery& query, double share) {
+  return glm::mix(query.from_m, 0.5 * (query.corner_m[0] + query.corner_m[2]), share);
+}
+
 glm::dvec3 place_on(const calc::SightQuery& query, double s, double t) {
   const auto& c = query.corner_m;
   return c[0] + s * (c[1] - c[0]) + t * (c[3] - c[0]);
@@ -128,10 +133,9 @@ TEST(Sight, BehindAWallOfTwoTrianglesIsNone) {
   Count count;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     Draw draw(RandomKey(2).with(seed));
-    calc::SightQuery query = random_query(draw);
-    const glm::dvec3 middle = 0.5 * (query.corner_m[0] + query.corner_m[2]);
+    const calc::SightQuery query = random_query(draw);
     const double size_m = draw.in(0.1, 6.0);
-    const glm::dvec3 at = glm::mix(query.from_m, middle, draw.in(0.2, 0.8));
+    const glm::dvec3 at = place_between(query, draw.in(0.2, 0.8));
     const glm::dvec3 u = size_m * draw.place(1.0), v = size_m * draw.place(1.0);
     Model model;
     model.add_quad(glm::vec3(at - 0.5 * (u + v)), glm::vec3(u), glm::vec3(v));
@@ -147,9 +151,8 @@ TEST(Sight, PastAnArrowheadIsNotHidden) {
   Count count;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     Draw draw(RandomKey(3).with(seed));
-    calc::SightQuery query = random_query(draw);
-    const glm::dvec3 middle = 0.5 * (query.corner_m[0] + query.corner_m[2]);
-    const glm::dvec3 at = glm::mix(query.from_m, middle, 0.5);
+    const calc::SightQuery query = random_query(draw);
+    const glm::dvec3 at = place_between(query, 0.5);
     const auto corner = [&] { return glm::vec3(at + draw.place(1.5)); };
     const glm::vec3 a = corner(), b = corner();
     Model model;
