@@ -77,6 +77,7 @@ void DeviceThread::live() {
       *context,
       request_.fault,
       {request_.program_folder, device.vendor + "\n" + device.renderer + "\n" + device.version},
+      {},
       {}};
   while (Piece* piece = next()) {
     run_piece(state, *piece);
@@ -108,6 +109,7 @@ void DeviceThread::run_piece(DeviceState& state, Piece& piece) {
   } catch (const OutOfMemory& error) {
     // What is kept for later may be what leaves no room.
     state.scenes.clear();
+    state.pictures.clear();
     piece.problem = error.what();
   } catch (const std::bad_alloc&) {
     piece.problem = "the program is out of memory";

@@ -3,6 +3,7 @@
 
 #include "gpu/device_scene.h"
 #include "gpu/egl_context.h"
+#include "gpu/picture_tools.h"
 #include "gpu/program_cache.h"
 
 #include <condition_variable>
@@ -28,6 +29,7 @@ struct DeviceState {
   Fault fault;
   ProgramCache programs;
   DeviceScenes scenes;
+  PictureTools pictures;
 
   // Throws what the request's fault asks for, or that the context is lost.
   void check(const std::string& doing) const;

@@ -84,9 +84,9 @@ void GlTarget::release() {
   glDeleteTextures(static_cast<GLsizei>(texture_.size()), texture_.data());
 }
 
-void GlTarget::draw_into() const {
+void GlTarget::draw_into(int width, int height) const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-  glViewport(0, 0, width_, height_);
+  glViewport(0, 0, width, height);
 }
 
 void GlTarget::bind_texture(std::size_t layer, unsigned unit) const {
@@ -94,14 +94,17 @@ void GlTarget::bind_texture(std::size_t layer, unsigned unit) const {
   glBindTexture(GL_TEXTURE_2D, texture_[layer]);
 }
 
-void GlTarget::read(std::size_t layer, std::span<std::byte> to) const {
-  const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+void GlTarget::read(std::size_t layer, int width, int height, std::span<std::byte> to) const {
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (to.size() != 4 * pixels) throw GlError("a picture is read into the wrong size");
-  glBindTexture(GL_TEXTURE_2D, texture_[layer]);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+  const auto before = layer_.begin() + static_cast<std::ptrdiff_t>(layer);
+  const auto outputs = (before - layer_.begin()) - std::count(layer_.begin(), before, Layer::depth);
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(outputs));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   const bool is_value = layer_[layer] == Layer::value;
-  glGetTexImage(GL_TEXTURE_2D, 0, is_value ? GL_RED : GL_RGBA,
-                is_value ? GL_FLOAT : GL_UNSIGNED_BYTE, to.data());
+  glReadPixels(0, 0, width, height, is_value ? GL_RED : GL_RGBA,
+               is_value ? GL_FLOAT : GL_UNSIGNED_BYTE, to.data());
   check_gl("reading " + what_);
 }
 

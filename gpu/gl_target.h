@@ -25,11 +25,14 @@ class GlTarget {
   int height() const { return height_; }
 
   // What is drawn from now on goes here, layers other than depth to outputs 0, 1, ... in order.
-  void draw_into() const;
+  void draw_into() const { draw_into(width_, height_); }
+  // The same, to the first columns and the lowest rows.
+  void draw_into(int width, int height) const;
   // As a sampler of shaders.
   void bind_texture(std::size_t layer, unsigned unit) const;
-  // All of a layer that is not depth, lowest row first, 4 bytes a pixel.
-  void read(std::size_t layer, std::span<std::byte> to) const;
+  // The first columns and lowest rows of a layer that is not depth, lowest row first, 4 bytes a
+  // pixel. It must have been drawn into since another target was.
+  void read(std::size_t layer, int width, int height, std::span<std::byte> to) const;
 
  private:
   void make(const std::vector<Layer>& layers);

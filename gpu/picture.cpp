@@ -6,10 +6,11 @@
 #include "gpu/gl_target.h"
 
 #include <epoxy/gl.h>
+#include <glm/ext/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 namespace gpu {
 namespace {
@@ -120,9 +121,9 @@ class VertexArray {
   unsigned name_ = 0;
 };
 
-void draw_surfaces(const PictureScene& scene, const Camera& camera, const ProgramCache& programs) {
+void draw_surfaces(const PictureScene& scene, const Camera& camera,
+                   const GlRenderProgram& program) {
   if (scene.triangle.empty()) return;
-  const GlRenderProgram program("surfaces", picture_shaders(false), programs);
   GlBuffer position("surfaces"), value("values of surfaces"), triangle("triangles of surfaces");
   position.assign(scene.position_m);
   value.assign(scene.value);
@@ -162,21 +163,29 @@ void draw_cover(const std::vector<CoverVertex>& vertices, const GlRenderProgram&
   check_gl("drawing lines and dots");
 }
 
-// The device's rows run upwards.
-template <class T>
-void turn_over(std::vector<T>& rows, std::size_t row) {
-  for (std::size_t low = 0, high = rows.size() / row; low + 1 < high; ++low) {
-    --high;
-    std::swap_ranges(rows.begin() + static_cast<std::ptrdiff_t>(low * row),
-                     rows.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
-                     rows.begin() + static_cast<std::ptrdiff_t>(high * row));
+// While it lives, nothing outside is drawn or cleared.
+class Scissors {
+ public:
+  Scissors(int width, int height) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, width, height);
   }
+  ~Scissors() { glDisable(GL_SCISSOR_TEST); }
+  Scissors(const Scissors&) = delete;
+  Scissors& operator=(const Scissors&) = delete;
+};
+
+// The device's rows run upwards, those of a picture downwards.
+Camera upside_down(Camera camera) {
+  camera.clip_from_local = glm::scale(glm::dmat4(1.0), {1, -1, 1}) * camera.clip_from_local;
+  return camera;
 }
 
 Picture draw(const PictureScene& scene, const Camera& camera, int width, int height,
-             const ProgramCache& programs) {
-  const GlTarget target("a picture", width, height, {Layer::value, Layer::colour, Layer::depth});
-  target.draw_into();
+             DeviceState& device, Picture recycled) {
+  const GlTarget& target = device.pictures.target(width, height);
+  target.draw_into(width, height);
+  const Scissors scissors(width, height);
   const std::array<float, 4> nothing{Picture::kNothing, 0, 0, 0}, clear{0, 0, 0, 0};
   const float far = 1.0f;
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -188,10 +197,10 @@ Picture draw(const PictureScene& scene, const Camera& camera, int width, int hei
   glDepthFunc(GL_LESS);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  draw_surfaces(scene, camera, programs);
+  draw_surfaces(scene, camera, device.pictures.surfaces(device.programs));
 
   const Cover cover = CoverBuilder(scene, camera, width, height).build();
-  const GlRenderProgram program("lines and dots", picture_shaders(true), programs);
+  const GlRenderProgram& program = device.pictures.lines_and_dots(device.programs);
   glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthMask(GL_FALSE);
   glEnablei(GL_BLEND, 1);
@@ -205,16 +214,16 @@ Picture draw(const PictureScene& scene, const Camera& camera, int width, int hei
   glDepthMask(GL_TRUE);
   glBindVertexArray(0);
 
-  Picture picture;
+  Picture picture = std::move(recycled);
   picture.width = width;
   picture.height = height;
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   picture.value.resize(pixels);
   picture.cover.resize(4 * pixels);
-  target.read(0, std::as_writable_bytes(std::span(picture.value)));
-  target.read(1, std::as_writable_bytes(std::span(picture.cover)));
-  turn_over(picture.value, static_cast<std::size_t>(width));
-  turn_over(picture.cover, 4 * static_cast<std::size_t>(width));
+  target.read(PictureTools::kValue, width, height,
+              std::as_writable_bytes(std::span(picture.value)));
+  target.read(PictureTools::kCover, width, height,
+              std::as_writable_bytes(std::span(picture.cover)));
   return picture;
 }
 
@@ -225,10 +234,11 @@ int height_of(const Camera& camera, int width) {
 }
 
 Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
-                     int width) {
+                     int width, Picture recycled) {
   Picture picture;
   thread.run([&](DeviceState& device) {
-    picture = draw(scene, camera, width, height_of(camera, width), device.programs);
+    picture = draw(scene, upside_down(camera), width, height_of(camera, width), device,
+                   std::move(recycled));
     device.check("drawing a picture");
   });
   return picture;

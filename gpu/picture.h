@@ -52,9 +52,10 @@ struct Picture {
 };
 
 // width: pixels; the height follows from the camera. Sizes in pixels are those of this picture. The
-// same device gives the same bits. Throws calc::BackendFailure.
+// same device gives the same bits. recycled: a picture that is no longer needed, for its memory.
+// Throws calc::BackendFailure.
 Picture draw_picture(DeviceThread& thread, const PictureScene& scene, const Camera& camera,
-                     int width);
+                     int width, Picture recycled = {});
 
 // The picture's height, at least 1.
 int height_of(const Camera& camera, int width);

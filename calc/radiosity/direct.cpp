@@ -79,14 +79,14 @@ CellExtent cell_extent(const OpeningView& view, const OpeningCell& cell) {
   return extent;
 }
 
-std::uint32_t cell_samples(double diameter_m, double distance_m) {
+std::uint32_t cell_samples(double diameter_m, double distance_m, double error_factor) {
   // n points of a scrambled net on a part are off by 0.8 diameter / distance * n^-1.5.  [measured
   // for a Lambertian panel at 45 degrees: within 35 % of that for 1 to 64 points and 1 to 8
   // diameters]
   constexpr double kOneSampleError = 0.8;
   constexpr double kWantedError = 0.005;
   const double ratio = std::min(1.0, diameter_m / distance_m);
-  const double wanted = kOneSampleError * ratio / kWantedError;  // n^1.5, at most 160
+  const double wanted = kOneSampleError * ratio / (kWantedError * error_factor);  // n^1.5
   double n = 1.0;
   while (n * n * n < wanted * wanted) n *= 2.0;
   return static_cast<std::uint32_t>(n);
@@ -97,12 +97,12 @@ std::uint32_t cell_samples(double diameter_m, double distance_m) {
 constexpr int kDeepestSplit = 64;
 
 void split_cell(const OpeningView& view, const glm::dvec3& position_m, const OpeningCell& cell,
-                int depth, std::vector<OpeningCell>& cells) {
+                int depth, double error_factor, std::vector<OpeningCell>& cells) {
   const CellExtent extent = cell_extent(view, cell);
   const double distance = glm::length(extent.centre_m - position_m);
   if (extent.diameter_m <= distance || depth == kDeepestSplit) {
     cells.push_back(cell);
-    cells.back().samples = cell_samples(extent.diameter_m, distance);
+    cells.back().samples = cell_samples(extent.diameter_m, distance, error_factor);
     return;
   }
   // The longer side is halved, so that parts stay about as long as wide.
@@ -111,8 +111,8 @@ void split_cell(const OpeningView& view, const glm::dvec3& position_m, const Ope
   (is_along_s ? first.size_s : first.size_t) *= 0.5;
   OpeningCell second = first;
   (is_along_s ? second.s : second.t) += is_along_s ? first.size_s : first.size_t;
-  split_cell(view, position_m, first, depth + 1, cells);
-  split_cell(view, position_m, second, depth + 1, cells);
+  split_cell(view, position_m, first, depth + 1, error_factor, cells);
+  split_cell(view, position_m, second, depth + 1, error_factor, cells);
 }
 
 struct DrawnCell {
@@ -235,19 +235,20 @@ std::uint64_t add_direct_sample_of(const Tracer& tracer, std::size_t luminaire,
 }
 
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
-                                       const glm::dvec3& position_m) {
+                                       const glm::dvec3& position_m, double error_factor) {
   const OpeningView view = view_from(luminaire, position_m);
   const double size_m = glm::length(luminaire.opening.size_m());
   const double distance_m = glm::length(luminaire.position_m - position_m);
   std::vector<OpeningCell> cells;
   if (size_m <= distance_m) {
     cells.push_back({});
-    cells.back().samples = cell_samples(size_m, distance_m);
+    cells.back().samples = cell_samples(size_m, distance_m, error_factor);
     return cells;
   }
   const std::span<const double> ends = view.piece_ends();  // the faces of a body
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    split_cell(view, position_m, {ends[i], 0.0, ends[i + 1] - ends[i], 1.0, 1}, 0, cells);
+    split_cell(view, position_m, {ends[i], 0.0, ends[i + 1] - ends[i], 1.0, 1}, 0, error_factor,
+               cells);
   }
   return cells;
 }

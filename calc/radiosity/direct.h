@@ -83,8 +83,8 @@ struct OpeningCell {
 // The opening, of a body its visible faces, halved along its longer side until every part's
 // diameter is at most its distance from the point, so that 1 / d^2 stays tame right up to the
 // luminaire. Samples per part: a power of two, 1 far away, chosen so that a scrambled net's error
-// stays near 0.5 % of the part's unoccluded contribution in one replicate.
+// stays near 0.5 % of the part's unoccluded contribution in one replicate; error_factor times that.
 std::vector<OpeningCell> opening_cells(const PlacedLuminaire& luminaire,
-                                       const glm::dvec3& position_m);
+                                       const glm::dvec3& position_m, double error_factor = 1.0);
 
 }  // namespace calc

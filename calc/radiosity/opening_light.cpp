@@ -188,9 +188,9 @@ class SeenOpenings {
   double known_lx() const { return known_lx_; }
 
   // Of each round.
-  std::size_t rest_samples() const {
+  std::size_t rest_samples(double error_factor) const {
     if (patches_.empty()) return 0;
-    const double share = kMeanRest * cumulative_.back() / (kWantedError * known_lx_);
+    const double share = kMeanRest * cumulative_.back() / (kWantedError * error_factor * known_lx_);
     if (!(share * share < static_cast<double>(kMostSamples))) return kMostSamples;
     return std::max(kFewestSamples, static_cast<std::size_t>(std::ceil(share * share)));
   }
@@ -236,7 +236,7 @@ void add_seen(std::span<const SeenOpenings> seen, const Receiver& receiver, Rand
               const OpeningRounds& rounds, const OpeningSums& sums) {
   for (std::size_t c = 0; c < seen.size(); ++c) {
     if (rounds.first == 0) sums.known_lx[c * sums.stride] += seen[c].known_lx();
-    const std::size_t samples = seen[c].rest_samples();
+    const std::size_t samples = seen[c].rest_samples(rounds.error_factor);
     for (std::size_t r = 0; r < rounds.replicates; ++r) {
       const RandomKey rest_key = key.with(r).with("rest").with(c);
       double& sum = sums.sampled_lx[r * sums.replicate_stride + c * sums.stride];
@@ -324,7 +324,8 @@ DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const Di
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     const PlacedLuminaire& luminaire = luminaires[l];
     if (luminaire.opening.shape == OpeningShape::point || proofs.leaves_out(l)) continue;
-    const std::vector<OpeningCell> cells = opening_cells(luminaire, receiver.position_m);
+    const std::vector<OpeningCell> cells =
+        opening_cells(luminaire, receiver.position_m, rounds.error_factor);
     const bool is_free = !proofs.is_free.empty() && proofs.is_free[l] != 0;
     const Sight sight =
         sight_of_cells(tracer, luminaire, cells, receiver, proofs.has_shadows && !is_free);

@@ -24,6 +24,7 @@ namespace calc {
 struct OpeningRounds {
   std::uint32_t first = 0, last = 1;  // rounds of samples, first <= i < last
   std::size_t replicates = 1;
+  double error_factor = 1.0;  // see RadiositySettings::opening_error_factor
 };
 
 // Where the light of one point goes.

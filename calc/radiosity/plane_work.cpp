@@ -135,10 +135,11 @@ void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
     if (active_[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
     DirectProofs proofs{decision_.is_dark, has_shadows()};
     if (has_shadows()) proofs.is_free = free_openings_[place / kPointsPerProof];
-    const DirectRays direct = add_openings(
-        tracer_, receiver_[i], proofs, opening_key_.with(i), {rounds_[i], last, field_.replicates},
-        {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(), channels() * points(),
-         &largest_opening_lx_[i]});
+    const DirectRays direct =
+        add_openings(tracer_, receiver_[i], proofs, opening_key_.with(i),
+                     {rounds_[i], last, field_.replicates, settings_.opening_error_factor},
+                     {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(),
+                      channels() * points(), &largest_opening_lx_[i]});
     if (direct.has_hidden) has_hidden_opening_[i] = 1;
     if (direct.may_be_lit) may_be_sampled_[i] = 1;
     if (direct.has_seen) has_seen_opening_[i] = 1;

@@ -42,6 +42,10 @@ std::string validate(const RadiositySettings& settings) {
   if (!(settings.time_limit_s >= 0.0) || !std::isfinite(settings.time_limit_s)) {
     return fmt::format("time limit is {} s; allowed: 0 (none) or more", settings.time_limit_s);
   }
+  if (!(settings.opening_error_factor > 0.0) || !std::isfinite(settings.opening_error_factor)) {
+    return fmt::format("opening error factor is {}; allowed: more than 0",
+                       settings.opening_error_factor);
+  }
   if (settings.jobs < 0 || settings.jobs > 4096) {
     return fmt::format("jobs is {}; allowed: 0 (one per core) to 4096", settings.jobs);
   }

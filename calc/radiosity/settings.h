@@ -31,6 +31,8 @@ struct RadiositySettings {
   // Refuses a plane with points that stand too close to a surface, see point_problem(); else they
   // get a number that may be far off (for pictures).
   bool refuses_close_points = true;
+  // How many times as large as usual the error of an opening's samples may be (for pictures); > 0.
+  double opening_error_factor = 1.0;
   int jobs = 0;  // threads; 0 = one per core. Never changes a result
 };
 

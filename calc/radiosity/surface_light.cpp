@@ -24,10 +24,18 @@ constexpr double kBrightShare = 0.95;  // of the points are darker
 // Corners on the rim of a surface are estimated a little inside, clear of the surface beside it.
 constexpr double kRimShare = 0.1;
 constexpr double kMostRim_m = 0.01;
+// Openings' samples are off by about two parts in a hundred in each replicate, where it matters:
+// less than the steps of a picture's colours.
+constexpr double kOpeningErrorFactor = 4.0;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // ascending
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
+struct SharedEdge {
+  Edge edge;
+  int triangles = 0;
+};
 
 // Triangles whose corners are one where place and normal are.
 class SurfaceMesh {
@@ -35,7 +43,12 @@ class SurfaceMesh {
   // Of the next side.
   void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& normal) {
     side_.push_back(static_cast<std::uint32_t>(side_.size()));
-    triangle_.emplace_back(corner(a, normal), corner(b, normal), corner(c, normal));
+    const auto index = [&](const glm::vec3& p) {
+      const auto next = static_cast<std::uint32_t>(corners());
+      return corner(p, normal, {next, next});
+    };
+    const std::uint32_t i = index(a), j = index(b), k = index(c);
+    triangle_.emplace_back(i, j, k);
   }
 
   std::size_t corners() const { return position_m_.size(); }
@@ -48,22 +61,33 @@ class SurfaceMesh {
     return glm::distance(glm::dvec3(position_m_[edge.first]), glm::dvec3(position_m_[edge.second]));
   }
 
-  // In a fixed order, with the number of triangles at each.
-  std::map<Edge, int> edges() const {
-    std::map<Edge, int> result;
+  // Of a corner that split() made, the edge that it halves; of others no edge: itself twice.
+  const Edge& halved_edge(std::size_t corner) const { return halved_edge_[corner]; }
+
+  // Ascending.
+  std::vector<SharedEdge> edges() const {
+    std::vector<Edge> all;
+    all.reserve(3 * triangle_.size());
     for (const glm::uvec3& t : triangle_) {
-      for (int k = 0; k < 3; ++k) ++result[edge_of(t[k], t[(k + 1) % 3])];
+      for (int k = 0; k < 3; ++k) all.push_back(edge_of(t[k], t[(k + 1) % 3]));
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<SharedEdge> result;
+    for (const Edge& edge : all) {
+      if (result.empty() || result.back().edge != edge) result.push_back({edge});
+      ++result.back().triangles;
     }
     return result;
   }
 
   // Halves these edges, in all triangles that share them: no gaps open.
   void split(const std::vector<Edge>& edges) {
-    std::map<Edge, std::uint32_t> middle;
+    std::vector<Middle> middle;
     for (const Edge& edge : edges) {
       const glm::vec3 m = 0.5f * (position_m_[edge.first] + position_m_[edge.second]);
-      middle[edge] = corner(m, normal_[edge.first]);
+      middle.push_back({edge, corner(m, normal_[edge.first], edge)});
     }
+    std::sort(middle.begin(), middle.end());
     const std::vector<glm::uvec3> old = std::exchange(triangle_, {});
     const std::vector<std::uint32_t> old_side = std::exchange(side_, {});
     for (std::size_t k = 0; k < old.size(); ++k) {
@@ -98,7 +122,9 @@ class SurfaceMesh {
   }
 
  private:
-  std::uint32_t corner(const glm::vec3& p, const glm::vec3& normal) {
+  using Middle = std::pair<Edge, std::uint32_t>;  // an edge and the corner that halves it
+
+  std::uint32_t corner(const glm::vec3& p, const glm::vec3& normal, const Edge& halved_edge) {
     std::array<std::int32_t, 6> key;
     for (int k = 0; k < 3; ++k) {
       key[static_cast<std::size_t>(k)] = std::bit_cast<std::int32_t>(p[k] + 0.0f);  // no -0
@@ -110,18 +136,22 @@ class SurfaceMesh {
     if (is_new) {
       position_m_.push_back(p);
       normal_.push_back(normal);
+      halved_edge_.push_back(halved_edge);
     }
     return entry->second;
   }
 
-  void split(const glm::uvec3& t, const std::map<Edge, std::uint32_t>& middle) {
+  // middle: ascending.
+  void split(const glm::uvec3& t, const std::vector<Middle>& middle) {
     constexpr std::uint32_t kNone = ~0u;
     std::array<std::uint32_t, 3> m;  // of edge k, k + 1
     int count = 0;
     for (int k = 0; k < 3; ++k) {
-      const auto found = middle.find(edge_of(t[k], t[(k + 1) % 3]));
-      m[static_cast<std::size_t>(k)] = found == middle.end() ? kNone : found->second;
-      if (found != middle.end()) ++count;
+      const Middle least{edge_of(t[k], t[(k + 1) % 3]), 0};
+      const auto found = std::lower_bound(middle.begin(), middle.end(), least);
+      const bool is_halved = found != middle.end() && found->first == least.first;
+      m[static_cast<std::size_t>(k)] = is_halved ? found->second : kNone;
+      if (is_halved) ++count;
     }
     if (count == 0) {
       triangle_.push_back(t);
@@ -147,6 +177,7 @@ class SurfaceMesh {
   }
 
   std::vector<glm::vec3> position_m_, normal_;
+  std::vector<Edge> halved_edge_;
   std::vector<glm::uvec3> triangle_;
   std::vector<std::uint32_t> side_;  // of each triangle
   std::map<std::array<std::int32_t, 6>, std::uint32_t> index_;
@@ -176,36 +207,38 @@ double area_m2(const SurfaceMesh& mesh) {
   return sum;
 }
 
+PreparedScene with_black_surfaces(const PreparedScene& scene) {
+  PreparedScene black = scene;
+  std::fill(black.reflectance.begin(), black.reflectance.end(), 0.0);
+  return black;
+}
+
 // What is known at the corners so far.
 class CornerLight {
  public:
   CornerLight(const PreparedScene& scene, const SurfaceLightSettings& settings, Gatherer& gatherer)
       : scene_(scene), settings_(settings), gatherer_(gatherer) {}
 
-  // At the corners that are new. False: problem() says why not.
-  bool estimate(const SurfaceMesh& mesh) {
-    const std::vector<glm::dvec3> position_m = mesh.sample_positions_m(scene_.ray_offset_m());
-    SensorGrid grid;
-    grid.rule = "corners of surfaces";
-    std::vector<std::size_t> corner;
-    for (std::vector<float>* lx : {&direct_lx_, &indirect_lx_}) {
-      lx->resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
+  // At all corners of a first mesh. False: problem() says why not.
+  bool estimate(const SurfaceMesh& mesh) { return estimate_new(scene_, mesh); }
+
+  // At the corners by which the mesh was refined since. They halve edges along which mostly direct
+  // light changes: only that is estimated, and indirect light is taken to be linear there.
+  bool estimate_direct(const SurfaceMesh& mesh) {
+    const std::size_t known = known_;
+    if (!estimate_new(with_black_surfaces(scene_), mesh)) return false;
+    for (std::size_t i = known; i < mesh.corners(); ++i) {
+      const auto [a, b] = mesh.halved_edge(i);
+      const float at_a = indirect_lx_[a], at_b = indirect_lx_[b];
+      indirect_lx_[i] = std::isnan(at_a) ? at_b : std::isnan(at_b) ? at_a : 0.5f * (at_a + at_b);
     }
-    for (std::size_t i = known_; i < mesh.corners(); ++i) {
-      if (find_touching_luminaire(scene_, position_m[i], 2.0 * scene_.ray_offset_m()) >= 0)
-        continue;
-      corner.push_back(i);
-      grid.position_m.push_back(position_m[i] + scene_.origin_m);
-      grid.normal.emplace_back(mesh.normal()[i]);
-    }
-    known_ = mesh.corners();
-    return corner.empty() || solve(grid, corner);
+    return true;
   }
 
   // At all corners, with evened indirect light.
   std::vector<float> lx(const SurfaceMesh& mesh) const {
     std::vector<float> result = indirect_lx_;
-    const std::map<Edge, int> edges = mesh.edges();
+    const std::vector<SharedEdge> edges = mesh.edges();
     for (int k = 0; k < kSmoothings; ++k) {
       std::vector<float> sum(result.size(), 0.0f);
       std::vector<float> count(result.size(), 0.0f);
@@ -229,15 +262,35 @@ class CornerLight {
   double error_share() const { return points_ > 0 ? std::sqrt(squares_ / points_) : 0.0; }
 
  private:
-  bool solve(const SensorGrid& grid, const std::vector<std::size_t>& corner) {
+  bool estimate_new(const PreparedScene& scene, const SurfaceMesh& mesh) {
+    const std::vector<glm::dvec3> position_m = mesh.sample_positions_m(scene.ray_offset_m());
+    SensorGrid grid;
+    grid.rule = "corners of surfaces";
+    std::vector<std::size_t> corner;
+    for (std::vector<float>* lx : {&direct_lx_, &indirect_lx_}) {
+      lx->resize(mesh.corners(), std::numeric_limits<float>::quiet_NaN());
+    }
+    for (std::size_t i = known_; i < mesh.corners(); ++i) {
+      if (find_touching_luminaire(scene, position_m[i], 2.0 * scene.ray_offset_m()) >= 0) continue;
+      corner.push_back(i);
+      grid.position_m.push_back(position_m[i] + scene.origin_m);
+      grid.normal.emplace_back(mesh.normal()[i]);
+    }
+    known_ = mesh.corners();
+    return corner.empty() || solve(scene, grid, corner);
+  }
+
+  bool solve(const PreparedScene& scene, const SensorGrid& grid,
+             const std::vector<std::size_t>& corner) {
     RadiositySettings settings;
     settings.seed = settings_.seed;
     settings.replicates = settings_.replicates;
     settings.first_paths = settings.max_paths = settings_.paths;
     settings.jobs = settings_.jobs;
     settings.refuses_close_points = false;
+    settings.opening_error_factor = kOpeningErrorFactor;
     const SpaceSolution solution = solve_illuminance(
-        scene_, {{"picture", &grid}}, settings, 0.95, gatherer_,
+        scene, {{"picture", &grid}}, settings, 0.95, gatherer_,
         [](std::size_t, const PlaneField&, Look) { return LookAnswer{}; },
         [this](const SolveProgress&) { return !settings_.go_on || settings_.go_on(); });
     const PlaneField& field = solution.fields.front();
@@ -254,7 +307,7 @@ class CornerLight {
       const ReplicateMean mean = replicate_mean(replicate);
       direct_lx_[corner[i]] = static_cast<float>(mean.mean - indirect_lx);
       indirect_lx_[corner[i]] = static_cast<float>(indirect_lx);
-      if (!(mean.mean > 0.0)) continue;
+      if (!(indirect_lx > 0.0)) continue;
       squares_ += calc::pow(mean.standard_error / mean.mean, 2);
       points_ += 1.0;
     }
@@ -358,7 +411,7 @@ LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSi
         uneven_edges(mesh, light.lx(mesh), 0.2 * most_m, settings.points / kRefinements);
     if (edges.empty()) break;
     mesh.split(edges);
-    is_known = light.estimate(mesh);
+    is_known = light.estimate_direct(mesh);
   }
   result.problem = light.problem();
   if (!is_known) return result;

@@ -18,7 +18,7 @@
 namespace calc {
 
 struct SurfaceLightSettings {
-  std::size_t points = 2000;  // about so many at first, and as many again where light changes
+  std::size_t points = 1500;  // about so many at first, and as many again where light changes
   std::size_t most_points = 60'000;  // a mesh of more corners is refused
   int replicates = 4;
   std::uint64_t paths = 512;  // per replicate, a power of two
@@ -34,16 +34,16 @@ struct LitSurfaces {
   std::vector<float> lx;              // [position]
   std::vector<glm::uvec3> triangle;   // counter-clockwise as seen from the lit side
   std::vector<std::uint32_t> side;    // of each triangle, index into the sides given
-  // Relative standard error of the sampling before it was evened out, root mean square over
-  // positions.
+  // Relative standard error of the sampling before it was evened out, root mean square over the
+  // positions whose indirect light was sampled.
   double error_share = 0.0;
 };
 
 // The same estimators as for planes (solve_illuminance()), at points on the given sides. Edges are
 // split until they are short beside the room, then twice again where illuminance changes most along
 // them; edges of shadows are as sharp as the shortest edges. Indirect light, the noisier and
-// smoother part, is evened out with that of the corners next to each. A function of its arguments
-// alone.
+// smoother part, is sampled at the corners before these last splits and evened out with that of the
+// corners next to each. A function of its arguments alone.
 LitSurfaces light_surfaces(const PreparedScene& scene, std::span<const SurfaceSide> sides,
                            const SurfaceLightSettings& settings, Gatherer& gatherer);
 

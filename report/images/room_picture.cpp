@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -64,6 +66,51 @@ double at_share(std::vector<double> values, double share) {
 
 int text_width(const std::string& text) { return static_cast<int>(text.size()) * kLetter - kDot; }
 
+constexpr std::uint32_t kSamples = kOversampling * kOversampling;  // of a pixel
+
+class BandFinder {
+ public:
+  explicit BandFinder(const Palette& palette)
+      : per_step_(1.0F / palette.step), last_(static_cast<float>(palette.colour.size() - 1)) {}
+  // -1: nothing is there.
+  std::int32_t operator()(float lx) const {
+    return lx < 0.0F ? -1 : static_cast<std::int32_t>(std::min(lx * per_step_, last_));
+  }
+
+ private:
+  float per_step_, last_;
+};
+
+bool is_clear(const std::uint8_t* cover) {
+  constexpr std::array<std::uint8_t, 4> kClear{};
+  return std::memcmp(cover, kClear.data(), kClear.size()) == 0;
+}
+
+// A pixel of several colours. band: of its samples.
+void paint_mixed(const DrawnRoom& drawn, const Palette& palette, int x, int y,
+                 const std::array<std::int32_t, kSamples>& band, std::uint8_t* to) {
+  std::array<std::uint32_t, 4> sum{};  // premultiplied, 255 times
+  std::size_t sample = 0;
+  for_each_sample(drawn, x, y, [&](std::size_t i) {
+    const std::uint8_t* cover = &drawn.cover[4 * i];
+    const std::int32_t at = band[sample++];
+    const std::uint32_t through = 255U - cover[3];
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += 255U * cover[k];
+    if (at < 0 || through == 0) return;
+    const Rgb below = palette.colour[static_cast<std::size_t>(at)];
+    sum[0] += through * below.r;
+    sum[1] += through * below.g;
+    sum[2] += through * below.b;
+    sum[3] += through * 255U;
+  });
+  if (sum[3] == 0) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    to[k] = static_cast<std::uint8_t>(
+        std::min<std::uint32_t>(255U, (255U * sum[k] + sum[3] / 2) / sum[3]));
+  }
+  to[3] = static_cast<std::uint8_t>((sum[3] + 255U * kSamples / 2) / (255U * kSamples));
+}
+
 }  // namespace
 
 Palette band_palette(const ColourScale& scale) {
@@ -73,36 +120,29 @@ Palette band_palette(const ColourScale& scale) {
 }
 
 Raster paint_room(const DrawnRoom& drawn, const Palette& palette) {
-  constexpr std::uint32_t kSamples = kOversampling * kOversampling;
-  const float per_step = 1.0F / palette.step;
-  const auto last = static_cast<float>(palette.colour.size() - 1);
   Raster raster;
   raster.width = drawn.width / kOversampling;
   raster.height = drawn.height / kOversampling;
   raster.rgba.resize(4 * static_cast<std::size_t>(raster.width) *
                      static_cast<std::size_t>(raster.height));
+  const BandFinder band_of(palette);
   std::uint8_t* to = raster.rgba.data();
   for (int y = 0; y < raster.height; ++y) {
     for (int x = 0; x < raster.width; ++x, to += 4) {
-      std::array<std::uint32_t, 4> sum{};  // premultiplied, 255 times
+      std::array<std::int32_t, kSamples> band{};
+      bool is_one_band = true;
+      std::size_t k = 0;
       for_each_sample(drawn, x, y, [&](std::size_t i) {
-        const std::uint8_t* cover = &drawn.cover[4 * i];
-        const std::uint32_t through = 255U - cover[3];
-        for (std::size_t k = 0; k < 4; ++k) sum[k] += 255U * cover[k];
-        if (drawn.lx[i] < 0.0F || through == 0) return;
-        const Rgb below =
-            palette.colour[static_cast<std::size_t>(std::min(drawn.lx[i] * per_step, last))];
-        sum[0] += through * below.r;
-        sum[1] += through * below.g;
-        sum[2] += through * below.b;
-        sum[3] += through * 255U;
+        band[k] = band_of(drawn.lx[i]);
+        is_one_band = is_one_band && band[k] == band[0] && is_clear(&drawn.cover[4 * i]);
+        ++k;
       });
-      if (sum[3] == 0) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        to[k] = static_cast<std::uint8_t>(
-            std::min<std::uint32_t>(255U, (255U * sum[k] + sum[3] / 2) / sum[3]));
+      if (!is_one_band) {
+        paint_mixed(drawn, palette, x, y, band, to);
+      } else if (band[0] >= 0) {
+        const Rgb colour = palette.colour[static_cast<std::size_t>(band[0])];
+        to[0] = colour.r, to[1] = colour.g, to[2] = colour.b, to[3] = 255;
       }
-      to[3] = static_cast<std::uint8_t>((sum[3] + 255U * kSamples / 2) / (255U * kSamples));
     }
   }
   return raster;

@@ -2,7 +2,6 @@
 
 #include "calc/base/elementary.h"
 #include "calc/radiosity/surface_light.h"
-#include "gpu/picture.h"
 #include "report/images/exr.h"
 #include "report/images/png.h"
 #include "report/text/words.h"
@@ -174,6 +173,13 @@ report::DrawnRoom cropped(report::DrawnRoom drawn) {
   return drawn;
 }
 
+gpu::Picture memory_of(report::DrawnRoom drawn) {
+  gpu::Picture picture;
+  picture.value = std::move(drawn.lx);
+  picture.cover = std::move(drawn.cover);
+  return picture;
+}
+
 }  // namespace
 
 bool opens(const calc::Space& space) { return space.shell || !space.surfaces_file.empty(); }
@@ -245,8 +251,8 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
     gpu::add_edges(picture, scene, view.cutaway, kScale);
     add_planes(picture, part, scene.origin_m, view, scale);
     gpu::add_luminaires(picture, scene, kScale);
-    const report::DrawnRoom drawn = cropped(
-        drawn_room(gpu::draw_picture(*device_, picture, view.camera, drawn_width(view.width))));
+    report::DrawnRoom drawn = cropped(drawn_room(gpu::draw_picture(
+        *device_, picture, view.camera, drawn_width(view.width), std::move(recycled_))));
     const report::Raster raster = report::paint_room(drawn, report::band_palette(scale));
     report::RoomPicture& made = pictures.list.emplace_back();
     made.name = view.name;
@@ -262,6 +268,7 @@ std::string PictureMaker::draw(const std::string& project_path, const calc::Spac
     pictures.highest_lx =
         std::max(pictures.highest_lx,
                  static_cast<double>(*std::max_element(drawn.lx.begin(), drawn.lx.end())));
+    recycled_ = memory_of(std::move(drawn));
   }
   pictures.low_lx = scale.low;
   pictures.step_lx = scale.step;

@@ -4,6 +4,7 @@
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
 #include "gpu/device_thread.h"
+#include "gpu/picture.h"
 #include "gpu/room_drawing.h"
 #include "report/document/document.h"
 #include "report/images/room_picture.h"
@@ -48,6 +49,7 @@ class PictureMaker {
   std::function<bool()> go_on_;
   std::shared_ptr<gpu::DeviceThread> device_;
   std::string problem_;
+  gpu::Picture recycled_;  // the last one's memory
   int rooms_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -153,6 +154,25 @@ TEST(Picture, GivesTheSameBitsAgain) {
   const gpu::Picture again = gpu::draw_picture(*gl_device(), scene, camera, 301);
   EXPECT_EQ(once.value, again.value);
   EXPECT_EQ(once.cover, again.cover);
+}
+
+// Layers are kept for the next picture, and may be larger than it.
+TEST(Picture, GivesTheSameBitsAfterALargerOne) {
+  LUXGATE_NEEDS_OPENGL();
+  gpu::PictureScene scene = letter();
+  scene.lines.push_back({{0, 0, 0}, {3, 2, 0.1}, {0.2f, 0.4f, 0.6f, 0.5f}, 2.5, 0.5});
+  gpu::PictureScene full;
+  add_quad(full, {-5, -5, 0.3f}, {12, 0, 0}, {0, 12, 0}, 7.0f);
+  const gpu::Camera plan = gpu::plan_camera(kLetterBox), corner = gpu::corner_camera(kLetterBox);
+  const gpu::Picture alone = gpu::draw_picture(*gl_device(), scene, plan, 203);
+  const auto device = gl_device();
+  gpu::Picture other = gpu::draw_picture(*device, full, corner, 120);
+  other = gpu::draw_picture(*device, full, corner, 501, std::move(other));  // grows
+  const gpu::Picture after = gpu::draw_picture(*device, scene, plan, 203, std::move(other));
+  EXPECT_EQ(after.width, alone.width);
+  EXPECT_EQ(after.height, alone.height);
+  EXPECT_EQ(after.value, alone.value);
+  EXPECT_EQ(after.cover, alone.cover);
 }
 
 TEST(Picture, DotsHaveTheirColourAndHideBehindSurfaces) {

@@ -51,15 +51,18 @@ Room office() {
 
 struct Sums {
   std::vector<double> known, sampled;  // [channel], [replicate][channel]
+  std::uint64_t rays = 0;
 };
 
 Sums by_proof(const calc::Tracer& tracer, const calc::Receiver& receiver, std::uint64_t seed,
-              std::size_t replicates, std::uint32_t rounds = 1) {
+              std::size_t replicates, std::uint32_t rounds = 1, double error_factor = 1.0) {
   const std::size_t channels = tracer.scene().channels.size();
   Sums sums{std::vector<double>(channels), std::vector<double>(channels * replicates)};
   float largest = 0.0f;
-  calc::add_openings(tracer, receiver, {}, RandomKey(seed), {0, rounds, replicates},
-                     {sums.known.data(), sums.sampled.data(), 1, channels, &largest});
+  sums.rays = calc::add_openings(tracer, receiver, {}, RandomKey(seed),
+                                 {0, rounds, replicates, error_factor},
+                                 {sums.known.data(), sums.sampled.data(), 1, channels, &largest})
+                  .traced;
   for (double& lx : sums.sampled) lx /= rounds;
   return sums;
 }
@@ -104,7 +107,7 @@ std::vector<calc::Receiver> places() {
   return all;
 }
 
-TEST(OpeningLight, HasTheMeanOfAllRays) {
+void expect_mean_of_all_rays(double error_factor) {
   const Room room = office();
   const calc::Tracer tracer(room.scene);
   constexpr std::size_t kReplicates = 256;
@@ -112,7 +115,7 @@ TEST(OpeningLight, HasTheMeanOfAllRays) {
   int count = 0;
   std::size_t place = 0;
   for (const calc::Receiver& receiver : places()) {
-    const Sums sums = by_proof(tracer, receiver, 1000 + place++, kReplicates);
+    const Sums sums = by_proof(tracer, receiver, 1000 + place++, kReplicates, 1, error_factor);
     for (std::size_t channel = 0; channel < 2; ++channel) {
       const auto ours = calc::replicate_mean(replicate_totals(sums, channel));
       const auto rays = calc::replicate_mean(by_rays(tracer, receiver, kReplicates, channel));
@@ -131,6 +134,20 @@ TEST(OpeningLight, HasTheMeanOfAllRays) {
   }
   // A mean square of 1; its standard deviation is sqrt(2 / count).
   EXPECT_NEAR(sum_square / count, 1.0, 4.0 * std::sqrt(2.0 / count));
+}
+
+TEST(OpeningLight, HasTheMeanOfAllRays) { expect_mean_of_all_rays(1.0); }
+
+TEST(OpeningLight, WithFewerSamplesHasTheMeanOfAllRaysToo) {
+  expect_mean_of_all_rays(4.0);
+  const Room room = office();
+  const calc::Tracer tracer(room.scene);
+  std::uint64_t usual = 0, few = 0;
+  for (const calc::Receiver& receiver : places()) {
+    usual += by_proof(tracer, receiver, 1, 4).rays;
+    few += by_proof(tracer, receiver, 1, 4, 1, 4.0).rays;
+  }
+  EXPECT_LT(2 * few, usual);  // 4^(2/3) times as few
 }
 
 TEST(OpeningLight, OfFreeOpeningsIsKnownButForALittle) {

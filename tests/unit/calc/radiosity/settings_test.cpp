@@ -32,6 +32,9 @@ TEST(RadiositySettings, SaysWhatIsAllowed) {
   settings.time_limit_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(calc::validate(settings), "");
   settings = {};
+  settings.opening_error_factor = 0.0;
+  EXPECT_EQ(calc::validate(settings), "opening error factor is 0; allowed: more than 0");
+  settings = {};
   settings.jobs = -1;
   EXPECT_EQ(calc::validate(settings), "jobs is -1; allowed: 0 (one per core) to 4096");
 }

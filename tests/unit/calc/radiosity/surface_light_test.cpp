@@ -1,5 +1,6 @@
 #include "calc/radiosity/surface_light.h"
 
+#include "calc/base/statistics.h"
 #include "calc/radiosity/emission.h"
 #include "tests/support/scenes.h"
 
@@ -96,6 +97,42 @@ TEST(SurfaceLight, HasTheIndirectPart) {
   EXPECT_NEAR(sum / static_cast<double>(lit.lx.size()), 200.0, 8.0);
   EXPECT_GT(lit.error_share, 0.0);
   EXPECT_LT(lit.error_share, 0.1);
+}
+
+// Against the light of planes at many paths: corners that the mesh was refined by, at the edge of a
+// shadow, have their indirect light from their neighbours.
+TEST(SurfaceLight, IsThatOfPlanesAtRefinedCornersToo) {
+  const calc::PhotometricWeb web =
+      lambert_web(500.0, 18, {calc::OpeningShape::rectangle, 0.6, 0.6});
+  calc::PreparedScene scene;
+  add_box(scene, {0, 0, 0}, {4, 3, 2.8}, 0.6);
+  add_box(scene, {1.2, 0.9, 0.7}, {1.4, 0.8, 0.04}, 0.4);
+  add_luminaire(scene, web, {1.6, 1.2, 2.7});
+  set_extent(scene);
+  const auto gatherer = calc::make_cpu_gatherer();
+  const calc::LitSurfaces lit =
+      calc::light_surfaces(scene, sides_of(scene, {2, 1.5, 40}), {}, *gatherer);
+  ASSERT_EQ(lit.problem, "");
+  calc::SensorGrid grid;
+  std::vector<double> lx;
+  for (std::size_t i = 0; i < lit.lx.size(); ++i) {  // of the floor
+    const glm::dvec3 p(lit.position_m[i]);
+    if (p.z > 1e-3 || p.x < 0.1 || p.x > 3.9 || p.y < 0.1 || p.y > 2.9) continue;
+    grid.position_m.push_back(p);
+    grid.normal.emplace_back(0, 0, 1);
+    lx.push_back(static_cast<double>(lit.lx[i]));
+  }
+  ASSERT_GT(lx.size(), 400u);
+  const calc::SpaceSolution reference = solve_with_paths(scene, grid, 7, 1024, 8);
+  const calc::PlaneField& field = reference.fields.front();
+  double mean = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < lx.size(); ++i) {
+    const double off = lx[i] / calc::replicate_mean(replicates_at(field, i)).mean - 1.0;
+    mean += off / static_cast<double>(lx.size());
+    square += off * off / static_cast<double>(lx.size());
+  }
+  EXPECT_NEAR(mean, 0.0, 0.01);
+  EXPECT_LT(std::sqrt(square), 0.06);
 }
 
 TEST(SurfaceLight, IsTheSameForAnyNumberOfThreads) {
