@@ -27,7 +27,7 @@ constexpr double kVisibleShare = 0.9;
 // Shadow rays and further short rays that continue a short ray which meets a surface.
 constexpr double kRaysPerShortRay = 1.7;
 
-constexpr double kBytesPerVertex = 150.0;    // with sorting keys and the tree
+constexpr double kBytesPerVertex = 230.0;    // with sorting keys and the tree
 constexpr double kBytesPerTriangle = 600.0;  // with its share of the tree, while it is built
 // Sums and published values, direct and indirect.
 constexpr double kBytesPerResult = 4.0 * sizeof(double);

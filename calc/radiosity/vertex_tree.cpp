@@ -13,9 +13,6 @@
 namespace calc {
 namespace {
 
-// Small groups cost weights, large ones mix vertices of unlike worth.
-constexpr std::uint32_t kLeafSize = 4;
-
 // Fewer vertices say too little about their density.
 constexpr std::uint32_t kDensityCount = 16;
 
@@ -82,25 +79,10 @@ void set_box(VertexNode& node, const glm::vec3& low, const glm::vec3& high) {
 }
 
 void summarise_leaf(VertexNode& node, const LightVertices& vertices) {
-  glm::vec3 low = vertices[node.first].position_m;
-  glm::vec3 high = low;
-  glm::vec3 sum(0.0f);
-  for (std::uint32_t i = node.first; i < node.last; ++i) {
-    low = glm::min(low, vertices[i].position_m);
-    high = glm::max(high, vertices[i].position_m);
-    sum += vertices[i].normal;
-    node.flux_lm += vertices[i].flux_lm;
-  }
-  set_box(node, low, high);
-  const float length = glm::length(sum);
-  if (length < 1e-3f) {
-    node.cos_spread = -1.0f;
-    return;
-  }
-  node.axis = sum / length;
-  for (std::uint32_t i = node.first; i < node.last; ++i) {
-    node.cos_spread = std::min(node.cos_spread, glm::dot(node.axis, vertices[i].normal));
-  }
+  const LightVertex& vertex = vertices[node.first];
+  node.flux_lm = vertex.flux_lm;
+  node.centre_m = vertex.position_m;
+  node.axis = vertex.normal;
 }
 
 void summarise_pair(VertexNode& node, const VertexNode& a, const VertexNode& b) {
@@ -163,7 +145,7 @@ VertexTree::VertexTree(LightVertices vertices, std::size_t channels) {
     first = last;
   }
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    if (nodes_[n].size() <= kLeafSize) continue;
+    if (nodes_[n].size() == 1) continue;
     const VertexNode parent = nodes_[n];
     VertexNode left, right;
     left.channel = right.channel = parent.channel;

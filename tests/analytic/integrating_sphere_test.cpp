@@ -70,7 +70,8 @@ TEST_P(IntegratingSphere, MatchesTheClosedForm) {
   EXPECT_NEAR(mean.value / smooth, 1.0, 0.2);  // 80 facets cut the sphere: its area is 13 % smaller
   EXPECT_LE(mean.low, tessellated * 1.0005);   // 0.05 %: the quadrature rule
   EXPECT_GE(mean.high, tessellated * 0.9995);
-  EXPECT_LT(mean.half_width() / mean.value, 5e-3);
+  // At 0.9, the widest: root mean square over 24 seeds 4.7e-3, and 16 replicates know it to 18 %.
+  EXPECT_LT(mean.half_width() / mean.value, 7e-3);
   RecordProperty("deviation_percent", std::to_string(100.0 * (mean.value / tessellated - 1.0)));
 }
 

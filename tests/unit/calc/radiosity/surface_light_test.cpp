@@ -131,7 +131,7 @@ TEST(SurfaceLight, IsThatOfPlanesAtRefinedCornersToo) {
     mean += off / static_cast<double>(lx.size());
     square += off * off / static_cast<double>(lx.size());
   }
-  EXPECT_NEAR(mean, 0.0, 0.01);
+  EXPECT_NEAR(mean, 0.0, 0.02);  // 4 times 512 paths know the average to 0.7 %
   EXPECT_LT(std::sqrt(square), 0.06);
 }
 
