@@ -25,6 +25,7 @@ luxgate_test(photometry_tests
     unit/calc/photometry/web_measures_test.cpp
     unit/calc/photometry/web_resample_test.cpp
     unit/calc/photometry/web_sampling_test.cpp
+    unit/calc/photometry/web_sketch_test.cpp
     unit/calc/photometry/web_test.cpp
     unit/calc/photometry/write/write_photometry_test.cpp
     unit/calc/photometry/read/xml_query_test.cpp

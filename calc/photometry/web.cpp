@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/photometry/sine_segment.h"
+#include "calc/photometry/web_sketch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +62,11 @@ PhotometricWeb PhotometricWeb::make(std::vector<double> c_rad, std::vector<doubl
   if (web.gamma_rad_.back() == kPi) web.zenith_cd_ = web.mean_over_c_cd(web.gamma_rad_.size() - 1);
   web.flux_lm_ = web.table_zone_lm(0.0, kPi);
   require(std::isfinite(web.flux_lm_) && web.flux_lm_ > 0.0, "flux finite and > 0");
+  web.sketch_ = std::make_shared<LazyWebSketch>();
   return web;
 }
+
+const WebSketch& PhotometricWeb::sketch() const { return sketch_->of(*this); }
 
 double PhotometricWeb::mean_over_c_cd(std::size_t gamma) const {
   const double first = table_cd(0, gamma);

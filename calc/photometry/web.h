@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,9 @@ struct PhotometrySource {
   double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
 };
 
+class LazyWebSketch;
+class WebSketch;
+
 // Intensity table over full circles, symmetric files already expanded; bilinear between entries
 // (calc/CONVENTIONS.md, "Light"). Immutable after make(). Tables about another axis are kept as
 // they are, so that they are interpolated between the angles that were measured.
@@ -101,6 +105,9 @@ class PhotometricWeb {
   double zonal_flux_lm(double from_gamma_rad, double to_gamma_rad) const;
   double max_intensity_cd() const { return max_intensity_cd_; }
 
+  // By the table's own angles, as the one before.
+  double at_table_angles_cd(double c_rad, double gamma_rad) const;
+
   // The table. Its angles are those of a direction turned into the table's frame.
   TableAxis axis() const { return axis_; }
   std::array<double, 3> to_table(const std::array<double, 3>& direction) const;
@@ -113,11 +120,12 @@ class PhotometricWeb {
   }
   const LuminousOpening& opening() const { return opening_; }
   const PhotometrySource& source() const { return source_; }
+  // For many directions at once; made when first asked for, by any thread.
+  const WebSketch& sketch() const;
 
  private:
   PhotometricWeb() = default;
 
-  double at_table_angles_cd(double c_rad, double gamma_rad) const;
   double table_zone_lm(double from_gamma_rad, double to_gamma_rad) const;
   double mean_over_c_cd(std::size_t gamma) const;
   double interpolate_gamma_cd(std::size_t plane, std::size_t gamma, double fraction) const;
@@ -129,6 +137,7 @@ class PhotometricWeb {
   double flux_lm_ = 0.0;
   double max_intensity_cd_ = 0.0;
   double nadir_cd_ = 0.0, zenith_cd_ = 0.0;  // 0 where the table does not reach the pole
+  std::shared_ptr<LazyWebSketch> sketch_;    // of copies, too
 };
 
 // C in [0, 2 pi] and gamma in [0, pi] of a direction; C = 0 at the poles.

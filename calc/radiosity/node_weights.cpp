@@ -1,15 +1,7 @@
 #include "calc/radiosity/node_weights.h"
 
+#include "calc/base/wide.h"
 #include "calc/radiosity/node_terms.h"
-
-// GCC makes one version of a function per instruction set and picks at start-up; without
-// contraction to fused multiply-add all versions give the same bits.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LUXGATE_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define LUXGATE_WIDE
-#endif
 
 namespace calc {
 LUXGATE_WIDE void weigh_planar(const CutArrays& cut, const float p[3], const float n[3],

@@ -1,5 +1,7 @@
 #include "calc/radiosity/opening_light.h"
 
+#include "calc/photometry/web_sketch.h"
+#include "calc/radiosity/connection_terms.h"
 #include "calc/radiosity/opening.h"
 
 #include <algorithm>
@@ -24,6 +26,42 @@ constexpr double kUnseenFloor = 1e-4;
 // Larger parts are halved: the rest falls with the third power.
 constexpr double kLargestPart = 0.7;
 
+// Places of a patch, as directions to the receiver.
+class PlaceLanes {
+ public:
+  PlaceLanes(const PlacedLuminaire& luminaire, const Receiver& receiver, SketchLanes& lanes)
+      : luminaire_(luminaire),
+        receiver_(receiver),
+        sketch_(luminaire.web->sketch()),
+        lanes_(lanes) {}
+
+  // Places are centre + x u + y v.
+  void set(const glm::dvec3& centre_m, const glm::dvec3& u_m, const glm::dvec3& v_m) {
+    world_ = {centre_m - receiver_.position_m, u_m, v_m};
+    for (std::size_t k = 0; k < world_.size(); ++k) table_[k] = in_table(-world_[k]);
+  }
+  void add(double x, double y) {
+    const glm::dvec3 to_source_m = world_[0] + x * world_[1] + y * world_[2];
+    const double response_times_m =
+        response_times_distance(receiver_.kernel, receiver_.axis, to_source_m);
+    lanes_.add(sketch_, table_[0] + x * table_[1] + y * table_[2],
+               luminaire_.flux_scale * std::max(0.0, response_times_m));
+  }
+
+ private:
+  glm::dvec3 in_table(const glm::dvec3& way_m) const {
+    const glm::dvec3 own_m = glm::transpose(luminaire_.world_from_luminaire) * way_m;
+    const std::array<double, 3> turned = luminaire_.web->to_table({own_m.x, own_m.y, own_m.z});
+    return {turned[0], turned[1], turned[2]};
+  }
+
+  const PlacedLuminaire& luminaire_;
+  const Receiver& receiver_;
+  const WebSketch& sketch_;
+  SketchLanes& lanes_;
+  std::array<glm::dvec3, 3> world_, table_;  // centre, u, v: from the receiver; towards it
+};
+
 // A part of a flat opening that is seen in full: light from (x, y) in [-1, 1]^2, or in the unit
 // disk, as a polynomial.
 class OpeningPatch {
@@ -40,10 +78,57 @@ class OpeningPatch {
                 (2.0 * cell.t + cell.size_t - 1.0) * v * axes[1];
     const double size_m = 2.0 * std::sqrt(glm::dot(u_m_, u_m_) + glm::dot(v_m_, v_m_));
     ratio_ = size_m / glm::length(centre_m_ - receiver.position_m);
-    fit(receiver);
   }
 
+  // Its places are asked for: 1, 5 or 9 of them, in the order in which fit() takes their light.
+  void ask(const Receiver& receiver, SketchLanes& lanes) const {
+    PlaceLanes places(luminaire_, receiver, lanes);
+    places.set(centre_m_, kPlace * u_m_, kPlace * v_m_);
+    if (places_asked() == 9) {
+      for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) places.add(x, y);
+      }
+      return;
+    }
+    places.add(0, 0);
+    if (places_asked() == 1) return;
+    add_cross(places, 1.0);
+  }
+  std::size_t places_asked() const { return ratio_ < kOnePlace ? 1 : ratio_ < kFivePlaces ? 5 : 9; }
+
   double ratio() const { return ratio_; }  // of its size to its distance
+  // lx: of its places. False: all are dark, and the light may still begin at a corner or be a
+  // narrow beam between: ask_more() and fit_dark().
+  bool fit(const Receiver& receiver, const float* lx) {
+    if (std::all_of(lx, lx + places_asked(), [](float value) { return !(value > 0.0f); })) {
+      return false;
+    }
+    const auto at = [lx](std::size_t k) { return static_cast<double>(lx[k]); };
+    if (places_asked() == 9) {
+      fit_nine(receiver, {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)});
+    } else if (places_asked() == 5) {
+      fit_five(receiver, {at(0), at(1), at(2), at(3), at(4)});
+    } else {
+      c_[0][0] = at(0);
+      rest_lx_ = ratio_ * at(0) + unseen_lx(receiver);
+    }
+    return true;
+  }
+  static constexpr std::size_t kMorePlaces = 8;
+  void ask_more(const Receiver& receiver, SketchLanes& lanes) const {
+    PlaceLanes places(luminaire_, receiver, lanes);
+    places.set(centre_m_, u_m_, v_m_);
+    add_cross(places, kPlace);
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) places.add(x, y);
+    }
+  }
+  void fit_dark(const Receiver& receiver, const float* lx) {
+    const auto at = [lx](std::size_t k) { return static_cast<double>(lx[k]); };
+    fit_five(receiver, {0.0, at(0), at(1), at(2), at(3)});
+    const double corner_lx = std::max({at(4), at(5), at(6), at(7)});
+    rest_lx_ += (ratio_ * ratio_ + kFloor) * corner_lx;
+  }
   // Mean of the polynomial over the patch, times its share of the opening.
   double known_lx() const {
     const double xx = is_disk_ ? 0.25 : 1.0 / 3.0, xxyy = is_disk_ ? 1.0 / 24.0 : 1.0 / 9.0;
@@ -66,21 +151,6 @@ class OpeningPatch {
     return point_illuminance_lx(luminaire_, centre_m_ + x * u_m_ + y * v_m_, receiver);
   }
 
-  void fit(const Receiver& receiver) {
-    const double middle_lx = light_lx(receiver, 0.0, 0.0);
-    c_[0][0] = middle_lx;
-    if (ratio_ < kOnePlace && middle_lx > 0.0) {
-      // Where a beam begins the middle says little of how steeply.
-      rest_lx_ = ratio_ * middle_lx + kUnseenFloor * most_lx(receiver);
-      return;
-    }
-    if (ratio_ < kFivePlaces) {
-      fit_five(receiver, middle_lx);
-    } else {
-      fit_nine(receiver, middle_lx);
-    }
-  }
-
   // p(-h), p(0), p(h) -> coefficients of x and x^2.
   static constexpr double kPlace = 0.7745966692414834;  // sqrt(3/5), of Gauss's rule
   static glm::dvec2 curve(double before, double middle, double after) {
@@ -88,49 +158,47 @@ class OpeningPatch {
             (after - 2.0 * middle + before) / (2.0 * kPlace * kPlace)};
   }
 
-  void fit_five(const Receiver& receiver, double middle_lx) {
-    const double west = light_lx(receiver, -kPlace, 0.0), east = light_lx(receiver, kPlace, 0.0),
-                 south = light_lx(receiver, 0.0, -kPlace), north = light_lx(receiver, 0.0, kPlace);
-    const glm::dvec2 x = curve(west, middle_lx, east), y = curve(south, middle_lx, north);
+  // Middle, west, east, south, north.
+  void fit_five(const Receiver& receiver, const std::array<double, 5>& lx) {
+    const glm::dvec2 x = curve(lx[1], lx[0], lx[2]), y = curve(lx[3], lx[0], lx[4]);
+    c_[0][0] = lx[0];
     c_[1][0] = x[0], c_[2][0] = x[1], c_[0][1] = y[0], c_[0][2] = y[1];
-    take_range(receiver, std::min({middle_lx, west, east, south, north}),
-               std::max({middle_lx, west, east, south, north}));
+    take_range(receiver, *std::min_element(lx.begin(), lx.end()),
+               *std::max_element(lx.begin(), lx.end()));
   }
 
-  void fit_nine(const Receiver& receiver, double middle_lx) {
-    double lowest = middle_lx, highest = middle_lx;
+  // From south to north, from west to east.
+  void fit_nine(const Receiver& receiver, const std::array<double, 9>& lx) {
     std::array<std::array<double, 3>, 3> along_y;  // [x place]: coefficients of 1, y, y^2
     for (std::size_t i = 0; i < 3; ++i) {
-      std::array<double, 3> at;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double x = (static_cast<double>(i) - 1.0) * kPlace,
-                     y = (static_cast<double>(k) - 1.0) * kPlace;
-        at[k] = i == 1 && k == 1 ? middle_lx : light_lx(receiver, x, y);
-        lowest = std::min(lowest, at[k]);
-        highest = std::max(highest, at[k]);
-      }
-      const glm::dvec2 y = curve(at[0], at[1], at[2]);
-      along_y[i] = {at[1], y[0], y[1]};
+      const glm::dvec2 y = curve(lx[3 * i], lx[3 * i + 1], lx[3 * i + 2]);
+      along_y[i] = {lx[3 * i + 1], y[0], y[1]};
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec2 x = curve(along_y[0][k], along_y[1][k], along_y[2][k]);
       c_[0][k] = along_y[1][k], c_[1][k] = x[0], c_[2][k] = x[1];
     }
-    take_range(receiver, lowest, highest);
+    take_range(receiver, *std::min_element(lx.begin(), lx.end()),
+               *std::max_element(lx.begin(), lx.end()));
   }
 
-  // Where all places are dark the light may still begin at a corner, or be a narrow beam between.
+  // West, east, south, north.
+  static void add_cross(PlaceLanes& places, double reach) {
+    places.add(-reach, 0);
+    places.add(reach, 0);
+    places.add(0, -reach);
+    places.add(0, reach);
+  }
+
+  static constexpr double kFloor = 1e-3;  // of the brightest place
   void take_range(const Receiver& receiver, double lowest_lx, double highest_lx) {
-    constexpr double kFloor = 1e-3;
-    if (!(highest_lx > 0.0)) {
-      for (const double x : {-1.0, 1.0}) {
-        for (const double y : {-1.0, 1.0}) {
-          highest_lx = std::max(highest_lx, light_lx(receiver, x, y));
-        }
-      }
-    }
-    rest_lx_ = ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx +
-               kUnseenFloor * most_lx(receiver);
+    rest_lx_ =
+        ratio_ * ratio_ * (highest_lx - lowest_lx) + kFloor * highest_lx + unseen_lx(receiver);
+  }
+
+  // What places may have missed.
+  double unseen_lx(const Receiver& receiver) const {
+    return (kUnseenFloor + luminaire_.web->sketch().largest_error_share()) * most_lx(receiver);
   }
 
   // At its largest intensity, head-on.
@@ -167,6 +235,7 @@ class SeenOpenings {
  public:
   void clear() {
     patches_.clear();
+    lanes_.clear();
     cumulative_.clear();
     known_lx_ = 0.0;
   }
@@ -180,9 +249,23 @@ class SeenOpenings {
       }
       return;
     }
-    known_lx_ += patch.known_lx();
+    patch.ask(receiver, lanes_);
     patches_.push_back(patch);
-    cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + patch.rest_lx());
+  }
+
+  // Once all are there.
+  void fit(const Receiver& receiver) {
+    evaluate(lanes_);
+    std::size_t lane = 0;
+    for (OpeningPatch& patch : patches_) {
+      if (!patch.fit(receiver, &lanes_.lx[lane])) dark_.push_back(&patch);
+      lane += patch.places_asked();
+    }
+    fit_dark_ones(receiver);
+    for (const OpeningPatch& patch : patches_) {
+      known_lx_ += patch.known_lx();
+      cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + patch.rest_lx());
+    }
   }
 
   double known_lx() const { return known_lx_; }
@@ -214,6 +297,18 @@ class SeenOpenings {
   }
 
  private:
+  void fit_dark_ones(const Receiver& receiver) {
+    lanes_.clear();
+    for (const OpeningPatch* patch : dark_) patch->ask_more(receiver, lanes_);
+    evaluate(lanes_);
+    std::size_t lane = 0;
+    for (OpeningPatch* patch : dark_) {
+      patch->fit_dark(receiver, &lanes_.lx[lane]);
+      lane += OpeningPatch::kMorePlaces;
+    }
+    dark_.clear();
+  }
+
   static constexpr double kSmallestShare = 0x1p-40;  // of an opening: it touches the receiver
 
   static std::array<OpeningCell, 2> halves(const LuminousOpening& opening,
@@ -227,6 +322,8 @@ class SeenOpenings {
   }
 
   std::vector<OpeningPatch> patches_;
+  std::vector<OpeningPatch*> dark_;
+  SketchLanes lanes_;               // places of all, one patch after the other
   std::vector<double> cumulative_;  // of rest_lx()
   double known_lx_ = 0.0;
 };
@@ -340,6 +437,7 @@ DirectRays add_openings(const Tracer& tracer, const Receiver& receiver, const Di
     }
   }
   batch.flush();
+  for (SeenOpenings& channel : seen) channel.fit(receiver);
   add_seen(seen, receiver, key, rounds, sums);
   return {batch.rays(), batch.has_contributions(), batch.has_hidden(), batch.has_seen()};
 }
