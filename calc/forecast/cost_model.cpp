@@ -10,15 +10,17 @@ namespace calc {
 namespace {
 
 // Nanoseconds of one thread, as kConnection_ns. Measured on one core of a shared AMD Zen 5 in the
-// examples and the projects of tests/bench/users_projects.py: 20 of 22 take 0.6 to 1.3 times what
-// is predicted, two of 10 ms a third and a half. Other machines differ by a factor: --explain-cost
-// shows it.
+// examples and the projects of tests/bench/users_projects.py: 20 of 23 take 0.6 to 1.5 times what
+// is predicted, three of 0.1 to 15 ms a half or less. Other machines differ by a factor:
+// --explain-cost shows it.
 constexpr double kPoolRay_ns = 480.0;          // closest hit, sampling, and sorting of the vertex
 constexpr double kConnectionShadow_ns = 25.0;  // the part of a connection that a convex space saves
 constexpr double kShortRay_ns = 300.0;         // with the light at its end
 constexpr double kDirectRay_ns = 300.0;        // photometry and shadow ray
 constexpr double kDirectShadow_ns = 20.0;
-constexpr double kKnownOpening_ns = 1200.0;  // proof, nine places of its light, samples of the rest
+constexpr double kKnownOpening_ns = 350.0;  // proof, a few places of its light
+constexpr double kKnownRest_ns = 400.0;     // samples of what is left of all of them, a replicate's
+constexpr double kObstructed_ns = 800.0;    // search for what hides it, or may
 constexpr double kPrepare_ns_per_triangle = 1200.0;  // the tree
 constexpr double kPrepare_s = 0.0004;                // its device
 
@@ -54,7 +56,9 @@ Prediction predict(const SpaceWorkload& space, const std::vector<std::uint64_t>&
     const double direct_rays = plane.exact_direct_rays + plane.sampled_direct_rays;
     const double traced = plane.is_unobstructed ? 0.0 : 1.0;
     work.direct_rays += traced * direct_rays;
-    result.seconds.direct += ns * kKnownOpening_ns * plane.known_openings;
+    result.seconds.direct += ns * (kKnownOpening_ns * plane.known_openings +
+                                   kKnownRest_ns * replicates * plane.known_points +
+                                   kObstructed_ns * plane.obstructed_openings);
     result.seconds.direct += ns * (kDirectRay_ns - (1.0 - traced) * kDirectShadow_ns) * direct_rays;
     result.bytes += kBytesPerResult * replicates * static_cast<double>(space.channels) *
                     static_cast<double>(plane.points);

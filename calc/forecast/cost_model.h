@@ -20,6 +20,8 @@ struct PlaneWorkload {
   double exact_direct_rays = 0.0;    // once: towards point openings, and of eyes
   double sampled_direct_rays = 0.0;  // one round towards extended openings, all replicates
   double known_openings = 0.0;       // pairs of points and openings proved free: no ray
+  double known_points = 0.0;         // points with such openings, once for each channel
+  double obstructed_openings = 0.0;  // pairs with something between, or that it may be: proofs
   bool is_unobstructed = false;      // convex space: none of these rays is traced
 };
 

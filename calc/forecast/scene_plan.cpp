@@ -11,14 +11,17 @@
 #include <bit>
 #include <cstddef>
 #include <optional>
+#include <set>
 
 namespace calc {
 namespace {
 
 // Of a receiver, on average.
 struct OpeningEffort {
-  double samples = 0.0;  // of one round and one replicate, where nothing is proved
-  double known = 0.0;    // openings that are seen in full
+  double samples = 0.0;     // of one round and one replicate, where nothing is proved
+  double known = 0.0;       // openings that are seen in full
+  double obstructed = 0.0;  // openings that are not, or of which nothing is proved
+  double channels = 0.0;    // with openings that are seen in full
 };
 
 // Rays of one round and one replicate towards an opening of which nothing is proved.
@@ -42,17 +45,26 @@ OpeningEffort opening_effort(const Tracer& tracer, const PointSet& points,
   for (std::size_t k = 0; k < probes; ++k) {
     const std::size_t i = (2 * k + 1) * count / (2 * probes);
     const Receiver receiver{points.position_m[i], points.normal[i], points.kernel};
+    std::set<std::size_t> known_channels;
     for (std::size_t l = 0; l < luminaires.size(); ++l) {
       if (luminaires[l].opening.shape == OpeningShape::point) continue;
       if (!decided.is_dark.empty() && decided.is_dark[l] != 0) continue;
       const bool is_eye = !decided.measures_direct;
       if (is_eye && is_behind(luminaires[l], receiver)) continue;
       const Sight sight = opening_sight(tracer, l, receiver, !decided.is_unobstructed);
-      if (sight == Sight::free) ++effort.known;
+      if (sight == Sight::free) {
+        ++effort.known;
+        known_channels.insert(luminaires[l].channel);
+      } else {
+        ++effort.obstructed;
+      }
       if (sight == Sight::unknown) effort.samples += rays_towards(luminaires[l], receiver, is_eye);
     }
+    effort.channels += static_cast<double>(known_channels.size());
   }
+  effort.channels /= static_cast<double>(probes);
   effort.samples /= static_cast<double>(probes);
+  effort.obstructed /= static_cast<double>(probes);
   effort.known /= static_cast<double>(probes);
   return effort;
 }
@@ -154,6 +166,8 @@ class Planner {
       if (is_eye) load.exact_direct_rays += receivers * effort.samples;
       if (!is_eye) load.sampled_direct_rays = receivers * settings_.replicates * effort.samples;
       load.known_openings = receivers * effort.known;
+      load.obstructed_openings = receivers * effort.obstructed;
+      if (!is_eye) load.known_points = receivers * effort.channels;
     }
     plan_.workload.planes.push_back(load);
   }

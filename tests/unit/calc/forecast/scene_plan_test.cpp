@@ -147,12 +147,15 @@ TEST_F(APlan, ExtendedOpeningsAreSampledWhereNothingIsProved) {
   EXPECT_FALSE(p.planes[0].is_exact);
   EXPECT_EQ(p.first_look.work.direct_rays, 0.0);
   EXPECT_EQ(p.workload.planes[0].known_openings, 25.0);
+  EXPECT_EQ(p.workload.planes[0].known_points, 25.0);
+  EXPECT_EQ(p.workload.planes[0].obstructed_openings, 0.0);
   EXPECT_GT(p.first_look.seconds.direct, 0.0);
 
   test_support::add_box(scene, {-0.1, -1, 1.2}, {0.2, 2, 0.1}, 0.0);
   const calc::ScenePlan beam = plan();
   EXPECT_GE(beam.first_look.work.direct_rays, settings.replicates);
   EXPECT_LT(beam.workload.planes[0].known_openings, 25.0);
+  EXPECT_GT(beam.workload.planes[0].obstructed_openings, 0.0);
 }
 
 }  // namespace
