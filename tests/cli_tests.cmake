@@ -72,6 +72,15 @@ add_test(NAME cli.interrupt_leaves_nothing COMMAND bash
   ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_interrupt.sh $<TARGET_FILE:luxgate>
   ${PROJECT_SOURCE_DIR}/examples/04-office/project.xml ${CMAKE_CURRENT_BINARY_DIR}/interrupt)
 
+find_program(LUXGATE_PYTHON python3)
+if(LUXGATE_PYTHON)
+  add_test(NAME cli.revisions_are_judged COMMAND ${LUXGATE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/tools/revision_gate.py
+    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/revision_gate)
+else()
+  add_test(NAME cli.revisions_are_judged COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+  set_tests_properties(cli.revisions_are_judged PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+endif()
+
 add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)
 add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}

@@ -22,6 +22,7 @@ luxgate_test(report_tests
     unit/report/result_file/read_json_test.cpp
     unit/report/result_file/redact_test.cpp
     unit/report/result_file/result_schema_test.cpp
+    unit/report/revision/revise_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
     unit/report/formats/standard_words_test.cpp

@@ -321,6 +321,9 @@ ProjectPart build_project(const calc::Project& project) {
     if (!project.luminaire_types[i].counts_as_luminaire()) continue;
     part.luminaires.push_back(build_luminaire(project, i));
   }
+  for (const calc::Material& material : project.materials) {
+    part.materials.push_back({material.id, material.reflectance});
+  }
   return part;
 }
 

@@ -9,6 +9,7 @@
 #include "calc/scene/installed_power.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/document/revision.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/goal.h"
 #include "rules/verdict/coverage.h"
@@ -20,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,11 @@ struct LuminaireRow {
 };
 inline constexpr double kPolarStep_deg = 2.5;
 inline constexpr int kPolarHalfSteps = 72;
+
+struct MaterialRow {
+  std::string id;
+  double reflectance = 0;  // diffuse, [0, 1]
+};
 
 struct PointRow {
   glm::dvec3 position_m, normal;  // normal: axis of the plane's kernel
@@ -204,6 +211,7 @@ struct ProjectPart {
   // Ids of those warnings that count like errors, because somebody asked for it (--strict).
   std::vector<calc::DiagnosticId> strict_warnings;
   std::vector<LuminaireRow> luminaires;
+  std::vector<MaterialRow> materials;
   std::vector<SpacePart> spaces;
   std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
   std::vector<calc::InputFile> inputs;
@@ -227,6 +235,7 @@ struct WarningCounts {
 struct Document {
   Provenance provenance;
   std::vector<ProjectPart> projects;
+  std::optional<Revision> revision;  // against a baseline, where one was given
 };
 
 // Of what does not exist: not a number, which renderers show as a dash.

@@ -2,6 +2,8 @@
 
 #include "calc/base/file_hash.h"
 #include "report/formats/ci_finding.h"
+#include "report/formats/ci_revision.h"
+#include "report/revision/revision_tables.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
@@ -102,11 +104,18 @@ std::string render_github(const Document& document) {
     }
   }
   for (const CiFinding& entry : ci_findings(document)) {
-    if (entry.verdict == rules::Verdict::pass) continue;
+    if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
     text +=
         github_line(command_for(entry), entry.where,
                     fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
                     entry.message);
+  }
+  for (const CiChange& change : ci_changes(document)) {
+    text += github_line(change.stops ? "error" : "notice", change.where,
+                        fmt::format("luxgate: {}", change.rule), change.message);
+  }
+  for (const std::string& remark : revision_remarks(document, {})) {
+    text += "luxgate: " + printable(remark) + "\n";
   }
   text += "luxgate: " + printable(summary_words(document)) + "\n";
   if (const std::string words = redaction_words(document); !words.empty())
@@ -117,8 +126,13 @@ std::string render_github(const Document& document) {
 std::string render_gitlab(const Document& document) {
   Json issues = Json::array();
   std::set<std::string> taken;
+  for (const CiChange& change : ci_changes(document)) {
+    issues.push_back(gitlab_issue("luxgate/" + change.rule, change.message,
+                                  unique_fingerprint(change.fingerprint, taken),
+                                  change.stops ? "critical" : "info", change.where));
+  }
   for (const CiFinding& entry : ci_findings(document)) {
-    if (entry.verdict == rules::Verdict::pass) continue;
+    if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
     issues.push_back(gitlab_issue(
         "luxgate/" + entry.rule,
         fmt::format("{}: {}: {}", rules::verdict_name(entry.verdict), entry.place, entry.message),

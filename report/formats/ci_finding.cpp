@@ -1,6 +1,7 @@
 #include "report/formats/ci_finding.h"
 
 #include "calc/base/file_hash.h"
+#include "report/revision/gate.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace report {
@@ -120,6 +122,41 @@ void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
   }
 }
 
+// Whether it is an aggregate; project, space, plane, item.
+using PlaceKey = std::tuple<bool, std::string, std::string, std::string, std::string>;
+
+PlaceKey place_of(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) {
+    const rules::AggregateFinding& finding = *entry.aggregate;
+    return {true, entry.project->path, finding.space_id, finding.plane_id, finding.id};
+  }
+  return {false, entry.project->path, entry.space->id, entry.plane->id,
+          entry.finding->requirement.id};
+}
+
+// What a revision did to each, and which failures it may keep.
+void add_changes(const Document& document, std::vector<CiFinding>& list) {
+  if (!document.revision) return;
+  const Revision& revision = *document.revision;
+  std::map<PlaceKey, const ChangedResult*> changed;
+  for (const ChangedResult& result : revision.results) {
+    const RevisionPlace& place = result.place;
+    changed[{result.is_aggregate, place.project, place.space, place.plane, place.item}] = &result;
+  }
+  const GateReasons reasons = reasons_of(revision);
+  for (CiFinding& entry : list) {
+    if (entry.finding == nullptr && entry.aggregate == nullptr) continue;
+    const auto found = changed.find(place_of(entry));
+    const ChangedResult* result = found == changed.end() ? nullptr : found->second;
+    entry.change = result == nullptr ? ResultChange::same : result->change;
+    if (revision.gate.mode == GateMode::all || entry.verdict != rules::Verdict::fail) continue;
+    const bool stops =
+        std::find(reasons.results.begin(), reasons.results.end(), result) != reasons.results.end();
+    entry.is_known = entry.counts && !stops;
+    entry.counts = entry.counts && stops;
+  }
+}
+
 }  // namespace
 
 bool is_waived(const CiFinding& entry) {
@@ -184,6 +221,7 @@ std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
     entry.fingerprint = calc::sha256_hex(std::to_string(entry.project->path.size()) + ":" +
                                          entry.project->path + entry.key);
   }
+  add_changes(document, list);
   return list;
 }
 

@@ -5,6 +5,7 @@
 #include "report/document/document.h"
 #include "report/text/texts.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct CiFinding {
   // Not null: it is this aggregate of the project; finding is null.
   const rules::AggregateFinding* aggregate = nullptr;
   rules::Verdict verdict = rules::Verdict::not_judged;
-  bool counts = true;  // false: waived, or advice: it does not decide the exit code
+  bool counts = true;  // false: waived, advice, or known: it does not decide the exit code
+  // Failed in the baseline, too, and the gate is for regressions.
+  bool is_known = false;
+  // Since the baseline; none: there is no baseline.
+  std::optional<ResultChange> change = {};
 
   // "average", "Uo", ..., "aggregate", "class"; "plane" or "project" without a finding.
   std::string rule;

@@ -1,6 +1,7 @@
 #include "report/formats/console.h"
 
 #include "report/formats/folded_passes.h"
+#include "report/revision/revision_tables.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/text_numbers.h"
@@ -406,6 +407,58 @@ std::string messages(const ProjectPart& project) {
   return text;
 }
 
+const char* row_colour(const std::string& symbol) {
+  if (symbol.starts_with("✗") || symbol.starts_with("▼")) {
+    return outcome_colour(rules::Outcome::fail);
+  }
+  if (symbol.starts_with("?") || symbol.starts_with("↔")) {
+    return outcome_colour(rules::Outcome::undecided);
+  }
+  return "";
+}
+
+std::string render_table(const Texts& t, const RevisionTable& table, bool colour) {
+  std::vector<std::size_t> widths(table.head.size(), 0);
+  const auto widen = [&widths](const std::vector<std::string>& cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      widths[c] = std::max(widths[c], display_width(printable(cells[c])));
+    }
+  };
+  widen(table.head);
+  for (const std::vector<std::string>& row : table.rows) widen(row);
+  const auto line = [&](const std::vector<std::string>& cells, const char* start) {
+    std::string text = "  ";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const bool is_coloured = colour && *start != '\0' && (c == 0 || start == kDim);
+      const std::string cell = padded(printable(cells[c]), widths[c], false);
+      text += is_coloured ? start + cell + kReset : cell;
+      text.append(kGap, ' ');
+    }
+    trim_end(text);
+    return text + "\n";
+  };
+  std::string text = (colour ? kBold + table.title + kReset : table.title) + "\n";
+  text += line(table.head, kDim);
+  for (const std::vector<std::string>& row : table.rows) text += line(row, row_colour(row[0]));
+  if (table.left_out > 0) text += "  " + t.say<Text::more_left_out>(table.left_out) + "\n";
+  return text + "\n";
+}
+
+std::string render_revision(const Texts& t, const Document& document, bool colour) {
+  constexpr std::size_t kMostRows = 200;
+  std::string text;
+  for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
+    text += render_table(t, table, colour);
+  }
+  for (const std::string& remark : revision_remarks(document, t)) text += printable(remark) + "\n";
+  return text;
+}
+
+// A gate for regressions is about what has changed; --passes shows the rest.
+bool shows_all(const Document& document, bool lists_passes) {
+  return lists_passes || !document.revision || document.revision->gate.mode != GateMode::regression;
+}
+
 }  // namespace
 
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
@@ -417,6 +470,8 @@ std::string render_text(const Document& document, const TextOptions& options, co
   std::string text;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const ProjectPart& project = document.projects[i];
+    const bool has_messages = options.has_messages && !project.diagnostics.empty();
+    if (project.is_judged && !has_messages && !shows_all(document, options.lists_passes)) continue;
     text += project_title(project, options.colour);
     if (!project.is_judged) {
       const std::string words = std::string("– ") + t[Text::not_judged_see_errors];
@@ -424,10 +479,13 @@ std::string render_text(const Document& document, const TextOptions& options, co
               (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
               (options.colour ? kReset : "") + "\n";
     }
-    for (const TableLine& line : tables[i]) text += render_line(line, widths, options.colour);
+    if (shows_all(document, options.lists_passes)) {
+      for (const TableLine& line : tables[i]) text += render_line(line, widths, options.colour);
+    }
     if (options.has_messages) text += messages(project);
     text += "\n";
   }
+  text += render_revision(t, document, options.colour);
   std::string summary = summary_words(t, document);
   if (options.colour) summary = outcome_colour(outcome_of(document)) + summary + kReset;
   text += summary + "\n";

@@ -1,5 +1,6 @@
 #include "report/formats/csv.h"
 
+#include "report/formats/ci_revision.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/csv_field.h"
 #include "report/text/number_format.h"
@@ -168,6 +169,16 @@ void add_warning(const ProjectPart& project, const calc::Diagnostic& warning, st
   row.add_to(csv);
 }
 
+// What became worse, and what is asked for less.
+void add_change(const CiChange& change, std::string& csv) {
+  ResultRow row;
+  row.set("project", field(change.project));
+  row.set("requirement", field(change.key));
+  row.set("verdict", change.rule == "worse" ? "worse" : "weaker question");
+  row.set("reason", field(change.message));
+  row.add_to(csv);
+}
+
 // What of a row of a standard was never asked is a doubt, too.
 void add_row_in_part(const ProjectPart& project, const SpacePart& space,
                      const rules::RowCoverage& coverage, std::string& csv) {
@@ -237,6 +248,7 @@ std::string render_results_csv(const Document& document) {
       if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);
     }
   }
+  for (const CiChange& change : ci_changes(document)) add_change(change, csv);
   return csv;
 }
 

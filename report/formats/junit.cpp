@@ -1,6 +1,8 @@
 #include "report/formats/junit.h"
 
 #include "report/formats/ci_finding.h"
+#include "report/formats/ci_revision.h"
+#include "report/revision/revision_tables.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
@@ -64,7 +66,8 @@ void add_case(pugi::xml_node suite, const CiFinding& entry) {
   set(test, "name", case_name(entry));
   set(test, "file", printable(entry.where.file));
   if (entry.where.line > 0) test.append_attribute("line") = entry.where.line;
-  const std::string words = entry.place + ": " + entry.message;
+  const std::string words =
+      entry.place + ": " + entry.message + (entry.is_known ? " (failed before the revision)" : "");
   const CaseResult result = result_of(entry);
   if (result == CaseResult::passed) {
     test.append_child("system-out").text() = words.c_str();
@@ -113,6 +116,36 @@ void add_warning_case(pugi::xml_node suite, const ProjectPart& project,
   problem.text() = words.c_str();
 }
 
+CaseResult result_of(const CiChange& change) {
+  return change.stops ? CaseResult::failure : CaseResult::skipped;
+}
+
+// A suite of its own, whose cases are what became worse and what is asked for less.
+void add_revision_suite(pugi::xml_node root, const Document& document,
+                        const std::vector<CiChange>& changes) {
+  pugi::xml_node suite = root.append_child("testsuite");
+  set(suite, "name", "revision");
+  Counts counts;
+  for (const CiChange& change : changes) counts.add(result_of(change));
+  counts.write_to(suite, true);
+  for (const CiChange& change : changes) {
+    pugi::xml_node test = suite.append_child("testcase");
+    set(test, "classname", change.project.empty() ? "luxgate" : printable(change.project));
+    set(test, "name", change.rule + " / " + change.key);
+    set(test, "file", printable(change.where.file));
+    if (change.where.line > 0) test.append_attribute("line") = change.where.line;
+    pugi::xml_node outcome = test.append_child(change.stops ? "failure" : "skipped");
+    if (change.stops) set(outcome, "type", change.rule);
+    set(outcome, "message", change.message);
+    if (change.stops) outcome.text() = change.message.c_str();
+  }
+  std::string words;
+  for (const std::string& remark : revision_remarks(document, {})) {
+    words += printable(remark) + "\n";
+  }
+  if (!words.empty()) suite.append_child("system-out").text() = words.c_str();
+}
+
 }  // namespace
 
 std::string render_junit(const Document& document) {
@@ -129,6 +162,8 @@ std::string render_junit(const Document& document) {
     for_each_warning(
         project, [&](const calc::Diagnostic& warning) { all.add(result_of(project, warning)); });
   }
+  const std::vector<CiChange> changes = ci_changes(document);
+  for (const CiChange& change : changes) all.add(result_of(change));
   all.write_to(root, false);
   for (const ProjectPart& project : document.projects) {
     pugi::xml_node suite = root.append_child("testsuite");
@@ -158,6 +193,7 @@ std::string render_junit(const Document& document) {
     if (!words.empty() && &project == &document.projects.front()) notes += words + "\n";
     if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
   }
+  if (document.revision) add_revision_suite(root, document, changes);
   std::ostringstream out;
   xml.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
   return out.str();

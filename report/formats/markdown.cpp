@@ -1,6 +1,8 @@
 #include "report/formats/markdown.h"
 
 #include "report/formats/ci_finding.h"
+#include "report/revision/gate.h"
+#include "report/revision/revision_tables.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/text_numbers.h"
@@ -65,6 +67,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
 std::string entry_words(const Texts& t, const CiFinding& entry) {
   const char* words = verdict_words(t, entry.verdict);
   if (entry.counts) return words;
+  if (entry.is_known) return t.say<Text::verdict_known>(words);
   if (is_waived(entry)) return t.say<Text::verdict_waived>(words);
   const bool is_member = entry.finding != nullptr &&
                          entry.finding->requirement.severity == rules::Severity::in_aggregate;
@@ -123,6 +126,31 @@ std::string warnings(const Texts& t, const ProjectPart& project) {
   return "\n" + t.say<Text::warnings_on>(escape_markdown(project.path)) + "\n\n" + text;
 }
 
+// What a reviewer wants first. Inputs are folded.
+std::string revision(const Texts& t, const Document& document) {
+  std::string text;
+  for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
+    const auto line = [](const std::vector<std::string>& cells) {
+      std::string row = "|";
+      for (const std::string& cell : cells) row += " " + escape_markdown(cell) + " |";
+      return row + "\n";
+    };
+    std::string rule = "|";
+    for (std::size_t c = 0; c < table.head.size(); ++c) rule += " --- |";
+    std::string rows = line(table.head) + rule + "\n";
+    for (const std::vector<std::string>& row : table.rows) rows += line(row);
+    if (table.left_out > 0) rows += "\n" + t.say<Text::more_left_out>(table.left_out) + "\n";
+    const std::string title = escape_markdown(table.title);
+    text += table.title == t[Text::revision_inputs]
+                ? fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n", title, rows)
+                : fmt::format("\n**{}**\n\n{}", title, rows);
+  }
+  const std::vector<std::string> remarks = revision_remarks(document, t);
+  if (!remarks.empty()) text += "\n";
+  for (const std::string& remark : remarks) text += fmt::format("- {}\n", escape_markdown(remark));
+  return text;
+}
+
 }  // namespace
 
 std::string render_markdown(const Document& document, const Texts& t) {
@@ -130,10 +158,11 @@ std::string render_markdown(const Document& document, const Texts& t) {
   for (CiFinding& entry : ci_findings(document, t)) {
     (entry.verdict == rules::Verdict::pass ? passed : others).push_back(std::move(entry));
   }
-  const rules::Outcome outcome = outcome_of(document);
+  const rules::Outcome outcome = gate_outcome(document);
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t, outcome), summary_words(t, document));
   const bool has_projects = document.projects.size() > 1;
+  text += revision(t, document);
   if (has_projects) text += projects(t, document);
   if (!others.empty()) text += "\n" + table(t, others, has_projects);
   for (const ProjectPart& project : document.projects) text += warnings(t, project);

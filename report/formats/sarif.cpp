@@ -1,6 +1,7 @@
 #include "report/formats/sarif.h"
 
 #include "report/formats/ci_finding.h"
+#include "report/formats/ci_revision.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
@@ -66,12 +67,16 @@ const char* rule_words(std::string_view rule) {
   if (rule == "plane") return "Every calculation plane must be computed";
   if (rule == "project") return "Every project must be read and calculated";
   if (rule == "aggregate") return "Requirements that a rule pack takes together must be met";
+  if (rule == "worse") return "A value must not become worse";
+  if (rule == "weaker-question") return "A design must not be asked for less";
   if (rule == "class") return "A class of a rule pack should be reached";
   return "A required quantity of a calculation plane must meet its limit";
 }
 
-Json rules_json(const std::vector<CiFinding>& findings, std::map<std::string, std::size_t>& index) {
+Json rules_json(const std::vector<CiFinding>& findings, const std::vector<CiChange>& changes,
+                std::map<std::string, std::size_t>& index) {
   for (const CiFinding& entry : findings) index.emplace(entry.rule, 0);
+  for (const CiChange& change : changes) index.emplace(change.rule, 0);
   Json array = Json::array();
   for (auto& [rule, place] : index) {
     place = array.size();
@@ -87,6 +92,21 @@ std::string justification(const CiFinding& entry) {
   if (!waiver) return printable(entry.finding->reason);
   return printable(
       fmt::format("{} (by {} until {})", waiver->reason, waiver->owner, waiver->until));
+}
+
+// Against the baseline.  [SARIF, 3.27.24]
+const char* baseline_state(ResultChange change) {
+  switch (change) {
+    case ResultChange::new_failing:
+    case ResultChange::added:
+      return "new";
+    case ResultChange::gone:
+      return "absent";
+    case ResultChange::same:
+      return "unchanged";
+    default:
+      return "updated";
+  }
 }
 
 Json result_json(const CiFinding& entry, std::size_t rule_index) {
@@ -105,11 +125,27 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
                  {"message", {{"text", entry.place + ": " + entry.message}}},
                  {"locations", Json::array({location})},
                  {"partialFingerprints", {{"luxgate/v1", entry.fingerprint}}}};
+  if (entry.change) result["baselineState"] = baseline_state(*entry.change);
   if (is_waived(entry)) {
     result["suppressions"] = Json::array(
         {{{"kind", "external"}, {"status", "accepted"}, {"justification", justification(entry)}}});
   }
   return result;
+}
+
+Json change_json(const CiChange& change, std::size_t rule_index) {
+  return {
+      {"ruleId", change.rule},
+      {"ruleIndex", rule_index},
+      {"kind", "fail"},
+      {"level", change.stops ? "error" : "note"},
+      {"message", {{"text", change.message}}},
+      {"locations",
+       Json::array({{{"physicalLocation", physical_location(change.where)},
+                     {"logicalLocations",
+                      Json::array({{{"fullyQualifiedName", change.key}, {"kind", "object"}}})}}})},
+      {"partialFingerprints", {{"luxgate/v1", change.fingerprint}}},
+      {"baselineState", "new"}};
 }
 
 Json artifacts_json(const Document& document) {
@@ -165,10 +201,14 @@ std::string render_sarif(const Document& document, SarifContent content) {
                   [](const CiFinding& entry) { return entry.verdict == rules::Verdict::pass; });
   }
   std::map<std::string, std::size_t> index;
-  Json rules = rules_json(findings, index);
+  const std::vector<CiChange> changes = ci_changes(document);
+  Json rules = rules_json(findings, changes, index);
   Json results = Json::array();
   for (const CiFinding& entry : findings) {
     results.push_back(result_json(entry, index.at(entry.rule)));
+  }
+  for (const CiChange& change : changes) {
+    results.push_back(change_json(change, index.at(change.rule)));
   }
   Json run = {{"tool",
                {{"driver",

@@ -7,6 +7,7 @@
 #include "report/html/html_pages.h"
 #include "report/html/html_plane.h"
 #include "report/html/html_project.h"
+#include "report/html/html_revision.h"
 #include "report/html/html_room.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
@@ -108,6 +109,7 @@ std::string masthead(const Texts& t, const Document& document, bool needs_attent
     paths += " · " + escape_html(document.provenance.timestamp);
   }
   std::vector<Section> sections;
+  if (document.revision) sections.push_back({"#revision", html_revision_title(t, document)});
   if (needs_attention) sections.push_back({"#attention", t[Text::needs_attention]});
   sections.push_back({"#summary", t[Text::summary]});
   constexpr std::size_t kMostProjects = 12;
@@ -204,7 +206,7 @@ std::string project_html(const Texts& t, const Document& document, std::size_t p
 
 std::string whole_page(const Texts& t, const Document& document, const std::string& folder) {
   const std::string attention = html_attention(t, document, folder);
-  std::string body = attention + html_summary(t, document, folder);
+  std::string body = html_revision(t, document) + attention + html_summary(t, document, folder);
   for (std::size_t p = 0; p < document.projects.size(); ++p)
     body += project_html(t, document, p, folder);
   const std::string title =

@@ -83,6 +83,10 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("margin", or_null(finding.margin),
           {.words = "(measured - limit) / limit, the sign turned for at_most: positive is good.",
            .null_if = !is_judged});
+  v.field("without_replicate", finding.without_replicate,
+          {.words = "The value without each replicate in turn: what differences between results "
+                    "are made of.",
+           .presence = only_if(!finding.without_replicate.empty())});
   v.field("is_close", finding.is_close, {.words = "Usual rounding would change the verdict."});
   v.field("place_m", finding.place_m, {.null_if = !is_judged});
   v.field("reason", finding.reason, {.holds = Holds::prose});

@@ -3,13 +3,15 @@
 // written, with what they hold, where they may be missing and what the schema says of them. Five
 // visitors go through it (describe.h): the writer (json_writer.h), the reader (read_json.cpp), what
 // holds a file against what follows from it (written_check.cpp), the schema (result_schema.cpp) and
-// the redaction (redact.cpp). A new key is a line here, in finding_fields.h or in plane_fields.h.
+// the redaction (redact.cpp). A new key is a line here, in finding_fields.h, plane_fields.h or
+// revision_fields.h.
 
 #include "calc/base/names.h"
 #include "report/document/document.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/finding_fields.h"
 #include "report/result_file/plane_fields.h"
+#include "report/result_file/revision_fields.h"
 
 #include <optional>
 #include <string>
@@ -141,6 +143,11 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
        .presence = kSinceLater});
 }
 
+void describe(auto& v, Is<MaterialRow> auto& material) {
+  v.field("id", material.id);
+  v.field("reflectance", material.reflectance, {.least = 0.0, .most = 1.0});
+}
+
 void describe(auto& v, Is<LuminaireMark> auto& mark) {
   v.field("type", mark.type_id);
   v.field("position_m", mark.position_m);
@@ -242,6 +249,7 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   }
   assign(project.strict_warnings, strict_ids);
   v.field("luminaires", project.luminaires);
+  v.field("materials", project.materials, {.presence = kSinceLater});
   v.field("spaces", project.spaces);
   v.field("inputs", project.inputs);
   v.field("aggregates", project.aggregates, {.presence = only_if(!project.aggregates.empty())});
@@ -258,6 +266,7 @@ void describe(auto& v, Is<Document> auto& document) {
   v.written("counts", [&] { return count_verdicts(document); });
   v.written("warnings", [&] { return count_warnings(document); }, {.presence = kSinceLater});
   v.field("projects", document.projects);
+  v.field("revision", document.revision, {.presence = only_if(document.revision.has_value())});
 }
 
 }  // namespace report

@@ -4,6 +4,7 @@
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
+#include "rules/measure/leave_one_out.h"
 #include "rules/measure/neighbour_pairs.h"
 #include "rules/measure/outage.h"
 #include "rules/measure/share.h"
@@ -425,6 +426,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
         std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
     return result;
   }
+  result.without_replicate = without_each_replicate(values, metric, requirement.percent, point);
   const auto limit =
       goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
   Candidates candidates = find_candidates(values, metric, requirement.percent, point,

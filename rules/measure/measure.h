@@ -30,6 +30,9 @@ struct Measurement {
   std::string remark;
   // [point of the field]: 1 where more samples would serve the goal; empty: everywhere.
   std::vector<std::uint8_t> active;
+  // The value without each replicate, see leave_one_out.h; empty: exact, or of quantities that do
+  // not come from the points' illuminances alone.
+  std::vector<double> without_replicate;
 };
 
 // goal: verdict, if only the requirement's limit counts; accuracy, if its quantity is wanted for

@@ -127,6 +127,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.by_tolerance = decision.by_tolerance;
   finding.margin = margin(estimate.value, requirement.comparison, limit);
   finding.points_used = measurement.points_used;
+  finding.without_replicate = measurement.without_replicate;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
   const std::size_t points = grid.position_m.size();
   const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;

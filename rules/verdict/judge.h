@@ -30,6 +30,8 @@ struct Finding {
   std::optional<glm::dvec3>
       place_m;         // of the minimum (of uniformities, too), the maximum or the value
   std::string reason;  // for undecided and not_judged, in words
+  // `measured` without each replicate in turn, see measure/leave_one_out.h; empty: not known.
+  std::vector<double> without_replicate = {};
 };
 
 // One finding per requirement, in order. All arguments belong to one plane: `requirements` are its

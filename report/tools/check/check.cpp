@@ -7,12 +7,15 @@
 #include "report/document/program_version.h"
 #include "report/document/same_bits.h"
 #include "report/result_file/redact.h"
+#include "report/revision/gate.h"
+#include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/shell/recording_reader.h"
+#include "report/shell/result_input.h"
 #include "report/tools/pictures/room_pictures.h"
 #include "report/tools/plan/plan.h"
 #include "rules/verdict/outcome.h"
@@ -147,9 +150,15 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   }
   std::vector<std::string> inputs = options.input.projects;
   inputs.insert(inputs.end(), options.input.rule_files.begin(), options.input.rule_files.end());
+  if (!options.baseline.empty()) inputs.push_back(options.baseline);
   if (const std::string problem = check_outputs(options.output, inputs); !problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
     return kNotJudged;
+  }
+  std::optional<report::Document> baseline;
+  if (!options.baseline.empty()) {
+    baseline = read_result_or_print(options.baseline, files);
+    if (!baseline) return kNotJudged;
   }
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
@@ -190,11 +199,13 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (options.explain_cost) {
     fmt::print(stderr, "{}{}", check::backend_line(backend), observer.cost_log());
   }
+  if (baseline)
+    document.revision = report::revise(*baseline, document, options.baseline, options.gate);
   if (options.output.redact) report::redact(document);
   const bool is_written =
       write_results(options.output, context.environment, document, files.paths());
   warnings.print(options.output.quiet);
-  return is_written ? exit_code_of(outcome_of(document)) : kNotJudged;
+  return is_written ? exit_code_of(report::gate_outcome(document)) : kNotJudged;
 }
 
 Command check_command() {

@@ -2,6 +2,7 @@
 // The options of `luxgate check`.
 
 #include "report/check/settings.h"
+#include "report/document/revision.h"
 #include "report/shell/output_options.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
@@ -19,6 +20,8 @@ struct CheckOptions {
   bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
   bool explain_cost = false;
   StrictWarnings strict;
+  std::string baseline;  // a result file; "" = none
+  report::Gate gate;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
 };
 

@@ -1,11 +1,11 @@
 #include "report/tools/report/report.h"
 
 #include "calc/base/file_reader.h"
-#include "report/result_file/read_json.h"
 #include "report/result_file/redact.h"
 #include "report/shell/option_values.h"
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
+#include "report/shell/result_input.h"
 
 #include <memory>
 #include <optional>
@@ -20,17 +20,9 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
     print_error(calc::DiagnosticId::output_not_possible, output_problem);
     return kNotJudged;
   }
-  const calc::FileContent content = calc::DiskFileReader().read(options.result_file);
-  if (!content.ok()) {
-    print_error(calc::DiagnosticId::file_not_readable, options.result_file, content.error);
-    return kNotJudged;
-  }
-  std::string problem;
-  std::optional<report::Document> document = report::read_json(content.bytes, problem);
-  if (!document) {
-    print_error(calc::DiagnosticId::result_not_readable, options.result_file, problem);
-    return kNotJudged;
-  }
+  std::optional<report::Document> document =
+      read_result_or_print(options.result_file, calc::DiskFileReader());
+  if (!document) return kNotJudged;
   if (options.output.redact) report::redact(*document);
   for (const report::ProjectPart& project : document->projects) {
     print_diagnostics(project.diagnostics, options.output.quiet);

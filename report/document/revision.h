@@ -1,0 +1,182 @@
+#pragma once
+// What a revision of designs has done to what a document says, against a baseline: plain data.
+// report/revision makes it.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/field.h"
+#include "calc/base/names.h"
+#include "rules/catalogue/compare.h"
+#include "rules/verdict/judge.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// What became of a requirement, gravest first. Worse and better: provably, beyond the interval of
+// the difference.
+enum class ResultChange : std::uint8_t {
+  broken,       // did not fail, and fails
+  new_failing,  // was not asked before, and fails
+  unsure,       // was decided, and is undecided or not judged; or cannot be compared
+  worse,
+  gone,   // no longer asked
+  fixed,  // failed, and passes
+  better,
+  added,  // was not asked before, and does not fail
+  same
+};
+
+// What is asked now, beside what was asked before. Exchanged: neither is proved to ask less.
+enum class QuestionChange : std::uint8_t { weaker, exchanged, stricter };
+
+// What of a question.
+enum class QuestionPart : std::uint8_t {
+  project,  // all of it
+  room,
+  plane,
+  requirement,
+  aggregate,
+  limit,
+  quantity,  // what is measured, or compared how
+  severity,  // whether it counts
+  light,     // maintained or initial, scene, direct light only
+  rule,      // row, check or level of a rule pack
+  waiver,
+  deviation,  // stated, of a plane from what the standard means
+  policy,     // rounding, tolerance, guard
+  mask,       // which points count
+  area,       // of the plane: place and outline
+  grid,       // its points
+  margin,
+  lost_points,  // left out because something is in the way
+  role,         // of a row of a rule pack: no longer asked, or left out
+  maintenance_factor,
+  flux,   // stated by hand, of the same photometry
+  power,  // likewise
+  confidence,
+  accuracy  // goal and tolerance
+};
+
+// Where in the design; later parts are "" where something is about all of the earlier one. Ids.
+struct RevisionPlace {
+  std::string project;  // its path; as it was, of what is gone
+  std::string space, plane;
+  std::string item;            // requirement, aggregate, role, luminaire type or material
+  std::string words;           // of space and plane, for people: "Office / Task area"
+  calc::SourceLocation where;  // in the revision, or in the baseline of what is gone
+};
+
+struct ChangedResult {
+  ResultChange change = ResultChange::same;
+  RevisionPlace place;
+  bool is_aggregate = false;
+  std::string quantity;  // "average, scene night": English, as all of a data format
+  std::string unit;
+  std::optional<rules::Verdict> verdict_before, verdict_after;  // none: it was not asked
+  bool is_waived_before = false, is_waived_after = false;
+  bool counts = true;  // for the exit code: not advice, nor a member of aggregates alone
+  // Not a number where it was not judged or not asked. difference: after - before; an open interval
+  // is infinite.
+  calc::Estimate before, after, difference;
+  // For the requirement: (after - before) / |before|, negative is worse; as the difference.
+  calc::Estimate gain;
+  // Replicate by replicate: what both share by the same random numbers is not in the interval.
+  bool is_paired = false;
+};
+
+struct ChangedQuestion {
+  QuestionChange change = QuestionChange::weaker;
+  QuestionPart part = QuestionPart::limit;
+  RevisionPlace place;
+  std::string before, after;  // "" = there was none, or is none
+};
+
+// Of the input, and no question: luminaires, photometry, materials, bodies.
+struct ChangedInput {
+  RevisionPlace place;
+  std::string what;  // "luminaires", "photometry", ...
+  std::string before, after;
+};
+
+enum class GateMode : std::uint8_t { all, regression };
+
+struct Gate {
+  GateMode mode = GateMode::all;
+  double allowed_worse = 0.01;     // of a value: what may be lost without a word
+  std::string weaker_accepted_by;  // the reason; "" = weaker questions are not accepted
+};
+
+struct Revision {
+  std::string baseline;          // the file
+  std::string baseline_version;  // of the program that made it
+  Gate gate;
+  std::vector<ChangedResult> results;  // without those that are the same; gravest first
+  std::size_t same = 0;
+  std::size_t known_failures = 0;  // that count, and failed before
+  std::vector<ChangedQuestion> questions;
+  std::vector<ChangedInput> inputs;
+  std::vector<std::string> notes;  // why something could not be compared
+};
+
+}  // namespace report
+
+namespace calc {
+
+template <>
+struct EnumNames<report::ResultChange> {
+  static constexpr EnumName<report::ResultChange> list[] = {
+      {report::ResultChange::broken, "broken"}, {report::ResultChange::new_failing, "new-failing"},
+      {report::ResultChange::unsure, "unsure"}, {report::ResultChange::worse, "worse"},
+      {report::ResultChange::gone, "gone"},     {report::ResultChange::fixed, "fixed"},
+      {report::ResultChange::better, "better"}, {report::ResultChange::added, "new"},
+      {report::ResultChange::same, "same"}};
+};
+
+template <>
+struct EnumNames<report::QuestionChange> {
+  static constexpr EnumName<report::QuestionChange> list[] = {
+      {report::QuestionChange::weaker, "weaker"},
+      {report::QuestionChange::exchanged, "exchanged"},
+      {report::QuestionChange::stricter, "stricter"}};
+};
+
+template <>
+struct EnumNames<report::QuestionPart> {
+  static constexpr EnumName<report::QuestionPart> list[] = {
+      {report::QuestionPart::project, "project"},
+      {report::QuestionPart::room, "room"},
+      {report::QuestionPart::plane, "plane"},
+      {report::QuestionPart::requirement, "requirement"},
+      {report::QuestionPart::aggregate, "aggregate"},
+      {report::QuestionPart::limit, "limit"},
+      {report::QuestionPart::quantity, "quantity"},
+      {report::QuestionPart::severity, "severity"},
+      {report::QuestionPart::light, "light"},
+      {report::QuestionPart::rule, "rule"},
+      {report::QuestionPart::waiver, "waiver"},
+      {report::QuestionPart::deviation, "deviation"},
+      {report::QuestionPart::policy, "policy"},
+      {report::QuestionPart::mask, "mask"},
+      {report::QuestionPart::area, "area"},
+      {report::QuestionPart::grid, "grid"},
+      {report::QuestionPart::margin, "margin"},
+      {report::QuestionPart::lost_points, "lost-points"},
+      {report::QuestionPart::role, "role"},
+      {report::QuestionPart::maintenance_factor, "maintenance-factor"},
+      {report::QuestionPart::flux, "flux"},
+      {report::QuestionPart::power, "power"},
+      {report::QuestionPart::confidence, "confidence"},
+      {report::QuestionPart::accuracy, "accuracy"}};
+};
+
+template <>
+struct EnumNames<report::GateMode> {
+  static constexpr EnumName<report::GateMode> list[] = {
+      {report::GateMode::all, "all"}, {report::GateMode::regression, "regression"}};
+};
+
+}  // namespace calc

@@ -1,0 +1,67 @@
+#include "report/revision/gate.h"
+
+namespace report {
+namespace {
+
+// Of 0 before no share is known: then any loss is too much.
+bool is_worse_than(const ChangedResult& result, double allowed) {
+  return !(result.gain.high >= -allowed);
+}
+
+bool stops(const ChangedResult& result, const Gate& gate) {
+  if (!result.counts || result.is_waived_after) return false;
+  switch (result.change) {
+    case ResultChange::broken:
+    case ResultChange::new_failing:
+      return true;
+    case ResultChange::worse:
+      return is_worse_than(result, gate.allowed_worse);
+    default:
+      return false;
+  }
+}
+
+// Of everything that does not fail.
+rules::Outcome outcome_beside_failures(const Document& document) {
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  const auto add = [&outcome](rules::Outcome of_one) {
+    if (of_one != rules::Outcome::fail) outcome = rules::graver(outcome, of_one);
+  };
+  for (const ProjectPart& project : document.projects) {
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        for (const rules::Finding& finding : plane.findings) add(rules::outcome_of(finding));
+      }
+    }
+    for (const rules::AggregateFinding& finding : project.aggregates) {
+      add(rules::outcome_of(finding));
+    }
+  }
+  return outcome;
+}
+
+}  // namespace
+
+GateReasons reasons_of(const Revision& revision) {
+  GateReasons reasons;
+  for (const ChangedResult& result : revision.results) {
+    if (stops(result, revision.gate)) reasons.results.push_back(&result);
+  }
+  if (!revision.gate.weaker_accepted_by.empty()) return reasons;
+  for (const ChangedQuestion& question : revision.questions) {
+    if (question.change != QuestionChange::stricter) reasons.questions.push_back(&question);
+  }
+  return reasons;
+}
+
+rules::Outcome gate_outcome(const Document& document) {
+  const rules::Outcome outcome = outcome_of(document);
+  if (!document.revision || document.revision->gate.mode == GateMode::all) return outcome;
+  if (outcome == rules::Outcome::not_judged || outcome == rules::Outcome::warned) return outcome;
+  if (!reasons_of(*document.revision).empty()) return rules::Outcome::fail;
+  if (outcome != rules::Outcome::fail) return outcome;
+  const rules::Outcome others = outcome_beside_failures(document);
+  return others == rules::Outcome::nothing_asked ? rules::Outcome::pass : others;
+}
+
+}  // namespace report

@@ -1,0 +1,24 @@
+#pragma once
+// Whether a revision gets through.
+
+#include "report/document/document.h"
+#include "report/document/revision.h"
+
+#include <vector>
+
+namespace report {
+
+// What a gate of regressions stops at. Point into the revision.
+struct GateReasons {
+  std::vector<const ChangedResult*> results;      // broken, new failing, worse by too much
+  std::vector<const ChangedQuestion*> questions;  // weaker or exchanged, and nobody accepts it
+  bool empty() const { return results.empty() && questions.empty(); }
+};
+GateReasons reasons_of(const Revision& revision);
+
+// What the exit code tells. Without a revision, and at GateMode::all: outcome_of(). At
+// GateMode::regression failures that were there before do not count; what is undecided or could not
+// be judged does.
+rules::Outcome gate_outcome(const Document& document);
+
+}  // namespace report

@@ -1,0 +1,193 @@
+#include "report/revision/inputs.h"
+
+#include "report/text/number_format.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace report {
+namespace {
+
+constexpr double kSamePlace_m = 1e-6;
+
+class Inputs {
+ public:
+  explicit Inputs(RevisionPlace place) : place_(std::move(place)) {}
+
+  // Nothing where they are the same.
+  void compare(const std::string& what, const std::string& item, const std::string& before,
+               const std::string& after) {
+    if (before == after) return;
+    ChangedInput input{place_, what, before, after};
+    input.place.item = item;
+    list_.push_back(std::move(input));
+  }
+  std::vector<ChangedInput> take() { return std::move(list_); }
+
+ private:
+  RevisionPlace place_;
+  std::vector<ChangedInput> list_;
+};
+
+std::string photometry_words(const LuminaireRow& row) {
+  constexpr std::size_t kShown = 8;  // digits of the hash, as git shows them
+  std::string words = fmt::format("{} ({})", row.photometry_file, row.sha256.substr(0, kShown));
+  if (std::isfinite(row.flux_lm)) words += ", " + format_lumens(row.flux_lm) + " lm";
+  if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
+  return words;
+}
+
+bool is_same_place(const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::length(a - b) <= kSamePlace_m;
+}
+
+// Of one type, those of either side that the other has not, and how far the others went: each is
+// taken for the nearest that is left.
+struct Moves {
+  std::size_t moved = 0, added = 0, removed = 0, turned = 0;
+  double farthest_m = 0.0;
+};
+
+Moves moves_of(std::vector<LuminaireMark> before, std::vector<LuminaireMark> after) {
+  Moves moves;
+  std::erase_if(after, [&](const LuminaireMark& mark) {
+    const auto found = std::find_if(before.begin(), before.end(), [&](const LuminaireMark& other) {
+      return is_same_place(other.position_m, mark.position_m);
+    });
+    if (found == before.end()) return false;
+    const bool is_turned = glm::length(found->c0 - mark.c0) > kSamePlace_m ||
+                           found->outline_m.size() != mark.outline_m.size() ||
+                           found->group != mark.group;
+    moves.turned += is_turned ? 1 : 0;
+    before.erase(found);
+    return true;
+  });
+  for (const LuminaireMark& mark : after) {
+    if (before.empty()) {
+      ++moves.added;
+      continue;
+    }
+    const auto distance_m = [&](const LuminaireMark& other) {
+      return glm::length(other.position_m - mark.position_m);
+    };
+    const auto nearest = std::min_element(before.begin(), before.end(),
+                                          [&](const LuminaireMark& a, const LuminaireMark& b) {
+                                            return distance_m(a) < distance_m(b);
+                                          });
+    moves.farthest_m = std::max(moves.farthest_m, distance_m(*nearest));
+    ++moves.moved;
+    before.erase(nearest);
+  }
+  moves.removed = before.size();
+  return moves;
+}
+
+std::string moves_words(const Moves& moves) {
+  std::string words;
+  const auto add = [&words](std::size_t count, const std::string& what) {
+    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, what);
+  };
+  add(moves.added, "added");
+  add(moves.removed, "removed");
+  add(moves.moved, fmt::format("moved, up to {} m", format_metres(moves.farthest_m)));
+  add(moves.turned, "turned or in another group");
+  return words;
+}
+
+std::map<std::string, std::vector<LuminaireMark>> by_type(const std::vector<LuminaireMark>& marks) {
+  std::map<std::string, std::vector<LuminaireMark>> types;
+  for (const LuminaireMark& mark : marks) types[mark.type_id].push_back(mark);
+  return types;
+}
+
+void compare_luminaires(Inputs& inputs, const SpacePart& before, const SpacePart& after) {
+  auto was = by_type(before.luminaires), is = by_type(after.luminaires);
+  for (const auto& [type, marks] : was) is[type];
+  for (const auto& [type, marks] : is) {
+    const std::vector<LuminaireMark>& old = was[type];
+    const std::string words = moves_words(moves_of(old, marks));
+    if (words.empty()) continue;
+    inputs.compare("luminaires", type, fmt::format("{}", old.size()),
+                   fmt::format("{}: {}", marks.size(), words));
+  }
+}
+
+bool is_same_body(const BodyMark& a, const BodyMark& b) {
+  if (std::abs(a.low_z_m - b.low_z_m) > kSamePlace_m) return false;
+  if (std::abs(a.high_z_m - b.high_z_m) > kSamePlace_m) return false;
+  if (a.lines_m.size() != b.lines_m.size()) return false;
+  for (std::size_t k = 0; k < a.lines_m.size(); ++k) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (glm::length(a.lines_m[k][end] - b.lines_m[k][end]) > kSamePlace_m) return false;
+    }
+  }
+  return true;
+}
+
+std::string body_words(const BodyMark& body) {
+  return fmt::format("{} to {} m high", format_metres(body.low_z_m), format_metres(body.high_z_m));
+}
+
+}  // namespace
+
+std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const ProjectPart& after,
+                                         const RevisionPlace& place) {
+  Inputs inputs(place);
+  const auto types = match_parts(before.luminaires, after.luminaires,
+                                 [](const LuminaireRow& row) { return row.type_id; });
+  for (const PartPair<LuminaireRow>& pair : types) {
+    const std::string was = pair.before != nullptr ? photometry_words(*pair.before) : "";
+    const std::string is = pair.after != nullptr ? photometry_words(*pair.after) : "";
+    inputs.compare("photometry", pair.after != nullptr ? pair.after->type_id : pair.before->type_id,
+                   was, is);
+  }
+  const auto materials =
+      match_parts(before.materials, after.materials, [](const MaterialRow& row) { return row.id; });
+  for (const PartPair<MaterialRow>& pair : materials) {
+    const auto words = [](const MaterialRow* row) {
+      return row == nullptr ? std::string() : format_shortest(row->reflectance);
+    };
+    // Results of earlier versions know no materials.
+    if (before.materials.empty() || after.materials.empty()) break;
+    inputs.compare("reflectance", pair.after != nullptr ? pair.after->id : pair.before->id,
+                   words(pair.before), words(pair.after));
+  }
+  return inputs.take();
+}
+
+std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePart& after,
+                                         const RevisionPlace& place) {
+  Inputs inputs(place);
+  compare_luminaires(inputs, before, after);
+  const auto bodies =
+      match_parts(before.bodies, after.bodies, [](const BodyMark& body) { return body.id; });
+  for (const PartPair<BodyMark>& pair : bodies) {
+    if (pair.before == nullptr) {
+      inputs.compare("body", pair.after->id, "", body_words(*pair.after));
+    } else if (pair.after == nullptr) {
+      inputs.compare("body", pair.before->id, body_words(*pair.before), "");
+    } else if (!is_same_body(*pair.before, *pair.after)) {
+      inputs.compare("body", pair.after->id, body_words(*pair.before),
+                     body_words(*pair.after) + ", moved or of another shape");
+    }
+  }
+  if (bodies.size() > 0 || before.triangles != after.triangles) {
+    inputs.compare("triangles", "", fmt::format("{}", before.triangles),
+                   fmt::format("{}", after.triangles));
+  }
+  const auto size = [](const SpacePart& space) {
+    std::string words = format_metres(space.height_m) + " m high";
+    for (const glm::dvec2& corner : space.footprint_m) {
+      words += fmt::format(" ({}, {})", format_metres(corner.x), format_metres(corner.y));
+    }
+    return words;
+  };
+  inputs.compare("room", "", size(before), size(after));
+  return inputs.take();
+}
+
+}  // namespace report

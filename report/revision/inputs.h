@@ -1,0 +1,17 @@
+#pragma once
+// What has changed in the input that is no question: luminaires, photometry, materials, bodies.
+
+#include "report/document/revision.h"
+#include "report/revision/matching.h"
+
+#include <vector>
+
+namespace report {
+
+// place: of the project, or of the room.
+std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const ProjectPart& after,
+                                         const RevisionPlace& place);
+std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePart& after,
+                                         const RevisionPlace& place);
+
+}  // namespace report

@@ -1,0 +1,69 @@
+#include "report/revision/matching.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace report {
+namespace {
+
+using Projects = std::vector<const ProjectPart*>;
+using Key = std::function<std::string(const ProjectPart&)>;
+
+// Pairs those with a key that is not "" and that only one project of each side has.
+void pair_by(const Key& key, Projects& before, Projects& after,
+             std::vector<PartPair<ProjectPart>>& pairs) {
+  const auto count = [&key](const Projects& list, const std::string& wanted) {
+    return std::count_if(list.begin(), list.end(), [&](const ProjectPart* project) {
+      return project != nullptr && key(*project) == wanted;
+    });
+  };
+  const Projects all_before = before, all_after = after;
+  for (std::size_t a = 0; a < after.size(); ++a) {
+    if (after[a] == nullptr) continue;
+    const std::string wanted = key(*after[a]);
+    if (wanted.empty() || count(all_before, wanted) != 1 || count(all_after, wanted) != 1) continue;
+    const auto found = std::find_if(before.begin(), before.end(), [&](const ProjectPart* project) {
+      return project != nullptr && key(*project) == wanted;
+    });
+    pairs[a].before = *found;
+    *found = nullptr;
+    after[a] = nullptr;
+  }
+}
+
+Projects pointers_to(const Document& document) {
+  Projects list;
+  for (const ProjectPart& project : document.projects) list.push_back(&project);
+  return list;
+}
+
+// The only one that is left; null: none or several.
+const ProjectPart** only_one(Projects& list) {
+  const auto is_left = [](const ProjectPart* project) { return project != nullptr; };
+  if (std::count_if(list.begin(), list.end(), is_left) != 1) return nullptr;
+  return &*std::find_if(list.begin(), list.end(), is_left);
+}
+
+}  // namespace
+
+std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const Document& after) {
+  std::vector<PartPair<ProjectPart>> pairs;
+  for (const ProjectPart& project : after.projects) pairs.push_back({nullptr, &project});
+  Projects left_before = pointers_to(before), left_after = pointers_to(after);
+  pair_by([](const ProjectPart& p) { return p.path; }, left_before, left_after, pairs);
+  pair_by([](const ProjectPart& p) { return p.name; }, left_before, left_after, pairs);
+  pair_by([](const ProjectPart& p) { return std::filesystem::path(p.path).filename().string(); },
+          left_before, left_after, pairs);
+  const ProjectPart** last_before = only_one(left_before);
+  const ProjectPart** last_after = only_one(left_after);
+  if (last_before != nullptr && last_after != nullptr) {
+    pairs[static_cast<std::size_t>(last_after - left_after.data())].before = *last_before;
+    *last_before = nullptr;
+  }
+  for (const ProjectPart* gone : left_before) {
+    if (gone != nullptr) pairs.push_back({gone, nullptr});
+  }
+  return pairs;
+}
+
+}  // namespace report

@@ -1,0 +1,48 @@
+#pragma once
+// Which part of a document is which part of an earlier one: by ids, never by paths alone, so that a
+// design may move to another folder.
+
+#include "report/document/document.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace report {
+
+// Either may be null: gone, or new.
+template <class Part>
+struct PartPair {
+  const Part* before = nullptr;
+  const Part* after = nullptr;
+};
+
+// Those of `after` in their order, then what is gone. key(part): equal for two that are the same;
+// of several with one key the first ones belong together, the second ones, and so on.
+template <class Part, class Key>
+std::vector<PartPair<Part>> match_parts(const std::vector<Part>& before,
+                                        const std::vector<Part>& after, const Key& key) {
+  std::vector<bool> is_taken(before.size(), false);
+  std::vector<PartPair<Part>> pairs;
+  for (const Part& part : after) {
+    PartPair<Part> pair{nullptr, &part};
+    for (std::size_t k = 0; k < before.size() && pair.before == nullptr; ++k) {
+      if (is_taken[k] || key(before[k]) != key(part)) continue;
+      is_taken[k] = true;
+      pair.before = &before[k];
+    }
+    pairs.push_back(pair);
+  }
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (!is_taken[k]) pairs.push_back({&before[k], nullptr});
+  }
+  return pairs;
+}
+
+// Projects have no ids: those of one path are the same; of the others those of one name that no
+// other project of either side has, then those whose files alone have one name, and at last the
+// only one that is left on either side.
+std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const Document& after);
+
+}  // namespace report

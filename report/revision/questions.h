@@ -1,0 +1,30 @@
+#pragma once
+// What is asked now, beside what was asked before: a gate can also be passed by asking for less.
+
+#include "report/document/revision.h"
+#include "report/revision/matching.h"
+
+#include <vector>
+
+namespace report {
+
+// Of the whole run: confidence and accuracy.
+std::vector<ChangedQuestion> compare_settings(const Provenance& before, const Provenance& after);
+
+// Each from the whole of the two parts, but for what is in them: rooms, planes and requirements are
+// compared by themselves. Both must be there. place: of the part.
+std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
+                                                      const ProjectPart& after,
+                                                      const RevisionPlace& place);
+std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
+                                                   const RevisionPlace& place);
+std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
+                                                    const RevisionPlace& place);
+std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
+                                                 const rules::Requirement& after,
+                                                 const RevisionPlace& place);
+std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& before,
+                                               const rules::AggregateFinding& after,
+                                               const RevisionPlace& place);
+
+}  // namespace report

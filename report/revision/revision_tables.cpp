@@ -1,0 +1,284 @@
+#include "report/revision/revision_tables.h"
+
+#include "report/revision/gate.h"
+#include "report/text/text_numbers.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace report {
+namespace {
+
+const char* symbol_of(ResultChange change) {
+  switch (change) {
+    case ResultChange::broken:
+    case ResultChange::new_failing:
+      return "✗";
+    case ResultChange::unsure:
+      return "?";
+    case ResultChange::worse:
+      return "▼";
+    case ResultChange::gone:
+      return "–";
+    case ResultChange::better:
+      return "▲";
+    case ResultChange::fixed:
+    case ResultChange::added:
+    case ResultChange::same:
+      break;
+  }
+  return "✓";
+}
+
+const char* symbol_of(QuestionChange change) {
+  switch (change) {
+    case QuestionChange::weaker:
+      return "▼";
+    case QuestionChange::exchanged:
+      return "↔";
+    case QuestionChange::stricter:
+      break;
+  }
+  return "▲";
+}
+
+// Verdict and value; "" where it was not asked.
+std::string state_words(const Texts& t, const ChangedResult& result, bool is_after) {
+  const std::optional<rules::Verdict>& verdict =
+      is_after ? result.verdict_after : result.verdict_before;
+  if (!verdict) return "";
+  const calc::Estimate& value = is_after ? result.after : result.before;
+  std::string words = verdict_words(t, *verdict);
+  if (is_after ? result.is_waived_after : result.is_waived_before) {
+    words = t.say<Text::verdict_waived>(words);
+  }
+  if (std::isnan(value.value)) return words;
+  return words + ", " + format_measured(t, value, result.unit);
+}
+
+// "-3.2 % (-3.5 to -2.9)"; "" where it is not known.
+std::string gain_words(const Texts& t, const calc::Estimate& gain) {
+  if (std::isnan(gain.value)) return "";
+  const auto percent = [&](double share) {
+    return std::isfinite(share) ? format_margin(t, share) : std::string(share < 0.0 ? "-∞" : "+∞");
+  };
+  return fmt::format("{} ({} {} {})", percent(gain.value), percent(gain.low), t[Text::interval_to],
+                     percent(gain.high));
+}
+
+void cut(RevisionTable& table, std::size_t most) {
+  if (table.rows.size() <= most) return;
+  table.left_out = table.rows.size() - most;
+  table.rows.resize(most);
+}
+
+RevisionTable result_table(const Document& document, const Revision& revision, const Texts& t) {
+  RevisionTable table;
+  table.title = t.say<Text::revision_results>(revision.baseline);
+  table.head = {t[Text::revision_head_change], t[Text::head_place],
+                t[Text::head_quantity],        t[Text::revision_head_before],
+                t[Text::revision_head_after],  t[Text::revision_head_gain]};
+  table.english = {2};
+  for (const ChangedResult& result : revision.results) {
+    table.rows.push_back(
+        {fmt::format("{} {}", symbol_of(result.change), change_words(t, result.change)),
+         place_words(document, result.place, t), result.quantity, state_words(t, result, false),
+         state_words(t, result, true), gain_words(t, result.gain)});
+  }
+  return table;
+}
+
+RevisionTable question_table(const Document& document, const Revision& revision, const Texts& t) {
+  RevisionTable table;
+  table.title = t[Text::revision_questions];
+  table.head = {t[Text::revision_head_change], t[Text::head_place], t[Text::revision_head_what],
+                t[Text::revision_head_before], t[Text::revision_head_after]};
+  table.english = {3, 4};
+  for (const ChangedQuestion& question : revision.questions) {
+    std::string place = place_words(document, question.place, t);
+    if (!question.place.item.empty()) place += (place.empty() ? "" : " / ") + question.place.item;
+    table.rows.push_back(
+        {fmt::format("{} {}", symbol_of(question.change), change_words(t, question.change)),
+         place.empty() ? t[Text::revision_whole_run] : place, part_words(t, question.part),
+         question.before.empty() ? "–" : question.before,
+         question.after.empty() ? "–" : question.after});
+  }
+  return table;
+}
+
+RevisionTable input_table(const Document& document, const Revision& revision, const Texts& t) {
+  RevisionTable table;
+  table.title = t[Text::revision_inputs];
+  table.head = {t[Text::head_place], t[Text::revision_head_what], t[Text::revision_head_before],
+                t[Text::revision_head_after]};
+  table.english = {1, 2, 3};
+  for (const ChangedInput& input : revision.inputs) {
+    std::string place = place_words(document, input.place, t);
+    if (!input.place.item.empty()) place += " / " + input.place.item;
+    table.rows.push_back({place, input.what, input.before.empty() ? "–" : input.before,
+                          input.after.empty() ? "–" : input.after});
+  }
+  return table;
+}
+
+void add_gate(const Document& document, const Revision& revision, const Texts& t,
+              std::vector<std::string>& remarks) {
+  if (revision.gate.mode == GateMode::all) return;
+  const GateReasons reasons = reasons_of(revision);
+  if (revision.known_failures > 0) {
+    remarks.push_back(t.say<Text::gate_known_failures>(revision.known_failures));
+  }
+  const bool asks_otherwise =
+      std::any_of(revision.questions.begin(), revision.questions.end(),
+                  [](const auto& question) { return question.change != QuestionChange::stricter; });
+  if (asks_otherwise && !revision.gate.weaker_accepted_by.empty()) {
+    remarks.push_back(t.say<Text::gate_accepted>(revision.gate.weaker_accepted_by));
+  }
+  if (reasons.empty()) {
+    const rules::Outcome outcome = gate_outcome(document);
+    remarks.push_back(rules::counts(outcome) && outcome != rules::Outcome::pass
+                          ? t.say<Text::gate_waits>(outcome_words(t, outcome))
+                          : t[Text::gate_open]);
+    return;
+  }
+  std::string why;
+  if (!reasons.results.empty()) {
+    why = t.say<Text::gate_stopped_by_results>(reasons.results.size());
+  }
+  if (!reasons.questions.empty()) {
+    why += (why.empty() ? "" : ", ") +
+           t.say<Text::gate_stopped_by_questions>(reasons.questions.size());
+  }
+  remarks.push_back(t.say<Text::gate_stopped>(why));
+}
+
+}  // namespace
+
+const char* change_words(const Texts& t, ResultChange change) {
+  switch (change) {
+    case ResultChange::broken:
+      return t[Text::change_broken];
+    case ResultChange::new_failing:
+      return t[Text::change_new_failing];
+    case ResultChange::unsure:
+      return t[Text::change_unsure];
+    case ResultChange::worse:
+      return t[Text::change_worse];
+    case ResultChange::gone:
+      return t[Text::change_gone];
+    case ResultChange::fixed:
+      return t[Text::change_fixed];
+    case ResultChange::better:
+      return t[Text::change_better];
+    case ResultChange::added:
+      return t[Text::change_added];
+    case ResultChange::same:
+      break;
+  }
+  return t[Text::change_same];
+}
+
+const char* change_words(const Texts& t, QuestionChange change) {
+  switch (change) {
+    case QuestionChange::weaker:
+      return t[Text::asks_weaker];
+    case QuestionChange::exchanged:
+      return t[Text::asks_exchanged];
+    case QuestionChange::stricter:
+      break;
+  }
+  return t[Text::asks_stricter];
+}
+
+const char* part_words(const Texts& t, QuestionPart part) {
+  switch (part) {
+    case QuestionPart::project:
+      return t[Text::part_project];
+    case QuestionPart::room:
+      return t[Text::part_room];
+    case QuestionPart::plane:
+      return t[Text::part_plane];
+    case QuestionPart::requirement:
+      return t[Text::part_requirement];
+    case QuestionPart::aggregate:
+      return t[Text::part_aggregate];
+    case QuestionPart::limit:
+      return t[Text::part_limit];
+    case QuestionPart::quantity:
+      return t[Text::part_quantity];
+    case QuestionPart::severity:
+      return t[Text::part_severity];
+    case QuestionPart::light:
+      return t[Text::part_light];
+    case QuestionPart::rule:
+      return t[Text::part_rule];
+    case QuestionPart::waiver:
+      return t[Text::part_waiver];
+    case QuestionPart::deviation:
+      return t[Text::part_deviation];
+    case QuestionPart::policy:
+      return t[Text::part_policy];
+    case QuestionPart::mask:
+      return t[Text::part_mask];
+    case QuestionPart::area:
+      return t[Text::part_area];
+    case QuestionPart::grid:
+      return t[Text::part_grid];
+    case QuestionPart::margin:
+      return t[Text::part_margin];
+    case QuestionPart::lost_points:
+      return t[Text::part_lost_points];
+    case QuestionPart::role:
+      return t[Text::part_role];
+    case QuestionPart::maintenance_factor:
+      return t[Text::part_maintenance_factor];
+    case QuestionPart::flux:
+      return t[Text::part_flux];
+    case QuestionPart::power:
+      return t[Text::part_power];
+    case QuestionPart::confidence:
+      return t[Text::part_confidence];
+    case QuestionPart::accuracy:
+      break;
+  }
+  return t[Text::part_accuracy];
+}
+
+std::string place_words(const Document& document, const RevisionPlace& place, const Texts&) {
+  const bool is_of_project = place.space.empty();
+  if (document.projects.size() < 2) return is_of_project ? "" : place.words;
+  return is_of_project || place.words.empty() ? place.project : place.project + ": " + place.words;
+}
+
+std::vector<RevisionTable> revision_tables(const Document& document, const Texts& t,
+                                           std::size_t most) {
+  std::vector<RevisionTable> tables;
+  if (!document.revision) return tables;
+  const Revision& revision = *document.revision;
+  for (RevisionTable table :
+       {result_table(document, revision, t), question_table(document, revision, t),
+        input_table(document, revision, t)}) {
+    if (table.rows.empty()) continue;
+    cut(table, most);
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+std::vector<std::string> revision_remarks(const Document& document, const Texts& t) {
+  std::vector<std::string> remarks;
+  if (!document.revision) return remarks;
+  const Revision& revision = *document.revision;
+  if (revision.results.empty() && revision.questions.empty()) {
+    remarks.push_back(t.say<Text::revision_nothing>(revision.baseline));
+  }
+  if (revision.same > 0) remarks.push_back(t.say<Text::revision_same>(revision.same));
+  remarks.insert(remarks.end(), revision.notes.begin(), revision.notes.end());
+  add_gate(document, revision, t, remarks);
+  return remarks;
+}
+
+}  // namespace report

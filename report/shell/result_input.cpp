@@ -1,0 +1,21 @@
+#include "report/shell/result_input.h"
+
+#include "report/result_file/read_json.h"
+#include "report/shell/print.h"
+
+namespace cli {
+
+std::optional<report::Document> read_result_or_print(const std::string& path,
+                                                     const calc::FileReader& files) {
+  const calc::FileContent content = files.read(path);
+  if (!content.ok()) {
+    print_error(calc::DiagnosticId::file_not_readable, path, content.error);
+    return std::nullopt;
+  }
+  std::string problem;
+  std::optional<report::Document> document = report::read_json(content.bytes, problem);
+  if (!document) print_error(calc::DiagnosticId::result_not_readable, path, problem);
+  return document;
+}
+
+}  // namespace cli

@@ -1,0 +1,161 @@
+"""Revisions of designs, from outside: what is said of each, and the exit code.
+
+    revision_gate.py LUXGATE FOLDER    FOLDER is made anew
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+PROGRAM = sys.argv[1]
+WORK = pathlib.Path(sys.argv[2])
+PHOTOMETRY = """IESNA:LM-63-2002
+[TEST] none
+[MANUFAC] luxgate tests
+TILT=NONE
+1 -1 1 7 1 1 2 0 0 0
+1 1 30
+0 15 30 45 60 75 90
+0
+{candela}
+"""
+CANDELA = "1000 960 860 700 480 240 0"
+# Met with room to spare: average. Not met: minimum of the far plane.
+PROJECT = """<luxgate version="1" name="{name}" maintenance-factor="{mf}">
+<material id="light" reflectance="0.7"/><material id="dark" reflectance="0.3"/>
+<luminaire-type id="spot" photometry="spot.ies"{flux}/>
+<room id="room" name="{room}" size="5 4 2.8" ceiling="light" walls="light" floor="dark">
+<luminaire-grid id="L" type="spot" origin="0 0 2.79" size="5 4" columns="{columns}" rows="2"/>
+<plane id="{plane}" origin="1 1 0.8" u="{width} 0 0" v="0 2 0" margin="{margin}" count="{points} 4">
+<require id="mean" quantity="average" at-least="{limit}"/></plane>
+{far}
+</room></luxgate>
+"""
+FAR = """<plane id="far" origin="0.2 0.2 0.1" u="4.6 0 0" v="0 3.6 0" count="5 5">
+<require id="least" quantity="minimum" at-least="2000"{far_waiver}/></plane>"""
+USUAL = dict(name="Design", mf="0.8", flux="", room="Office", columns=3, plane="desk", width="3", margin="0", points=6,
+             limit="100", far_waiver="")
+WAIVER = ' waived-because="client" waived-by="A. Meier" waived-until="2099-12-31"'
+
+
+def write(folder, candela=CANDELA, far=True, **changes):
+    folder = WORK / folder
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "spot.ies").write_text(PHOTOMETRY.format(candela=candela))
+    values = {**USUAL, **changes}
+    values["far"] = FAR.format(**values) if far else ""
+    (folder / "project.xml").write_text(PROJECT.format(**values))
+    return str(folder / "project.xml")
+
+
+def luxgate(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def check(project, *arguments):
+    return luxgate("check", project, "--pictures", "off", "--baseline", BASELINE, *arguments)
+
+
+problems = []
+
+
+def expect(name, done, code, *words, without=()):
+    text = done.stdout + done.stderr
+    if done.returncode != code:
+        problems.append(f"{name}: exit code {done.returncode}, expected {code}")
+    problems.extend(f"{name}: '{word}' is missing" for word in words if word not in text)
+    problems.extend(f"{name}: '{word}' is there" for word in without if word in text)
+    if problems and problems[-1].startswith(name):
+        print(f"--- {name}\n{text}")
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+BASELINE = WORK / "main.json"
+base = write("base")
+first = luxgate("check", base, "--pictures", "off", "-q", "--format", f"json={BASELINE}")
+assert first.returncode == 1, first.stderr  # the far plane is too dark
+
+GATE = ("--gate", "regression")
+OPEN = "nothing became worse"
+# Name of the case: what changes, exit code with the gate, what is said.
+CASES = {
+    "unchanged": ({}, 0, [OPEN, "2 unchanged", "failures that were there before and do not count: 1"]),
+    "another folder": ({}, 0, [OPEN]),
+    "renamed": (dict(name="Other", room="Other"), 0, [OPEN]),
+    "better": (dict(columns=4), 0, ["▲ better", OPEN]),
+    "a limit lowered": (dict(limit="80"), 1, ["▼ asks less", "≥ 100 lx", "≥ 80 lx", "--accept-weaker"]),
+    "a limit raised": (dict(limit="110"), 0, ["▲ asks more", OPEN]),
+    "a limit raised too far": (dict(limit="5000"), 1, ["✗ broken"]),
+    "a plane deleted": (dict(far=False), 1, ["▼ asks less", "plane", "– no longer asked"]),
+    "a plane by another id": (dict(plane="table"), 1, ["▼ asks less", "▲ asks more"]),
+    "lumens stated by hand": (dict(flux=' flux-lm="3600"'), 1, ["luminous flux, stated by hand"]),
+    "a maintenance factor raised": (dict(mf="0.9"), 1, ["maintenance factor", "0.8", "0.9"]),
+    "fewer points": (dict(points=3), 1, ["6 x 4 points", "3 x 4 points"]),
+    "a smaller area": (dict(width="2"), 1, ["▼ asks less", "area", "6 m2", "4 m2"]),
+    "a wider margin": (dict(margin="0.3"), 1, ["▼ asks less", "margin"]),
+    "a waiver": (dict(far_waiver=WAIVER), 1, ["▼ asks less", "waiver", "A. Meier until 2099-12-31"]),
+    "one luminaire less": (dict(columns=2), 1, ["▼ worse", "4: 2 removed, 4 moved"]),
+    "a little darker": (dict(candela="995 955.2 855.7 696.5 477.6 238.8 0"), 0, ["▼ worse", OPEN, "photometry"]),
+    "darker under the same name": (dict(candela="900 864 774 630 432 216 0"), 1, ["▼ worse", "photometry", "spot.ies"]),
+}
+for name, (changes, code, words) in CASES.items():
+    project = write(name.replace(" ", "-"), **changes)
+    expect(name, check(project, *GATE), code, *words)
+
+lowered = write("a-limit-lowered", limit="80")
+expect("accepted", check(lowered, *GATE, "--accept-weaker", "the client agreed"), 0, "the client agreed", OPEN)
+expect("all", check(lowered), 1, "▼ asks less", "FAIL", without=["Gate for regressions"])
+darker = write("darker-under-the-same-name", candela="900 864 774 630 432 216 0")
+expect("allowed", check(darker, *GATE, "--allow-worse", "15%"), 0, OPEN)
+
+unreadable = write("unreadable", limit="none")
+expect("unreadable", check(unreadable, *GATE), 2, "Gate for regressions: not judged")
+
+# Every format tells of it.
+for kind, words in {
+    "json": ['"weaker"', '"limit"', '"allowed_worse"'],
+    "markdown": ["### luxgate: ✗ fail", "asks less", "≥ 80 lx", "fail, as before"],
+    "github": ["::error", "weaker-question", "≥ 80 lx"],
+    "gitlab": ["luxgate/weaker-question", "critical"],
+    "junit": ['name="revision"', 'failures="1"', "failed before the revision"],
+    "csv": ["weaker question", "≥ 80 lx"],
+    "html": ['<section id="revision">', "asks less", "≥ 80 lx"],
+    "sarif": ["weaker-question", '"baselineState": "unchanged"', '"baselineState": "new"'],
+}.items():
+    expect(kind, check(lowered, *GATE, "-q", "--format", kind), 1, *words)
+
+# A result with a revision is shown again as it was.
+result = WORK / "revised.json"
+check(lowered, *GATE, "-q", "--format", f"json={result}")
+again = luxgate("report", result, "--format", "json")
+if again.stdout != result.read_text():
+    problems.append("report: another result")
+
+# Twelve designs, one of them changed: a few lines, whatever the others are.
+designs = [write(f"design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]
+luxgate("check", *designs, "--pictures", "off", "-q", "--format", f"json={BASELINE}")
+write("design-7", name="Design 7", columns=3, limit="90")
+done = check(designs[0], *designs[1:], *GATE)
+expect("twelve", done, 1, "design-7/project.xml: Office / desk", "▼ worse", "▼ asks less")
+if len(done.stdout.splitlines()) > 30:
+    problems.append(f"twelve: {len(done.stdout.splitlines())} lines")
+moved = [write(f"moved/design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]
+expect("twelve moved", check(moved[0], *moved[1:], *GATE), 0, OPEN, without=["asks", "worse:"])
+expect("one of twelve", check(moved[0], *GATE), 1, "▼ asks less", "project")
+
+# Bad input.
+expect("no baseline", luxgate("check", base, *GATE), 2, "--baseline")
+expect("reason without gate", check(base, "--accept-weaker", "why"), 2, "--gate regression")
+(WORK / "cut.json").write_text(result.read_text()[:2000])
+for name in ("missing.json", "cut.json", "base/spot.ies"):
+    expect(name, luxgate("check", base, "--baseline", WORK / name, "--pictures", "off"), 2, name)
+expect("overwritten", luxgate("check", base, "--baseline", result, "--format", f"json={result}"), 2, "revised.json")
+changed = json.loads(result.read_text())
+changed["projects"][0]["spaces"][0]["planes"][0]["findings"][0]["verdict"] = "fail"
+(WORK / "changed.json").write_text(json.dumps(changed))
+expect("changed by hand", luxgate("check", base, "--baseline", WORK / "changed.json"), 2, "changed.json")
+
+for problem in problems:
+    print(problem)
+sys.exit(1 if problems else 0)

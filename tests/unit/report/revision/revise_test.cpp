@@ -1,0 +1,419 @@
+#include "report/revision/revise.h"
+
+#include "report/result_file/json.h"
+#include "report/result_file/read_json.h"
+#include "report/revision/gate.h"
+#include "report/revision/results.h"
+#include "tests/support/sample_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace report {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr Gate kRegression{GateMode::regression, 0.01, ""};
+
+Document base() {
+  Document document = small_document();
+  ProjectPart& project = document.projects[0];
+  LuminaireRow row;
+  row.type_id = "panel";
+  row.photometry_file = "panel.ies";
+  row.sha256 = "0123456789";
+  row.count = 1;
+  row.flux_lm = 4000;
+  row.power_w = 30;
+  row.max_intensity_cd = 1500;
+  row.maintenance_factor = 0.8;
+  project.luminaires = {row};
+  LuminaireMark mark;
+  mark.position_m = {2, 1, 3};
+  mark.type_id = "panel";
+  project.spaces[0].luminaires = {mark};
+  return document;
+}
+
+rules::Finding& finding(Document& document, std::size_t k = 0) {
+  return document.projects[0].spaces[0].planes[0].findings.at(k);
+}
+PlanePart& plane(Document& document) { return document.projects[0].spaces[0].planes[0]; }
+
+Revision revised(const std::function<void(Document&)>& change, const Gate& gate = kRegression) {
+  const Document before = base();
+  Document after = before;
+  change(after);
+  return revise(before, after, "main.json", gate);
+}
+
+std::vector<std::string> asked(const Revision& revision) {
+  std::vector<std::string> list;
+  for (const ChangedQuestion& question : revision.questions) {
+    list.push_back(std::string(calc::name_of(question.change)) + " " +
+                   std::string(calc::name_of(question.part)));
+  }
+  return list;
+}
+
+std::vector<std::string> became(const Revision& revision) {
+  std::vector<std::string> list;
+  for (const ChangedResult& result : revision.results) {
+    list.emplace_back(calc::name_of(result.change));
+  }
+  return list;
+}
+
+void set_measured(rules::Finding& of, const calc::Estimate& measured) {
+  of.measured = measured;
+  judge_again(of);
+}
+
+TEST(Revise, OfTheSameDocumentNothingHasChanged) {
+  const Revision revision = revised([](Document&) {});
+  EXPECT_THAT(became(revision), IsEmpty());
+  EXPECT_THAT(asked(revision), IsEmpty());
+  EXPECT_THAT(revision.inputs, IsEmpty());
+  EXPECT_EQ(revision.same, base().projects[0].spaces[0].planes[0].findings.size());
+}
+
+struct QuestionCase {
+  const char* name;
+  std::function<void(Document&)> change;
+  std::vector<std::string> asked;
+};
+
+class ChangedQuestions : public ::testing::TestWithParam<QuestionCase> {};
+
+// What each of them is called, that a gate stops at it unless it is stricter, and that the other
+// way round it is the opposite.
+TEST_P(ChangedQuestions, AreNamedAndStopTheGate) {
+  const Document before = base();
+  Document after = before;
+  GetParam().change(after);
+  const Revision forth = revise(before, after, "main.json", kRegression);
+  EXPECT_EQ(asked(forth), GetParam().asked);
+  EXPECT_FALSE(reasons_of(forth).questions.empty());
+  const Revision back = revise(after, before, "main.json", kRegression);
+  ASSERT_EQ(back.questions.size(), forth.questions.size());
+  for (std::size_t k = 0; k < back.questions.size(); ++k) {
+    const bool is_exchanged = forth.questions[k].change == QuestionChange::exchanged;
+    EXPECT_EQ(back.questions[k].change,
+              is_exchanged ? QuestionChange::exchanged : QuestionChange::stricter);
+    EXPECT_EQ(back.questions[k].before, forth.questions[k].after);
+  }
+  Revision accepted = forth;
+  accepted.gate.weaker_accepted_by = "the client agreed";
+  EXPECT_TRUE(reasons_of(accepted).questions.empty());
+}
+
+const rules::Waiver kWaiver{"glass", "A. Meier", "2027-06-30"};
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ChangedQuestions,
+    ::testing::Values(
+        QuestionCase{"LimitLowered",
+                     [](Document& d) { finding(d).requirement.limit *= 0.75; },
+                     {"weaker limit"}},
+        QuestionCase{
+            "Comparison",
+            [](Document& d) { finding(d).requirement.comparison = rules::Comparison::at_most; },
+            {"exchanged quantity"}},
+        QuestionCase{"Scene",
+                     [](Document& d) { finding(d).requirement.scene = "bright"; },
+                     {"exchanged light"}},
+        QuestionCase{"Initial",
+                     [](Document& d) { finding(d).requirement.state = rules::LightState::initial; },
+                     {"exchanged light"}},
+        QuestionCase{"DirectOnly",
+                     [](Document& d) { finding(d).requirement.direct_only = true; },
+                     {"exchanged light"}},
+        QuestionCase{"Advice",
+                     [](Document& d) { finding(d).requirement.severity = rules::Severity::advice; },
+                     {"weaker severity"}},
+        QuestionCase{"Metric",
+                     [](Document& d) { finding(d).requirement.metric = rules::Metric::maximum; },
+                     {"exchanged quantity"}},
+        QuestionCase{"Waiver",
+                     [](Document& d) { finding(d).requirement.waiver = kWaiver; },
+                     {"weaker waiver"}},
+        QuestionCase{"Deviation",
+                     [](Document& d) {
+                       finding(d).requirement.deviations = {
+                           {rules::FitAspect::grid, "1 x 1 points", kWaiver, true}};
+                     },
+                     {"weaker deviation"}},
+        QuestionCase{"Tolerance",
+                     [](Document& d) { finding(d).requirement.policy.tolerance = 0.05; },
+                     {"weaker policy"}},
+        QuestionCase{"Rounding",
+                     [](Document& d) { finding(d).requirement.policy.compares_rounded = true; },
+                     {"weaker policy"}},
+        QuestionCase{"Mask",
+                     [](Document& d) { finding(d).requirement.mask.id = "inner"; },
+                     {"exchanged mask"}},
+        QuestionCase{"RequirementGone",
+                     [](Document& d) { plane(d).findings.pop_back(); },
+                     {"weaker requirement"}},
+        QuestionCase{"PlaneGone",
+                     [](Document& d) { d.projects[0].spaces[0].planes.clear(); },
+                     {"weaker plane"}},
+        QuestionCase{
+            "RoomGone", [](Document& d) { d.projects[0].spaces.clear(); }, {"weaker room"}},
+        QuestionCase{"ProjectGone", [](Document& d) { d.projects.clear(); }, {"weaker project"}},
+        QuestionCase{
+            "Margin", [](Document& d) { plane(d).grid.margin_m += 0.5; }, {"weaker margin"}},
+        QuestionCase{"Grid", [](Document& d) { plane(d).grid.columns -= 1; }, {"weaker grid"}},
+        QuestionCase{"LostPoints",
+                     [](Document& d) { plane(d).grid.dropped.emplace_back(); },
+                     {"weaker lost-points"}},
+        QuestionCase{"MaintenanceFactor",
+                     [](Document& d) { d.projects[0].luminaires.at(0).maintenance_factor *= 1.1; },
+                     {"weaker maintenance-factor"}},
+        QuestionCase{"Flux",
+                     [](Document& d) { d.projects[0].luminaires.at(0).flux_lm *= 1.1; },
+                     {"weaker flux"}},
+        QuestionCase{"Power",
+                     [](Document& d) { d.projects[0].luminaires.at(0).power_w *= 0.9; },
+                     {"weaker power"}},
+        QuestionCase{"Confidence",
+                     [](Document& d) { d.provenance.confidence = 0.9; },
+                     {"weaker confidence"}},
+        QuestionCase{
+            "Tolerance2", [](Document& d) { d.provenance.tolerance *= 2; }, {"weaker accuracy"}}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+TEST(Revise, ALimitBelowWhichIsToStayIsWeakerWhereItRises) {
+  Document before = base();
+  finding(before).requirement.comparison = rules::Comparison::at_most;
+  Document after = before;
+  finding(after).requirement.limit *= 1.1;
+  EXPECT_THAT(asked(revise(before, after, "main.json", {})), ElementsAre("weaker limit"));
+}
+
+TEST(Revise, AnotherRowIsExchangedAndALimitOfOnesOwnIsWeakerThanARow) {
+  Document own = base(), row = base(), other = base();
+  finding(row).requirement.origin = {"en12464-1:2021", "task.Em", "34.2", {}, {}, {}};
+  finding(other).requirement.origin = {"en12464-1:2021", "task.Em", "34.3", {}, {}, {}};
+  EXPECT_THAT(asked(revise(row, other, "main.json", {})), ElementsAre("exchanged rule"));
+  EXPECT_THAT(asked(revise(row, own, "main.json", {})), ElementsAre("weaker rule"));
+  EXPECT_THAT(asked(revise(own, row, "main.json", {})), ElementsAre("exchanged rule"));
+  Document lower = row;
+  finding(lower).requirement.origin.level = rules::level_named("-1");
+  EXPECT_THAT(asked(revise(row, lower, "main.json", {})), ElementsAre("weaker rule"));
+}
+
+TEST(Revise, ALongerWaiverIsWeaker) {
+  Document before = base();
+  finding(before).requirement.waiver = kWaiver;
+  Document after = before;
+  finding(after).requirement.waiver->until = "2028-01-01";
+  EXPECT_THAT(asked(revise(before, after, "main.json", {})), ElementsAre("weaker waiver"));
+  EXPECT_THAT(asked(revise(after, before, "main.json", {})), ElementsAre("stricter waiver"));
+}
+
+TEST(Revise, AnotherFolderOrNameOfAProjectChangesNothing) {
+  const Revision moved = revised([](Document& d) { d.projects[0].path = "elsewhere/other.xml"; });
+  EXPECT_THAT(asked(moved), IsEmpty());
+  const Revision renamed = revised([](Document& d) { d.projects[0].name = "Other name"; });
+  EXPECT_THAT(asked(renamed), IsEmpty());
+}
+
+TEST(Revise, ProjectsAreToldApartByPathThenNameThenFile) {
+  Document before;
+  for (const char* path : {"a/one.xml", "a/two.xml", "a/three.xml"}) {
+    before.projects.push_back(base().projects[0]);
+    before.projects.back().path = path;
+    before.projects.back().name = std::string("Design ") + path[2];
+  }
+  before.projects[1].name = "Second";
+  Document after = before;
+  std::swap(after.projects[0], after.projects[2]);
+  for (ProjectPart& project : after.projects) project.path.replace(0, 1, "b");
+  after.projects[1].path = "b/moved.xml";
+  const Revision revision = revise(before, after, "main.json", kRegression);
+  EXPECT_THAT(asked(revision), IsEmpty());
+  EXPECT_THAT(became(revision), IsEmpty());
+}
+
+TEST(Revise, VerdictsTellWhatBecameOfThem) {
+  const auto change = [](const calc::Estimate& was, const calc::Estimate& is) {
+    Document before = base();
+    set_measured(finding(before), was);
+    Document after = before;
+    set_measured(finding(after), is);
+    const Revision revision = revise(before, after, "main.json", kRegression);
+    return revision.results.empty() ? ResultChange::same : revision.results[0].change;
+  };
+  Document document = base();
+  const double limit = finding(document).requirement.limit;
+  const calc::Estimate good = estimate(1.2 * limit, 0.01 * limit),
+                       bad = estimate(0.8 * limit, 0.01 * limit),
+                       open = estimate(limit, 0.01 * limit);
+  EXPECT_EQ(change(good, bad), ResultChange::broken);
+  EXPECT_EQ(change(open, bad), ResultChange::broken);
+  EXPECT_EQ(change(bad, good), ResultChange::fixed);
+  EXPECT_EQ(change(good, open), ResultChange::unsure);
+  EXPECT_EQ(change(good, estimate(1.1 * limit, 0.01 * limit)), ResultChange::worse);
+  EXPECT_EQ(change(good, estimate(1.3 * limit, 0.01 * limit)), ResultChange::better);
+  EXPECT_EQ(change(good, estimate(1.195 * limit, 0.01 * limit)), ResultChange::same);
+  EXPECT_EQ(change(bad, estimate(0.7 * limit, 0.01 * limit)), ResultChange::worse);
+}
+
+TEST(Revise, ReplicatesOfEqualSeedsShowWhatIntervalsHide) {
+  Document before = base();
+  const double limit = finding(before).requirement.limit;
+  set_measured(finding(before), estimate(1.2 * limit, 0.05 * limit));
+  for (const double noise : {-0.03, 0.02, 0.01, -0.01, 0.015, -0.005}) {
+    finding(before).without_replicate.push_back((1.2 + noise) * limit);
+  }
+  Document after = before;
+  set_measured(finding(after), estimate(1.188 * limit, 0.05 * limit));
+  for (double& value : finding(after).without_replicate) value *= 0.99;
+  const Revision paired = revise(before, after, "main.json", kRegression);
+  ASSERT_EQ(paired.results.size(), 1u);
+  EXPECT_TRUE(paired.results[0].is_paired);
+  EXPECT_EQ(paired.results[0].change, ResultChange::worse);
+  EXPECT_NEAR(paired.results[0].gain.value, -0.01, 1e-9);
+  finding(after).without_replicate.clear();
+  EXPECT_THAT(became(revise(before, after, "main.json", kRegression)), IsEmpty());
+}
+
+TEST(Revise, RoundingIsNoDifference) {
+  Document before = base();
+  const double limit = finding(before).requirement.limit;
+  set_measured(finding(before), estimate(1.2 * limit, 0.0));
+  Document after = before;
+  set_measured(finding(after), estimate(1.2 * limit * (1.0 - 1e-14), 0.0));
+  EXPECT_THAT(became(revise(before, after, "main.json", kRegression)), IsEmpty());
+}
+
+Document with_revision(const std::function<void(Document&)>& change_before,
+                       const std::function<void(Document&)>& change_after, const Gate& gate) {
+  Document before = base();
+  change_before(before);
+  Document after = before;
+  change_after(after);
+  after.revision = revise(before, after, "main.json", gate);
+  return after;
+}
+
+void pass_all(Document& document) {
+  for (rules::Finding& of : plane(document).findings) {
+    const double limit = of.requirement.limit;
+    const bool is_lower = rules::is_lower_limit(of.requirement.comparison);
+    set_measured(of, estimate((is_lower ? 1.2 : 0.8) * limit, 0.001 * limit));
+  }
+}
+void fail_first(Document& document) {
+  rules::Finding& of = finding(document);
+  const bool is_lower = rules::is_lower_limit(of.requirement.comparison);
+  set_measured(
+      of, estimate((is_lower ? 0.8 : 1.2) * of.requirement.limit, 0.001 * of.requirement.limit));
+}
+
+TEST(Gate, KnownFailuresPassAGateForRegressionsOnly) {
+  const auto known = [](Document& d) {
+    pass_all(d);
+    fail_first(d);
+  };
+  const auto nothing = [](Document&) {};
+  EXPECT_EQ(gate_outcome(with_revision(known, nothing, kRegression)), rules::Outcome::pass);
+  EXPECT_EQ(gate_outcome(with_revision(known, nothing, {})), rules::Outcome::fail);
+  EXPECT_EQ(with_revision(known, nothing, kRegression).revision->known_failures, 1u);
+}
+
+TEST(Gate, StopsAtWhatIsBrokenAndAtWeakerQuestions) {
+  EXPECT_EQ(gate_outcome(with_revision(pass_all, fail_first, kRegression)), rules::Outcome::fail);
+  const auto weaker = [](Document& d) { finding(d).requirement.limit *= 0.9; };
+  EXPECT_EQ(gate_outcome(with_revision(pass_all, weaker, kRegression)), rules::Outcome::fail);
+  Gate accepting = kRegression;
+  accepting.weaker_accepted_by = "agreed";
+  EXPECT_EQ(gate_outcome(with_revision(pass_all, weaker, accepting)), rules::Outcome::pass);
+}
+
+TEST(Gate, LetsValuesFallByWhatIsAllowed) {
+  const auto fall = [](Document& d) {
+    rules::Finding& of = finding(d);
+    set_measured(of, estimate(0.97 * of.measured.value, 0.0));
+  };
+  const auto exact = [](Document& d) {
+    pass_all(d);
+    finding(d).measured = estimate(finding(d).measured.value, 0.0);
+  };
+  EXPECT_EQ(gate_outcome(with_revision(exact, fall, kRegression)), rules::Outcome::fail);
+  EXPECT_EQ(gate_outcome(with_revision(exact, fall, {GateMode::regression, 0.05, ""})),
+            rules::Outcome::pass);
+}
+
+TEST(Gate, WhatWaitsForAJudgementIsNoPass) {
+  const auto open = [](Document& d) {
+    rules::Finding& of = finding(d);
+    set_measured(of, estimate(of.requirement.limit, 0.01 * of.requirement.limit));
+  };
+  EXPECT_EQ(gate_outcome(with_revision(pass_all, open, kRegression)), rules::Outcome::undecided);
+  const auto failing_and_open = [&](Document& d) {
+    pass_all(d);
+    open(d);
+    rules::Finding& other = finding(d, 1);
+    const bool is_lower = rules::is_lower_limit(other.requirement.comparison);
+    set_measured(other, estimate((is_lower ? 0.5 : 2.0) * other.requirement.limit, 0.0));
+  };
+  EXPECT_EQ(gate_outcome(with_revision(
+                failing_and_open, [](Document&) {}, kRegression)),
+            rules::Outcome::undecided);
+}
+
+TEST(Gate, FailuresOfAProjectThatCouldNotBeJudgedBeforeAreNotKnown) {
+  Document before = base();
+  ProjectPart unread;
+  unread.path = before.projects[0].path;
+  before.projects[0] = unread;
+  Document after = base();
+  pass_all(after);
+  fail_first(after);
+  after.revision = revise(before, after, "main.json", kRegression);
+  EXPECT_EQ(after.revision->known_failures, 0u);
+  EXPECT_EQ(gate_outcome(after), rules::Outcome::fail);
+}
+
+TEST(Revise, InputsAreNamed) {
+  const Revision revision = revised([](Document& d) {
+    d.projects[0].luminaires.at(0).sha256 = "other";
+    d.projects[0].spaces[0].luminaires.at(0).position_m.x += 0.25;
+  });
+  std::vector<std::string> what;
+  for (const ChangedInput& input : revision.inputs) what.push_back(input.what);
+  EXPECT_THAT(what, ElementsAre("photometry", "luminaires"));
+  EXPECT_THAT(revision.inputs[1].after, HasSubstr("1 moved, up to 0.25 m"));
+}
+
+TEST(Revise, IsReadBackFromTheResultFile) {
+  const Document document = with_revision(
+      pass_all,
+      [](Document& d) {
+        fail_first(d);
+        finding(d, 1).requirement.limit *= 0.5;
+        judge_again(finding(d, 1));
+        d.projects[0].luminaires.at(0).sha256 = "other";
+      },
+      kRegression);
+  const std::string text = render_json(document);
+  std::string problem;
+  const std::optional<Document> read = read_json(text, problem);
+  ASSERT_TRUE(read) << problem;
+  ASSERT_TRUE(read->revision);
+  EXPECT_EQ(render_json(*read), text);
+  EXPECT_EQ(gate_outcome(*read), gate_outcome(document));
+}
+
+}  // namespace
+}  // namespace report
