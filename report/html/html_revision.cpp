@@ -17,13 +17,13 @@ constexpr std::size_t kMostRows = 500;
 
 std::string cell(const Texts& t, const RevisionTable& table, std::size_t column,
                  const std::string& text) {
-  const std::string html = with_minus(escape_html(text));
+  const std::string html = escape_html(text);
   const bool is_english =
       std::find(table.english.begin(), table.english.end(), column) != table.english.end();
   return "<td>" + (is_english ? t.english_html(html) : html) + "</td>";
 }
 
-std::string table_html(const Texts& t, const RevisionTable& table) {
+std::string table_html(const Texts& t, const Document& document, const RevisionTable& table) {
   const std::string title = escape_html(table.title);
   std::string html = fmt::format(
       "<table class=\"findings\"><caption class=\"unseen\">{}</caption><thead><tr>", title);
@@ -37,7 +37,9 @@ std::string table_html(const Texts& t, const RevisionTable& table) {
     html += "</tr>\n";
   }
   html += "</tbody></table>";
-  html = fmt::format("<h3>{}</h3>\n", title) + scroll_box(title, html);
+  html = scroll_box(title, html);
+  // The first one's title is the section's.
+  if (title != html_revision_title(t, document)) html = fmt::format("<h3>{}</h3>\n", title) + html;
   if (table.left_out > 0) {
     html += fmt::format("<p class=\"quiet\">{}</p>\n", t.say<Text::more_left_out>(table.left_out));
   }
@@ -55,7 +57,7 @@ std::string html_revision(const Texts& t, const Document& document) {
   std::string html =
       fmt::format("<section id=\"revision\"><h2>{}</h2>\n", html_revision_title(t, document));
   for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
-    html += table_html(t, table);
+    html += table_html(t, document, table);
   }
   html += "<ul>";
   for (const std::string& remark : revision_remarks(document, t)) {

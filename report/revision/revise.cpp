@@ -83,6 +83,7 @@ class Reviser {
     place.words = std::string(title_of(pair.after != nullptr ? is.name : was.name, place.project));
     if (pair.before == nullptr || pair.after == nullptr) {
       add_whole(QuestionPart::project, place, pair.after == nullptr, place.project);
+      if (pair.after == nullptr) return;  // that says it all
     } else {
       if (was.is_judged != is.is_judged) {
         revision_.notes.push_back(fmt::format("{} could not be judged {}", place.project,
