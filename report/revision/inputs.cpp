@@ -38,6 +38,7 @@ std::string photometry_words(const LuminaireRow& row) {
   std::string words = fmt::format("{} ({})", row.photometry_file, row.sha256.substr(0, kShown));
   if (std::isfinite(row.flux_lm)) words += ", " + format_lumens(row.flux_lm) + " lm";
   if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
+  words += ", maintenance factor " + format_shortest(row.maintenance_factor);
   return words;
 }
 
@@ -137,8 +138,7 @@ std::string body_words(const BodyMark& body) {
 std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const ProjectPart& after,
                                          const RevisionPlace& place) {
   Inputs inputs(place);
-  const auto types = match_parts(before.luminaires, after.luminaires,
-                                 [](const LuminaireRow& row) { return row.type_id; });
+  const auto types = match_luminaires(before.luminaires, after.luminaires);
   for (const PartPair<LuminaireRow>& pair : types) {
     const std::string was = pair.before != nullptr ? photometry_words(*pair.before) : "";
     const std::string is = pair.after != nullptr ? photometry_words(*pair.after) : "";

@@ -46,6 +46,21 @@ const ProjectPart** only_one(Projects& list) {
 
 }  // namespace
 
+std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
+                                                     const std::vector<LuminaireRow>& after) {
+  auto pairs = match_parts(before, after, [](const LuminaireRow& row) { return row.type_id; });
+  for (PartPair<LuminaireRow>& is_new : pairs) {
+    if (is_new.before != nullptr) continue;
+    const auto gone = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return pair.after == nullptr && pair.before->sha256 == is_new.after->sha256;
+    });
+    if (gone == pairs.end()) continue;
+    is_new.before = gone->before;
+    pairs.erase(gone);  // behind all that have an `after`
+  }
+  return pairs;
+}
+
 std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const Document& after) {
   std::vector<PartPair<ProjectPart>> pairs;
   for (const ProjectPart& project : after.projects) pairs.push_back({nullptr, &project});

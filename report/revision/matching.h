@@ -40,6 +40,10 @@ std::vector<PartPair<Part>> match_parts(const std::vector<Part>& before,
   return pairs;
 }
 
+// By id, and what then is left by photometry: another id makes no other luminaire.
+std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
+                                                     const std::vector<LuminaireRow>& after);
+
 // Projects have no ids: those of one path are the same; of the others those of one name that no
 // other project of either side has, then those whose files alone have one name, and at last the
 // only one that is left on either side.

@@ -232,6 +232,22 @@ bool compare_areas(Questions& questions, const PlanePart& before, const PlanePar
   return false;
 }
 
+std::string facing_words(const glm::dvec3& normal) {
+  return fmt::format("facing ({:.3g} {:.3g} {:.3g})", normal.x, normal.y, normal.z);
+}
+
+// Of the first point that faces another way.
+void compare_facing(Questions& questions, const PlanePart& before, const PlanePart& after) {
+  constexpr double kSameWay = 1e-6;
+  if (before.points.empty() || before.points.size() != after.points.size()) return;
+  for (std::size_t k = 0; k < before.points.size(); ++k) {
+    if (glm::length(before.points[k].normal - after.points[k].normal) <= kSameWay) continue;
+    return questions.add(QuestionChange::exchanged, QuestionPart::area,
+                         facing_words(before.points[k].normal),
+                         facing_words(after.points[k].normal));
+  }
+}
+
 std::string grid_words(const PlanePart& plane) {
   if (plane.grid.columns == 0) return fmt::format("{} points", plane.points.size());
   return fmt::format("{} x {} points", plane.grid.columns, plane.grid.rows);
@@ -315,8 +331,7 @@ std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const ProjectPart& after,
                                                       const RevisionPlace& place) {
   Questions questions(place);
-  const auto types = match_parts(before.luminaires, after.luminaires,
-                                 [](const LuminaireRow& row) { return row.type_id; });
+  const auto types = match_luminaires(before.luminaires, after.luminaires);
   for (const PartPair<LuminaireRow>& pair : types) {
     if (pair.before == nullptr || pair.after == nullptr) continue;
     const LuminaireRow &was = *pair.before, &is = *pair.after;
@@ -363,7 +378,10 @@ std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, con
   questions.compare(QuestionPart::margin, before.grid.margin_m, after.grid.margin_m, false,
                     format_metres(before.grid.margin_m) + " m",
                     format_metres(after.grid.margin_m) + " m");
-  if (is_same_area) compare_grids(questions, before, after);
+  if (is_same_area) {
+    compare_facing(questions, before, after);
+    compare_grids(questions, before, after);
+  }
   questions.compare(QuestionPart::lost_points, static_cast<double>(before.grid.dropped.size()),
                     static_cast<double>(after.grid.dropped.size()), false,
                     fmt::format("{}", before.grid.dropped.size()),
