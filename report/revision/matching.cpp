@@ -49,14 +49,14 @@ const ProjectPart** only_one(Projects& list) {
 std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
                                                      const std::vector<LuminaireRow>& after) {
   auto pairs = match_parts(before, after, [](const LuminaireRow& row) { return row.type_id; });
-  for (PartPair<LuminaireRow>& is_new : pairs) {
-    if (is_new.before != nullptr) continue;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (pairs[k].before != nullptr) continue;
     const auto gone = std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
-      return pair.after == nullptr && pair.before->sha256 == is_new.after->sha256;
+      return pair.after == nullptr && pair.before->sha256 == pairs[k].after->sha256;
     });
     if (gone == pairs.end()) continue;
-    is_new.before = gone->before;
-    pairs.erase(gone);  // behind all that have an `after`
+    pairs[k].before = gone->before;
+    pairs.erase(gone);  // it stands behind all that have an `after`
   }
   return pairs;
 }

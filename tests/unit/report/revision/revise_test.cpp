@@ -169,6 +169,17 @@ INSTANTIATE_TEST_SUITE_P(
         QuestionCase{
             "RoomGone", [](Document& d) { d.projects[0].spaces.clear(); }, {"weaker room"}},
         QuestionCase{"ProjectGone", [](Document& d) { d.projects.clear(); }, {"weaker project"}},
+        QuestionCase{"Facing",
+                     [](Document& d) {
+                       plane(d).points.at(1).normal = {1, 0, 0};
+                     },
+                     {"exchanged area"}},
+        QuestionCase{"MaintenanceFactorOfATypeByAnotherId",
+                     [](Document& d) {
+                       d.projects[0].luminaires.at(0).type_id = "other";
+                       d.projects[0].luminaires.at(0).maintenance_factor *= 1.1;
+                     },
+                     {"weaker maintenance-factor"}},
         QuestionCase{
             "Margin", [](Document& d) { plane(d).grid.margin_m += 0.5; }, {"weaker margin"}},
         QuestionCase{"Grid", [](Document& d) { plane(d).grid.columns -= 1; }, {"weaker grid"}},
