@@ -20,6 +20,7 @@ struct CheckOptions {
   bool explain_cost = false;
   StrictWarnings strict;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
+  std::string store;     // folder of looks to be used again; "" = none
 };
 
 // What may stand behind `luxgate check`; sets `options`.
