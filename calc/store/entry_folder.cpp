@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first line is a standard's, by which backup programs know caches.  [bford.info/cachedir]
+// The first line is a standard's, by which backup programs know caches.
 constexpr std::string_view kMarkText =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder is a store of luxgate (check --store): looks of planes, to be used again.\n"

@@ -54,7 +54,7 @@ void list_part(const fs::path& part, Listing& listing) {
   }
 }
 
-Listing list_entries(const std::string& folder) {
+Listing list_store(const std::string& folder) {
   Listing listing;
   std::error_code failure;
   fs::directory_iterator it(folder, failure);
@@ -115,12 +115,12 @@ bool may_be_deleted(const std::string& path) {
 
 }  // namespace
 
-StoreCount count_entries(const std::string& folder) { return count_of(list_entries(folder)); }
+StoreCount count_entries(const std::string& folder) { return count_of(list_store(folder)); }
 
 StoreCount verify_entries(
     const std::string& folder,
     const std::function<void(const std::string& place, const std::string& why)>& on_damage) {
-  Listing listing = list_entries(folder);
+  Listing listing = list_store(folder);
   std::sort(listing.entries.begin(), listing.entries.end(),
             [](const Found& a, const Found& b) { return a.place < b.place; });
   for (const Found& entry : listing.entries) {
@@ -132,7 +132,7 @@ StoreCount verify_entries(
 
 PruneResult prune_entries(const std::string& folder, std::uint64_t most_bytes, std::int64_t now_s) {
   PruneResult result;
-  Listing listing = list_entries(folder);
+  Listing listing = list_store(folder);
   result.problem = listing.problem;
   std::vector<Found> kept_behind;
   for (const Found& file : listing.left_behind) {
