@@ -10,7 +10,6 @@
 namespace calc {
 
 inline constexpr std::uint32_t kEntryFormat = 1;
-inline constexpr std::size_t kMostKeyBytes = 4096;
 
 std::string render_entry(std::string_view key, std::string_view bytes);
 // Of a file that holds so much.

@@ -99,9 +99,14 @@ std::string problem_with_store(const std::string& folder) {
                        folder);
   }
   if (is_marked(folder)) return "";
-  const bool is_empty = fs::is_empty(folder, failure);
-  if (is_empty || failure) return "";  // one that cannot be read is told of when it is used
-  return is_marked(folder)             // another process has made it meanwhile
+  // Another process may be making it at this moment. One that cannot be read is told of when it is
+  // used.
+  bool is_empty = true;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    is_empty = is_empty && it->path().filename().string().starts_with(kTemporaryPrefix);
+  }
+  return is_empty || is_marked(folder)
              ? ""
              : fmt::format(
                    "'{}' is no store: it has files, but no {} of luxgate; allowed are a "
@@ -148,11 +153,9 @@ std::optional<std::string> EntryFolder::read(std::string_view key, std::size_t m
 void EntryFolder::write(std::string_view key, std::string_view bytes) {
   {
     const std::scoped_lock lock(mutex_);
-    if (is_given_up_) return;
     if (!is_marked_) {
       if (const std::string failure = make_store(folder_); !failure.empty()) {
-        is_given_up_ = true;
-        troubles_.not_written = failure;
+        if (troubles_.not_written.empty()) troubles_.not_written = failure;
         return;
       }
       is_marked_ = true;
@@ -187,7 +190,6 @@ void EntryFolder::note_unusable(const std::string& place, std::string_view why) 
 
 void EntryFolder::note_not_written(const std::string& why) {
   const std::scoped_lock lock(mutex_);
-  is_given_up_ = true;
   if (troubles_.not_written.empty()) troubles_.not_written = why;
 }
 

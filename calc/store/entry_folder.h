@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace calc {
 
@@ -44,7 +45,6 @@ class EntryFolder : public EntryStore {
   mutable std::mutex mutex_;
   StoreTroubles troubles_;
   bool is_marked_ = false;
-  bool is_given_up_ = false;  // once an entry could not be written, no more are tried
 };
 
 }  // namespace calc

@@ -193,7 +193,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   std::optional<calc::LookStore> store;
   if (!options.store.empty()) {
     folder.emplace(options.store);
-    store.emplace(calc::LookStore{*folder, opened->description});
+    store.emplace(calc::LookStore{*folder, opened->identity});
   }
   CheckObserver observer(options, context);
   options.output.are_messages_printed = !options.output.quiet;

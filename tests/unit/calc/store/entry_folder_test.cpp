@@ -166,6 +166,10 @@ TEST_F(Store, IsAFolderOfItsOwn) {
   EXPECT_THAT(calc::problem_with_store((scratch.path() / "file").string()),
               HasSubstr("is not a folder"));
   EXPECT_THAT(calc::problem_with_store(scratch.path().string()), HasSubstr("is no store"));
+  // Another process is just about to mark it.
+  fs::create_directory(scratch.path() / "new");
+  put_bytes(scratch.path() / "new" / ".new-0123", "");
+  EXPECT_EQ(calc::problem_with_store((scratch.path() / "new").string()), "");
   calc::EntryFolder below_a_file((scratch.path() / "file" / "store").string());
   below_a_file.write(kKey, kBytes);
   EXPECT_NE(below_a_file.troubles().not_written, "");
