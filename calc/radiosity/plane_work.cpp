@@ -36,59 +36,34 @@ std::uint64_t for_each_point(std::size_t points, const Work& work) {
 
 }  // namespace
 
-PlaneWork::PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-                     const PlaneDecision& decision, const RadiositySettings& settings)
+PlaneWork::PlaneWork(const Tracer& tracer, const SensorGrid& grid, const PlaneDecision& decision,
+                     const RadiositySettings& settings, PlaneState& state)
     : tracer_(tracer),
       settings_(settings),
       decision_(decision),
-      opening_key_(stage_key(settings.seed, RandomStage::opening).with(plane_id)),
-      near_key_(stage_key(settings.seed, RandomStage::near_field).with(plane_id)),
-      draw_key_(stage_key(settings.seed, RandomStage::connections).with(plane_id)) {
+      state_(state),
+      field_(state.field()),
+      sums_(state.sums()),
+      opening_key_(stage_key(settings.seed, RandomStage::opening).with(field_.plane_id)),
+      near_key_(stage_key(settings.seed, RandomStage::near_field).with(field_.plane_id)),
+      draw_key_(stage_key(settings.seed, RandomStage::connections).with(field_.plane_id)) {
   receiver_ = receivers_of(tracer, grid);
   spatial_order_ = spatial_order(receiver_);
-  const auto replicates = static_cast<std::size_t>(settings.replicates);
-  field_.plane_id = plane_id;
-  field_.points = points();
-  field_.point_weight = point_weights(grid);
-  field_.replicates = replicates;
-  field_.channels = tracer.scene().channels;
-  field_.direct_exact_lx.assign(channels() * points(), 0.0);
-  replicate_connection_rays_.assign(replicates, 0);
-  replicate_near_rays_.assign(replicates, 0);
-  active_.assign(points(), 1);
-  rounds_.assign(points(), 0);
-  paths_.assign(points(), 0);
-  possible_sample_lx_.assign(points(), 0.0);
-  largest_opening_lx_.assign(points(), 0.0f);
-  has_hidden_opening_.assign(points(), 0);
-  has_seen_opening_.assign(points(), 0);
   // A point's other receivers see nothing that the first one does not.
   for (std::size_t part = 0; part < receivers_per_point(grid.derived); ++part) {
-    may_be_sampled_.insert(may_be_sampled_.end(), decision.may_see_reflection.begin(),
-                           decision.may_see_reflection.end());
+    has_indirect_.insert(has_indirect_.end(), decision.may_see_reflection.begin(),
+                         decision.may_see_reflection.end());
     gathers_reflection_.insert(gathers_reflection_.end(), decision.gathers_reflection.begin(),
                                decision.gathers_reflection.end());
   }
-  has_indirect_ = may_be_sampled_;
-  if (std::string problem = point_problem(tracer, grid, receiver_, settings.refuses_close_points);
+}
+
+void PlaneWork::begin(const SensorGrid& grid) {
+  sums_.may_be_sampled = has_indirect_;
+  if (std::string problem = point_problem(tracer_, grid, receiver_, settings_.refuses_close_points);
       !problem.empty()) {
-    refuse(std::move(problem));
+    state_.refuse(std::move(problem));
   }
-}
-
-void PlaneWork::refuse(std::string problem) {
-  is_active_ = false;
-  field_.problem = std::move(problem);
-}
-
-void PlaneWork::finish(StopReason reason) {
-  is_active_ = false;
-  field_.stop = reason;
-}
-
-void PlaneWork::narrow(const std::vector<std::uint8_t>& active) {
-  active_ = active;
-  active_.resize(points(), 1);
 }
 
 void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
@@ -125,28 +100,28 @@ void PlaneWork::add_glare(double deadline_s) {
 
 void PlaneWork::sample_openings(double deadline_s, SolveTimes& times) {
   if (!decision_.samples_openings) return;
-  if (most_rounds_ > 0 && !opening_error_matters()) return;
+  if (sums_.most_rounds > 0 && !state_.opening_error_matters()) return;
   const PhaseTimer timer(times.direct_s);
-  direct_sum_lx_.resize(values());
+  sums_.direct_sum_lx.resize(state_.values());
   if (free_openings_.empty() && has_shadows()) prove_openings(deadline_s);
-  const std::uint32_t last = std::max<std::uint32_t>(1, 2 * most_rounds_);
+  const std::uint32_t last = std::max<std::uint32_t>(1, 2 * sums_.most_rounds);
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t place) {
     const std::size_t i = spatial_order_[place];
-    if (active_[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
+    if (state_.active()[i] == 0 || is_past(deadline_s)) return std::uint64_t{0};
     DirectProofs proofs{decision_.is_dark, has_shadows()};
     if (has_shadows()) proofs.is_free = free_openings_[place / kPointsPerProof];
     const DirectRays direct =
         add_openings(tracer_, receiver_[i], proofs, opening_key_.with(i),
-                     {rounds_[i], last, field_.replicates, settings_.opening_error_factor},
-                     {&field_.direct_exact_lx[i], &direct_sum_lx_[i], points(),
-                      channels() * points(), &largest_opening_lx_[i]});
-    if (direct.has_hidden) has_hidden_opening_[i] = 1;
-    if (direct.may_be_lit) may_be_sampled_[i] = 1;
-    if (direct.has_seen) has_seen_opening_[i] = 1;
-    rounds_[i] = last;
+                     {sums_.rounds[i], last, field_.replicates, settings_.opening_error_factor},
+                     {&field_.direct_exact_lx[i], &sums_.direct_sum_lx[i], points(),
+                      channels() * points(), &sums_.largest_opening_lx[i]});
+    if (direct.has_hidden) sums_.has_hidden_opening[i] = 1;
+    if (direct.may_be_lit) sums_.may_be_sampled[i] = 1;
+    if (direct.has_seen) sums_.has_seen_opening[i] = 1;
+    sums_.rounds[i] = last;
     return direct.traced;
   });
-  most_rounds_ = last;
+  sums_.most_rounds = last;
 }
 
 void PlaneWork::prove_openings(double deadline_s) {
@@ -166,23 +141,24 @@ void PlaneWork::prove_openings(double deadline_s) {
 
 void PlaneWork::start_look(double near_reach_m, const PossibleVertex& possible) {
   possible_vertex_ = possible;
-  indirect_sum_lx_.resize(values());
-  largest_sum_lx_.resize(field_.replicates * points());
+  sums_.indirect_sum_lx.resize(state_.values());
+  sums_.largest_sum_lx.resize(field_.replicates * points());
   look_near_lx_.resize(field_.replicates * points());
   look_drawn_lx_.resize(field_.replicates * points());
-  short_ray_factor_.resize(points(), 1.0);
+  sums_.short_ray_factor.resize(points(), 1.0);
   std::vector<std::uint8_t> is_wanted(points());
   for (std::size_t i = 0; i < points(); ++i) {
-    is_wanted[i] = static_cast<std::uint8_t>(active_[i] != 0 && gathers_reflection_[i] != 0);
+    is_wanted[i] =
+        static_cast<std::uint8_t>(state_.active()[i] != 0 && gathers_reflection_[i] != 0);
   }
   tiles_ = make_tiles(receiver_, spatial_order_, is_wanted);
   look_points_ = static_cast<std::size_t>(std::count(is_wanted.begin(), is_wanted.end(), 1));
   reach_m_ = near_reach_m;
-  if (near_reach_m > 0.0 && clear_m_.empty()) {
-    clear_m_.assign(points(), 0.0);
+  if (near_reach_m > 0.0 && sums_.clear_m.empty()) {
+    sums_.clear_m.assign(points(), 0.0);
     for_each_point(points(), [&](std::size_t i) {
       const Receiver& r = receiver_[i];
-      clear_m_[i] =
+      sums_.clear_m[i] =
           tracer_.clear_distance(r.position_m, has_back(r.kernel) ? r.axis : glm::dvec3(0.0),
                                  kClearReaches * near_reach_m);
       return std::uint64_t{0};

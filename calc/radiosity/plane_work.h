@@ -6,6 +6,7 @@
 #include "calc/proofs/solve_plan.h"
 #include "calc/radiosity/gatherer.h"
 #include "calc/radiosity/near_field.h"
+#include "calc/radiosity/plane_state.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/settings.h"
 #include "calc/radiosity/tiles.h"
@@ -66,24 +67,18 @@ std::uint32_t short_rays_per_point(std::uint32_t draws, double clear_m, double r
 double next_short_ray_factor(double factor, double near_variance, double drawn_variance,
                              std::uint32_t draws, std::uint32_t rays);
 
+// Adds looks to a plane's state.
 class PlaneWork {
  public:
   // The plane's id and the point's index key all random numbers: other planes do not matter.
-  // decision: of this plane, must outlive the work.
-  PlaneWork(const Tracer& tracer, const std::string& plane_id, const SensorGrid& grid,
-            const PlaneDecision& decision, const RadiositySettings& settings);
+  // decision: of this plane; must outlive the work, as must the state.
+  PlaneWork(const Tracer& tracer, const SensorGrid& grid, const PlaneDecision& decision,
+            const RadiositySettings& settings, PlaneState& state);
 
   const PlaneDecision& decision() const { return decision_; }
 
-  // Whether looks still add to this plane.
-  bool is_active() const { return is_active_; }
-  void refuse(std::string problem);  // ends the work; field().problem says why
-  void finish(StopReason reason);    // ends the work with what was published last
-  const PlaneField& field() const { return field_; }
-  PlaneField take_field() { return std::move(field_); }
-  // [point], 1: looks add to it; empty: to all.
-  void narrow(const std::vector<std::uint8_t>& active);
-
+  // Of a plane that no look was taken of: refuses it where a point cannot be computed.
+  void begin(const SensorGrid& grid);
   // Direct light from point openings, or the glare of all openings, once. deadline_s: as in
   // VertexBatch, for all that follows.
   void add_exact(double deadline_s, SolveTimes& times);
@@ -102,8 +97,6 @@ class PlaneWork {
   void take_shared(const VertexBatch& batch, const GatherSums& sums, std::uint64_t pairs);
   // All replicates of a look are in, with batch_paths new paths each.
   void finish_look(std::uint64_t batch_paths);
-  // Turns the sums so far into field(). looks_planned: see PlaneField.
-  void publish(int looks_planned);
 
  private:
   struct TileSums;
@@ -112,7 +105,6 @@ class PlaneWork {
   void prove_openings(double deadline_s);
   std::size_t points() const { return receiver_.size(); }
   std::size_t channels() const { return field_.channels.size(); }
-  std::size_t values() const { return field_.replicates * channels() * points(); }
   std::uint64_t connect_tiles(std::size_t first, std::size_t last, const VertexBatch& batch,
                               Gatherer& gatherer, std::span<TileSums> sums) const;
   std::uint64_t connect_all(const ReceiverGroup& tile, const VertexBatch& batch, Gatherer& gatherer,
@@ -127,48 +119,26 @@ class PlaneWork {
                          const FirstHit* first_hits, TileSums& sums) const;
   void store(const ReceiverGroup& tile, const VertexBatch& batch, const TileSums& sums);
   void share_short_rays(std::uint64_t batch_paths);
-  bool opening_error_matters() const;
-  // Marks points that sampled light may reach but has not.
-  void find_unseen();
-  void find_largest_samples();
-  double largest_reflected_sample_lx(std::size_t point) const;
-  double largest_opening_sample_lx(std::size_t point) const;
   double possible_sample_lx(std::size_t point) const;
-  double squared_error(const std::vector<double>& values_lx) const;
 
   const Tracer& tracer_;
   const RadiositySettings& settings_;
   const PlaneDecision& decision_;
+  PlaneState& state_;
+  PlaneField& field_;  // of the state, as the sums
+  PlaneSums& sums_;
   RandomKey opening_key_, near_key_, draw_key_;
   std::vector<Receiver> receiver_;            // local
   std::vector<std::uint32_t> spatial_order_;  // of points, neighbours together
   // Of openings, for as many points of that order as kPointsPerProof: [group][luminaire].
   std::vector<std::vector<std::uint8_t>> free_openings_;
-  std::vector<std::uint8_t> active_;              // [point]
   std::vector<std::uint8_t> gathers_reflection_;  // [receiver]
-  std::vector<std::uint8_t> may_be_sampled_;      // [point]
-  std::vector<double> clear_m_;       // [point], up to kClearReaches of the first look's reaches
-  std::vector<ReceiverGroup> tiles_;  // of this look
-  std::size_t look_points_ = 0;       // in them
-  std::vector<std::uint8_t> has_indirect_;  // [point], 0 = proved that indirect light is 0
-  PossibleVertex possible_vertex_;          // of this look
-  std::vector<double> possible_sample_lx_;  // [point], the largest of its looks
-  double reach_m_ = 0.0;                    // of this look's short rays
+  std::vector<ReceiverGroup> tiles_;              // of this look
+  std::size_t look_points_ = 0;                   // in them
+  std::vector<std::uint8_t> has_indirect_;        // [point], 0 = proved that indirect light is 0
+  PossibleVertex possible_vertex_;                // of this look
+  double reach_m_ = 0.0;                          // of this look's short rays
   std::vector<double> look_near_lx_, look_drawn_lx_;  // [replicate][point], of this look alone
-  std::vector<double> short_ray_factor_;              // [point]
-
-  std::vector<double> direct_sum_lx_;             // [replicate][channel][point], sum over rounds
-  std::vector<std::uint32_t> rounds_;             // [point]
-  std::vector<float> largest_opening_lx_;         // [point], largest sample of a round
-  std::vector<std::uint8_t> has_hidden_opening_;  // [point], 1: some sample was not seen
-  std::vector<std::uint8_t> has_seen_opening_;    // [point], 1: some sample was
-  std::uint32_t most_rounds_ = 0;
-  std::vector<double> indirect_sum_lx_;  // [r][c][p], sum over batches of estimate times paths
-  std::vector<std::uint64_t> paths_;     // [point], per replicate
-  std::vector<float> largest_sum_lx_;    // [replicate][point], largest sample times its paths
-  std::vector<std::uint64_t> replicate_connection_rays_, replicate_near_rays_;
-  bool is_active_ = true;
-  PlaneField field_;
 };
 
 }  // namespace calc

@@ -17,7 +17,21 @@
 
 namespace calc {
 
+class EntryStore;
 struct VertexCache;
+
+// Where looks are kept from run to run.
+struct LookStore {
+  EntryStore& entries;
+  std::string backend;  // who computes, with versions: looks of one are not another's
+};
+
+// What became of a space's looks; none of it is in a result.
+struct LookCounts {
+  std::uint64_t read = 0;      // taken from the store, one for each plane and look
+  std::uint64_t computed = 0;  // and those that were not there
+  bool has_rays = false;       // something had to be prepared for rays; false: none was traced
+};
 
 // Which look it is: a plane takes at most `planned` looks (sample sizes double), a number fixed
 // before the first, so that a test may spend its error probability over them.
@@ -51,15 +65,18 @@ struct SpaceSolution {
   FluxBalance balance;             // of all light paths traced; emitted only when none was needed
   SolveTimes times;
   std::uint64_t pool_rays = 0;  // rays of all light paths
+  LookCounts looks;
 };
 
 // Settings must be valid. Same scene, task and seed give the same bits for any settings.jobs and
 // any other tasks, unless a time limit or the progress sink stopped the run. cache: light vertices
 // to take instead of tracing paths, which gives the same bits; must be of this scene
-// (scene_fingerprint()) and these settings (VertexCache::fit()).
+// (scene_fingerprint()) and these settings (VertexCache::fit()). store: complete looks are taken
+// from it and put there, which gives the same bits, too; not used beside a cache.
 SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<PlaneTask>& tasks,
                                 const RadiositySettings& settings, double confidence,
                                 const Stages& stages, const LookTest& test,
-                                const ProgressSink& progress, const VertexCache* cache = nullptr);
+                                const ProgressSink& progress, const VertexCache* cache = nullptr,
+                                const LookStore* store = nullptr);
 
 }  // namespace calc

@@ -141,6 +141,7 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
   if (choice.backend != Backend::gpu) {
     backend.gatherer = calc::make_cpu_gatherer();
     backend.description = backend.gatherer->description();
+    backend.identity = backend.description;
     return backend;
   }
   const auto thread = gpu::DeviceThread::open({choice.device, fault, program_folder}, problem);
@@ -161,6 +162,9 @@ std::optional<OpenBackend> open_backend(const BackendChoice& choice, gpu::Fault 
     backend.description = backend.gatherer->description();
     if (stages.light_paths) backend.description += "; light paths too";
   }
+  const gpu::Device& device = thread->device();
+  backend.identity = fmt::format("{}; {}; {}; {}", backend.description, device.vendor,
+                                 device.renderer, device.version);
   return backend;
 }
 

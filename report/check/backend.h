@@ -80,6 +80,8 @@ struct OpenBackend {
   std::unique_ptr<calc::ShortRayCaster> short_rays;  // null: the CPU
   // For reports: "cpu (Embree 3.13.5)", "gpu (...): light-paths; cpu (...): connections, ...".
   std::string description;
+  // The same with all that bits may depend on, the driver's version too: of looks that are kept.
+  std::string identity;
 
   calc::Stages stages() const { return {*gatherer, path_tracer.get(), short_rays.get()}; }
 };

@@ -131,7 +131,8 @@ calc::SpaceSolution solve(const calc::Project& project, const calc::PreparedScen
     return context.observer.go_on(solve_progress);
   };
   return calc::solve_illuminance(scene, tasks.list, remaining_settings(wanted, watch),
-                                 wanted.confidence, context.stages, test, progress, cache);
+                                 wanted.confidence, context.stages, test, progress, cache,
+                                 context.store);
 }
 
 // Nothing leaves a closed room, unless a luminaire stands outside it or in a wall.
@@ -286,8 +287,8 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
   }
   Settings settings = given.settings;
   settings.today = day_of(given.settings);  // one day, even over midnight
-  const Context context{settings,     given.files,    given.packs,
-                        given.stages, given.observer, given.vertices};
+  const Context context{settings,       given.files,    given.packs, given.stages,
+                        given.observer, given.vertices, given.store};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   const std::optional<rules::JudgedProject> loaded =

@@ -3,6 +3,7 @@
 // illuminance, verdicts.
 
 #include "calc/base/file_reader.h"
+#include "calc/radiosity/solve.h"
 #include "calc/radiosity/stages.h"
 #include "report/check/observer.h"
 #include "report/check/settings.h"
@@ -24,6 +25,7 @@ struct Context {
   const calc::Stages& stages;
   Observer& observer;
   const VertexSource* vertices = nullptr;  // settings are its own; or null
+  const calc::LookStore* store = nullptr;  // of looks, to be used again; never changes a result
 };
 
 // Calculates and judges. Input errors end up in the part's diagnostics and leave it not judged; a

@@ -12,8 +12,6 @@
 namespace report {
 namespace {
 
-constexpr double kSamePlace_m = 1e-6;
-
 class Inputs {
  public:
   explicit Inputs(RevisionPlace place) : place_(std::move(place)) {}
@@ -40,10 +38,6 @@ std::string photometry_words(const LuminaireRow& row) {
   if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
   words += ", maintenance factor " + format_shortest(row.maintenance_factor);
   return words;
-}
-
-bool is_same_place(const glm::dvec3& a, const glm::dvec3& b) {
-  return glm::length(a - b) <= kSamePlace_m;
 }
 
 // Of one type, those of either side that the other has not, and how far the others went: each is
@@ -123,7 +117,7 @@ bool is_same_body(const BodyMark& a, const BodyMark& b) {
   if (a.lines_m.size() != b.lines_m.size()) return false;
   for (std::size_t k = 0; k < a.lines_m.size(); ++k) {
     for (std::size_t end = 0; end < 2; ++end) {
-      if (glm::length(a.lines_m[k][end] - b.lines_m[k][end]) > kSamePlace_m) return false;
+      if (!is_same_place(a.lines_m[k][end], b.lines_m[k][end])) return false;
     }
   }
   return true;

@@ -4,12 +4,22 @@
 
 #include "report/document/document.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace report {
+
+// Two places nearer than this are the same: less than any drawing means, more than numbers lose on
+// their way through a file.
+constexpr double kSamePlace_m = 1e-6;
+template <class Point>  // glm::dvec2, glm::dvec3
+bool is_same_place(const Point& a, const Point& b) {
+  return glm::length(a - b) <= kSamePlace_m;
+}
 
 // Either may be null: gone, or new.
 template <class Part>

@@ -18,7 +18,6 @@ namespace report {
 namespace {
 
 constexpr double kSameShare = 1e-9;  // of numbers that were calculated, not written
-constexpr double kSamePlace_m = 1e-6;
 
 bool is_same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b)) ||
@@ -208,7 +207,7 @@ PlaneShape shape_of(const PlanePart& plane) {
 bool is_same(const PlaneShape& a, const PlaneShape& b) {
   if (a.corner_m.size() != b.corner_m.size() || !is_same(a.width_m, b.width_m)) return false;
   for (std::size_t k = 0; k < a.corner_m.size(); ++k) {
-    if (glm::length(a.corner_m[k] - b.corner_m[k]) > kSamePlace_m) return false;
+    if (!is_same_place(a.corner_m[k], b.corner_m[k])) return false;
   }
   return true;
 }

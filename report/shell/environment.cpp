@@ -38,6 +38,7 @@ Environment read_environment() {
   environment.term = variable("TERM");
   environment.gl_fault = variable("LUXGATE_GL_FAULT");
   environment.program_folder = program_folder();
+  environment.store = variable("LUXGATE_STORE");
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
   if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);

@@ -12,6 +12,7 @@ struct Environment {
   // or
   // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
   std::string program_folder;
+  std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known

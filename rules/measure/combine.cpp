@@ -23,21 +23,38 @@ void add_weighted(const std::vector<double>& from_lx, std::size_t row, double we
   for (std::size_t i = 0; i < to_lx.size(); ++i) to_lx[i] += weight * values[i];
 }
 
+// Of each point, over all rows of some parts of a field; row by row, as they lie in memory.
+struct PointSums {
+  explicit PointSums(std::size_t points) : all_lx(points, 0.0), scene_lx(points, 0.0) {}
+
+  // replicates: what the part's values are divided by.
+  void add(const std::vector<double>& part, const std::vector<double>& weights, double replicates) {
+    const std::size_t points = all_lx.size();
+    for (std::size_t row = 0; row * points < part.size(); ++row) {
+      const double weight = weights[row % weights.size()];
+      const double* values = part.data() + row * points;
+      for (std::size_t i = 0; i < points; ++i) {
+        all_lx[i] += values[i] / replicates;
+        scene_lx[i] += weight * values[i] / replicates;
+      }
+    }
+  }
+
+  std::vector<double> all_lx, scene_lx;  // [point]: all channels at full output, weighted
+};
+
 // [point]: 1 if sampled light of these channels may reach the point, but no sample did. The field's
 // own marks speak of all channels together; a scene with fewer of them may miss more points.
 std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
                                       const std::vector<double>& weights) {
   std::vector<std::uint8_t> unseen(field.points, 0);
   if (field.unseen.empty()) return unseen;
+  PointSums sums(field.points);
+  sums.add(field.direct_sampled_lx, weights, 1.0);
+  sums.add(field.indirect_lx, weights, 1.0);
   for (std::size_t i = 0; i < field.points; ++i) {
-    double weighted_lx = 0.0, all_lx = 0.0;
-    for (const std::vector<double>* part : {&field.direct_sampled_lx, &field.indirect_lx}) {
-      for (std::size_t k = i; k < part->size(); k += field.points) {
-        all_lx += (*part)[k];
-        weighted_lx += weights[k / field.points % weights.size()] * (*part)[k];
-      }
-    }
-    unseen[i] = weighted_lx == 0.0 && (field.unseen[i] != 0 || all_lx > 0.0) ? 1 : 0;
+    const bool may_be_lit = field.unseen[i] != 0 || sums.all_lx[i] > 0.0;
+    unseen[i] = sums.scene_lx[i] == 0.0 && may_be_lit ? 1 : 0;
   }
   return unseen;
 }
@@ -46,21 +63,16 @@ std::vector<std::uint8_t> find_unseen(const calc::PlaneField& field,
 // point's light, one sample may be more of it. An upper bound: the sample may be of any channel.
 std::vector<float> scale_shares(const calc::PlaneField& field, const std::vector<double>& weights) {
   std::vector<float> shares = field.largest_share;
+  if (shares.empty()) return shares;
   const double largest_weight = *std::max_element(weights.begin(), weights.end());
+  PointSums sums(field.points);
+  sums.add(field.direct_exact_lx, weights, 1.0);
+  sums.add(field.direct_sampled_lx, weights, static_cast<double>(field.replicates));
+  sums.add(field.indirect_lx, weights, static_cast<double>(field.replicates));
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    double full_lx = 0.0, scene_lx = 0.0;
-    const auto add = [&](const std::vector<double>& part, double replicates) {
-      for (std::size_t k = i; k < part.size(); k += field.points) {
-        full_lx += part[k] / replicates;
-        scene_lx += weights[k / field.points % weights.size()] * part[k] / replicates;
-      }
-    };
-    add(field.direct_exact_lx, 1.0);
-    add(field.direct_sampled_lx, static_cast<double>(field.replicates));
-    add(field.indirect_lx, static_cast<double>(field.replicates));
     // A dark point is unseen or exactly dark; neither is a matter of shares.
-    if (!(scene_lx > 0.0)) continue;
-    shares[i] *= static_cast<float>(largest_weight * full_lx / scene_lx);
+    if (!(sums.scene_lx[i] > 0.0)) continue;
+    shares[i] *= static_cast<float>(largest_weight * sums.all_lx[i] / sums.scene_lx[i]);
   }
   return shares;
 }

@@ -5,14 +5,14 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(folders
-  calc/base calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/proofs calc/meshes
+  calc/base calc/store calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/proofs calc/meshes
   calc/project calc/radiosity calc/forecast
   rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu
   report/document report/text report/revision report/build report/images report/html report/result_file report/formats report/check
   report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
   report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
-  report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/validate
+  report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/store report/tools/validate
   report/tools/vpl report/cli)
 
 set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli))$")

@@ -1,6 +1,7 @@
 #include "report/tools/check/check.h"
 
 #include "calc/base/numbers_version.h"
+#include "calc/store/entry_folder.h"
 #include "report/check/check_project.h"
 #include "report/check/load_rules.h"
 #include "report/check/plan.h"
@@ -114,9 +115,13 @@ class CheckObserver : public check::Observer {
     return !interrupted();
   }
   bool is_stopped() const override { return interrupted(); }
+  // Of all projects.
+  const calc::LookCounts& looks() const { return looks_; }
   void solved(const std::string& project_path, const std::string& space_id,
               const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
               const calc::SpaceSolution& solution) override {
+    looks_.read += solution.looks.read;
+    looks_.computed += solution.looks.computed;
     if (!options_.explain_cost) return;
     cost_log_ +=
         explain_cost(project_path, space_id, scene, tasks, options_.settings.radiosity, solution);
@@ -131,7 +136,26 @@ class CheckObserver : public check::Observer {
   Progress progress_;
   std::optional<PictureMaker> pictures_;
   std::string cost_log_;
+  calc::LookCounts looks_;
 };
+
+// To standard error alone: nothing of a store is in a result, nor does --strict count it.
+void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles) {
+  calc::Diagnostics diagnostics;
+  if (troubles.unusable > 0) {
+    diagnostics.report(calc::DiagnosticId::store_entry_unusable, {folder, 0, 0}, troubles.unusable,
+                       troubles.unusable_why);
+  }
+  if (!troubles.not_written.empty()) {
+    diagnostics.report(calc::DiagnosticId::store_not_written, {folder, 0, 0}, troubles.not_written);
+  }
+  print_diagnostics(diagnostics.all(), false);
+}
+
+std::string looks_line(const calc::LookCounts& looks) {
+  return fmt::format("store: {} looks of planes taken from it, {} computed\n", looks.read,
+                     looks.computed);
+}
 
 }  // namespace
 
@@ -174,6 +198,12 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
 
   watch_for_interrupt();
   const calc::Stages stages = opened->stages();
+  std::optional<calc::EntryFolder> folder;
+  std::optional<calc::LookStore> store;
+  if (!options.store.empty()) {
+    folder.emplace(options.store);
+    store.emplace(calc::LookStore{*folder, opened->identity});
+  }
   CheckObserver observer(options, context);
   options.output.are_messages_printed = !options.output.quiet;
   WarningTally warnings(options.strict);
@@ -181,8 +211,9 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   document.provenance = provenance_of(options, backend.backend, opened->description);
   for (const std::string& path : options.input.projects) {
     observer.progress().start_project(path);
-    document.projects.push_back(check_safely(path, {options.settings, files, *packs, stages,
-                                                    observer, vertices ? &*vertices : nullptr}));
+    document.projects.push_back(
+        check_safely(path, {options.settings, files, *packs, stages, observer,
+                            vertices ? &*vertices : nullptr, store ? &*store : nullptr}));
     observer.progress().clear();
     if (interrupted()) {
       fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
@@ -197,14 +228,17 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   document.provenance.same_bits =
       report::same_bits_of(document, backend.backend == check::Backend::gpu);
   if (options.explain_cost) {
-    fmt::print(stderr, "{}{}", check::backend_line(backend), observer.cost_log());
+    fmt::print(stderr, "{}{}{}", check::backend_line(backend), observer.cost_log(),
+               store ? looks_line(observer.looks()) : "");
   }
-  if (baseline)
+  if (baseline) {
     document.revision = report::revise(*baseline, document, options.baseline, options.gate);
+  }
   if (options.output.redact) report::redact(document);
   const bool is_written =
       write_results(options.output, context.environment, document, files.paths());
   warnings.print(options.output.quiet);
+  if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
   return is_written ? exit_code_of(report::gate_outcome(document)) : kNotJudged;
 }
 

@@ -1,5 +1,6 @@
 #include "report/tools/check/check_options.h"
 
+#include "calc/store/entry_folder.h"
 #include "report/shell/option_values.h"
 #include "report/text/shell_words.h"
 
@@ -89,6 +90,16 @@ std::vector<Option> gate_options(CheckOptions& options) {
        some_text(options.gate.weaker_accepted_by)}};
 }
 
+// The folder that is meant, "" = none, and what is wrong with it.
+std::string take_store(const std::string& variable, std::string& store) {
+  const bool is_given = !store.empty();
+  if (!is_given) store = variable;
+  if (store == "off") store.clear();
+  if (store.empty()) return "";
+  const std::string problem = calc::problem_with_store(store);
+  return problem.empty() ? "" : (is_given ? "--store: " : "LUXGATE_STORE: ") + problem;
+}
+
 std::string complete(CheckOptions& options, const Environment& environment) {
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
@@ -104,7 +115,8 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
     return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
   }
-  std::string problem = complete_work(options.settings.radiosity, options.backend);
+  std::string problem = take_store(environment.store, options.store);
+  if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
   return problem.empty() ? project_contradiction(options.input) : problem;
 }
@@ -130,6 +142,12 @@ Command check_syntax(CheckOptions& options) {
         some_text(options.vpl_file),
         false,
         {"--seed", "--replicates", "--max-paths", "--by-luminaire"}},
+       {"--store", "DIR",
+        "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
+        "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "
+        "set,\n"
+        "else none. See 'luxgate store'",
+        some_text(options.store)},
        strict_option(options.strict),
        quiet_option_with_count(options.output.quiet)});
   command.footer = kExitCodes;

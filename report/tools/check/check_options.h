@@ -23,6 +23,7 @@ struct CheckOptions {
   std::string baseline;  // a result file; "" = none
   report::Gate gate;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
+  std::string store;     // folder of looks to be used again; "" = none
 };
 
 // What may stand behind `luxgate check`; sets `options`.

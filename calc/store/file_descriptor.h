@@ -1,0 +1,60 @@
+#pragma once
+// Open files by number, for what streams cannot do: no links, no waiting, relative to a folder.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int number) : number_(number) {}
+  ~FileDescriptor() {
+    if (is_open()) close(number_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+
+  // Until all is there, the file ends or something fails: how much was read.
+  std::size_t read(char* into, std::size_t bytes) const {
+    std::size_t done = 0;
+    while (done < bytes) {
+      const ssize_t got = ::read(number_, into + done, bytes - done);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    return done;
+  }
+  // False: not all of it; errno says why.
+  bool write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t put = ::write(number_, bytes.data(), bytes.size());
+      if (put < 0 && errno == EINTR) continue;
+      if (put < 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return true;
+  }
+
+ private:
+  int number_;
+};
+
+// Files that a killed writer leaves behind begin so.
+inline constexpr std::string_view kTemporaryPrefix = ".new-";
+
+// follows: whether the last part of the path may be a link.
+inline int open_folder(int at, const std::string& path, bool follows) {
+  return openat(at, path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | (follows ? 0 : O_NOFOLLOW));
+}
+
+}  // namespace calc
