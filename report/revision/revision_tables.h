@@ -25,6 +25,9 @@ std::vector<RevisionTable> revision_tables(const Document& document, const Texts
 // revision.
 std::vector<std::string> revision_remarks(const Document& document, const Texts& t);
 
+// What a gate for regressions says of it, one sentence; "" without one.
+std::string gate_words(const Document& document, const Texts& t);
+
 // "✗ broken", for annotations and machines' reports.
 const char* change_words(const Texts& t, ResultChange change);
 const char* change_words(const Texts& t, QuestionChange change);
