@@ -74,7 +74,8 @@ struct ChangedResult {
   ResultChange change = ResultChange::same;
   RevisionPlace place;
   bool is_aggregate = false;
-  std::string quantity;  // "average, scene night": English, as all of a data format
+  std::optional<rules::Metric> metric;  // of a requirement
+  std::string quantity;                 // "average, scene night": English, as all of a data format
   std::string unit;
   std::optional<rules::Verdict> verdict_before, verdict_after;  // none: it was not asked
   bool is_waived_before = false, is_waived_after = false;
@@ -110,10 +111,17 @@ struct ChangedPlane {
 
 enum class GateMode : std::uint8_t { all, regression };
 
+// Of a value: what may be lost without a word.
+struct AllowedLoss {
+  rules::Metric metric = rules::Metric::average;
+  double share = 0.0;  // 0 to 1
+};
+
 struct Gate {
   GateMode mode = GateMode::all;
-  double allowed_worse = 0.01;     // of a value: what may be lost without a word
+  double allowed_worse = 0.01;     // share; of quantities that are not in the list
   std::string weaker_accepted_by;  // the reason; "" = weaker questions are not accepted
+  std::vector<AllowedLoss> allowed_worse_of = {};  // each quantity once at most
 };
 
 struct Revision {

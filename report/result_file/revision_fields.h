@@ -30,7 +30,11 @@ void describe(auto& v, Is<ChangedResult> auto& result) {
                 "passes. new: was not asked, and does not fail."});
   v.field("place", result.place);
   v.field("is_aggregate", result.is_aggregate, {.words = "Else it is a requirement."});
-  v.field("quantity", result.quantity);
+  v.field("quantity", result.metric,
+          {.words = "Of a requirement.", .presence = only_if(result.metric.has_value())});
+  v.field(
+      "quantity_words", result.quantity,
+      {.words = "For people: with its scene, or the kind of an aggregate.", .holds = Holds::prose});
   v.field("unit", result.unit);
   v.field("counts", result.counts, {.words = "For the exit code."});
   v.field("verdict_before", result.verdict_before,
@@ -75,6 +79,12 @@ void describe(auto& v, Is<ChangedPlane> auto& plane) {
           {.words = "Of each point of that plane, in the order of its points."});
 }
 
+void describe(auto& v, Is<AllowedLoss> auto& loss) {
+  v.is("allowed_loss");
+  v.field("quantity", loss.metric);
+  v.field("share", loss.share, {.least = 0.0, .below = 1.0});
+}
+
 void describe(auto& v, Is<Gate> auto& gate) {
   v.is("gate");
   v.field("mode", gate.mode,
@@ -82,6 +92,9 @@ void describe(auto& v, Is<Gate> auto& gate) {
                     "not of failures that were there before."});
   v.field("allowed_worse", gate.allowed_worse,
           {.words = "Share of a value that may be lost.", .least = 0.0, .below = 1.0});
+  v.field("allowed_worse_of", gate.allowed_worse_of,
+          {.words = "Of quantities that may lose another share.",
+           .presence = only_if(!gate.allowed_worse_of.empty())});
   v.field(
       "weaker_accepted_by", gate.weaker_accepted_by,
       {.words = "The reason given; '': weaker questions are not accepted.", .holds = Holds::prose});

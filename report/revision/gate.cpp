@@ -6,7 +6,11 @@ namespace report {
 namespace {
 
 // Of 0 before no share is known: then any loss is too much.
-bool is_worse_than(const ChangedResult& result, double allowed) {
+bool is_worse_than_allowed(const ChangedResult& result, const Gate& gate) {
+  double allowed = gate.allowed_worse;
+  for (const AllowedLoss& loss : gate.allowed_worse_of) {
+    if (result.metric == loss.metric) allowed = loss.share;
+  }
   return !(result.gain.high >= -allowed);
 }
 
@@ -17,7 +21,7 @@ bool stops(const ChangedResult& result, const Gate& gate) {
     case ResultChange::new_failing:
       return true;
     case ResultChange::worse:
-      return is_worse_than(result, gate.allowed_worse);
+      return is_worse_than_allowed(result, gate);
     default:
       return false;
   }

@@ -93,6 +93,7 @@ ChangedResult compare_results(const rules::Finding* before, const rules::Finding
   const rules::Finding& any = after != nullptr ? *after : *before;
   ChangedResult result;
   result.place = place;
+  result.metric = any.requirement.metric;
   result.quantity = quantity_words(any.requirement) + scene_words({}, any.requirement);
   result.unit = rules::unit_of(any.requirement);
   result.counts = any.requirement.severity == rules::Severity::shall;

@@ -33,17 +33,21 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
   return value;
 }
 
+std::optional<double> parse_share(std::string_view text) {
+  const bool is_percent = text.ends_with('%');
+  if (is_percent) text.remove_suffix(1);
+  const std::optional<double> number = calc::parse_number(text);
+  if (!number) return std::nullopt;
+  return *number / (is_percent ? 100.0 : 1.0);
+}
+
 ValueParser share_between(double& target, double low, double high) {
   return [&target, low, high](const std::string& text) -> std::string {
-    const bool is_percent = text.ends_with('%');
-    const std::string_view digits =
-        std::string_view(text).substr(0, text.size() - (is_percent ? 1 : 0));
-    const std::optional<double> number = calc::parse_number(digits);
-    const double value = number.value_or(0.0) / (is_percent ? 100.0 : 1.0);
-    if (!number || !(value > low && value < high)) {
+    const std::optional<double> value = parse_share(text);
+    if (!value || !(*value > low && *value < high)) {
       return fmt::format("a number between {} and {} is needed, or a percentage", low, high);
     }
-    target = value;
+    target = *value;
     return "";
   };
 }

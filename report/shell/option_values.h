@@ -17,7 +17,9 @@ namespace cli {
 // Digits only.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
-// "0.02" or "2%", strictly between low and high.
+// "0.02" or "2%".
+std::optional<double> parse_share(std::string_view text);
+// Strictly between low and high.
 ValueParser share_between(double& target, double low, double high);
 // low to high inclusive; high must fit into the target.
 ValueParser whole_number(std::uint64_t& target, std::uint64_t low, std::uint64_t high);

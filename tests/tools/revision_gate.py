@@ -111,6 +111,10 @@ expect("accepted", check(lowered, *GATE, "--accept-weaker", "the client agreed")
 expect("all", check(lowered), 1, "▼ asks less", "FAIL", without=["Gate for regressions"])
 darker = write("darker-under-the-same-name", candela="900 864 774 630 432 216 0")
 expect("allowed", check(darker, *GATE, "--allow-worse", "15%"), 0, OPEN)
+expect("allowed of this", check(darker, *GATE, "--allow-worse", "average=15%", "--allow-worse", "minimum=15%"), 0, OPEN)
+expect("allowed of others", check(darker, *GATE, "--allow-worse", "Uo=15%"), 1, "stopped by 2 worse")
+expect("not a share", check(darker, *GATE, "--allow-worse", "100%"), 2, "a share from 0 to below 1")
+expect("not a quantity", check(darker, *GATE, "--allow-worse", "avrage=1%"), 2, "average")
 
 unreadable = write("unreadable", limit="none")
 expect("unreadable", check(unreadable, *GATE), 2, "Gate for regressions: not judged")
@@ -142,6 +146,12 @@ expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the pla
 # Two results side by side: what is asked and judged comes first, in another folder, too.
 other = WORK / "lowered.json"
 luxgate("check", lowered, "--pictures", "off", "-q", "--format", f"json={other}")
+beside = luxgate("report", other, "--baseline", BASELINE, *GATE)
+expect("report", beside, 1, "▼ asks less", "Gate for regressions: stopped by")
+if beside.stdout != check(lowered, *GATE).stdout:
+    problems.append("report --baseline: another text than check --baseline")
+expect("report without gate", luxgate("report", other, "--baseline", BASELINE), 0, "▼ asks less")
+expect("report without baseline", luxgate("report", other, *GATE), 2, "--gate regression needs a --baseline")
 expect("compare", luxgate("compare", other, BASELINE), 1, "▼ asks less", "ASKED OR JUDGED OTHERWISE: 0 of")
 expect("compare itself", luxgate("compare", other, other), 0, "Alike: 0 of", without=["asks less"])
 expect("compare values only", luxgate("compare", other, BASELINE, "--partial"), 0, "Alike: 0 of", without=["asks less"])

@@ -1,6 +1,7 @@
 #include "report/tools/check/check_options.h"
 
 #include "calc/store/entry_folder.h"
+#include "report/shell/gate_options.h"
 #include "report/shell/option_values.h"
 #include "report/text/shell_words.h"
 
@@ -66,30 +67,6 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
        seconds(settings.radiosity.time_limit_s)}};
 }
 
-std::vector<Option> gate_options(CheckOptions& options) {
-  return {
-      {"--baseline", "FILE",
-       "Say what became worse or better, what is asked for less and what has changed since this\n"
-       "result, a file that '--format json' wrote",
-       some_text(options.baseline)},
-      {"--gate",
-       "NAME",
-       "all: exit code 1 for everything that is not met; regression: only for what was met or\n"
-       "not asked before, for values that fell by more than --allow-worse, and for weaker\n"
-       "questions that are not accepted; default all",
-       choice<report::GateMode>(options.gate.mode, {{"all", report::GateMode::all},
-                                                    {"regression", report::GateMode::regression}}),
-       false,
-       {}},
-      {"--allow-worse", "SHARE",
-       "What a value may lose with --gate regression while its requirement is met, as 0.01 or\n"
-       "1%; default 0.01",
-       share_between(options.gate.allowed_worse, 0.0, 1.0)},
-      {"--accept-weaker", "REASON",
-       "Let weaker and other questions through --gate regression; the reason stands in reports",
-       some_text(options.gate.weaker_accepted_by)}};
-}
-
 // The folder that is meant, "" = none, and what is wrong with it.
 std::string take_store(const std::string& variable, std::string& store) {
   const bool is_given = !store.empty();
@@ -106,11 +83,10 @@ std::string complete(CheckOptions& options, const Environment& environment) {
     if (!problem.empty()) return problem;
   }
   options.settings.today = day_of_moment(options.timestamp);
-  if (options.baseline.empty() && options.gate.mode == report::GateMode::regression) {
-    return "--gate regression needs a --baseline to compare with";
-  }
-  if (options.gate.mode == report::GateMode::all && !options.gate.weaker_accepted_by.empty()) {
-    return "--accept-weaker is for --gate regression";
+  if (std::string problem =
+          gate_contradiction(options.gate, !options.baseline.empty(), "a --baseline");
+      !problem.empty()) {
+    return problem;
   }
   if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
     return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
@@ -128,7 +104,8 @@ Command check_syntax(CheckOptions& options) {
   command.places = {projects_place(options.input)};
   command.options = {rules_of_projects(options.input)};
   add(command.options, output_options(options.output));
-  add(command.options, gate_options(options));
+  add(command.options, {baseline_option(options.baseline)});
+  add(command.options, gate_options(options.gate));
   add(command.options, document_options(options));
   add(command.options, accuracy_options(options.settings));
   add(command.options, work_options(options.settings.radiosity));

@@ -2,6 +2,9 @@
 
 #include "calc/base/file_reader.h"
 #include "report/result_file/redact.h"
+#include "report/revision/gate.h"
+#include "report/revision/revise.h"
+#include "report/shell/gate_options.h"
 #include "report/shell/option_values.h"
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
@@ -9,28 +12,40 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace cli {
 namespace {
 
 ExitCode run_report(const ReportOptions& asked, const Environment& environment) {
   ReportOptions options = asked;
-  const std::string output_problem = check_outputs(options.output, {options.result_file});
+  std::vector<std::string> inputs{options.result_file};
+  if (!options.baseline.empty()) inputs.push_back(options.baseline);
+  const std::string output_problem = check_outputs(options.output, inputs);
   if (!output_problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, output_problem);
     return kNotJudged;
   }
-  std::optional<report::Document> document =
-      read_result_or_print(options.result_file, calc::DiskFileReader());
+  const calc::DiskFileReader files;
+  std::optional<report::Document> document = read_result_or_print(options.result_file, files);
   if (!document) return kNotJudged;
+  if (!options.baseline.empty()) {
+    const auto baseline = read_result_or_print(options.baseline, files);
+    if (!baseline) return kNotJudged;
+    document->revision = report::revise(*baseline, *document, options.baseline, options.gate);
+  }
   if (options.output.redact) report::redact(*document);
   for (const report::ProjectPart& project : document->projects) {
     print_diagnostics(project.diagnostics, options.output.quiet);
   }
   options.output.are_messages_printed = !options.output.quiet;
-  const bool is_written =
-      write_results(options.output, environment, *document, {path_identity(options.result_file)});
-  return is_written ? kAllMet : kNotJudged;
+  std::set<std::string> identities;
+  for (const std::string& input : inputs) identities.insert(path_identity(input));
+  if (!write_results(options.output, environment, *document, identities)) return kNotJudged;
+  const bool is_gate = options.gate.mode == report::GateMode::regression;
+  return is_gate ? exit_code_of(report::gate_outcome(*document)) : kAllMet;
 }
 
 }  // namespace
@@ -40,13 +55,17 @@ Command report_syntax(ReportOptions& options) {
   command.places = {
       {"result", "RESULT.json", "A file that 'check --format json' wrote", &options.result_file}};
   command.options = output_options(options.output);
+  add(command.options, {baseline_option(options.baseline)});
+  add(command.options, gate_options(options.gate));
   add(command.options, {passes_option(options.output.lists_passes),
                         color_option(options.output.color), quiet_option(options.output.quiet)});
   command.footer =
-      "Exit codes: 0 written, whatever the verdicts are; 2 an error, also a result whose verdicts\n"
-      "or counts do not follow from its numbers.";
+      "Exit codes: 0 written, whatever the verdicts are, with --gate regression those of 'check';\n"
+      "2 an error, also a result whose verdicts or counts do not follow from its numbers.";
   command.complete = [&options](const Environment&) {
-    return output_contradiction(options.output);
+    const std::string problem =
+        gate_contradiction(options.gate, !options.baseline.empty(), "a --baseline");
+    return problem.empty() ? output_contradiction(options.output) : problem;
   };
   return command;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // `luxgate report`: a result in other formats, without calculating.
 
+#include "report/document/revision.h"
 #include "report/shell/command.h"
 #include "report/shell/output_options.h"
 
@@ -10,6 +11,8 @@ namespace cli {
 
 struct ReportOptions {
   std::string result_file;
+  std::string baseline;  // a result to compare it with; "" = none
+  report::Gate gate;
   OutputOptions output;
 };
 
