@@ -111,8 +111,9 @@ struct Gate {
 };
 
 struct Revision {
-  std::string baseline;          // the file
-  std::string baseline_version;  // of the program that made it
+  std::string baseline;              // the file, or the git revision as it was given
+  std::vector<std::string> commits;  // of a git revision: full ids, one for each repository
+  std::string baseline_version;      // of the program that made it
   Gate gate;
   std::vector<ChangedResult> results;  // without those that are the same; gravest first
   std::size_t same = 0;

@@ -81,8 +81,13 @@ void describe(auto& v, Is<Gate> auto& gate) {
 }
 
 void describe(auto& v, Is<Revision> auto& revision) {
-  v.is("revision", "Against a baseline: only with --baseline.");
-  v.field("baseline", revision.baseline, {.holds = Holds::file});
+  v.is("revision", "Against a baseline: only with --baseline or --against.");
+  v.field("baseline", revision.baseline,
+          {.words = "The file, or the git revision as it was given: then it has commits.",
+           .holds = revision.commits.empty() ? Holds::file : Holds::text});
+  v.field("commits", revision.commits,
+          {.words = "Full ids of a git revision, one for each repository.",
+           .presence = only_if(!revision.commits.empty())});
   v.field("baseline_version", revision.baseline_version, {.words = "Of the program that made it."});
   v.field("gate", revision.gate);
   v.field("results", revision.results, {.words = "Those that changed, gravest first."});

@@ -25,6 +25,9 @@ std::vector<RevisionTable> revision_tables(const Document& document, const Texts
 // revision.
 std::vector<std::string> revision_remarks(const Document& document, const Texts& t);
 
+// "main.json", "main (0123456789)": the file, or the git revision with the id of its commit.
+std::string baseline_words(const Revision& revision);
+
 // "✗ broken", for annotations and machines' reports.
 const char* change_words(const Texts& t, ResultChange change);
 const char* change_words(const Texts& t, QuestionChange change);

@@ -66,12 +66,32 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
        seconds(settings.radiosity.time_limit_s)}};
 }
 
+// Its repository says whether it is one.
+ValueParser git_revision(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty() || text.front() == '-') {
+      return "a git revision: a branch, a tag, the id of a commit, HEAD~1";
+    }
+    target = text;
+    return "";
+  };
+}
+
 std::vector<Option> gate_options(CheckOptions& options) {
   return {
       {"--baseline", "FILE",
        "Say what became worse or better, what is asked for less and what has changed since this\n"
        "result, a file that '--format json' wrote",
        some_text(options.baseline)},
+      {"--against",
+       "REV",
+       "The same since a git revision (branch, tag, commit, HEAD~1): the same projects are "
+       "checked\n"
+       "as they were then, with the same options, from the repository's objects; the work tree is\n"
+       "not touched. --rules of the repository are those of then, others those of now",
+       git_revision(options.against),
+       false,
+       {"--baseline"}},
       {"--gate",
        "NAME",
        "all: exit code 1 for everything that is not met; regression: only for what was met or\n"
@@ -106,8 +126,9 @@ std::string complete(CheckOptions& options, const Environment& environment) {
     if (!problem.empty()) return problem;
   }
   options.settings.today = day_of_moment(options.timestamp);
-  if (options.baseline.empty() && options.gate.mode == report::GateMode::regression) {
-    return "--gate regression needs a --baseline to compare with";
+  const bool is_compared = !options.baseline.empty() || !options.against.empty();
+  if (!is_compared && options.gate.mode == report::GateMode::regression) {
+    return "--gate regression needs a --baseline or --against to compare with";
   }
   if (options.gate.mode == report::GateMode::all && !options.gate.weaker_accepted_by.empty()) {
     return "--accept-weaker is for --gate regression";
@@ -141,7 +162,7 @@ Command check_syntax(CheckOptions& options) {
         "seed, replicates and the most paths are the file's. Results are the same to the bit",
         some_text(options.vpl_file),
         false,
-        {"--seed", "--replicates", "--max-paths", "--by-luminaire"}},
+        {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
        {"--store", "DIR",
         "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
         "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "
