@@ -10,6 +10,7 @@ luxgate_test(report_tests
     unit/report/formats/german_report_test.cpp
     unit/report/html/heatmap_svg_test.cpp
     unit/report/images/heatmap_test.cpp
+    unit/report/html/html_difference_test.cpp
     unit/report/html/html_test.cpp
     unit/report/html/isolux_test.cpp
     unit/report/result_file/json_test.cpp

@@ -357,6 +357,7 @@ CalcPlane read_named_plane(ProjectContext& context, ElementReader& reader) {
   CalcPlane plane;
   plane.id = reader.id();
   context.planes.add(reader, plane.id, 0);
+  plane.was = context.former_planes.read(reader, plane.id);
   plane.name = reader.text_or("name", "");
   plane.where = reader.where();
   for (const XmlElement& child : reader.element().children) {

@@ -2,6 +2,7 @@
 // What all parts of the project reader share, and the attribute types only project files have.
 
 #include "calc/base/xml_reader.h"
+#include "calc/project/former_ids.h"
 #include "calc/project/project_files.h"
 #include "calc/scene/polygon_mend.h"
 #include "calc/scene/project.h"
@@ -62,6 +63,7 @@ struct ProjectContext {
   IdTable materials{"material"};
   IdTable luminaire_types{"luminaire type"};
   IdTable planes{"plane"};
+  FormerIds former_planes{"plane"};
   std::set<std::string, std::less<>>
       groups{};  // dimming groups of all luminaires, faulty ones included
   std::set<std::string> planes_on_surfaces{};  // asked for with 'on' or 'on-top-of'

@@ -145,6 +145,9 @@ const ValueType kRoomIdType{
 // Attributes that several elements have.
 const AttributeRow kIdAttribute{"id", &kIdType, required};
 const AttributeRow kNameAttribute{"name", &kAnyText};
+const AttributeRow kWasAttribute{"was", &kIdType, optional,
+                                 "The id in earlier revisions, so that a comparison with one of "
+                                 "them knows what was renamed."};
 const AttributeRow kFileAttribute{"file", &kTextType, required};
 const AttributeRow kMaterialAttribute{"material", &kIdType, required};
 const AttributeRow kMaterialOfOthersAttribute{"material", &kIdType, optional,
@@ -496,6 +499,7 @@ modelling: cylindrical illuminance / planar illuminance, no unit, on the plane's
 four vertical planes (of an upright axis: +x, +y, -x, -y) in place of the cylindrical integral.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
+                   kWasAttribute,
                    {"height", &kNonNegativeType},
                    {"origin", &kVectorType},
                    {"u", &kVectorType},
@@ -527,6 +531,7 @@ stands in the way. A room's floor is such a surface, in the open z = 0 where the
 go by the line and the width.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
+                   kWasAttribute,
                    {"points", &kRouteLineType, required,
                     "The centre line; z: the walking surface about there."},
                    {"width", &kPositiveType, required},
@@ -568,8 +573,8 @@ const ElementRow kWorkplaceElement{
         R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
 "id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y. See
 rules/README.md.)",
-    .attributes = {kIdAttribute, kNameAttribute, kZoneOriginAttribute, kZoneSizeAttribute,
-                   kZoneFootprintAttribute, kHeightAboveFloorAttribute},
+    .attributes = {kIdAttribute, kNameAttribute, kWasAttribute, kZoneOriginAttribute,
+                   kZoneSizeAttribute, kZoneFootprintAttribute, kHeightAboveFloorAttribute},
     .children = {{"zone", &kZoneElement},
                  {"without", &kWithoutElement},
                  {"deviation", &kDeviationElement},
@@ -601,6 +606,7 @@ own; an InteriorFloor or Ceiling is what it is as seen from the room. Planes in 
 "on", and by "height" only if the space has an outline (PlanarGeometry) or its floor is one flat polygon.)",
     .attributes = {{"id", &kRoomIdType, required},
                    kNameAttribute,
+                   kWasAttribute,
                    {"origin", &kVectorType},
                    {"size", &kSizeType},
                    {"footprint", &kFootprintType},
@@ -620,6 +626,7 @@ const ElementRow kGbxmlRoomElement{
     .type = "room",
     .attributes = {{"id", &kRoomIdType, required},
                    kNameAttribute,
+                   kWasAttribute,
                    {"file", &kTextType},
                    {"space", &kTextType},
                    kMaterialOfOthersAttribute},

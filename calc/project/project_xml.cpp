@@ -45,6 +45,7 @@ void read_contents(ProjectContext& context, const XmlElement& root) {
   read_luminaire_types(context, root);
   read_rooms(context, root);
   read_open_space(context, root);
+  context.former_planes.check(context.diagnostics);
   read_energy(context, root);  // names groups of all luminaires
   read_light_scenes(context, root);
 }

@@ -132,11 +132,12 @@ void read_prism(ProjectContext& context, ElementReader& reader, Space& space, Ro
   space.bodies = make_shell_bodies(plan, materials, space.id, space.where);
 }
 
-void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
+void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, FormerIds& former) {
   const bool is_gbxml = reader.has("file");
   reader.allow(is_gbxml ? kGbxmlRoomElement : kPrismRoomElement);
   Space space;
   space.id = reader.id();
+  space.was = former.read(reader, space.id);
   space.name = reader.text_or("name", "");
   space.where = reader.where();
   ids.add(reader, space.id, 0);
@@ -171,11 +172,13 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids) {
 
 void read_rooms(ProjectContext& context, const XmlElement& root) {
   IdTable ids("room");
+  FormerIds former("room");
   for (const XmlElement& child : root.children) {
     if (child.name != "room") continue;
     ElementReader reader(child, context.diagnostics);
-    read_room(context, reader, ids);
+    read_room(context, reader, ids, former);
   }
+  former.check(context.diagnostics);
 }
 
 void read_open_space(ProjectContext& context, const XmlElement& root) {

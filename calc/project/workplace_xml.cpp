@@ -30,8 +30,9 @@ double area_outside_m2(const std::vector<glm::dvec2>& corners, const RoomShell& 
 
 class WorkplaceReader {
  public:
-  WorkplaceReader(ProjectContext& context, const PlaneSurroundings& around, const Space& space)
-      : context_(context), around_(around), space_(space) {}
+  WorkplaceReader(ProjectContext& context, const PlaneSurroundings& around, const Space& space,
+                  FormerIds& former)
+      : context_(context), around_(around), space_(space), former_(former) {}
 
   // Of a <workplace>, or the first copy of a <workplace-grid>.
   Workplace read(ElementReader& reader) {
@@ -39,6 +40,7 @@ class WorkplaceReader {
     Workplace workplace;
     workplace.where = reader.where();
     workplace.id = reader.id();
+    workplace.was = former_.read(reader, workplace.id);
     workplace.name = reader.text_or("name", "");
     workplace.element = reader.element();
     workplace.task_m = read_area(reader);
@@ -162,6 +164,7 @@ class WorkplaceReader {
   ProjectContext& context_;
   const PlaneSurroundings& around_;
   const Space& space_;
+  FormerIds& former_;
 };
 
 // What a <workplace-grid> adds.
@@ -224,6 +227,7 @@ void add_copies(const Copies& copies, ElementReader& reader, const Space& space,
       const std::string index = fmt::format("[{},{}]", column, row);
       Workplace copy = moved(first, copies.step_m * glm::dvec2(column, row));
       copy.id += index;
+      if (!copy.was.empty()) copy.was += index;
       if (!copy.name.empty()) copy.name += " " + index;
       copy.is_further_copy = column > 0 || row > 0;
       check_copy(reader, copy, space);
@@ -239,11 +243,12 @@ void add_copies(const Copies& copies, ElementReader& reader, const Space& space,
 void read_workplaces(ProjectContext& context, const XmlElement& room,
                      const PlaneSurroundings& surroundings, Space& space) {
   std::map<std::string, int> line_of_id;
+  FormerIds former("workplace");
   for (const XmlElement& child : room.children) {
     const bool is_grid = child.name == "workplace-grid";
     if (child.name != "workplace" && !is_grid) continue;
     ElementReader reader(child, context.diagnostics);
-    Workplace workplace = WorkplaceReader(context, surroundings, space).read(reader);
+    Workplace workplace = WorkplaceReader(context, surroundings, space, former).read(reader);
     if (surroundings.is_gbxml) reader.report(DiagnosticId::workplace_needs_room, child.where);
     const auto [first, is_new] = line_of_id.try_emplace(workplace.id, child.where.line);
     if (!is_new && !workplace.id.empty()) {
@@ -257,6 +262,7 @@ void read_workplaces(ProjectContext& context, const XmlElement& room,
       add_copies(copies, reader, space, space.workplaces);
     }
   }
+  former.check(context.diagnostics);
 }
 
 }  // namespace calc

@@ -169,7 +169,8 @@ struct RequirementText {
 };
 
 struct CalcPlane {
-  std::string id;  // unique in the project
+  std::string id;   // unique in the project
+  std::string was;  // its id in earlier revisions of the project; "" = the same
   std::string name;
   PlaneArea area;
   ReceiverKernel kernel = ReceiverKernel::planar;
@@ -215,7 +216,7 @@ struct LeftOutPlane {
 // Zones of a room as a standard's row wants them. The plain facts; rules/binding/workplace.h makes
 // planes.
 struct Workplace {
-  std::string id, name;
+  std::string id, was, name;  // was: as of a plane
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
   std::vector<glm::dvec2> task_m;  // world x and y, counter-clockwise; empty: the whole room
   std::optional<double> height_m;  // of the task, above the floor
@@ -244,7 +245,7 @@ struct EnergyUse {
 // A unit of calculation: a room, or the open space with everything outside all rooms. Rooms are
 // closed and opaque, so that nothing in one space changes the light in another.
 struct Space {
-  std::string id;
+  std::string id, was;  // was: as of a plane
   std::string name;
   std::optional<RoomShell> shell;  // empty for the open space and rooms of a building file
   std::string surfaces_file;       // of such a room, as the project names it; else ""

@@ -118,6 +118,7 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
 PlanePart named_plane(const calc::CalcPlane& plane, std::vector<rules::Finding> findings) {
   PlanePart part;
   part.id = plane.id;
+  part.was = plane.was;
   part.name = plane.name;
   part.where = plane.where;
   part.kernel = plane.kernel;
@@ -292,6 +293,7 @@ SpacePart build_space(const calc::Space& space, const calc::PreparedScene& scene
                       const calc::FluxBalance& balance, std::vector<PlanePart> planes) {
   SpacePart part;
   part.id = space.id;
+  part.was = space.was;
   part.name = space.name;
   if (space.shell) {
     part.footprint_m = space.shell->footprint_m;
@@ -323,6 +325,9 @@ ProjectPart build_project(const calc::Project& project) {
   }
   for (const calc::Material& material : project.materials) {
     part.materials.push_back({material.id, material.reflectance});
+  }
+  for (const calc::LightScene& scene : project.scenes) {
+    part.scenes.push_back({scene.id, scene.level_of_group});
   }
   return part;
 }

@@ -126,7 +126,7 @@ struct PlaneLook {
 };
 
 struct PlanePart {
-  std::string id, name, space_id;
+  std::string id, was, name, space_id;  // was: as of a room
   calc::SourceLocation where;
   // What all values below are that do not name a unit; calc::unit_of(derived) is theirs.
   calc::ReceiverKernel kernel = calc::ReceiverKernel::planar;
@@ -188,7 +188,7 @@ struct RoomPictures {
 };
 
 struct SpacePart {
-  std::string id, name;
+  std::string id, was, name;  // was: its id in earlier revisions; "" = the same
   calc::InstalledPower power;
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
@@ -204,6 +204,11 @@ struct SpacePart {
   RoomPictures pictures;
 };
 
+struct SceneRow {  // luminaires that are dimmed
+  std::string id;
+  std::vector<std::pair<std::string, double>> level_of_group;  // [0, 1]; others are at 1
+};
+
 struct ProjectPart {
   std::string path, name;
   bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
@@ -212,6 +217,7 @@ struct ProjectPart {
   std::vector<calc::DiagnosticId> strict_warnings;
   std::vector<LuminaireRow> luminaires;
   std::vector<MaterialRow> materials;
+  std::vector<SceneRow> scenes;
   std::vector<SpacePart> spaces;
   std::vector<rules::AggregateFinding> aggregates;  // and classes, of rule packs
   std::vector<calc::InputFile> inputs;

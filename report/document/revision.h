@@ -102,6 +102,12 @@ struct ChangedInput {
   std::string before, after;
 };
 
+// Values of a plane that are others than before, at the same points.
+struct ChangedPlane {
+  RevisionPlace place;
+  std::vector<double> before_lx;  // [point of the plane]: maintained, as PointRow::measured
+};
+
 enum class GateMode : std::uint8_t { all, regression };
 
 struct Gate {
@@ -120,6 +126,7 @@ struct Revision {
   std::size_t known_failures = 0;  // that count, and failed before
   std::vector<ChangedQuestion> questions;
   std::vector<ChangedInput> inputs;
+  std::vector<ChangedPlane> planes;
   std::vector<std::string> notes;  // why something could not be compared
 };
 

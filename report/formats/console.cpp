@@ -444,7 +444,14 @@ std::string render_table(const Texts& t, const RevisionTable& table, bool colour
   return text + "\n";
 }
 
-std::string render_revision(const Texts& t, const Document& document, bool colour) {
+// A gate for regressions is about what has changed; --passes shows the rest.
+bool shows_all(const Document& document, bool lists_passes) {
+  return lists_passes || !document.revision || document.revision->gate.mode != GateMode::regression;
+}
+
+}  // namespace
+
+std::string render_revision_text(const Texts& t, const Document& document, bool colour) {
   constexpr std::size_t kMostRows = 200;
   std::string text;
   for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
@@ -453,13 +460,6 @@ std::string render_revision(const Texts& t, const Document& document, bool colou
   for (const std::string& remark : revision_remarks(document, t)) text += printable(remark) + "\n";
   return text;
 }
-
-// A gate for regressions is about what has changed; --passes shows the rest.
-bool shows_all(const Document& document, bool lists_passes) {
-  return lists_passes || !document.revision || document.revision->gate.mode != GateMode::regression;
-}
-
-}  // namespace
 
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
   std::vector<std::vector<TableLine>> tables;
@@ -485,7 +485,7 @@ std::string render_text(const Document& document, const TextOptions& options, co
     if (options.has_messages) text += messages(project);
     text += "\n";
   }
-  text += render_revision(t, document, options.colour);
+  text += render_revision_text(t, document, options.colour);
   std::string summary = summary_words(t, document);
   if (options.colour) summary = outcome_colour(outcome_of(document)) + summary + kReset;
   text += summary + "\n";

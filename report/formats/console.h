@@ -22,4 +22,7 @@ struct TextOptions {
 std::string render_text(const Document& document, const TextOptions& options = {},
                         const Texts& t = {});
 
+// What the document's revision did, as it stands at the head of that; "" without one.
+std::string render_revision_text(const Texts& t, const Document& document, bool colour);
+
 }  // namespace report

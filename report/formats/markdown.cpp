@@ -4,7 +4,7 @@
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/aggregate_words.h"
-#include "report/text/plain_text.h"
+#include "report/text/markup.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -19,22 +19,6 @@ namespace report {
 namespace {
 
 constexpr std::size_t kMostRows = 100;
-
-// Text from files as plain text in a table cell: nothing in it is markup, a link or a mention.
-std::string escape_markdown(std::string_view raw) {
-  const std::string text = printable(raw);
-  std::string escaped;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const std::string_view rest = std::string_view(text).substr(i);
-    const bool is_markup = std::string_view("&<>@#\\`*_[]|~!").find(c) != std::string_view::npos;
-    // Bare addresses become links.
-    const bool is_address = rest.starts_with("://") || (c == '.' && escaped.ends_with("www"));
-    escaped +=
-        is_markup || is_address ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
-  }
-  return escaped;
-}
 
 std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
@@ -126,8 +110,10 @@ std::string warnings(const Texts& t, const ProjectPart& project) {
   return "\n" + t.say<Text::warnings_on>(escape_markdown(project.path)) + "\n\n" + text;
 }
 
+}  // namespace
+
 // What a reviewer wants first. Inputs are folded.
-std::string revision(const Texts& t, const Document& document) {
+std::string render_revision_markdown(const Texts& t, const Document& document) {
   std::string text;
   for (const RevisionTable& table : revision_tables(document, t, kMostRows)) {
     const auto line = [](const std::vector<std::string>& cells) {
@@ -151,8 +137,6 @@ std::string revision(const Texts& t, const Document& document) {
   return text;
 }
 
-}  // namespace
-
 std::string render_markdown(const Document& document, const Texts& t) {
   std::vector<CiFinding> passed, others;
   for (CiFinding& entry : ci_findings(document, t)) {
@@ -162,7 +146,7 @@ std::string render_markdown(const Document& document, const Texts& t) {
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t, outcome), summary_words(t, document));
   const bool has_projects = document.projects.size() > 1;
-  text += revision(t, document);
+  text += render_revision_markdown(t, document);
   if (has_projects) text += projects(t, document);
   if (!others.empty()) text += "\n" + table(t, others, has_projects);
   for (const ProjectPart& project : document.projects) text += warnings(t, project);

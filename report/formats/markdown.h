@@ -12,4 +12,7 @@ namespace report {
 // comments off, so each table has at most 100 rows and says what it leaves out.
 std::string render_markdown(const Document& document, const Texts& t = {});
 
+// What the document's revision did, as it stands at the head of that; "" without one.
+std::string render_revision_markdown(const Texts& t, const Document& document);
+
 }  // namespace report

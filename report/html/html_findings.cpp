@@ -2,6 +2,8 @@
 
 #include "report/html/html_aggregates.h"
 #include "report/html/pass_factor.h"
+#include "report/revision/gate.h"
+#include "report/revision/revision_tables.h"
 #include "report/text/markup.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
@@ -349,12 +351,20 @@ std::string html_verdict_banner(const Texts& t, const Document& document) {
     chips += fmt::format("<li class=\"{}{}\"><b>{}</b> {}</li>", calc::name_of(verdict),
                          count == 0 ? " none" : "", count, verdict_words(t, verdict));
   }
-  return fmt::format(
-      "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
-      "class=\"outcome\">{}</p>"
-      "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
-      banner_attributes(outcome), outcome_symbol(outcome), banner_sentence(t, outcome, counts),
-      summary_words(t, document), chips);
+  std::string gate;
+  if (const std::string words = gate_words(document, t); !words.empty()) {
+    const rules::Outcome of_gate = gate_outcome(document);
+    gate = fmt::format(
+        "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
+        "class=\"outcome\">{}</p></div></div>\n",
+        banner_attributes(of_gate), outcome_symbol(of_gate), escape_html(words));
+  }
+  return gate + fmt::format(
+                    "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
+                    "class=\"outcome\">{}</p>"
+                    "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
+                    banner_attributes(outcome), outcome_symbol(outcome),
+                    banner_sentence(t, outcome, counts), summary_words(t, document), chips);
 }
 
 std::string html_attention(const Texts& t, const Document& document, const std::string& folder) {

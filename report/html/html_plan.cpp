@@ -4,6 +4,7 @@
 #include "report/html/html_legend.h"
 #include "report/html/html_markup.h"
 #include "report/html/isolux.h"
+#include "report/html/plan_cells.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
 #include "report/images/png.h"
@@ -30,41 +31,14 @@ constexpr std::size_t kMostIsoluxPoints = 20000;
 constexpr double kBelowPlan = 26;     // px: room for the scale bar
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 
-std::string rectangle(const glm::dvec2& corner, const glm::dvec2& size) {
-  return fmt::format("M{} {}h{}v{}h-{}z", svg_number(corner.x), svg_number(corner.y),
-                     svg_number(size.x), svg_number(size.y), svg_number(size.x));
-}
-
-struct Drawing {
+struct Drawing : PlanCells {
   const Texts& t;
-  const PlanePart& plane;
-  PlanLayout layout;
   ColourScale scale;
   std::vector<PlanLimit> limits;
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
   std::vector<IsoluxLevel> isolux = {};
-  std::optional<calc::RouteCells> route = {};  // whose cells lie along a line
 
-  // Of a route a square that fits into its cells; some at bends are smaller.
-  glm::dvec2 cell_px() const {
-    const glm::dvec2 size_m(plane.grid.spacing_u_m, plane.grid.spacing_v_m);
-    return (route ? glm::dvec2(std::min(size_m.x, size_m.y)) : size_m) * layout.pixels_per_metre;
-  }
-  glm::dvec2 cell_middle_px(int column, int row) const {
-    if (!route) return cell_corner_px(column, row) + 0.5 * cell_px();
-    return layout.pixel(glm::dvec2(route->centre_m(column, row) - plane.grid.origin_m));
-  }
-  std::string cell_path(int column, int row) const {
-    if (!route) return rectangle(cell_corner_px(column, row), cell_px());
-    std::vector<glm::dvec2> corners_m = route->corners_m(column, row);
-    for (glm::dvec2& corner : corners_m) corner -= glm::dvec2(plane.grid.origin_m);
-    return svg_path(layout, corners_m);
-  }
-  // Upper left corner of a cell in the picture.
-  glm::dvec2 cell_corner_px(int column, int row) const {
-    return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
-  }
   Thresholds thresholds() const { return {at_least, at_most}; }
   bool misses_a_limit(double value) const {
     return misses(at_least, value) || misses(at_most, value);
@@ -169,7 +143,7 @@ std::string svg_hatch(const Drawing& drawing) {
       continue;
     }
     const glm::dvec2 size = drawing.cell_px();
-    path += rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
+    path += svg_rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
   }
   return fmt::format("<path fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor, path);
 }
@@ -278,7 +252,7 @@ std::string svg_minimum(const Drawing& drawing) {
   const glm::dvec2 corner =
       drawing.route ? drawing.cell_middle_px(point.column, point.row) - 0.5 * size
                     : drawing.cell_corner_px(point.column, point.row) + 0.5 * (cell - size);
-  const std::string path = rectangle(corner, size);
+  const std::string path = svg_rectangle(corner, size);
   return fmt::format("<path class=\"min-halo\" d=\"{0}\"/><path class=\"min-mark\" d=\"{0}\"/>\n",
                      path);
 }
@@ -423,15 +397,13 @@ PlanSigns signs_of(const Drawing& drawing) {
 Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& plane,
                      std::string_view anchor, bool& has_all) {
   const std::vector<PlanLimit> limits = plan_limits(t, plane);
-  Drawing drawing{t,
-                  plane,
-                  lay_out_plan(space, plane, {640, 460}),
+  Drawing drawing{plan_cells(space, plane, {640, 460}),
+                  t,
                   scale_with_limits(plane, limits),
                   limits,
                   point_threshold(plane, PointSide::from_below),
                   point_threshold(plane, PointSide::from_above),
                   std::string(anchor)};
-  if (plane.grid.route) drawing.route.emplace(plane.grid.route->cells(plane.grid.rows));
   // Lines between numbers must leave them readable.
   drawing.isolux = isolux_levels(plane, drawing.scale, limits, number_size_px(drawing) > 0 ? 4 : 8);
   has_all = trace_isolux(plane, kMostIsoluxPoints, drawing.isolux);

@@ -1,5 +1,6 @@
 #include "report/html/html_revision.h"
 
+#include "report/html/html_difference.h"
 #include "report/html/html_markup.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/markup.h"
@@ -63,7 +64,7 @@ std::string html_revision(const Texts& t, const Document& document) {
   for (const std::string& remark : revision_remarks(document, t)) {
     html += "<li>" + escape_html(remark) + "</li>";
   }
-  return html + "</ul></section>\n";
+  return html + "</ul>" + html_differences(t, document) + "</section>\n";
 }
 
 }  // namespace report

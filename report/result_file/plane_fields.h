@@ -224,6 +224,7 @@ inline std::vector<std::string_view> plane_quantities() {
 void describe(auto& v, Is<PlanePart> auto& plane) {
   v.is("plane");
   v.field("id", plane.id);
+  v.field("was", plane.was, {.presence = only_if(!plane.was.empty())});
   v.field("name", plane.name);
   v.field("where", plane.where);
   // Two members have one name.

@@ -178,9 +178,19 @@ void describe(auto& v, Is<calc::FluxBalance> auto& balance) {
   v.field("escaped_lm", balance.escaped_lm);
 }
 
+void describe(auto& v, Is<SceneRow> auto& scene) {
+  v.is("scene");
+  v.field("id", scene.id);
+  v.rows("level_of_group", scene.level_of_group,
+         [](auto& row, auto& level) { row(level.first, level.second); });
+}
+
 void describe(auto& v, Is<SpacePart> auto& space) {
   v.is("space");
   v.field("id", space.id);
+  v.field("was", space.was,
+          {.words = "Its id in earlier revisions, as the project says.",
+           .presence = only_if(!space.was.empty())});
   v.field("name", space.name);
   v.field("footprint_m", space.footprint_m);
   v.field("floor_z_m", space.floor_z_m);
@@ -250,6 +260,9 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   assign(project.strict_warnings, strict_ids);
   v.field("luminaires", project.luminaires);
   v.field("materials", project.materials, {.presence = kSinceLater});
+  v.field("scenes", project.scenes,
+          {.words = "Dimming levels of groups; others are at 1.",
+           .presence = only_if(!project.scenes.empty())});
   v.field("spaces", project.spaces);
   v.field("inputs", project.inputs);
   v.field("aggregates", project.aggregates, {.presence = only_if(!project.aggregates.empty())});

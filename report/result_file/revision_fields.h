@@ -68,6 +68,13 @@ void describe(auto& v, Is<ChangedInput> auto& input) {
   v.field("after", input.after, {.holds = Holds::prose});
 }
 
+void describe(auto& v, Is<ChangedPlane> auto& plane) {
+  v.is("changed_plane");
+  v.field("place", plane.place);
+  v.field("before_lx", plane.before_lx,
+          {.words = "Of each point of that plane, in the order of its points."});
+}
+
 void describe(auto& v, Is<Gate> auto& gate) {
   v.is("gate");
   v.field("mode", gate.mode,
@@ -96,6 +103,9 @@ void describe(auto& v, Is<Revision> auto& revision) {
           {.words = "That count, and failed in the baseline, too."});
   v.field("questions", revision.questions, {.words = "What is asked otherwise, weaker first."});
   v.field("inputs", revision.inputs);
+  v.field("planes", revision.planes,
+          {.words = "Illuminances that are others than before at the same points.",
+           .presence = kSinceLater});
   v.field("notes", revision.notes, {.holds = Holds::prose});
 }
 

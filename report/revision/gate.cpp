@@ -1,5 +1,7 @@
 #include "report/revision/gate.h"
 
+#include <algorithm>
+
 namespace report {
 namespace {
 
@@ -52,6 +54,13 @@ GateReasons reasons_of(const Revision& revision) {
     if (question.change != QuestionChange::stricter) reasons.questions.push_back(&question);
   }
   return reasons;
+}
+
+bool is_judged_otherwise(const Revision& revision) {
+  return !revision.questions.empty() ||
+         std::any_of(revision.results.begin(), revision.results.end(), [](const auto& result) {
+           return result.change != ResultChange::worse && result.change != ResultChange::better;
+         });
 }
 
 rules::Outcome gate_outcome(const Document& document) {

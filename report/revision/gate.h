@@ -16,6 +16,9 @@ struct GateReasons {
 };
 GateReasons reasons_of(const Revision& revision);
 
+// Whether anything is asked otherwise, or a verdict is another one; values may differ.
+bool is_judged_otherwise(const Revision& revision);
+
 // What the exit code tells. Without a revision, and at GateMode::all: outcome_of(). At
 // GateMode::regression failures that were there before do not count; what is undecided or could not
 // be judged does.

@@ -127,6 +127,14 @@ std::string body_words(const BodyMark& body) {
   return fmt::format("{} to {} m high", format_metres(body.low_z_m), format_metres(body.high_z_m));
 }
 
+std::string levels_words(const SceneRow& scene) {
+  std::string words;
+  for (const auto& [group, level] : scene.level_of_group) {
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", group, format_shortest(level));
+  }
+  return words.empty() ? "all at 1" : words;
+}
+
 }  // namespace
 
 std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const ProjectPart& after,
@@ -149,6 +157,15 @@ std::vector<ChangedInput> compare_inputs(const ProjectPart& before, const Projec
     if (before.materials.empty() || after.materials.empty()) break;
     inputs.compare("reflectance", pair.after != nullptr ? pair.after->id : pair.before->id,
                    words(pair.before), words(pair.after));
+  }
+  const auto scenes =
+      match_parts(before.scenes, after.scenes, [](const SceneRow& scene) { return scene.id; });
+  for (const PartPair<SceneRow>& pair : scenes) {
+    // Results of earlier versions know no scenes.
+    if (before.scenes.empty() || after.scenes.empty()) break;
+    inputs.compare("scene", pair.after != nullptr ? pair.after->id : pair.before->id,
+                   pair.before != nullptr ? levels_words(*pair.before) : "",
+                   pair.after != nullptr ? levels_words(*pair.after) : "");
   }
   return inputs.take();
 }

@@ -50,6 +50,24 @@ std::vector<PartPair<Part>> match_parts(const std::vector<Part>& before,
   return pairs;
 }
 
+// By id; then those that say what id they had, with one of it that is left.
+template <class Part, class Key, class Former>
+std::vector<PartPair<Part>> match_renamed(const std::vector<Part>& before,
+                                          const std::vector<Part>& after, const Key& key,
+                                          const Former& former) {
+  std::vector<PartPair<Part>> pairs = match_parts(before, after, key);
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    if (pairs[k].before != nullptr || former(after[k]).empty()) continue;
+    const auto gone = std::find_if(pairs.begin(), pairs.end(), [&](const PartPair<Part>& pair) {
+      return pair.after == nullptr && key(*pair.before) == former(after[k]);
+    });
+    if (gone == pairs.end()) continue;
+    pairs[k].before = gone->before;
+    pairs.erase(gone);  // it stands behind all that have an `after`
+  }
+  return pairs;
+}
+
 // By id, and what then is left by photometry: another id makes no other luminaire.
 std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
                                                      const std::vector<LuminaireRow>& after);

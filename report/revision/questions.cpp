@@ -311,6 +311,10 @@ std::string watts_words(const LuminaireRow& row) {
 
 }  // namespace
 
+bool is_same_area(const PlanePart& before, const PlanePart& after) {
+  return is_same(shape_of(before), shape_of(after));
+}
+
 std::vector<ChangedQuestion> compare_settings(const Provenance& before, const Provenance& after) {
   Questions questions{RevisionPlace{}};
   questions.compare(QuestionPart::confidence, before.confidence, after.confidence, true,

@@ -27,4 +27,7 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
                                                const rules::AggregateFinding& after,
                                                const RevisionPlace& place);
 
+// Whether two planes have one place and outline.
+bool is_same_area(const PlanePart& before, const PlanePart& after);
+
 }  // namespace report

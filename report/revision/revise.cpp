@@ -4,12 +4,14 @@
 #include "report/revision/matching.h"
 #include "report/revision/questions.h"
 #include "report/revision/results.h"
+#include "report/revision/values.h"
 #include "report/text/words.h"
 #include "rules/measure/error_spending.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +76,32 @@ class Reviser {
                          is_gone ? words : "", is_gone ? "" : words}});
   }
 
+  // Rooms and planes by the ids that they have now.
+  std::string id_now(const std::string& id) const {
+    const auto renamed = id_now_.find(id);
+    return renamed == id_now_.end() ? id : renamed->second;
+  }
+  void note_renaming(const std::string& kind, const std::string& before, const std::string& after,
+                     const RevisionPlace& place) {
+    if (before == after) return;
+    revision_.inputs.push_back({place, "id of the " + kind, before, after});
+    if (kind != "requirement") id_now_[before] = after;
+  }
+
+  // Of planes without anything that says so: whoever has renamed one should say `was`.
+  void hint_at_renaming(const std::vector<PartPair<PlanePart>>& planes, const RevisionPlace& room) {
+    for (const PartPair<PlanePart>& gone : planes) {
+      if (gone.after != nullptr) continue;
+      for (const PartPair<PlanePart>& added : planes) {
+        if (added.before != nullptr || !is_same_area(*gone.before, *added.after)) continue;
+        revision_.notes.push_back(fmt::format(
+            "{}: plane '{}' lies where '{}' was; if it is that plane, was=\"{}\" in it says so",
+            room.words, added.after->id, gone.before->id, gone.before->id));
+        break;
+      }
+    }
+  }
+
   void add_project(const PartPair<ProjectPart>& pair) {
     static const ProjectPart kNone;
     const ProjectPart &was = pair.before != nullptr ? *pair.before : kNone,
@@ -101,10 +129,18 @@ class Reviser {
       }
     }
     const bool is_there = pair.before != nullptr && pair.after != nullptr;
-    const auto rooms = match_parts(was.spaces, is.spaces, [](const SpacePart& s) { return s.id; });
+    id_now_.clear();
+    const auto rooms = match_renamed(
+        was.spaces, is.spaces, [](const SpacePart& s) { return s.id; },
+        [](const SpacePart& s) { return s.was; });
     for (const PartPair<SpacePart>& room : rooms) add_room(room, place, is_there);
+    std::vector<rules::AggregateFinding> was_aggregates = was.aggregates;
+    for (rules::AggregateFinding& finding : was_aggregates) {
+      finding.space_id = id_now(finding.space_id);
+      finding.plane_id = id_now(finding.plane_id);
+    }
     const auto aggregates =
-        match_parts(was.aggregates, is.aggregates, [](const rules::AggregateFinding& f) {
+        match_parts(was_aggregates, is.aggregates, [](const rules::AggregateFinding& f) {
           return fmt::format("{}\n{}\n{}\n{}", calc::name_of(f.kind), f.id, f.space_id, f.plane_id);
         });
     for (const AggregatePair& aggregate : aggregates) add_aggregate(aggregate, place, is_there);
@@ -123,10 +159,14 @@ class Reviser {
         add_whole(QuestionPart::room, place, pair.after == nullptr, place.words);
       }
     } else {
+      note_renaming("room", was.id, is.id, place);
       add(compare_room_question(was, is, place));
       add(compare_inputs(was, is, place));
     }
-    const auto planes = match_parts(was.planes, is.planes, [](const PlanePart& p) { return p.id; });
+    const auto planes = match_renamed(
+        was.planes, is.planes, [](const PlanePart& p) { return p.id; },
+        [](const PlanePart& p) { return p.was; });
+    hint_at_renaming(planes, place);
     for (const PartPair<PlanePart>& plane : planes) add_plane(plane, place, pair);
   }
 
@@ -143,11 +183,16 @@ class Reviser {
     if (pair.before == nullptr || pair.after == nullptr) {
       if (is_room_there) add_whole(QuestionPart::plane, place, pair.after == nullptr, any.id);
     } else {
+      note_renaming("plane", was.id, is.id, place);
       add(compare_plane_question(was, is, place));
+      if (auto values = compare_values(was, is, place)) {
+        revision_.planes.push_back(std::move(*values));
+      }
     }
     const bool is_plane_there = pair.before != nullptr && pair.after != nullptr;
-    const auto findings = match_parts(was.findings, is.findings,
-                                      [](const rules::Finding& f) { return f.requirement.id; });
+    const auto findings = match_renamed(
+        was.findings, is.findings, [](const rules::Finding& f) { return f.requirement.id; },
+        [](const rules::Finding& f) { return f.requirement.was; });
     const double confidence =
         rules::look_confidence(after_.provenance.confidence, last_look(any), any.looks_planned);
     for (const FindingPair& finding : findings) {
@@ -167,6 +212,7 @@ class Reviser {
     place.where = any.where;
     add(compare_results(pair.before, pair.after, confidence, place));
     if (pair.before != nullptr && pair.after != nullptr) {
+      note_renaming("requirement", pair.before->requirement.id, any.id, place);
       return add(compare_requirement(pair.before->requirement, pair.after->requirement, place));
     }
     if (!is_plane_there) return;  // the plane says it
@@ -191,6 +237,7 @@ class Reviser {
   const Document& before_;
   const Document& after_;
   Revision& revision_;
+  std::map<std::string, std::string> id_now_;  // of rooms and planes that were renamed, by the old
 };
 
 }  // namespace

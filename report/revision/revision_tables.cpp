@@ -91,6 +91,11 @@ RevisionTable result_table(const Document& document, const Revision& revision, c
   return table;
 }
 
+void add_item(std::string& place, const std::string& item) {
+  if (item.empty()) return;
+  place += (place.empty() ? "" : " / ") + item;
+}
+
 RevisionTable question_table(const Document& document, const Revision& revision, const Texts& t) {
   RevisionTable table;
   table.title = t[Text::revision_questions];
@@ -99,7 +104,7 @@ RevisionTable question_table(const Document& document, const Revision& revision,
   table.english = {3, 4};
   for (const ChangedQuestion& question : revision.questions) {
     std::string place = place_words(document, question.place, t);
-    if (!question.place.item.empty()) place += (place.empty() ? "" : " / ") + question.place.item;
+    add_item(place, question.place.item);
     table.rows.push_back(
         {fmt::format("{} {}", symbol_of(question.change), change_words(t, question.change)),
          place.empty() ? t[Text::revision_whole_run] : place, part_words(t, question.part),
@@ -117,7 +122,7 @@ RevisionTable input_table(const Document& document, const Revision& revision, co
   table.english = {1, 2, 3};
   for (const ChangedInput& input : revision.inputs) {
     std::string place = place_words(document, input.place, t);
-    if (!input.place.item.empty()) place += " / " + input.place.item;
+    add_item(place, input.place.item);
     table.rows.push_back({place, input.what, input.before.empty() ? "–" : input.before,
                           input.after.empty() ? "–" : input.after});
   }
@@ -127,7 +132,6 @@ RevisionTable input_table(const Document& document, const Revision& revision, co
 void add_gate(const Document& document, const Revision& revision, const Texts& t,
               std::vector<std::string>& remarks) {
   if (revision.gate.mode == GateMode::all) return;
-  const GateReasons reasons = reasons_of(revision);
   if (revision.known_failures > 0) {
     remarks.push_back(t.say<Text::gate_known_failures>(revision.known_failures));
   }
@@ -137,12 +141,19 @@ void add_gate(const Document& document, const Revision& revision, const Texts& t
   if (asks_otherwise && !revision.gate.weaker_accepted_by.empty()) {
     remarks.push_back(t.say<Text::gate_accepted>(revision.gate.weaker_accepted_by));
   }
+  remarks.push_back(gate_words(document, t));
+}
+
+}  // namespace
+
+std::string gate_words(const Document& document, const Texts& t) {
+  if (!document.revision || document.revision->gate.mode == GateMode::all) return {};
+  const GateReasons reasons = reasons_of(*document.revision);
   if (reasons.empty()) {
     const rules::Outcome outcome = gate_outcome(document);
-    remarks.push_back(rules::counts(outcome) && outcome != rules::Outcome::pass
-                          ? t.say<Text::gate_waits>(outcome_words(t, outcome))
-                          : t[Text::gate_open]);
-    return;
+    return rules::counts(outcome) && outcome != rules::Outcome::pass
+               ? t.say<Text::gate_waits>(outcome_words(t, outcome))
+               : t[Text::gate_open];
   }
   std::string why;
   if (!reasons.results.empty()) {
@@ -152,10 +163,8 @@ void add_gate(const Document& document, const Revision& revision, const Texts& t
     why += (why.empty() ? "" : ", ") +
            t.say<Text::gate_stopped_by_questions>(reasons.questions.size());
   }
-  remarks.push_back(t.say<Text::gate_stopped>(why));
+  return t.say<Text::gate_stopped>(why);
 }
-
-}  // namespace
 
 const char* change_words(const Texts& t, ResultChange change) {
   switch (change) {

@@ -27,6 +27,8 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
 
 // "main.json", "main (0123456789)": the file, or the git revision with the id of its commit.
 std::string baseline_words(const Revision& revision);
+// What a gate for regressions says of it, one sentence; "" without one.
+std::string gate_words(const Document& document, const Texts& t);
 
 // "✗ broken", for annotations and machines' reports.
 const char* change_words(const Texts& t, ResultChange change);

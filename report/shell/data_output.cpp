@@ -11,15 +11,16 @@
 namespace cli {
 namespace {
 
-ValueParser data_output(std::vector<DataOutput>& target) {
-  return [&target](const std::string& text) -> std::string {
+ValueParser data_output(std::vector<DataOutput>& target, bool has_markdown) {
+  return [&target, has_markdown](const std::string& text) -> std::string {
     const std::size_t equals = text.find('=');
     DataOutput output;
-    const std::string problem =
-        choice<DataFormat>(output.kind, {{"text", DataFormat::text},
-                                         {"csv", DataFormat::csv},
-                                         {"json", DataFormat::json},
-                                         {"html", DataFormat::html}})(text.substr(0, equals));
+    std::vector<std::pair<std::string_view, DataFormat>> kinds = {{"text", DataFormat::text},
+                                                                  {"csv", DataFormat::csv},
+                                                                  {"json", DataFormat::json},
+                                                                  {"html", DataFormat::html}};
+    if (has_markdown) kinds.emplace_back("markdown", DataFormat::markdown);
+    const std::string problem = choice<DataFormat>(output.kind, kinds)(text.substr(0, equals));
     if (!problem.empty()) return problem;
     if (equals != std::string::npos) output.file = text.substr(equals + 1);
     if (equals != std::string::npos && output.file.empty())
@@ -31,8 +32,9 @@ ValueParser data_output(std::vector<DataOutput>& target) {
 
 }  // namespace
 
-Option data_format_option(std::vector<DataOutput>& target, const std::string& help) {
-  return {"--format", "KIND[=FILE]", help, data_output(target), true};
+Option data_format_option(std::vector<DataOutput>& target, const std::string& help,
+                          bool has_markdown) {
+  return {"--format", "KIND[=FILE]", help, data_output(target, has_markdown), true};
 }
 
 std::string data_output_problem(const std::vector<DataOutput>& outputs) {

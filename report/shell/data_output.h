@@ -10,14 +10,16 @@
 
 namespace cli {
 
-enum class DataFormat { text, csv, json, html };
+enum class DataFormat { text, csv, json, html, markdown };
 struct DataOutput {
   DataFormat kind = DataFormat::text;
   std::string file;  // "" = standard output
 };
 
-// --format; help: what it says of the kinds.
-Option data_format_option(std::vector<DataOutput>& target, const std::string& help);
+// --format; help: what it says of the kinds. has_markdown: few commands have something to say in a
+// pull request.
+Option data_format_option(std::vector<DataOutput>& target, const std::string& help,
+                          bool has_markdown = false);
 // "" unless several kinds would go to standard output.
 std::string data_output_problem(const std::vector<DataOutput>& outputs);
 

@@ -1,6 +1,7 @@
 #include "rules/binding/bind.h"
 
 #include "calc/base/text.h"
+#include "calc/project/former_ids.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
 #include "rules/binding/requirement_reader.h"
@@ -94,15 +95,18 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
                 const PowerOfSpace& of_space, ElementsOnce& elements,
                 calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
+  calc::FormerIds former("requirement");
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
       if (is_about_power(requirement.metric)) set_power(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
+      former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);
       bound.push_back(std::move(requirement));
     }
   }
+  former.check(diagnostics);
 }
 
 // Own limits are compared with light that never fades, and somebody must know. What is asked of a

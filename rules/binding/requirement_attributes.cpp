@@ -31,6 +31,9 @@ std::vector<RequirementAttribute> make_attributes() {
   return {
       {"id", own, id, &calc::kIdType,
        "Name of the requirement, unique on its plane; its quantity if not given."},
+      {"was", own, id, &calc::kIdType,
+       "Its id in earlier revisions, so that a comparison with one of them knows what was "
+       "renamed."},
       {"quantity", own, words, &kRequiredQuantityType,
        "Statistic of the plane's points, or power or energy of the plane's room."},
       {"at-least", own, number, &calc::kNonNegativeType,

@@ -178,6 +178,7 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   requirement.where = reader.where();
   requirement.derived = context.derived;
   if (reader.has("id")) requirement.id = reader.id();
+  if (reader.has("was")) requirement.was = reader.id("was");
   read_quantity(reader, context, requirement);
   // Glare is worst when everything is new.
   const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;

@@ -354,6 +354,7 @@ class WorkplaceMaker {
                            std::optional<std::size_t> part, std::string words) const {
     calc::CalcPlane plane;
     plane.id = fmt::format("{}.{}", workplace_.id, name);
+    if (!workplace_.was.empty()) plane.was = fmt::format("{}.{}", workplace_.was, name);
     const std::string& title = workplace_.name.empty() ? workplace_.id : workplace_.name;
     plane.name =
         fmt::format("{}: {}", title, part ? fmt::format("{} {}", rule.role, *part + 1) : rule.role);

@@ -53,7 +53,8 @@ struct RequirementName {
 
 struct Requirement {
   std::string plane_id;
-  std::string id;  // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
+  std::string id;   // unique within the plane: given, or "average", "Uo", ... with "-2" for repeats
+  std::string was;  // its id in earlier revisions of the project; "" = the same
   Metric metric = Metric::average;
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;  // what the plane's points measure
   double percent = 0.0;                                         // of Metric::percentile, [0, 100]

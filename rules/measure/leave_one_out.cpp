@@ -68,6 +68,24 @@ std::vector<double> without_each_replicate(const PointValues& values, Metric met
   return result;
 }
 
+std::vector<double> without_each_replicate(
+    const PointValues& values,
+    const std::function<std::optional<double>(const PointValues&)>& statistic) {
+  std::vector<double> result;
+  if (values.replicates < 2) return result;
+  const auto points = static_cast<std::ptrdiff_t>(values.points);
+  for (std::size_t r = 0; r < values.replicates; ++r) {
+    PointValues others = values;
+    const auto row = others.value_lx.begin() + static_cast<std::ptrdiff_t>(r) * points;
+    others.value_lx.erase(row, row + points);
+    --others.replicates;
+    const std::optional<double> value = statistic(others);
+    if (!value || !std::isfinite(*value)) return {};
+    result.push_back(*value);
+  }
+  return result;
+}
+
 calc::Estimate paired_difference(const std::vector<double>& before,
                                  const std::vector<double>& after, double value,
                                  double confidence) {

@@ -216,14 +216,32 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   return result;
 }
 
+// make_points: the derived points of values.
+template <class MakePoints>
+std::vector<double> without_each_replicate(const PointValues& values, const MakePoints& make_points,
+                                           const DerivedRequest& request) {
+  if (request.requirement.metric == Metric::share) return {};
+  return without_each_replicate(values, [&](const PointValues& of) -> std::optional<double> {
+    const auto found = compute_derived(make_points(of), request.requirement, request.point,
+                                       std::nullopt, request.confidence);
+    if (!found) return std::nullopt;
+    return found->estimate.value;
+  });
+}
+
 Measurement measure_modelling(const PointValues& receivers, const MaskedPoints& masked,
                               const DerivedRequest& request) {
-  const ModellingPoints points(receivers, masked.points);
+  const auto points_of = [&masked](const PointValues& of) {
+    return ModellingPoints(of, masked.points);
+  };
+  const ModellingPoints points = points_of(receivers);
   if (points.dark_points() > 0) {
     return nothing_to_measure(fmt::format("{} of {} points are dark: they have no modelling ratio",
                                           points.dark_points(), points.points()));
   }
-  return measure_derived(points, request);
+  Measurement result = measure_derived(points, request);
+  result.without_replicate = without_each_replicate(receivers, points_of, request);
+  return result;
 }
 
 Measurement measure_glare(const calc::PlaneField& field, const std::vector<double>& weights,
@@ -231,7 +249,10 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
                           const DerivedRequest& request) {
   const std::string refusal = glare_refusal(field.glare, weights, masked.points);
   if (!refusal.empty()) return nothing_to_measure(refusal);
-  const GlarePoints points(indirect, field.glare, weights, masked.points);
+  const auto points_of = [&](const PointValues& of) {
+    return GlarePoints(of, field.glare, weights, masked.points);
+  };
+  const GlarePoints points = points_of(indirect);
   for (std::size_t i = 0; i < points.points(); ++i) {
     if (!points.sees_source(i) || !points.has_black_background(i)) continue;
     return nothing_to_measure(
@@ -244,7 +265,9 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
     has_source = has_source || points.sees_source(i);
   if (!has_source) return nothing_to_measure("no observer sees a glare source");
   Measurement result = measure_derived(points, request);
-  if (points.has_inexact_sources()) {
+  if (!points.has_inexact_sources()) {
+    result.without_replicate = without_each_replicate(indirect, points_of, request);
+  } else {
     result.remark =
         "sources smaller than 0.0003 sr or above the table of position indices and hidden parts of "
         "openings count only in the upper end, and large sources of which not all is seen in the "
@@ -284,6 +307,12 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
   if (std::isfinite(found->estimate.high)) {
     const std::size_t of = pairs.pair(found->point.value())[0];
     result.metric = MetricEstimate{found->estimate, masked.points[of]};
+    const auto pairs_of = [&](const PointValues& of_some) {
+      return NeighbourPairs(of_some, grid, masked.points);
+    };
+    result.without_replicate = without_each_replicate(
+        values, pairs_of,
+        {largest, std::nullopt, request.confidence, request.goal, request.derived});
     return result;
   }
   result.reason = "a point beside a lit one may be dark, so that their ratio has no limit";
@@ -322,6 +351,7 @@ Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorG
     return 100.0 * requirement.power_density_w_m2 / average_lx;
   };
   result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
+  for (double& value : result.without_replicate) value = at(value);
   return result;
 }
 

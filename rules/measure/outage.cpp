@@ -35,6 +35,12 @@ void take_worse(Measurement& worst, const Measurement& next, bool is_lower_worse
   };
   if (worse(a.value, b.value) != a.value) worst.metric->point = next.metric->point;
   worst.metric->estimate = {worse(a.value, b.value), worse(a.low, b.low), worse(a.high, b.high)};
+  if (worst.without_replicate.size() != next.without_replicate.size()) {
+    worst.without_replicate.clear();  // one of them is exact, or has none
+  }
+  for (std::size_t r = 0; r < worst.without_replicate.size(); ++r) {
+    worst.without_replicate[r] = worse(worst.without_replicate[r], next.without_replicate[r]);
+  }
   worst.unseen_points = std::max(worst.unseen_points, next.unseen_points);
   worst.single_sample_points = std::max(worst.single_sample_points, next.single_sample_points);
   worst.largest_share = std::max(worst.largest_share, next.largest_share);

@@ -193,6 +193,23 @@ TEST(Ugr, BackgroundIsTheVerticalIlluminanceOfReflectedLight) {
   EXPECT_EQ(solve_eyes(scene, grid).indirect_lx, solve_eyes(scene, plane).indirect_lx);
 }
 
+// What tells two results apart: the rating without each replicate of the background.
+TEST(Ugr, WithoutAReplicateIsTheRatingOfTheOthers) {
+  const calc::PhotometricWeb web = lambert_web(500.0, 90, kPanel);
+  const calc::SensorGrid grid = eyes({{0.5, 2.5, 1.2}});
+  const calc::PlaneField field = solve_eyes(room_with(web, {{3, 3, 2.8}}), grid, 64);
+  const Measurement result = measure_ugr(grid, field);
+  ASSERT_EQ(result.without_replicate.size(), field.replicates);
+  const double mean_lx = mean_indirect_lx(field, 0);
+  const auto count = static_cast<double>(field.replicates);
+  for (std::size_t r = 0; r < field.replicates; ++r) {
+    const double others_lx =
+        (count * mean_lx - field.indirect_lx[r * field.points]) / (count - 1.0);
+    EXPECT_NEAR(result.without_replicate[r] - result.metric->estimate.value,
+                8.0 * std::log10(mean_lx / others_lx), 1e-9);
+  }
+}
+
 // One more luminaire adds its own part to the sum (and light to the background, which may outweigh
 // it); a brighter room lowers the rating, and one moved out of the field changes nothing but that.
 TEST(Ugr, RisesWithTheSumAndFallsWithTheBackground) {

@@ -74,6 +74,15 @@ TEST(Modelling, RatioIsKnownBetterThanItsParts) {
   EXPECT_NEAR(ratio.value, a.value / b.value, 1e-12);
   EXPECT_GT(ratio.half_width(), 0.0);
   EXPECT_LT(ratio.half_width() / ratio.value, a.half_width() / a.value + b.half_width() / b.value);
+  rules::Requirement requirement;
+  requirement.metric = Metric::maximum;
+  requirement.derived = grid.derived;
+  requirement.state = rules::LightState::initial;
+  const auto without = rules::measure(requirement, grid, field, {}, 0.95).without_replicate;
+  ASSERT_EQ(without.size(), cylinder.size());
+  const double others_cylinder = a.value * 16.0 - cylinder[3],
+               others_plane = b.value * 16.0 - plane[3];
+  EXPECT_NEAR(without[3], others_cylinder / others_plane, 1e-9);
 }
 
 TEST(Modelling, IsNotJudgedInTheDark) {

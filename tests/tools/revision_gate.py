@@ -25,16 +25,16 @@ CANDELA = "1000 960 860 700 480 240 0"
 PROJECT = """<luxgate version="1" name="{name}" maintenance-factor="{mf}">
 <material id="light" reflectance="0.7"/><material id="dark" reflectance="0.3"/>
 <luminaire-type id="spot" photometry="spot.ies"{flux}/>
-<room id="room" name="{room}" size="5 4 2.8" ceiling="light" walls="light" floor="dark">
+<room id="{room_id}"{was_room} name="{room}" size="5 4 2.8" ceiling="light" walls="light" floor="dark">
 <luminaire-grid id="L" type="spot" origin="0 0 2.79" size="5 4" columns="{columns}" rows="2"/>
-<plane id="{plane}" origin="1 1 0.8" u="{width} 0 0" v="0 2 0" margin="{margin}" count="{points} 4">
+<plane id="{plane}"{was_plane} origin="1 1 0.8" u="{width} 0 0" v="0 2 0" margin="{margin}" count="{points} 4">
 <require id="mean" quantity="average" at-least="{limit}"/></plane>
 {far}
 </room></luxgate>
 """
 FAR = """<plane id="far" origin="0.2 0.2 0.1" u="4.6 0 0" v="0 3.6 0" count="5 5">
 <require id="least" quantity="minimum" at-least="2000"{far_waiver}/></plane>"""
-USUAL = dict(name="Design", mf="0.8", flux="", room="Office", columns=3, plane="desk", width="3", margin="0", points=6,
+USUAL = dict(name="Design", room_id="room", was_room="", was_plane="", mf="0.8", flux="", room="Office", columns=3, plane="desk", width="3", margin="0", points=6,
              limit="100", far_waiver="")
 WAIVER = ' waived-because="client" waived-by="A. Meier" waived-until="2099-12-31"'
 
@@ -88,7 +88,10 @@ CASES = {
     "a limit raised": (dict(limit="110"), 0, ["▲ asks more", OPEN]),
     "a limit raised too far": (dict(limit="5000"), 1, ["✗ broken"]),
     "a plane deleted": (dict(far=False), 1, ["▼ asks less", "plane", "– no longer asked"]),
-    "a plane by another id": (dict(plane="table"), 1, ["▼ asks less", "▲ asks more"]),
+    "a plane by another id": (dict(plane="table"), 1, ["▼ asks less", "▲ asks more", 'was="desk" in it says so']),
+    "a plane that says what it was": (dict(plane="table", was_plane=' was="desk"'), 0, ["id of the plane", "table", OPEN]),
+    "a room that says what it was": (dict(room_id="hall", was_room=' was="room"'), 0, ["id of the room", "hall", OPEN]),
+    "renamed and easier": (dict(plane="table", was_plane=' was="desk"', limit="90"), 1, ["▼ asks less", "≥ 90 lx"]),
     "lumens stated by hand": (dict(flux=' flux-lm="3600"'), 1, ["luminous flux, stated by hand"]),
     "a maintenance factor raised": (dict(mf="0.9"), 1, ["maintenance factor", "0.8", "0.9"]),
     "fewer points": (dict(points=3), 1, ["6 x 4 points", "3 x 4 points"]),
@@ -131,6 +134,24 @@ check(lowered, *GATE, "-q", "--format", f"json={result}")
 again = luxgate("report", result, "--format", "json")
 if again.stdout != result.read_text():
     problems.append("report: another result")
+
+# What a project says of itself must be possible.
+wrong = write("was-what-is-there", plane="far2", was_plane=' was="far"')
+expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the plane 'far' is there, in line")
+
+# Two results side by side: what is asked and judged comes first, in another folder, too.
+other = WORK / "lowered.json"
+luxgate("check", lowered, "--pictures", "off", "-q", "--format", f"json={other}")
+expect("compare", luxgate("compare", other, BASELINE), 1, "▼ asks less", "ASKED OR JUDGED OTHERWISE: 0 of")
+expect("compare itself", luxgate("compare", other, other), 0, "Alike: 0 of", without=["asks less"])
+expect("compare values only", luxgate("compare", other, BASELINE, "--partial"), 0, "Alike: 0 of", without=["asks less"])
+expect("compare markdown", luxgate("compare", other, BASELINE, "--format", "markdown"), 1,
+       "### luxgate compare: ASKED OR JUDGED OTHERWISE", "| ▼ asks less |", "| desk |")
+expect("compare json", luxgate("compare", other, BASELINE, "--format", "json"), 1, '"alike": false', '"weaker"')
+expect("compare html", luxgate("compare", other, BASELINE, "--format", "html"), 1, '<section id="revision">')
+gone = WORK / "gone.json"
+luxgate("check", write("a-plane-deleted", far=False), "--pictures", "off", "-q", "--format", f"json={gone}")
+expect("compare what is gone", luxgate("compare", gone, BASELINE), 1, "– no longer asked", "only one has some values")
 
 # Twelve designs, one of them changed: a few lines, whatever the others are.
 designs = [write(f"design-{k}", name=f"Design {k}", columns=3 + k % 2) for k in range(12)]

@@ -2,6 +2,8 @@
 
 #include "calc/base/text.h"
 #include "report/result_file/read_json.h"
+#include "report/revision/matching.h"
+#include "report/revision/revise.h"
 #include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/tools/compare/compare_pairs.h"
@@ -32,14 +34,39 @@ class Comparer {
       : options_(options), files_(files), diagnostics_(diagnostics) {}
 
   std::optional<report::Comparison> compare() {
-    const std::optional<report::Document> a = read_result(options_.a);
+    std::optional<report::Document> a = read_result(options_.a);
     if (!a) return std::nullopt;
+    if (options_.b.size() > 5 && options_.b.ends_with(".json")) {
+      b_ = read_result(options_.b);
+      if (!b_) return std::nullopt;
+    }
     comparison_.name_a = options_.a;
     comparison_.name_b = options_.b;
     comparison_.confidence = a->provenance.confidence;
     comparison_.replicates = a->provenance.replicates;
     comparison_.tolerance = options_.tolerance;
+    if (b_ && options_.planes.empty() && !options_.is_partial) {
+      a->revision = report::revise(*b_, *a, options_.b, {});
+      comparison_.revised = a;
+    }
+    for (const auto& pair : report::match_projects(b_ ? *b_ : report::Document(), *a)) {
+      if (pair.before != nullptr && pair.after != nullptr)
+        path_in_a_[pair.before] = pair.after->path;
+    }
+    has_projects_ = a->projects.size() > 1 || (b_ && b_->projects.size() > 1);
     add_planes(*a);
+    if (b_ && b_->provenance.confidence != comparison_.confidence) {
+      const std::string words =
+          fmt::format("A's intervals are at {}, B's at {}: values are compared at one level only",
+                      comparison_.confidence, b_->provenance.confidence);
+      if (!comparison_.revised) {
+        fail(words);
+        return std::nullopt;
+      }
+      comparison_.notes.push_back(words);
+      comparison_.planes.clear();
+      return std::move(comparison_);
+    }
     if (!read_b() || !keep_chosen()) return std::nullopt;
     if (!are_of_one_quantity()) return std::nullopt;
     pair_points();
@@ -53,10 +80,13 @@ class Comparer {
   void fail(const std::string& problem) {
     diagnostics_.report(DiagnosticId::reference_unreadable, {options_.b, 0, 0}, problem);
   }
-  // What one side lacks: an error, or with --partial a note.
+  // What one side lacks: an error, with --partial a note, and of results a difference.
   void lack(const std::string& what) {
     if (options_.is_partial) {
       comparison_.notes.push_back(what);
+    } else if (comparison_.revised) {
+      comparison_.notes.push_back(what);
+      ++comparison_.lacks;
     } else {
       fail(what + " (--partial compares the rest)");
     }
@@ -80,6 +110,11 @@ class Comparer {
     comparison_.notes.push_back(fmt::format(
         "plane '{}' of {} is of quantity '{}', no illuminance: not compared", id, side, quantity));
     (side == "A" ? ratings_a_ : ratings_b_)[id] = quantity;
+  }
+
+  void leave_out_of_both(const std::string& id) {
+    std::erase_if(comparison_.planes, [&](const auto& plane) { return plane.id == id; });
+    std::erase_if(rows_, [&](const TableRow& row) { return row.plane == id; });
   }
 
   // Of --plane A=B; what is not chosen keeps its name.
@@ -114,9 +149,16 @@ class Comparer {
                                : rating != ratings_a_.end() ? rating->second
                                                             : quantity;
       if (in_a == quantity || !is_chosen(id)) continue;
-      fail(fmt::format("plane '{}' is of quantity '{}' in A and '{}' in B: they are not comparable",
-                       id, in_a, quantity));
-      is_good = false;
+      const std::string words =
+          fmt::format("plane '{}' is of quantity '{}' in A and '{}' in B: they are not comparable",
+                      id, in_a, quantity);
+      if (comparison_.revised) {
+        lack(words);
+        leave_out_of_both(id);
+      } else {
+        fail(words);
+        is_good = false;
+      }
     }
     return is_good;
   }
@@ -147,12 +189,18 @@ class Comparer {
     }
   }
 
+  // The path, and of B that of A's project which it is: a design may lie in another folder.
+  std::string name_of(const report::ProjectPart& project) const {
+    const auto found = path_in_a_.find(&project);
+    return found == path_in_a_.end() ? project.path : found->second;
+  }
+
   template <class Visit>
   void for_each_plane(const report::Document& document, Visit visit) {
     for (const report::ProjectPart& project : document.projects) {
       for (const report::SpacePart& space : project.spaces) {
         for (const report::PlanePart& plane : space.planes) {
-          visit((document.projects.size() > 1 ? project.path + ":" : "") + plane.id, plane);
+          visit((has_projects_ ? name_of(project) + ":" : "") + plane.id, plane);
         }
       }
     }
@@ -179,16 +227,8 @@ class Comparer {
   }
 
   bool read_b() {
-    const bool is_result = options_.b.size() > 5 && options_.b.ends_with(".json");
-    if (is_result) {
-      const std::optional<report::Document> b = read_result(options_.b);
-      if (!b) return false;
-      if (b->provenance.confidence != comparison_.confidence) {
-        fail(fmt::format("A's intervals are at {}, B's at {}: compare results of one level",
-                         comparison_.confidence, b->provenance.confidence));
-        return false;
-      }
-      for_each_plane(*b, [&](const std::string& id, const report::PlanePart& plane) {
+    if (b_) {
+      for_each_plane(*b_, [&](const std::string& id, const report::PlanePart& plane) {
         if (!plane.is_computed) {
           return lack(fmt::format("plane '{}' was not computed in B: {}", id, plane.reason));
         }
@@ -275,13 +315,18 @@ class Comparer {
       if (const std::string problem = pairs.place(row); !problem.empty()) fail(problem);
     }
     for (const std::string& what : pairs.drop_unpaired(rows_.size())) lack(what);
-    if (comparison_.planes.empty()) fail("there is no point that both have");
+    if (comparison_.planes.empty() && !comparison_.revised) {
+      fail("there is no point that both have");
+    }
   }
 
   const CompareOptions& options_;
   const calc::FileReader& files_;
   calc::Diagnostics& diagnostics_;
   report::Comparison comparison_;
+  std::optional<report::Document> b_;  // if it is a result
+  std::map<const report::ProjectPart*, std::string> path_in_a_;
+  bool has_projects_ = false;  // several: planes are named with theirs
   std::map<std::string, std::string> quantity_, ratings_a_, ratings_b_;  // by plane
   std::map<std::string, calc::Estimate> average_a_, average_b_;          // by A's plane
   bool is_table_ = false;                                                // B
@@ -296,6 +341,8 @@ std::string render(DataFormat kind, const report::Comparison& comparison, std::s
       return report::render_comparison_json(comparison);
     case DataFormat::html:
       return report::render_comparison_html(comparison, worst);
+    case DataFormat::markdown:
+      return report::render_comparison_markdown(comparison, worst);
     case DataFormat::text:
       break;
   }

@@ -5,20 +5,22 @@
 namespace cli {
 Command compare_syntax(CompareOptions& options) {
   Command command{"compare",
-                  "Compare a result with another one, another program's or measured values"};
+                  "Compare a result with an earlier one, another program's or measured values"};
   command.places = {
       {"a", "A.json", "A result of 'check --format json'", &options.a},
-      {"b", "B.json|B.csv", "Another one, or a table of another program's or measured values",
+      {"b", "B.json|B.csv", "An earlier one, or a table of another program's or measured values",
        &options.b}};
   command.options = {
-      {"--partial", "", "Compare what both have; what one lacks is noted, not an error",
+      {"--partial", "",
+       "Compare the values that both have; what one lacks is noted, no error. Questions and\n"
+       "verdicts are not compared then",
        &options.is_partial},
       {"--tolerance", "SHARE",
        "Difference allowed besides the intervals, as 0.05 or 5% of B; default none",
        share_between(options.tolerance, 0.0, 1.0)},
       {"--distance", "METRES", "Points this near to each other are the same; default 0.01",
        positive_number(options.distance_m)},
-      {"--plane", "ID[=ID]", "Only this plane; =ID where B calls it so; may be repeated",
+      {"--plane", "ID[=ID]", "Only this plane's values; =ID where B calls it so; may be repeated",
        [&options](const std::string& text) -> std::string {
          const std::size_t equals = text.find('=');
          if (text.empty() || equals == 0 || equals + 1 == text.size()) {
@@ -32,9 +34,13 @@ Command compare_syntax(CompareOptions& options) {
        whole_number(options.worst, 0, 1000)},
       data_format_option(
           options.outputs,
-          "text, csv (all points), json or html, to FILE or (one kind only) to standard output;\n"
-          "default text; may be repeated")};
+          "text, csv (all points), json, html or markdown, to FILE or (one kind only) to standard\n"
+          "output; default text; may be repeated",
+          true)};
   command.footer =
+      "Of two results, the first thing said is what is judged and asked otherwise than in B, as\n"
+      "'check --baseline' says it: what became worse, what is asked for less, what has changed in\n"
+      "the input. Projects are matched by path, else by name; planes by their ids.\n"
       "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
       "with\n"
       "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
@@ -45,7 +51,8 @@ Command compare_syntax(CompareOptions& options) {
       "no\n"
       "point does; an average whose interval is not known (--partial, some points) is not judged.\n"
       "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
-      "Exit codes: 0 alike within intervals and tolerance, 1 not, 2 an error.";
+      "Exit codes: 0 values are alike within intervals and tolerance, and all is asked and judged\n"
+      "as in B; 1 not; 2 an error.";
   command.complete = [&options](const Environment&) {
     return data_output_problem(options.outputs);
   };

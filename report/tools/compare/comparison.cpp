@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/statistics.h"
+#include "report/revision/gate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,10 @@ std::size_t Comparison::averages_beyond() const {
   std::size_t sum = 0;
   for (const ComparedPlane& plane : planes) sum += plane.is_average_beyond ? 1 : 0;
   return sum;
+}
+
+bool Comparison::is_alike() const {
+  return are_values_alike() && !(revised && is_judged_otherwise(*revised->revision));
 }
 
 std::optional<double> ComparedPlane::average_interval_lx() const {

@@ -1,6 +1,8 @@
 #pragma once
 // Two sets of illuminances at the same points, and how far they are apart.
 
+#include "report/document/document.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
@@ -50,6 +52,9 @@ struct Comparison {
   int replicates = 16;       // of A
   std::vector<ComparedPlane> planes;
   std::vector<std::string> notes;  // what was not compared, and why
+  std::size_t lacks = 0;           // planes and points that only one result has
+  // A's document with what it does to B's, where both are results: questions, verdicts and inputs.
+  std::optional<Document> revised = {};
 
   // A point or average is beyond if the difference exceeds tolerance x B plus the combined interval
   // widened by this factor: all together then exceed it by chance in 1 of 20 comparisons.
@@ -59,7 +64,9 @@ struct Comparison {
   std::size_t beyond() const;  // points
   std::size_t averages_judged() const;
   std::size_t averages_beyond() const;
-  bool is_alike() const { return beyond() == 0 && averages_beyond() == 0; }
+  bool are_values_alike() const { return beyond() == 0 && averages_beyond() == 0 && lacks == 0; }
+  // And everything is asked and judged as before.
+  bool is_alike() const;
 };
 
 // Fills all that follows from the points. Two values that are both no number are alike, one is not.
@@ -71,7 +78,12 @@ std::vector<std::size_t> worst_points(const ComparedPlane& plane, std::size_t co
 // "+2.50 %"; "–" if not finite.
 std::string signed_percent(double share);
 
+// "Alike", or in which way it is not.
+std::string comparison_headline(const Comparison& comparison);
+
 std::string render_comparison_text(const Comparison& comparison, std::size_t worst);
+// Planes as a table; which points are furthest apart stands below where `worst` is not 0.
+std::string render_comparison_markdown(const Comparison& comparison, std::size_t worst);
 std::string render_comparison_csv(const Comparison& comparison);
 std::string render_comparison_json(const Comparison& comparison);
 std::string render_comparison_html(const Comparison& comparison, std::size_t worst);

@@ -1,4 +1,5 @@
 #include "report/html/html_markup.h"
+#include "report/html/html_revision.h"
 #include "report/html/html_style.h"
 #include "report/text/markup.h"
 #include "report/text/number_format.h"
@@ -123,13 +124,15 @@ std::string render_comparison_html(const Comparison& comparison, std::size_t wor
       "'unsafe-inline'\"/>\n<title>Comparison</title>\n<style>\n" +
       html_style() + kComparisonStyle +
       "</style>\n</head>\n<body>\n<p class=\"eyebrow\">luxgate compare</p>\n";
-  html += fmt::format("<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}</p>\n",
-                      comparison.is_alike()
-                          ? "Alike"
-                          : fmt::format("Different at {} of {} points and in {} of {} averages",
-                                        comparison.beyond(), comparison.points(),
-                                        comparison.averages_beyond(), comparison.averages_judged()),
-                      escape_html(comparison.name_a), escape_html(comparison.name_b));
+  const std::string headline = comparison_headline(comparison);
+  html += fmt::format(
+      "<h1>{}</h1>\n<p class=\"quiet\">A: {}<br/>B: {}<br/>{} of {} points and {} of {} averages "
+      "are "
+      "beyond what is allowed</p>\n",
+      escape_html(headline), escape_html(comparison.name_a), escape_html(comparison.name_b),
+      comparison.beyond(), comparison.points(), comparison.averages_beyond(),
+      comparison.averages_judged());
+  if (comparison.revised) html += html_revision({}, *comparison.revised);
   for (const std::string& note : comparison.notes) {
     html += "<p class=\"message\">" + escape_html(note) + "</p>\n";
   }

@@ -220,6 +220,7 @@ std::string render(DataFormat kind, const report::ConvergeDocument& document) {
     case DataFormat::html:
       return report::render_converge_html(document);
     case DataFormat::text:
+    case DataFormat::markdown:  // not offered
       break;
   }
   return report::render_converge_text(document);

@@ -80,6 +80,8 @@ const char* opening_shape_name(calc::OpeningShape shape);
 const char* symmetry_name(calc::PlaneSymmetry symmetry);
 const char* opening_relation_name(calc::OpeningRelation relation);
 
+// A line of the texts below: a name's column, then the value.
+std::string named_row(const char* name, const std::string& value);
 std::string render_photometry_text(const PhotometryFile& file, bool colour);
 // comparison: of the first two files, or nullptr.
 std::string render_photometry_json(const std::vector<PhotometryFile>& files,

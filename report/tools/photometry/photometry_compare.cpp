@@ -7,10 +7,6 @@
 namespace cli {
 namespace {
 
-std::string row(const char* name, const std::string& value) {
-  return fmt::format("  {:<11} {}\n", name, value);
-}
-
 std::string share(double value) {
   return report::format_fixed(100.0 * value, value < 0.01 ? 3 : 1) + " %";
 }
@@ -72,26 +68,28 @@ std::string opening_words(const PhotometryFile& a, const PhotometryFile& b,
 std::string render_comparison_text(const PhotometryFile& a, const PhotometryFile& b,
                                    const calc::WebComparison& comparison, bool colour) {
   std::string text = file_line("A", a) + file_line("B", b);
-  text += row("flux",
-              fmt::format("A {} lm, B {} lm: B / A = {}", report::format_fixed(a.web->flux_lm(), 1),
+  text += named_row(
+      "flux", fmt::format("A {} lm, B {} lm: B / A = {}", report::format_fixed(a.web->flux_lm(), 1),
                           report::format_fixed(b.web->flux_lm(), 1),
                           report::format_fixed(comparison.flux_ratio, 4)));
   const calc::TurnFit& best = comparison.fits.front();
   const std::string found = found_words(best);
-  text += row("found", colour ? "\033[1m" + found + "\033[0m" : found);
-  text += row("residual", residual(best));
+  text += named_row("found", colour ? "\033[1m" + found + "\033[0m" : found);
+  text += named_row("residual", residual(best));
   if (comparison.alike == comparison.fits.size()) {
-    text += row("or as well", "any quarter turn and mirror image: this light shows none of them");
+    text +=
+        named_row("or as well", "any quarter turn and mirror image: this light shows none of them");
   } else {
     for (std::size_t i = 1; i < comparison.alike; ++i) {
       const calc::TurnFit& fit = comparison.fits[i];
-      text += row(i == 1 ? "or as well" : "",
-                  fmt::format("{}: {}", calc::turn_words(fit.turn), residual(fit)));
+      text += named_row(i == 1 ? "or as well" : "",
+                        fmt::format("{}: {}", calc::turn_words(fit.turn), residual(fit)));
     }
     const calc::TurnFit& next = comparison.fits[comparison.alike];
-    text += row("next best", fmt::format("{}: {}", calc::turn_words(next.turn), residual(next)));
+    text +=
+        named_row("next best", fmt::format("{}: {}", calc::turn_words(next.turn), residual(next)));
   }
-  text += row("openings", opening_words(a, b, comparison.openings));
+  text += named_row("openings", opening_words(a, b, comparison.openings));
   return text;
 }
 

@@ -32,30 +32,27 @@ std::string percent(double share, int decimals = 1) {
   return report::format_fixed(100.0 * share, decimals) + " %";
 }
 
-std::string row(const char* name, const std::string& value) {
-  return fmt::format("  {:<11} {}\n", name, value);
-}
-
 std::string light_rows(const calc::PhotometricWeb& web, const PhotometryFacts& facts) {
   const calc::PhotometrySource& source = web.source();
   const double flux = web.flux_lm();
-  std::string text =
-      row("flux", fmt::format("{} lm from the intensities; {} down, {} up", number(flux, 6),
-                              percent(facts.downward_share), percent(1.0 - facts.downward_share)));
+  std::string text = named_row(
+      "flux", fmt::format("{} lm from the intensities; {} down, {} up", number(flux, 6),
+                          percent(facts.downward_share), percent(1.0 - facts.downward_share)));
   if (source.stated_flux_lm > 0.0) {
-    text += row("", fmt::format("{} lm stated for the luminaire, {} of that",
-                                number(source.stated_flux_lm, 6),
-                                percent(source.stated_flux_lm / flux, 2)));
+    text += named_row("", fmt::format("{} lm stated for the luminaire, {} of that",
+                                      number(source.stated_flux_lm, 6),
+                                      percent(source.stated_flux_lm / flux, 2)));
   }
   const double rated = source.rated_lamp_flux_lm;
-  text += row("lamps", rated > 0.0 ? fmt::format("{} lm stated; the luminaire gives {} of it",
-                                                 number(rated, 6), percent(flux / rated, 2))
-                                   : std::string("no flux stated (absolute photometry)"));
+  text += named_row("lamps", rated > 0.0 ? fmt::format("{} lm stated; the luminaire gives {} of it",
+                                                       number(rated, 6), percent(flux / rated, 2))
+                                         : std::string("no flux stated (absolute photometry)"));
   const double power = source.input_power_w;
   const std::string whose = source.power_rule.empty() ? "" : ": " + source.power_rule;
-  text += row("efficacy", power > 0.0 ? fmt::format("{} lm/W at {} W{}", number(flux / power, 4),
-                                                    report::format_shortest(power), whose)
-                                      : std::string("no power stated"));
+  text +=
+      named_row("efficacy", power > 0.0 ? fmt::format("{} lm/W at {} W{}", number(flux / power, 4),
+                                                      report::format_shortest(power), whose)
+                                        : std::string("no power stated"));
   return text;
 }
 
@@ -65,7 +62,7 @@ std::string peak_row(const PhotometryFacts& facts) {
       fmt::format("C {}, gamma {}", degrees(facts.peak.c_rad, 3), degrees(gamma, 3));
   if (gamma <= 0.0) where = "nadir (gamma 0)";
   if (gamma >= calc::kPi) where = "zenith (gamma 180)";
-  return row("maximum", fmt::format("{} cd at {}", number(facts.peak.intensity_cd), where));
+  return named_row("maximum", fmt::format("{} cd at {}", number(facts.peak.intensity_cd), where));
 }
 
 std::string width_words(const calc::BeamWidth& width) {
@@ -76,8 +73,8 @@ std::string width_words(const calc::BeamWidth& width) {
 }
 
 std::string width_row(const char* name, const std::array<calc::BeamWidth, kPlanePairs>& widths) {
-  return row(name, fmt::format("C0-C180 {}; C90-C270 {}", width_words(widths[kC0C180]),
-                               width_words(widths[kC90C270])));
+  return named_row(name, fmt::format("C0-C180 {}; C90-C270 {}", width_words(widths[kC0C180]),
+                                     width_words(widths[kC90C270])));
 }
 
 std::string symmetry_words(calc::PlaneSymmetry symmetry) {
@@ -111,7 +108,7 @@ std::string symmetry_row(const calc::SymmetryFit& fit) {
     words += fmt::format("; {} within {} of the maximum", symmetry_words(near),
                          percent(difference_of(fit, near), 2));
   }
-  return row("symmetry", words);
+  return named_row("symmetry", words);
 }
 
 std::string steps_words(const std::vector<double>& angles_rad) {
@@ -126,26 +123,28 @@ std::string table_row(const calc::PhotometricWeb& web) {
   const std::vector<double>& gamma = web.gamma_rad();
   if (web.axis() == calc::TableAxis::lateral) {
     const LateralAngles angles = lateral_angles(web);
-    return row("table", fmt::format("LM-63 type B, planes about the line C90-C270: V {:g} to {:g}, "
-                                    "H {:g} to {:g} ({})",
-                                    angles.v_first_deg, angles.v_last_deg, angles.h_first_deg,
-                                    angles.h_last_deg, steps_words(gamma)));
+    return named_row("table",
+                     fmt::format("LM-63 type B, planes about the line C90-C270: V {:g} to {:g}, "
+                                 "H {:g} to {:g} ({})",
+                                 angles.v_first_deg, angles.v_last_deg, angles.h_first_deg,
+                                 angles.h_last_deg, steps_words(gamma)));
   }
   const std::string planes = web.is_axial()
                                  ? "1 C-plane for all"
                                  : fmt::format("{} C-planes around the circle, {}",
                                                web.c_rad().size() - 1, steps_words(web.c_rad()));
-  return row("table",
-             fmt::format("{}; {} gamma angles {} to {}, {}", planes, gamma.size(),
-                         degrees(gamma.front(), 3), degrees(gamma.back(), 3), steps_words(gamma)));
+  return named_row("table", fmt::format("{}; {} gamma angles {} to {}, {}", planes, gamma.size(),
+                                        degrees(gamma.front(), 3), degrees(gamma.back(), 3),
+                                        steps_words(gamma)));
 }
 
 std::string cubic_row(const PhotometryFacts& facts) {
-  if (!facts.interpolation) return row("cubic", "not compared: the table is very large");
+  if (!facts.interpolation) return named_row("cubic", "not compared: the table is very large");
   const double flux = 100.0 * facts.interpolation->flux_share;
-  return row("cubic", fmt::format("interpolation would change the light by up to {} of the maximum "
-                                  "and the flux by {:+.2f} %",
-                                  percent(facts.interpolation->largest_share, 2), flux));
+  return named_row("cubic",
+                   fmt::format("interpolation would change the light by up to {} of the maximum "
+                               "and the flux by {:+.2f} %",
+                               percent(facts.interpolation->largest_share, 2), flux));
 }
 
 std::string lamp_tilt_rows(const calc::PhotometrySource& source) {
@@ -154,9 +153,10 @@ std::string lamp_tilt_rows(const calc::PhotometrySource& source) {
   const char* const kLamps[] = {"vertical in a luminaire that points down",
                                 "horizontal along C0-C180",
                                 "horizontal, tilting with the luminaire"};
-  std::string text = row("lamp tilt", fmt::format("the lamp is {}; where it is tilted the light is "
-                                                  "multiplied by",
-                                                  kLamps[tilt.geometry - 1]));
+  std::string text =
+      named_row("lamp tilt", fmt::format("the lamp is {}; where it is tilted the light is "
+                                         "multiplied by",
+                                         kLamps[tilt.geometry - 1]));
   constexpr std::size_t kMostShown = 12;
   std::string pairs;
   for (std::size_t i = 0; i < tilt.factor.size() && i < kMostShown; ++i) {
@@ -167,7 +167,7 @@ std::string lamp_tilt_rows(const calc::PhotometrySource& source) {
     pairs += fmt::format(", ... ({} angles up to {}°)", tilt.factor.size(),
                          degrees(tilt.angle_rad.back(), 3));
   }
-  return text + row("", pairs);
+  return text + named_row("", pairs);
 }
 
 // How the plane of the maximum lies to the longer side.
@@ -198,7 +198,7 @@ std::string opening_row(const calc::LuminousOpening& opening, const calc::Peak& 
     words +=
         fmt::format("; longer side along {}{}", longer_side_name(side), peak_to_side(peak, side));
   }
-  return row("opening", words);
+  return named_row("opening", words);
 }
 
 std::string vector_words(const glm::dvec3& vector) {
@@ -212,16 +212,17 @@ std::string vector_words(const glm::dvec3& vector) {
 std::string together_rows(const PhotometryFile& file) {
   if (!file.together) return "";
   const TogetherFacts& all = *file.together;
-  std::string text =
-      row("together",
-          fmt::format("emitter 'all': {} emitters, {} lm, {}", all.emitters, number(all.flux_lm, 6),
-                      all.power_w > 0.0 ? report::format_shortest(all.power_w) + " W"
-                                        : std::string("power not known")));
+  std::string text = named_row(
+      "together",
+      fmt::format("emitter 'all': {} emitters, {} lm, {}", all.emitters, number(all.flux_lm, 6),
+                  all.power_w > 0.0 ? report::format_shortest(all.power_w) + " W"
+                                    : std::string("power not known")));
   if (file.place) {
-    text += row("place",
-                fmt::format("{} m from the middle of them, light along {}, C 0 along {}",
-                            vector_words(file.place->position_m),
-                            vector_words(-file.place->turn[2]), vector_words(file.place->turn[0])));
+    text +=
+        named_row("place", fmt::format("{} m from the middle of them, light along {}, C 0 along {}",
+                                       vector_words(file.place->position_m),
+                                       vector_words(-file.place->turn[2]),
+                                       vector_words(file.place->turn[0])));
   }
   return text;
 }
@@ -237,8 +238,8 @@ std::string choice_words(const PhotometryFile& file) {
 }
 
 std::string warning_rows(const PhotometryFile& file, bool colour) {
-  if (file.diagnostics.empty()) return row("warnings", "none");
-  std::string text = row("warnings", fmt::format("{}", file.diagnostics.size()));
+  if (file.diagnostics.empty()) return named_row("warnings", "none");
+  std::string text = named_row("warnings", fmt::format("{}", file.diagnostics.size()));
   for (const calc::Diagnostic& entry : file.diagnostics) {
     const std::string line = report::printable(calc::format_diagnostic(entry));
     text += colour ? fmt::format("    \033[33m{}\033[0m\n", line) : fmt::format("    {}\n", line);
@@ -252,6 +253,10 @@ std::string heading(const std::string& text, bool colour) {
 
 }  // namespace
 
+std::string named_row(const char* name, const std::string& value) {
+  return fmt::format("  {:<11} {}\n", name, value);
+}
+
 std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   std::string text = heading(report::printable(file.path) + choice_words(file), colour);
   if (!file.web) return text + "\n  not readable: see the errors\n";
@@ -261,7 +266,7 @@ std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   const std::string maker = report::printable(source.manufacturer);
   if (!name.empty()) text += ": " + name;
   if (!maker.empty()) text += " (" + maker + ")";
-  text += "\n" + row("format", report::printable(source.format));
+  text += "\n" + named_row("format", report::printable(source.format));
   text += light_rows(web, file.facts);
   text += together_rows(file);
   text += peak_row(file.facts);
@@ -270,10 +275,11 @@ std::string render_photometry_text(const PhotometryFile& file, bool colour) {
   text += symmetry_row(file.facts.symmetry);
   text += table_row(web);
   text += cubic_row(file.facts);
-  if (!source.axis_rule.empty()) text += row("axes", report::printable(source.axis_rule));
+  if (!source.axis_rule.empty()) text += named_row("axes", report::printable(source.axis_rule));
   text += opening_row(web.opening(), file.facts.peak);
-  text += row("factors",
-              source.applied_factors.empty() ? "none" : report::printable(source.applied_factors));
+  text += named_row("factors", source.applied_factors.empty()
+                                   ? "none"
+                                   : report::printable(source.applied_factors));
   text += lamp_tilt_rows(source);
   return text + warning_rows(file, colour);
 }

@@ -13,6 +13,16 @@ namespace {
 const std::vector<MessageCase> kCases{
     {"DuplicatePlane", in_room(R"(<plane id="task" height="1"/>)"),
      "dir/p.xml:7:8: error[duplicate-id]: the plane 'task' is given twice, also in line 5"},
+    {"PlaneThatWasOneThatIsThere", in_room(R"(<plane id="p" was="task" height="0.8"/>)"),
+     "dir/p.xml:5:15: error[former-id-in-use]: was=\"task\": the plane 'task' is there, in line 7, "
+     "so that no other can have been it; remove 'was' once the renaming is in every revision that "
+     "is compared"},
+    {"TwoPlanesThatWereOne",
+     in_room(R"(<plane id="p" was="old" height="0.8"/><plane id="q" was="old" height="1"/>)"),
+     "dir/p.xml:5:53: error[former-id-twice]: was=\"old\": the plane 'p' was that, too, in line 5; "
+     "only one of them can have been it"},
+    {"FormerIdThatIsNone", in_room(R"(<plane id="p" was="" height="0.8"/>)"),
+     "dir/p.xml:5:15: error[empty-attribute]: attribute 'was' of <plane> must not be empty"},
     {"PlaneWithoutForm", in_room(R"(<plane id="p"/>)"),
      "dir/p.xml:5:1: error[missing-form]: <plane> needs one of 'height', 'origin' with 'u' and "
      "'v', 'points', 'on', 'on-top-of' or 'file'"},

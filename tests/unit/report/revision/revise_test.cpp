@@ -407,6 +407,78 @@ TEST(Revise, InputsAreNamed) {
   EXPECT_THAT(revision.inputs[1].after, HasSubstr("1 moved, up to 0.25 m"));
 }
 
+TEST(Revise, WhatSaysWhatItWasIsTheSame) {
+  const Revision renamed = revised([](Document& d) {
+    SpacePart& room = d.projects[0].spaces[0];
+    room.was = room.id;
+    room.id = "hall";
+    plane(d).was = plane(d).id;
+    plane(d).id = "table";
+    plane(d).space_id = "hall";
+    finding(d).requirement.was = finding(d).requirement.id;
+    finding(d).requirement.id = "mean";
+  });
+  EXPECT_THAT(asked(renamed), IsEmpty());
+  EXPECT_THAT(became(renamed), IsEmpty());
+  ASSERT_EQ(renamed.inputs.size(), 3u);
+  EXPECT_EQ(renamed.inputs[1].what, "id of the plane");
+  EXPECT_EQ(renamed.inputs[1].after, "table");
+
+  const Revision easier = revised([](Document& d) {
+    plane(d).was = plane(d).id;
+    plane(d).id = "table";
+    finding(d).requirement.limit *= 0.5;
+  });
+  EXPECT_THAT(asked(easier), ElementsAre("weaker limit"));
+}
+
+TEST(Revise, WasCountsOnlyForWhatIsGoneAndNewOtherwise) {
+  // Left in a project after the renaming is in the baseline, too.
+  const Revision stale = revised([](Document& d) { plane(d).was = "an old name"; });
+  EXPECT_THAT(asked(stale), IsEmpty());
+  EXPECT_THAT(stale.inputs, IsEmpty());
+  // A plane that is still there is not taken from itself.
+  const Revision taken = revised([](Document& d) {
+    PlanePart copy = plane(d);
+    copy.was = copy.id;
+    copy.id = "copy";
+    d.projects[0].spaces[0].planes.push_back(copy);
+  });
+  EXPECT_THAT(asked(taken), ElementsAre("stricter plane"));
+}
+
+TEST(Revise, ARenamedPlaneThatDoesNotSaySoIsPointedAt) {
+  const Revision revision = revised([](Document& d) { plane(d).id = "table"; });
+  EXPECT_THAT(asked(revision), ElementsAre("weaker plane", "stricter plane"));
+  ASSERT_EQ(revision.notes.size(), 1u);
+  EXPECT_THAT(revision.notes[0], HasSubstr("was=\""));
+}
+
+TEST(Revise, DimmingLevelsAreInputs) {
+  Document before = base();
+  before.projects[0].scenes = {{"night", {{"window", 0.3}}}};
+  Document after = before;
+  after.projects[0].scenes[0].level_of_group[0].second = 0.2;
+  const Revision revision = revise(before, after, "main.json", kRegression);
+  ASSERT_EQ(revision.inputs.size(), 1u);
+  EXPECT_EQ(revision.inputs[0].what, "scene");
+  EXPECT_EQ(revision.inputs[0].before, "window 0.3");
+  EXPECT_EQ(revision.inputs[0].after, "window 0.2");
+}
+
+TEST(Revise, ValuesOfChangedPlanesAreKeptPointByPoint) {
+  const Document before = base();
+  Document after = before;
+  plane(after).points.back().measured.value += 1.0;
+  const Revision revision = revise(before, after, "main.json", kRegression);
+  ASSERT_EQ(revision.planes.size(), 1u);
+  ASSERT_EQ(revision.planes[0].before_lx.size(), plane(after).points.size());
+  EXPECT_EQ(revision.planes[0].before_lx.back(), plane(after).points.back().measured.value - 1.0);
+  EXPECT_THAT(revise(before, before, "main.json", kRegression).planes, IsEmpty());
+  plane(after).points.back().position_m.x += 0.01;
+  EXPECT_THAT(revise(before, after, "main.json", kRegression).planes, IsEmpty());
+}
+
 TEST(Revise, IsReadBackFromTheResultFile) {
   const Document document = with_revision(
       pass_all,

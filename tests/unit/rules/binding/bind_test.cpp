@@ -554,7 +554,7 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
       messages_of({{"quantity", "average"}, {"at-lest", "500"}, {"at-least", "500"}}),
       ElementsAre(
           "project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
-          "of <require>; allowed: id, quantity, at-least, at-most, percent, at, facing, "
+          "of <require>; allowed: id, was, quantity, at-least, at-most, percent, at, facing, "
           "state, scene, clause, unit, pack, row, level, level-because, role, facts, from, to, "
           "light, waived-because, waived-by or waived-until; did you mean "
           "'at-least'?"));

@@ -61,6 +61,19 @@ TEST(Gradient, IsTheLargestRatioAcrossASideOfACell) {
   EXPECT_EQ(result.metric->point, 5u);  // the brighter one
 }
 
+TEST(Gradient, WithoutAReplicateIsThatOfTheOthers) {
+  calc::PlaneField field;
+  field.points = 2;
+  field.replicates = 3;
+  field.channels = {{"", 1.0}};
+  field.direct_exact_lx = {0.0, 0.0};
+  field.indirect_lx = {10.0, 20.0, 12.0, 18.0, 8.0, 22.0};
+  const Measurement result = gradient_of(grid_of(2, 1), field);
+  ASSERT_EQ(result.without_replicate.size(), 3u);
+  EXPECT_DOUBLE_EQ(result.without_replicate[0], 40.0 / 20.0);
+  EXPECT_DOUBLE_EQ(result.without_replicate[2], 38.0 / 22.0);
+}
+
 TEST(Gradient, IsTheSameInBothDirectionsAndOneWhereAllIsAlike) {
   EXPECT_DOUBLE_EQ(gradient_of(grid_of(2, 1), exact_field({10, 25})).metric->estimate.value, 2.5);
   EXPECT_DOUBLE_EQ(gradient_of(grid_of(2, 1), exact_field({25, 10})).metric->estimate.value, 2.5);

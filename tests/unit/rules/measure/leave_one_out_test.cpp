@@ -66,6 +66,20 @@ TEST(LeaveOneOut, OfExactOrUndefinedValuesThereIsNone) {
   EXPECT_TRUE(without_each_replicate(drawn({1}, 1), Metric::share, 0.0, std::nullopt).empty());
 }
 
+TEST(LeaveOneOut, OfAnyStatisticIsWhatTheOthersGive) {
+  const PointValues values = drawn({100, 140, 90, 200, 160}, 3);
+  const auto minimum = [](const PointValues& of) -> std::optional<double> {
+    return compute_metric(of, Metric::minimum, 0.0, std::nullopt, 0.95)->estimate.value;
+  };
+  const auto expected = without_each_replicate(values, Metric::minimum, 0.0, std::nullopt);
+  const auto found = without_each_replicate(values, minimum);
+  ASSERT_EQ(found.size(), 16u);
+  for (std::size_t r = 0; r < 16; ++r) EXPECT_NEAR(found[r], expected[r], 1e-12 * expected[r]);
+  EXPECT_TRUE(without_each_replicate({2, 1, {5, 6}}, minimum).empty());
+  const auto none = [](const PointValues&) { return std::optional<double>(); };
+  EXPECT_TRUE(without_each_replicate(values, none).empty());
+}
+
 // Of averages the jackknife is the t interval of the replicates' differences.
 TEST(PairedDifference, OfAveragesIsTheIntervalOfTheDifferences) {
   const PointValues a = drawn({100, 120, 90}, 7), b = drawn({101, 119, 92}, 8);

@@ -139,6 +139,13 @@ TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
   EXPECT_DOUBLE_EQ(power.low, 1300.0 / lx.high);
   EXPECT_DOUBLE_EQ(power.high, 1300.0 / lx.low);
   EXPECT_LT(power.low, power.value);
+  // What tells two results apart is in W/m2 per 100 lx, too.
+  const Measurement of_power = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  const Measurement of_lx = measure(average, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  ASSERT_FALSE(of_power.without_replicate.empty());
+  for (std::size_t r = 0; r < of_power.without_replicate.size(); ++r) {
+    EXPECT_DOUBLE_EQ(of_power.without_replicate[r], 1300.0 / of_lx.without_replicate[r]);
+  }
 }
 
 TEST(Measure, PowerDensityIsKnownBeforehand) {

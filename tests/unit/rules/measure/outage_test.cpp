@@ -84,5 +84,22 @@ TEST(Outage, TheIntervalHoldsForAllOutages) {
   EXPECT_LT(result.metric->estimate.low, one.metric->estimate.low);
 }
 
+// Without a replicate the worst luminaire may be another one.
+TEST(Outage, WithoutAReplicateTheWorstLuminaireCountsToo) {
+  calc::PlaneField field = field_of_two();
+  field.replicates = 3;
+  field.direct_exact_lx.assign(4, 0.0);
+  // Of a and b at both points: with a out 8, 10 and 9, with b out 10, 7 and 9.5.
+  for (const auto& [a, b] : {std::pair{10.0, 8.0}, {7.0, 10.0}, {9.5, 9.0}}) {
+    for (const double lx : {a, a, b, b}) field.indirect_lx.push_back(lx);
+  }
+  const std::vector<calc::LightScene> scenes{{"night", {{"a", 1.0}, {"b", 1.0}}, {}}};
+  const Measurement result = measure(any_one_out(), grid_of_two(), field, scenes, 0.95);
+  ASSERT_EQ(result.without_replicate.size(), 3u);
+  EXPECT_DOUBLE_EQ(result.without_replicate[0], 8.25);  // b out, (7 + 9.5) / 2
+  EXPECT_DOUBLE_EQ(result.without_replicate[1], 8.5);   // a out, (8 + 9) / 2
+  EXPECT_DOUBLE_EQ(result.without_replicate[2], 8.5);   // b out, (10 + 7) / 2
+}
+
 }  // namespace
 }  // namespace rules
