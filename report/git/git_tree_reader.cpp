@@ -1,14 +1,15 @@
 #include "report/git/git_tree_reader.h"
 
 #include "report/git/lfs_pointer.h"
+#include "report/git/open_repository.h"
 
 #include <fmt/format.h>
-#include <git2.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -19,122 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBlobBytes = std::uintmax_t{512} << 20;  // as DiskFileReader
 constexpr int kMostLinks = 40;                                        // as Linux
-
-template <class T, void (*Free)(T*)>
-struct Freeing {
-  void operator()(T* object) const { Free(object); }
-};
-using Repository = std::unique_ptr<git_repository, Freeing<git_repository, git_repository_free>>;
-using Object = std::unique_ptr<git_object, Freeing<git_object, git_object_free>>;
-using Tree = std::unique_ptr<git_tree, Freeing<git_tree, git_tree_free>>;
-using Blob = std::unique_ptr<git_blob, Freeing<git_blob, git_blob_free>>;
-using Entry = std::unique_ptr<git_tree_entry, Freeing<git_tree_entry, git_tree_entry_free>>;
-using Config = std::unique_ptr<git_config, Freeing<git_config, git_config_free>>;
-using ObjectStore = std::unique_ptr<git_odb, Freeing<git_odb, git_odb_free>>;
-
-class Library {
- public:
-  Library() {
-    git_libgit2_init();
-    // What these ask of a program that only reads is kept: to ask nobody for missing objects, to
-    // delete nothing; sparse checkouts keep their settings in a file of their own.
-    const char* harmless[] = {"partialclone", "preciousobjects", "worktreeconfig"};
-    git_libgit2_opts(GIT_OPT_SET_EXTENSIONS, harmless, std::size(harmless));
-  }
-  ~Library() { git_libgit2_shutdown(); }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-};
-
-// What libgit2 said last, as a clause in brackets.
-std::string said() {
-  const git_error* error = git_error_last();
-  if (error == nullptr || error->message == nullptr) return "";
-  return fmt::format(" ({})", error->message);
-}
-
-std::string hex_of(const git_oid& id) {
-  std::string hex(GIT_OID_HEXSZ, '0');
-  git_oid_fmt(hex.data(), &id);
-  return hex;
-}
-
-std::string absolute_path(const std::string& path) {
-  std::error_code ignored;
-  const fs::path whole = fs::absolute(path.empty() ? "." : path, ignored).lexically_normal();
-  const std::string text = whole.string();
-  return text.size() > 1 && text.back() == '/' ? text.substr(0, text.size() - 1) : text;
-}
-
-std::string canonical_folder(const std::string& path) {
-  std::error_code error;
-  const fs::path canonical = fs::canonical(path, error);
-  return error ? absolute_path(path) : absolute_path(canonical.string());
-}
-
-// The closest folder at or above the one of `file` that exists: files and their folders may be
-// gone.
-std::string existing_folder_of(const std::string& file) {
-  std::error_code ignored;
-  fs::path folder = fs::path(absolute_path(file)).parent_path();
-  while (!fs::is_directory(folder, ignored) && folder.has_relative_path()) {
-    folder = folder.parent_path();
-  }
-  return folder.string();
-}
-
-std::string repository_problem(int error, const std::string& place) {
-  if (error == GIT_ENOTFOUND) {
-    return fmt::format("'{}' lies in no git repository", place);
-  }
-  if (error == GIT_EOWNER) {
-    return fmt::format(
-        "the git repository of '{0}' belongs to another user; if you trust it: git config --global "
-        "--add safe.directory FOLDER, the folder that .git lies in{1}",
-        place, said());
-  }
-  const std::string words = said();
-  if (words.find("extension") != std::string::npos || words.find("version") != std::string::npos) {
-    return fmt::format(
-        "the git repository of '{}' is of a kind that luxgate cannot read, such as one with "
-        "SHA-256 ids{}",
-        place, words);
-  }
-  return fmt::format("the git repository of '{}' cannot be read{}", place, words);
-}
-
-constexpr const char* kAllowed = "a branch, a tag, the id of a commit, or one of these with ~1";
-
-bool is_partial(git_repository* repository) {
-  git_config* config = nullptr;
-  if (git_repository_config_snapshot(&config, repository) != 0) return false;
-  const Config owned(config);
-  const char* ignored = nullptr;
-  return git_config_get_string(&ignored, config, "extensions.partialclone") == 0;
-}
-
-std::string shallow_advice(git_repository* repository) {
-  if (git_repository_is_shallow(repository) != 1) return "";
-  return "; this is a shallow clone, which lacks older commits and other branches: 'git fetch "
-         "--deepen=100', 'git fetch origin BRANCH' or 'git fetch --unshallow' brings them";
-}
-
-std::string revision_problem(git_repository* repository, int error, const std::string& revision,
-                             const std::string& root) {
-  if (error == GIT_EAMBIGUOUS) {
-    return fmt::format("'{}' is short for several objects of {}: give more digits", revision, root);
-  }
-  const std::string words = said();
-  const std::string remote = "origin/" + revision;
-  git_object* found = nullptr;
-  if (git_revparse_single(&found, repository, remote.c_str()) == 0) {
-    const Object owned(found);
-    return fmt::format("{} knows no '{}', but '{}': say --against {}", root, revision, remote,
-                       remote);
-  }
-  return fmt::format("{} knows no commit '{}'; allowed is {}{}{}", root, revision, kAllowed,
-                     shallow_advice(repository), words);
-}
+constexpr std::size_t kMostPathBytes = 4096;
 
 // What stands behind a path of the tree.
 struct Found {
@@ -159,24 +45,32 @@ std::vector<std::string> parts_reversed(const std::string& path) {
 struct GitTreeReader::State {
   Library library;  // before all that is freed by it
   Repository repository;
+  Repository bare;  // the same without work tree and index
   git_oid commit_id{};
   git_oid tree_id{};
   std::string root, commit;
   mutable std::size_t failures = 0;
 
+  // Null: the caller says unreadable().
   Tree tree_of(const git_oid& id) const {
     git_tree* tree = nullptr;
     return Tree(git_tree_lookup(&tree, repository.get(), &id) == 0 ? tree : nullptr);
   }
   Blob blob_of(const git_oid& id) const {
     git_blob* blob = nullptr;
-    return Blob(git_blob_lookup(&blob, repository.get(), &id) == 0 ? blob : nullptr);
+    return Blob(git_blob_lookup(&blob, bare.get(), &id) == 0 ? blob : nullptr);
   }
 
-  std::string missing(const std::string& path) const {
+  // Why there is no object of `path`: at once after the attempt.
+  std::string unreadable(const git_oid& id, const std::string& path) const {
     const std::string words = said();
+    git_odb* store = nullptr;
+    if (git_repository_odb(&store, repository.get()) == 0 &&
+        git_odb_exists(ObjectStore(store).get(), &id) == 1) {
+      return fmt::format("its object {} is damaged: 'git fsck' tells more{}", hex_of(id), words);
+    }
     const std::string advice =
-        is_partial(repository.get())
+        !setting("extensions.partialclone").empty()
             ? fmt::format("; this is a partial clone: 'git show {}:{}' brings it", commit, path)
             : shallow_advice(repository.get());
     return fmt::format("the repository's objects do not hold it{}{}", advice, words);
@@ -220,7 +114,7 @@ struct GitTreeReader::State {
       done.push_back(part);
       const std::string place = fmt::format("{}", fmt::join(done, "/"));
       const Tree tree = tree_of(folders.back());
-      if (tree == nullptr) return failure(place, missing(place));
+      if (tree == nullptr) return failure(place, unreadable(folders.back(), place));
       const git_tree_entry* entry = git_tree_entry_byname(tree.get(), part.c_str());
       if (entry == nullptr) return {};
       const git_oid id = *git_tree_entry_id(entry);
@@ -237,7 +131,7 @@ struct GitTreeReader::State {
             return failure(place, "symbolic links lead to each other in a circle");
           }
           const Blob blob = blob_of(id);
-          if (blob == nullptr) return failure(place, missing(place));
+          if (blob == nullptr) return failure(place, unreadable(id, place));
           const std::string target(static_cast<const char*>(git_blob_rawcontent(blob.get())),
                                    static_cast<std::size_t>(git_blob_rawsize(blob.get())));
           if (target.starts_with('/')) {
@@ -267,9 +161,10 @@ struct GitTreeReader::State {
   calc::FileContent read(const Found& file) const {
     if (is_too_large(file.id)) return {{}, "it is larger than 512 MiB"};
     const Blob blob = blob_of(file.id);
-    if (blob == nullptr) return failed(missing(file.path));
+    if (blob == nullptr) return failed(unreadable(file.id, file.path));
+    if (std::string why = needs_program(file.path); !why.empty()) return failed(std::move(why));
     git_blob_filter_options options = GIT_BLOB_FILTER_OPTIONS_INIT;
-    options.flags = GIT_BLOB_FILTER_ATTRIBUTES_FROM_COMMIT;
+    options.flags = GIT_BLOB_FILTER_ATTRIBUTES_FROM_COMMIT;  // binary ones, too, if they say so
     options.attr_commit_id = commit_id;
     git_buf bytes = GIT_BUF_INIT;
     if (git_blob_filter(&bytes, blob.get(), file.path.c_str(), &options) != 0) {
@@ -285,21 +180,53 @@ struct GitTreeReader::State {
     return content;
   }
 
+  // A checkout has some files written by programs, or in another encoding: none is started here,
+  // and what git holds is not what was checked then. "" of others.
+  std::string needs_program(const std::string& path) const {
+    git_attr_options options = GIT_ATTR_OPTIONS_INIT;
+    options.flags = GIT_ATTR_CHECK_INCLUDE_COMMIT;
+    options.attr_commit_id = commit_id;
+    const char* names[] = {"working-tree-encoding", "filter"};
+    const char* values[] = {nullptr, nullptr};
+    if (git_attr_get_many_ext(values, bare.get(), &options, path.c_str(), std::size(names),
+                              names) != 0) {
+      return "its .gitattributes cannot be read" + said();
+    }
+    if (git_attr_value(values[0]) == GIT_ATTR_VALUE_STRING) {
+      return fmt::format(
+          ".gitattributes has it written as {} (working-tree-encoding), which "
+          "luxgate does not do",
+          values[0]);
+    }
+    if (git_attr_value(values[1]) != GIT_ATTR_VALUE_STRING) return "";
+    const std::string filter = values[1];
+    if (filter == "lfs" || setting("filter." + filter + ".smudge").empty()) return "";
+    return fmt::format(
+        ".gitattributes has it written by the filter '{}', a program that luxgate "
+        "does not start; allowed is Git LFS",
+        filter);
+  }
+
+  // Of git's configuration; "" = not set.
+  std::string setting(const std::string& name) const {
+    git_config* config = nullptr;
+    if (git_repository_config_snapshot(&config, repository.get()) != 0) return "";
+    const Config owned(config);
+    const char* value = nullptr;
+    return git_config_get_string(&value, config, name.c_str()) == 0 ? value : "";
+  }
+
   // As lfs.storage says it; all work trees of a repository share it.
   std::string lfs_storage() const {
     const std::string common = git_repository_commondir(repository.get());
-    git_config* config = nullptr;
-    if (git_repository_config_snapshot(&config, repository.get()) != 0) return common + "lfs";
-    const Config owned(config);
-    const char* named = nullptr;
-    if (git_config_get_string(&named, config, "lfs.storage") != 0 || *named == '\0') {
-      return common + "lfs";
-    }
+    const std::string named = setting("lfs.storage");
+    if (named.empty()) return common + "lfs";
     return (fs::path(common) / named).string();
   }
 
   void add_files(const git_oid& folder, const std::string& path, const std::string& end,
                  std::vector<std::string>& files) const {
+    if (path.size() > kMostPathBytes) return;
     const Tree tree = tree_of(folder);
     for (std::size_t k = 0; tree != nullptr && k < git_tree_entrycount(tree.get()); ++k) {
       const git_tree_entry* entry = git_tree_entry_byindex(tree.get(), k);
@@ -316,54 +243,30 @@ std::unique_ptr<GitTreeReader> GitTreeReader::open(const std::string& file,
                                                    const std::string& revision,
                                                    const GitPlaces& places, std::string& problem) {
   auto state = std::make_unique<State>();
-  const std::string folder = existing_folder_of(file);
-  git_repository* repository = nullptr;
-  const bool is_named = !places.git_dir.empty();
-  const std::string& place = is_named ? places.git_dir : folder;
-  const int opened = is_named ? git_repository_open(&repository, place.c_str())
-                              : git_repository_open_ext(&repository, place.c_str(),
-                                                        GIT_REPOSITORY_OPEN_CROSS_FS, nullptr);
-  if (opened != 0) {
-    problem = repository_problem(opened, place);
+  std::optional<OpenedRepository> opened = open_repository(file, places, problem);
+  if (!opened) return nullptr;
+  state->repository = std::move(opened->repository);
+  state->root = std::move(opened->root);
+  const auto id = find_commit(state->repository.get(), revision, state->root, problem);
+  if (!id) return nullptr;
+  state->commit_id = *id;
+  state->commit = hex_of(*id);
+  git_commit* commit = nullptr;
+  if (git_commit_lookup(&commit, state->repository.get(), &*id) != 0) {
+    problem = fmt::format("the commit '{}': {}", revision, state->unreadable(*id, ""));
     return nullptr;
   }
-  state->repository.reset(repository);
-  const char* work_tree = git_repository_workdir(repository);
-  if (is_named && !places.work_tree.empty()) {
-    state->root = canonical_folder(places.work_tree);
-  } else if (work_tree != nullptr) {
-    state->root = canonical_folder(work_tree);
-  } else if (is_named) {
-    state->root = canonical_folder(".");
-  } else {
-    problem = fmt::format(
-        "'{}' lies in a bare git repository, which has no work tree: check files of a 'git "
-        "worktree' of it, or set GIT_DIR and GIT_WORK_TREE",
-        file);
+  state->tree_id = *git_commit_tree_id(Commit(commit).get());
+  if (state->tree_of(state->tree_id) == nullptr) {
+    problem = fmt::format("the files of the commit '{}': {}", revision,
+                          state->unreadable(state->tree_id, ""));
     return nullptr;
   }
-
-  git_object* found = nullptr;
-  if (const int error = git_revparse_single(&found, repository, revision.c_str()); error != 0) {
-    problem = revision_problem(repository, error, revision, state->root);
+  state->bare = open_without_work_tree(state->repository.get());
+  if (state->bare == nullptr) {
+    problem = fmt::format("the git repository in '{}' cannot be read{}", state->root, said());
     return nullptr;
   }
-  const Object named(found);
-  git_object* commit = nullptr;
-  if (git_object_peel(&commit, found, GIT_OBJECT_COMMIT) != 0) {
-    problem = fmt::format("'{}' is no commit but a {}; allowed is {}", revision,
-                          git_object_type2string(git_object_type(found)), kAllowed);
-    return nullptr;
-  }
-  const Object owned(commit);
-  state->commit_id = *git_object_id(commit);
-  state->commit = hex_of(state->commit_id);
-  git_object* tree = nullptr;
-  if (git_object_peel(&tree, commit, GIT_OBJECT_TREE) != 0) {
-    problem = fmt::format("of the commit '{}' {}", revision, state->missing(""));
-    return nullptr;
-  }
-  state->tree_id = *git_object_id(Object(tree).get());
 
   std::unique_ptr<GitTreeReader> reader(new GitTreeReader(std::move(state)));
   if (!reader->path_in_repository(file)) {

@@ -3,6 +3,7 @@
 // nor the index is touched, no program is started and nothing is fetched.
 
 #include "calc/base/file_reader.h"
+#include "report/git/git_places.h"
 
 #include <cstddef>
 #include <memory>
@@ -12,22 +13,16 @@
 
 namespace git {
 
-// Where the repository is, if not around the files: as git's variables of these names. "" = not
-// set.
-struct GitPlaces {
-  std::string git_dir;
-  std::string work_tree;  // only with git_dir; "" = the repository's own, or the current folder
-};
-
 // One repository at one commit. What is read are the bytes that a checkout would write, line ends
 // included; of Git LFS the contents, if they are in the repository's LFS objects. Symbolic links
-// are followed inside the repository only; what lies in a submodule is an error, as is a file over
-// 512 MiB. Not thread-safe.
+// are followed inside the repository only. What lies in a submodule is an error, as is what a
+// checkout would have other programs write, and a file over 512 MiB. Not thread-safe.
 class GitTreeReader : public calc::FileReader {
  public:
   // Of the repository in whose work tree `file` lies, which need not exist; of linked work trees
-  // and submodules their own. revision: as git names a commit: branch, tag, id, HEAD~1. Null, and
-  // `problem` says why in words that tell what is allowed.
+  // and submodules their own. revision: as git names a commit: branch, tag, id, HEAD~1; or
+  // "main...", the commit at which HEAD has left main. Null, and `problem` says why in words that
+  // tell what is allowed.
   static std::unique_ptr<GitTreeReader> open(const std::string& file, const std::string& revision,
                                              const GitPlaces& places, std::string& problem);
   ~GitTreeReader() override;

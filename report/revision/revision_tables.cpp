@@ -263,10 +263,11 @@ std::string place_words(const Document& document, const RevisionPlace& place, co
 }
 
 std::string baseline_words(const Revision& revision) {
-  if (revision.commits.empty()) return revision.baseline;
+  const std::vector<std::string>& commits = revision.commits;
+  if (commits.empty() || commits.front().starts_with(revision.baseline)) return revision.baseline;
   constexpr std::size_t kDigits = 10;
   std::string ids;
-  for (const std::string& commit : revision.commits) {
+  for (const std::string& commit : commits) {
     ids += (ids.empty() ? "" : ", ") + commit.substr(0, kDigits);
   }
   return fmt::format("{} ({})", revision.baseline, ids);
@@ -294,7 +295,13 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
   if (revision.results.empty() && revision.questions.empty()) {
     remarks.push_back(t.say<Text::revision_nothing>(baseline_words(revision)));
   }
-  if (revision.same > 0) remarks.push_back(t.say<Text::revision_same>(revision.same));
+  if (revision.same > 0) {
+    // Where nothing above says against what.
+    const bool is_named = !revision.results.empty() || revision.questions.empty();
+    const std::string same = t.say<Text::revision_same>(revision.same);
+    remarks.push_back(
+        is_named ? same : t.say<Text::revision_results>(baseline_words(revision)) + ": " + same);
+  }
   remarks.insert(remarks.end(), revision.notes.begin(), revision.notes.end());
   add_gate(document, revision, t, remarks);
   return remarks;

@@ -25,7 +25,7 @@ set(owned_libraries
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
   "CLI/|report/shell/command_line\\.cpp"
-  "git2|report/git/git_tree_reader\\.cpp"
+  "git2|report/git/"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
   "png\\.h|report/"

@@ -70,7 +70,7 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
 ValueParser git_revision(std::string& target) {
   return [&target](const std::string& text) -> std::string {
     if (text.empty() || text.front() == '-') {
-      return "a git revision: a branch, a tag, the id of a commit, HEAD~1";
+      return "a git revision: a branch, a tag, the id of a commit, HEAD~1, main...";
     }
     target = text;
     return "";
@@ -85,10 +85,10 @@ std::vector<Option> gate_options(CheckOptions& options) {
        some_text(options.baseline)},
       {"--against",
        "REV",
-       "The same since a git revision (branch, tag, commit, HEAD~1): the same projects are "
-       "checked\n"
-       "as they were then, with the same options, from the repository's objects; the work tree is\n"
-       "not touched. --rules of the repository are those of then, others those of now",
+       "The same since a git revision: branch, tag, commit, HEAD~1, or 'main...' for the commit\n"
+       "at which HEAD left main. The projects are checked as they were then, with the same\n"
+       "options, from the repository's objects: the work tree is not touched, nothing is\n"
+       "fetched. --rules in the repository are those of then, others those of now",
        git_revision(options.against),
        false,
        {"--baseline"}},
