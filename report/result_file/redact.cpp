@@ -254,10 +254,13 @@ void redact_revision(const std::vector<std::string>& paths, const std::vector<Fi
   for (ChangedResult& result : revision.results) redact_change(result);
   for (ChangedQuestion& question : revision.questions) redact_change(question);
   for (ChangedInput& input : revision.inputs) redact_change(input);
+  for (ChangedPlane& plane : revision.planes) redact_change(plane);
   if (revision.commits.empty()) revision.baseline = last_name(revision.baseline);
   for (std::string& note : revision.notes) {
     for (const FileNames& own : names) note = own.within(note);
   }
+  std::string& reason = revision.gate.weaker_accepted_by;
+  for (const FileNames& own : names) reason = own.within(reason);
 }
 
 }  // namespace
