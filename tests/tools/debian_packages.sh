@@ -9,6 +9,7 @@ luxgate_build_packages=(
 )
 luxgate_test_packages=(
   libgtest-dev libgmock-dev libxml2-utils python3-jsonschema
+  git python3-yaml  # revisions, and the jobs in examples/ci
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
 luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
