@@ -325,8 +325,8 @@ std::vector<std::string> GitTreeReader::files_ending(const std::string& end) con
 }
 
 std::optional<std::string> GitTreeReader::path_in_repository(const std::string& path) const {
-  // By names as far as that goes, for a link is one at another revision only by its name. [Folders
-  // on the way to the root may be links.]
+  // By names as far as that goes, for a link of today need not be one then; above the root it may
+  // be.
   const std::string whole = absolute_path(path);
   const auto inside = [](const fs::path& below) {
     const std::string text = below.string();

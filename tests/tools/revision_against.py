@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 import git_repository
@@ -183,8 +184,10 @@ for name, words in {
 for name in ("", "-q"):
     expect(f"'{name}'", check(team.folder, ONE, f"--against={name}"), 2, "--against", "a branch, a tag")
 expect("both", check(team.folder, ONE, "--against", "main", "--baseline", baseline), 2, "--against", "--baseline")
+with tempfile.TemporaryDirectory() as elsewhere:  # WORK may lie in a repository
+    alone = small_designs.write(pathlib.Path(elsewhere) / "project.xml")
+    expect("no repository", check(WORK, alone, "--against", "main"), 2, "lies in no git repository", elsewhere)
 outside = small_designs.write(WORK / "outside/project.xml")
-expect("no repository", check(WORK, outside, "--against", "main"), 2, "lies in no git repository", "outside")
 team.git("clone", "-q", "--bare", ".", WORK / "bare.git")
 expect("bare", check(WORK, outside, "--against", "main", GIT_DIR=str(WORK / "bare.git"), GIT_WORK_TREE=str(team.folder)), 2, "outside of the work tree")
 expect("bare, named", check(team.folder, ONE, "--against", "main", GIT_DIR=str(WORK / "bare.git"), GIT_WORK_TREE=str(team.folder)), 1, first[:10])
