@@ -72,14 +72,23 @@ add_test(NAME cli.interrupt_leaves_nothing COMMAND bash
   ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_interrupt.sh $<TARGET_FILE:luxgate>
   ${PROJECT_SOURCE_DIR}/examples/04-office/project.xml ${CMAKE_CURRENT_BINARY_DIR}/interrupt)
 
+# Revisions from outside: results of before, git revisions, and the jobs that examples/ci has for GitHub and GitLab.
+luxgate_test(git_tests
+  SOURCES
+    unit/report/git/git_tree_reader_test.cpp
+    unit/report/git/lfs_pointer_test.cpp
+    unit/report/git/moved_files_test.cpp
+  LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-if(LUXGATE_PYTHON)
-  add_test(NAME cli.revisions_are_judged COMMAND ${LUXGATE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/tools/revision_gate.py
-    $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/revision_gate)
-else()
-  add_test(NAME cli.revisions_are_judged COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
-  set_tests_properties(cli.revisions_are_judged PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
-endif()
+foreach(script revision_gate revision_against ci_jobs)
+  if(LUXGATE_PYTHON)
+    add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
+      $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script})
+  else()
+    add_test(NAME cli.${script} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+  endif()
+  set_tests_properties(cli.${script} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
+endforeach()
 
 add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)

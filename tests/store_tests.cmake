@@ -5,6 +5,7 @@ luxgate_test(store_tests
     unit/calc/radiosity/look_key_test.cpp
     unit/calc/radiosity/stored_look_test.cpp
     unit/calc/store/entry_folder_test.cpp
+    unit/calc/store/memory_store_test.cpp
     unit/report/tools/store/store_test.cpp
   LIBRARIES luxgate_cli)
 

@@ -175,6 +175,11 @@ constexpr KindRow kKinds[] = {
        return is_element(h, {"X3D", "CityModel", "LandXML", "kml", "svg"});
      },
      ".x3d .kml .svg"},
+    {{"a Git LFS pointer, not the file itself", FileUse::other, "'git lfs pull' brings the file"},
+     [](const FileHead& h) {
+       return begins(h, "version https://git-lfs.github.com/spec/"sv) && h.bytes.size() < 1024;
+     },
+     ""},
     {{"a web page", FileUse::other, "save the file behind the link instead"},
      [](const FileHead& h) {
        return is_element(h, {"html", "HTML"}) || h.text.starts_with("<!DOCTYPE html") ||

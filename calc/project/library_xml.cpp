@@ -95,7 +95,7 @@ void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, d
     LuminaireType emitter = type;
     emitter.id += "/" + light[i].emitter;
     emitter.web = light[i].web;
-    emitter.power_w = 0.0;
+    emitter.power_w = emitter.file_power_w = 0.0;
     emitter.emitters.clear();
     emitter.is_further_emitter = true;
     further.push_back(std::move(emitter));
@@ -125,6 +125,7 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
   // What another flux takes is not known from the file.
   const bool is_other_light = flux_lm && std::abs(flux_scale - 1.0) > 1e-3;
   type.power_w = power_w.value_or(is_other_light ? 0.0 : file.power_w);
+  type.file_power_w = file.power_w;
   std::vector<LuminaireType> types{type};
   std::vector<LuminaireType> further;
   add_emitters(context.project, light, flux_scale, types.front(), further);

@@ -68,6 +68,7 @@ struct LuminaireType {
   std::size_t web = 0;          // index into Project::webs
   double flux_scale = 1.0;      // flux override / flux of the web
   double power_w = 0.0;         // override, else the file's; 0 = not stated; of all emitters
+  double file_power_w = 0.0;    // without the override
   MaintenanceFactor maintenance;
   SourceLocation where;
   std::vector<TypeEmitter> emitters = {};  // all of a luminaire that has several, else none

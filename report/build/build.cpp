@@ -106,6 +106,8 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.count = calc::luminaires_of_type(project, type_index);
   row.flux_lm = calc::luminaire_flux_lm(project, type);
   row.power_w = type.power_w;
+  if (!type.photometry_file.empty()) row.file_flux_lm = row.flux_lm / type.flux_scale;
+  row.file_power_w = type.file_power_w;
   row.max_intensity_cd = calc::luminaire_peak_cd(project, type);
   row.maintenance_factor = type.maintenance.product;
   row.maintenance = type.maintenance;

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -102,9 +104,21 @@ Lines border(const calc::Body& body, bool upward_only) {
   return lines;
 }
 
-BodyMark mark_of(const calc::Body& body) {
+std::string materials_of(const calc::Project& project, const calc::Body& body) {
+  std::vector<std::uint32_t> seen;
+  std::string words;
+  for (const std::uint32_t material : body.material_of) {
+    if (std::find(seen.begin(), seen.end(), material) != seen.end()) continue;
+    seen.push_back(material);
+    words += (words.empty() ? "" : ", ") + project.materials[material].id;
+  }
+  return words;
+}
+
+BodyMark mark_of(const calc::Project& project, const calc::Body& body) {
   BodyMark mark;
   mark.id = body.id;
+  mark.materials = materials_of(project, body);
   mark.low_z_m = std::numeric_limits<double>::max();
   mark.high_z_m = std::numeric_limits<double>::lowest();
   for (const glm::dvec3& vertex : body.vertex_m) {
@@ -135,18 +149,22 @@ void add_plan_marks(const calc::Project& project, const calc::Space& space,
     mark.type_id = project.luminaire_types[luminaire.type].id;
     mark.group = luminaire.group;
     mark.outline_m = opening_outline(scene.luminaires[i], luminaire.position_m);
-    mark.c0 = glm::dvec2(luminaire.world_from_luminaire[0]);
+    mark.c0 = luminaire.world_from_luminaire[0];
+    mark.axis = -luminaire.world_from_luminaire[2];
     part.luminaires.push_back(std::move(mark));
   }
   // floor, ceiling and one wall per corner come first; a building file has nothing but surfaces
   if (!space.surfaces_file.empty()) return;
   const std::size_t shell = space.shell ? space.shell->footprint_m.size() + 2 : 0;
+  for (std::size_t i = 0; i < std::min(shell, space.bodies.size()); ++i) {
+    part.finishes.push_back({space.bodies[i].id, materials_of(project, space.bodies[i])});
+  }
   for (std::size_t i = shell; i < space.bodies.size(); ++i) {
     if (part.bodies.size() == kMostBodies) {
       part.bodies_left_out = space.bodies.size() - i;
       return;
     }
-    if (!space.bodies[i].triangle.empty()) part.bodies.push_back(mark_of(space.bodies[i]));
+    if (!space.bodies[i].triangle.empty()) part.bodies.push_back(mark_of(project, space.bodies[i]));
   }
 }
 

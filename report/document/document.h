@@ -50,6 +50,7 @@ struct Provenance {
   double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
+  std::string method;  // "--method instant-radiosity --clamp 10": not as by default; "" = all is
   std::string backend;      // "cpu (Embree 3.13.5)"
   int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
   SameBits same_bits = SameBits::any_processor;
@@ -61,6 +62,8 @@ struct LuminaireRow {
   int count = 0;
   double flux_lm = 0;  // one luminaire, after any override
   double power_w = 0;  // 0 = not stated
+  // As the photometry file has them, without what the project overrides: 0 = not stated, not known.
+  double file_flux_lm = 0, file_power_w = 0;
   double max_intensity_cd = 0;
   double maintenance_factor = 1;
   calc::MaintenanceFactor maintenance;
@@ -158,13 +161,21 @@ struct LuminaireMark {  // for plans
   std::string type_id;
   std::string group = {};                  // dimming group; "" = none
   std::vector<glm::dvec2> outline_m = {};  // of the opening from above, world; empty: a point
-  glm::dvec2 c0{0.0};                      // world direction of C0 from above; 0: it is vertical
+  // World directions of C0 and of gamma = 0, unit; 0: not known.
+  glm::dvec3 c0{0.0}, axis{0.0};
 };
 
 struct BodyMark {  // furniture, for plans
   std::string id;
   double low_z_m = 0, high_z_m = 0;
   std::vector<std::array<glm::dvec2, 2>> lines_m;  // from above, world
+  std::string materials = {};                      // ids, in the order of their first triangles
+};
+
+// Of the shell of a room: floor, ceiling and walls.
+struct SurfaceFinish {
+  std::string surface;    // "office.floor"
+  std::string materials;  // ids, as of a body
 };
 
 // A picture of a room in false colours, as files.
@@ -195,6 +206,7 @@ struct SpacePart {
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;  // left out
   std::vector<LuminaireMark> luminaires;
+  std::vector<SurfaceFinish> finishes;
   std::vector<BodyMark> bodies;
   std::size_t bodies_left_out = 0;  // too many to draw
   calc::FluxBalance balance;

@@ -58,7 +58,9 @@ enum class QuestionPart : std::uint8_t {
   flux,   // stated by hand, of the same photometry
   power,  // likewise
   confidence,
-  accuracy  // goal and tolerance
+  accuracy,  // goal, tolerance, replicates, most paths
+  method,
+  remark  // what must be read with the requirement: trust in its number, hours of energy
 };
 
 // Where in the design; later parts are "" where something is about all of the earlier one. Ids.
@@ -125,12 +127,15 @@ struct Gate {
 };
 
 struct Revision {
-  std::string baseline;          // the file
-  std::string baseline_version;  // of the program that made it
+  std::string baseline;              // the file, or the git revision as it was given
+  std::vector<std::string> commits;  // of a git revision: full ids, one for each repository
+  std::string baseline_version;      // of the program that made it
   Gate gate;
   std::vector<ChangedResult> results;  // without those that are the same; gravest first
   std::size_t same = 0;
   std::size_t known_failures = 0;  // that count, and failed before
+  // Of `same`: the interval of the difference holds a loss of more than is allowed.
+  std::size_t untold = 0;
   std::vector<ChangedQuestion> questions;
   std::vector<ChangedInput> inputs;
   std::vector<ChangedPlane> planes;
@@ -185,7 +190,9 @@ struct EnumNames<report::QuestionPart> {
       {report::QuestionPart::flux, "flux"},
       {report::QuestionPart::power, "power"},
       {report::QuestionPart::confidence, "confidence"},
-      {report::QuestionPart::accuracy, "accuracy"}};
+      {report::QuestionPart::accuracy, "accuracy"},
+      {report::QuestionPart::method, "method"},
+      {report::QuestionPart::remark, "remark"}};
 };
 
 template <>

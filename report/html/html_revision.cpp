@@ -50,7 +50,7 @@ std::string table_html(const Texts& t, const Document& document, const RevisionT
 }  // namespace
 
 std::string html_revision_title(const Texts& t, const Document& document) {
-  return escape_html(t.say<Text::revision_results>(document.revision->baseline));
+  return escape_html(t.say<Text::revision_results>(baseline_words(*document.revision)));
 }
 
 std::string html_revision(const Texts& t, const Document& document) {

@@ -105,7 +105,7 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
     if (!box.contains(sign.place_m)) continue;
     for (const glm::dvec2& corner : mark.outline_m)
       sign.outline_m.push_back(in_plane(grid, {corner, grid.origin_m.z}));
-    const glm::dvec3 c0(mark.c0, 0.0);
+    const glm::dvec3 c0(mark.c0.x, mark.c0.y, 0.0);
     sign.c0 = {glm::dot(c0, grid.u), glm::dot(c0, grid.v)};
     layout.luminaires_m.push_back(std::move(sign));
   }

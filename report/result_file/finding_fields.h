@@ -147,6 +147,7 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   const auto mask = [&](auto& o) {
     o.field("id", requirement.mask.id);
     o.field("points_used", finding.points_used);
+    o.field("words", requirement.mask_words, {.presence = kSinceLater});
   };
   v.object("mask", mask, {.presence = only_if(!requirement.mask.id.empty())});
   v.field("percent", requirement.percent,
@@ -177,6 +178,7 @@ void describe(auto& v, Is<rules::RoleCoverage> auto& role) {
 void describe(auto& v, Is<rules::RowCoverage> auto& row) {
   v.is("row_coverage");
   v.field("workplace", row.workplace, {.words = "'': the require elements of the space's planes."});
+  v.field("was", row.was, {.presence = only_if(!row.was.empty())});
   v.field("clause", row.clause);
   v.written("is_whole", [&] { return row.is_whole(); },
             {.words = "Nothing of the row was never asked."});

@@ -239,6 +239,30 @@ void redact_project(const FileNames& names, ProjectPart& project) {
   }
 }
 
+// paths: of the projects, before they were changed. What is gone has the names of its own folder.
+void redact_revision(const std::vector<std::string>& paths, const std::vector<FileNames>& names,
+                     Revision& revision) {
+  const auto redact_change = [&](auto& change) {
+    const std::string path = change.place.project;
+    const auto found = std::find(paths.begin(), paths.end(), path);
+    const FileNames own = found == paths.end()
+                              ? FileNames(path, "")
+                              : names[static_cast<std::size_t>(found - paths.begin())];
+    Redactor redactor(own, path);
+    describe(redactor, change);
+  };
+  for (ChangedResult& result : revision.results) redact_change(result);
+  for (ChangedQuestion& question : revision.questions) redact_change(question);
+  for (ChangedInput& input : revision.inputs) redact_change(input);
+  for (ChangedPlane& plane : revision.planes) redact_change(plane);
+  if (revision.commits.empty()) revision.baseline = last_name(revision.baseline);
+  for (std::string& note : revision.notes) {
+    for (const FileNames& own : names) note = own.within(note);
+  }
+  std::string& reason = revision.gate.weaker_accepted_by;
+  for (const FileNames& own : names) reason = own.within(reason);
+}
+
 }  // namespace
 
 void redact(Document& document) {
@@ -246,7 +270,10 @@ void redact(Document& document) {
   Provenance& provenance = document.provenance;
   provenance.command_line = redacted_command(document, names);
   provenance.backend = redacted_backend(provenance.backend);
+  std::vector<std::string> paths;
+  for (const ProjectPart& project : document.projects) paths.push_back(project.path);
   for (std::size_t p = 0; p < names.size(); ++p) redact_project(names[p], document.projects[p]);
+  if (document.revision) redact_revision(paths, names, *document.revision);
   provenance.is_redacted = true;
 }
 

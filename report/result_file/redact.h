@@ -11,6 +11,7 @@ namespace report {
 //   alone; projects whose files have one name get "project<k>/" before it, k from 1;
 // - the command line has the same names;
 // - other paths in messages, absolute or with leading "..", become their last name;
+// - so does the baseline that it is compared with; a git revision and its commits stay;
 // - graphics devices lose their name, the backend "gpu (NAME): ..." becomes "gpu: ...".
 // Names that the project itself gives (rooms, planes, luminaires, who waived) are the design and
 // stay, as do versions, seeds and hashes. A second time changes nothing.

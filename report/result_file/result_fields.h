@@ -66,6 +66,9 @@ void describe(auto& v, Is<Provenance> auto& p) {
   v.field("tolerance", p.tolerance, {.words = "Relative half-width aimed at."});
   v.field("max_paths", p.max_paths);
   v.field("replicates", p.replicates);
+  v.field("method", p.method,
+          {.words = "Options of the method that are not as by default; '': none.",
+           .presence = kSinceLater});
   v.field("backend", p.backend);
   v.field(
       "numbers_version", p.numbers_version,
@@ -120,6 +123,11 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
   v.field("count", row.count);
   v.field("flux_lm", or_null(row.flux_lm), {.words = "Of one luminaire, new, after any override."});
   v.field("power_w", or_null(row.power_w, 0.0), {.words = "null: not stated."});
+  v.field("file_flux_lm", or_null(row.file_flux_lm, 0.0),
+          {.words = "Of the photometry file, without an override. null: no file.",
+           .presence = kSinceLater});
+  v.field("file_power_w", or_null(row.file_power_w, 0.0),
+          {.words = "Likewise. null: not stated.", .presence = kSinceLater});
   v.field("max_intensity_cd", or_null(row.max_intensity_cd));
   v.field("maintenance_factor", or_null(row.maintenance_factor));
   v.field("maintenance_parts", row.maintenance);
@@ -154,7 +162,12 @@ void describe(auto& v, Is<LuminaireMark> auto& mark) {
   v.field("group", mark.group, {.presence = kSinceLater});
   v.field("outline_m", mark.outline_m,
           {.words = "Of the opening from above; empty: a point.", .presence = kSinceLater});
-  v.field("c0", mark.c0, {.words = "x and y of the direction of C0.", .presence = kSinceLater});
+  glm::dvec2 c0(mark.c0);
+  double c0_z = mark.c0.z;
+  v.field("c0", c0, {.words = "x and y of the direction of C0.", .presence = kSinceLater});
+  v.field("c0_z", c0_z, {.presence = kSinceLater});
+  assign(mark.c0, glm::dvec3(c0, c0_z));
+  v.field("axis", mark.axis, {.words = "Direction of gamma = 0.", .presence = kSinceLater});
 }
 
 void describe(auto& v, Is<BodyMark> auto& body) {
@@ -162,6 +175,12 @@ void describe(auto& v, Is<BodyMark> auto& body) {
   v.field("low_z_m", body.low_z_m);
   v.field("high_z_m", body.high_z_m);
   v.field("lines_m", body.lines_m, {.words = "x1, y1, x2, y2 each."});
+  v.field("materials", body.materials, {.words = "Ids.", .presence = kSinceLater});
+}
+
+void describe(auto& v, Is<SurfaceFinish> auto& finish) {
+  v.field("surface", finish.surface);
+  v.field("materials", finish.materials, {.words = "Ids."});
 }
 
 void describe(auto& v, Is<calc::InstalledPower> auto& power) {
@@ -203,6 +222,9 @@ void describe(auto& v, Is<SpacePart> auto& space) {
   v.field("triangles", space.triangles);
   v.field("degenerate_triangles", space.degenerate_triangles);
   v.field("luminaires", space.luminaires);
+  v.field("finishes", space.finishes,
+          {.words = "Of floor, ceiling and walls of a room.",
+           .presence = only_if(!space.finishes.empty())});
   v.field("bodies", space.bodies,
           {.words = "Furniture as seen from above.", .presence = kSinceLater});
   v.field("bodies_left_out", space.bodies_left_out,

@@ -101,12 +101,20 @@ void describe(auto& v, Is<Gate> auto& gate) {
 }
 
 void describe(auto& v, Is<Revision> auto& revision) {
-  v.is("revision", "Against a baseline: only with --baseline.");
-  v.field("baseline", revision.baseline, {.holds = Holds::file});
+  v.is("revision", "Against a baseline: only with --baseline or --against.");
+  v.field("baseline", revision.baseline,
+          {.words = "The file, or the git revision as it was given: then it has commits.",
+           .holds = revision.commits.empty() ? Holds::file : Holds::text});
+  v.field("commits", revision.commits,
+          {.words = "Full ids of a git revision, one for each repository.",
+           .presence = only_if(!revision.commits.empty())});
   v.field("baseline_version", revision.baseline_version, {.words = "Of the program that made it."});
   v.field("gate", revision.gate);
   v.field("results", revision.results, {.words = "Those that changed, gravest first."});
   v.field("same", revision.same, {.words = "How many did not."});
+  v.field("untold", revision.untold,
+          {.words = "Of them: a loss of more than allowed_worse is not excluded.",
+           .presence = kSinceLater});
   v.field("known_failures", revision.known_failures,
           {.words = "That count, and failed in the baseline, too."});
   v.field("questions", revision.questions, {.words = "What is asked otherwise, weaker first."});

@@ -114,8 +114,11 @@ class Reviser {
       if (pair.after == nullptr) return;  // that says it all
     } else {
       if (was.is_judged != is.is_judged) {
-        revision_.notes.push_back(fmt::format("{} could not be judged {}", place.project,
-                                              is.is_judged ? "before" : "now"));
+        revision_.notes.push_back(
+            place.project +
+            (is.is_judged ? " could not be judged before: there is nothing to compare it with, and "
+                            "all that fails in it is new"
+                          : " could not be judged now"));
       }
       // Of what could not be read nothing is known: it is not gone. What could not be judged before
       // is new to the last failure.

@@ -77,7 +77,7 @@ void cut(RevisionTable& table, std::size_t most) {
 
 RevisionTable result_table(const Document& document, const Revision& revision, const Texts& t) {
   RevisionTable table;
-  table.title = t.say<Text::revision_results>(revision.baseline);
+  table.title = t.say<Text::revision_results>(baseline_words(revision));
   table.head = {t[Text::revision_head_change], t[Text::head_place],
                 t[Text::head_quantity],        t[Text::revision_head_before],
                 t[Text::revision_head_after],  t[Text::revision_head_gain]};
@@ -262,6 +262,17 @@ std::string place_words(const Document& document, const RevisionPlace& place, co
   return is_of_project || place.words.empty() ? place.project : place.project + ": " + place.words;
 }
 
+std::string baseline_words(const Revision& revision) {
+  const std::vector<std::string>& commits = revision.commits;
+  if (commits.empty() || commits.front().starts_with(revision.baseline)) return revision.baseline;
+  constexpr std::size_t kDigits = 10;
+  std::string ids;
+  for (const std::string& commit : commits) {
+    ids += (ids.empty() ? "" : ", ") + commit.substr(0, kDigits);
+  }
+  return fmt::format("{} ({})", revision.baseline, ids);
+}
+
 std::vector<RevisionTable> revision_tables(const Document& document, const Texts& t,
                                            std::size_t most) {
   std::vector<RevisionTable> tables;
@@ -282,9 +293,15 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
   if (!document.revision) return remarks;
   const Revision& revision = *document.revision;
   if (revision.results.empty() && revision.questions.empty()) {
-    remarks.push_back(t.say<Text::revision_nothing>(revision.baseline));
+    remarks.push_back(t.say<Text::revision_nothing>(baseline_words(revision)));
   }
-  if (revision.same > 0) remarks.push_back(t.say<Text::revision_same>(revision.same));
+  if (revision.same > 0) {
+    // Where nothing above says against what.
+    const bool is_named = !revision.results.empty() || revision.questions.empty();
+    const std::string same = t.say<Text::revision_same>(revision.same);
+    remarks.push_back(
+        is_named ? same : t.say<Text::revision_results>(baseline_words(revision)) + ": " + same);
+  }
   remarks.insert(remarks.end(), revision.notes.begin(), revision.notes.end());
   add_gate(document, revision, t, remarks);
   return remarks;

@@ -25,6 +25,8 @@ std::vector<RevisionTable> revision_tables(const Document& document, const Texts
 // revision.
 std::vector<std::string> revision_remarks(const Document& document, const Texts& t);
 
+// "main.json", "main (0123456789)": the file, or the git revision with the id of its commit.
+std::string baseline_words(const Revision& revision);
 // What a gate for regressions says of it, one sentence; "" without one.
 std::string gate_words(const Document& document, const Texts& t);
 

@@ -38,6 +38,8 @@ Environment read_environment() {
   environment.term = variable("TERM");
   environment.gl_fault = variable("LUXGATE_GL_FAULT");
   environment.program_folder = program_folder();
+  environment.git_dir = variable("GIT_DIR");
+  environment.git_work_tree = variable("GIT_WORK_TREE");
   environment.store = variable("LUXGATE_STORE");
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;

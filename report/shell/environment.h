@@ -12,6 +12,7 @@ struct Environment {
   // or
   // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
   std::string program_folder;
+  std::string git_dir, git_work_tree;  // GIT_DIR and GIT_WORK_TREE, see git::GitPlaces
   std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;

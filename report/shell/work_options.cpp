@@ -158,8 +158,7 @@ std::string complete_work(calc::RadiositySettings& settings, const check::Backen
   return "";
 }
 
-std::string work_words(const calc::RadiositySettings& settings,
-                       const check::BackendRequest& request) {
+std::string method_words(const calc::RadiositySettings& settings) {
   const calc::RadiositySettings defaults;
   std::string words;
   if (settings.method != defaults.method) {
@@ -171,6 +170,13 @@ std::string work_words(const calc::RadiositySettings& settings,
   if (settings.clamp_per_m2 != defaults.clamp_per_m2) {
     words += fmt::format(" --clamp {}", settings.clamp_per_m2);
   }
+  return words.empty() ? words : words.substr(1);
+}
+
+std::string work_words(const calc::RadiositySettings& settings,
+                       const check::BackendRequest& request) {
+  const std::string method = method_words(settings);
+  std::string words = method.empty() ? "" : " " + method;
   words += no_skip_words(settings.skips);
   if (request.backend == Backend::cpu) words += " --backend cpu";
   if (request.backend != Backend::gpu) return words;

@@ -26,6 +26,8 @@ std::vector<Option> backend_options(check::BackendRequest& request);
 // paths.
 std::string complete_work(calc::RadiositySettings& settings, const check::BackendRequest& request);
 
+// "--method instant-radiosity --clamp 10": what of the method is not as by default; "" = all is.
+std::string method_words(const calc::RadiositySettings& settings);
 // " --seed 2 --backend cpu": options that change results and are not as by default, quoted for a
 // shell.
 std::string work_words(const calc::RadiositySettings& settings,

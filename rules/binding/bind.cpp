@@ -100,6 +100,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
     for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
+      requirement.mask_words = mask_words(requirement.mask);
       if (is_about_power(requirement.metric)) set_power(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);

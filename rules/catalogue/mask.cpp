@@ -218,4 +218,31 @@ MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
   return result;
 }
 
+std::string mask_words(const Mask& mask) {
+  std::string words;
+  for (const MaskOperation& operation : mask.operations) {
+    if (!words.empty()) words += ", ";
+    if (operation.step == MaskStep::centre_line) {
+      words += "the points along the middle line";
+      if (operation.up_to_width_m > 0.0) {
+        words += fmt::format(" of planes up to {:g} m wide", operation.up_to_width_m);
+      }
+      continue;
+    }
+    if (operation.step == MaskStep::walls) {
+      words += fmt::format("without what is nearer than {:g} m to a wall of the room",
+                           operation.metres);
+      continue;
+    }
+    words += operation.step == MaskStep::inset ? "without a strip along the outline of"
+                                               : "without a strip along the long sides of";
+    if (operation.up_to_width_m > 0.0) {
+      words += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
+                           operation.up_to_width_m);
+    }
+    words += fmt::format(" {:g} m", operation.metres);
+  }
+  return words;
+}
+
 }  // namespace rules

@@ -47,4 +47,7 @@ struct MaskedPoints {
 // run along the line, its centre line is the middle row, and an inset takes both ends, too.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
+// "without a strip along the outline of 0.5 m": all operations; "" without any.
+std::string mask_words(const Mask& mask);
+
 }  // namespace rules

@@ -71,6 +71,7 @@ struct Requirement {
   std::string note;    // what every report must say with it, e.g. "unverified requirement"; or ""
   Severity severity = Severity::shall;
   Mask mask;                      // which points of the plane count
+  std::string mask_words{};       // of it, for reports; "" = all count, or not known
   bool direct_only = false;       // reflected light is left out
   bool any_one_unit_out = false;  // holds with any one luminaire of the scene out, see outage.h
   std::string problem;            // why it cannot be judged, whatever the light; "" = it can

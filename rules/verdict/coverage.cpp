@@ -251,7 +251,10 @@ std::vector<RowCoverage> row_coverage(const calc::Space& space,
   std::vector<RowCoverage> rows;
   for (const Asked& asked : asked_in(space, planes, packs)) {
     RowCoverage row;
-    row.workplace = asked.workplace == nullptr ? "" : asked.workplace->id;
+    if (asked.workplace != nullptr) {
+      row.workplace = asked.workplace->id;
+      row.was = asked.workplace->was;
+    }
     const std::string level = level_words(asked.level);
     row.clause = fmt::format("{}:{} {}{}{}", asked.pack->title, asked.pack->edition, asked.row->ref,
                              level.empty() ? "" : fmt::format(" ({})", level),

@@ -10,7 +10,7 @@ set(folders
   rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu
   report/document report/text report/revision report/build report/images report/html report/result_file report/formats report/check
-  report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
+  report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
   report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
   report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/store report/tools/validate
   report/tools/vpl report/cli)
@@ -25,6 +25,7 @@ set(owned_libraries
   "epoxy/egl|gpu/egl_context"
   "epoxy/|gpu/"
   "CLI/|report/shell/command_line\\.cpp"
+  "git2|report/git/"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
   "png\\.h|report/"

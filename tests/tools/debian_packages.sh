@@ -5,10 +5,11 @@ luxgate_build_packages=(
   cmake ninja-build g++
   libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev libhwy-dev libsleef-dev
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
-  libepoxy-dev
+  libepoxy-dev libgit2-dev
 )
 luxgate_test_packages=(
   libgtest-dev libgmock-dev libxml2-utils python3-jsonschema
+  git python3-yaml  # revisions, and the jobs in examples/ci
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
 luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only

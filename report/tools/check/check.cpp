@@ -2,6 +2,7 @@
 
 #include "calc/base/numbers_version.h"
 #include "calc/store/entry_folder.h"
+#include "calc/store/memory_store.h"
 #include "report/check/check_project.h"
 #include "report/check/load_rules.h"
 #include "report/check/plan.h"
@@ -17,12 +18,14 @@
 #include "report/shell/progress.h"
 #include "report/shell/recording_reader.h"
 #include "report/shell/result_input.h"
+#include "report/tools/check/against.h"
 #include "report/tools/pictures/room_pictures.h"
 #include "report/tools/plan/plan.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -30,6 +33,9 @@
 
 namespace cli {
 namespace {
+
+// Looks are small: some 100 KiB for a plane of 1000 points.
+constexpr std::size_t kMostMemoryStoreBytes = std::size_t{1} << 30;
 
 report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
                                  const std::string& description) {
@@ -46,6 +52,7 @@ report::Provenance provenance_of(const CheckOptions& options, check::Backend bac
   provenance.tolerance = settings.tolerance;
   provenance.max_paths = settings.radiosity.max_paths;
   provenance.replicates = settings.radiosity.replicates;
+  provenance.method = method_words(settings.radiosity);
   provenance.backend = description;
   provenance.numbers_version = calc::kNumbersVersion;
   return provenance;
@@ -139,6 +146,21 @@ class CheckObserver : public check::Observer {
   calc::LookCounts looks_;
 };
 
+// Of projects as they were: neither pictures nor costs.
+class OldObserver : public check::Observer {
+ public:
+  explicit OldObserver(Progress& progress) : progress_(progress) {}
+  void start_space(const std::string& id) override { progress_.start_space(id); }
+  bool go_on(const calc::SolveProgress& progress) override {
+    progress_.update(progress);
+    return !interrupted();
+  }
+  bool is_stopped() const override { return interrupted(); }
+
+ private:
+  Progress& progress_;
+};
+
 // To standard error alone: nothing of a store is in a result, nor does --strict count it.
 void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles) {
   calc::Diagnostics diagnostics;
@@ -152,9 +174,15 @@ void print_troubles(const std::string& folder, const calc::StoreTroubles& troubl
   print_diagnostics(diagnostics.all(), false);
 }
 
-std::string looks_line(const calc::LookCounts& looks) {
-  return fmt::format("store: {} looks of planes taken from it, {} computed\n", looks.read,
+std::string looks_line(const calc::LookCounts& looks, const CheckOptions& options) {
+  const char* from = options.store.empty() ? "--against" : "store";
+  return fmt::format("{}: {} looks of planes taken from it, {} computed\n", from, looks.read,
                      looks.computed);
+}
+
+ExitCode told_of_interrupt() {
+  fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+  return kInterrupted;
 }
 
 }  // namespace
@@ -184,6 +212,13 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     baseline = read_result_or_print(options.baseline, files);
     if (!baseline) return kNotJudged;
   }
+  std::optional<OldState> old_state;
+  if (!options.against.empty()) {
+    const Environment& environment = context.environment;
+    old_state = OldState::open_or_print(options.input, options.against,
+                                        {environment.git_dir, environment.git_work_tree}, files);
+    if (!old_state) return kNotJudged;
+  }
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
@@ -199,26 +234,44 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   watch_for_interrupt();
   const calc::Stages stages = opened->stages();
   std::optional<calc::EntryFolder> folder;
+  std::optional<calc::MemoryStore> memory;
   std::optional<calc::LookStore> store;
   if (!options.store.empty()) {
     folder.emplace(options.store);
     store.emplace(calc::LookStore{*folder, opened->identity});
+  } else if (old_state) {  // what did not change is calculated once
+    memory.emplace(kMostMemoryStoreBytes);
+    store.emplace(calc::LookStore{*memory, opened->identity});
   }
   CheckObserver observer(options, context);
   options.output.are_messages_printed = !options.output.quiet;
   WarningTally warnings(options.strict);
   report::Document document;
   document.provenance = provenance_of(options, backend.backend, opened->description);
+  if (old_state) {
+    OldObserver old_observer(observer.progress());
+    const auto check_one = [&](const std::string& path, const calc::FileReader& old_files,
+                               const std::vector<rules::RulePack>& old_packs,
+                               const std::string& shown_path) {
+      observer.progress().start_project(shown_path);
+      report::ProjectPart part =
+          check_safely(path, {options.settings, old_files, old_packs, stages, old_observer, nullptr,
+                              store ? &*store : nullptr});
+      observer.progress().clear();
+      return part;
+    };
+    auto parts = old_state->check(check_one, [] { return !interrupted(); });
+    if (interrupted()) return told_of_interrupt();
+    if (!parts) return kNotJudged;
+    baseline.emplace(report::Document{document.provenance, std::move(*parts), {}});
+  }
   for (const std::string& path : options.input.projects) {
     observer.progress().start_project(path);
     document.projects.push_back(
         check_safely(path, {options.settings, files, *packs, stages, observer,
                             vertices ? &*vertices : nullptr, store ? &*store : nullptr}));
     observer.progress().clear();
-    if (interrupted()) {
-      fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
-      return kInterrupted;
-    }
+    if (interrupted()) return told_of_interrupt();
     report::ProjectPart& project = document.projects.back();
     project.strict_warnings = warnings.add(project.diagnostics);
     print_diagnostics(project.diagnostics, options.output.quiet);
@@ -229,10 +282,17 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
       report::same_bits_of(document, backend.backend == check::Backend::gpu);
   if (options.explain_cost) {
     fmt::print(stderr, "{}{}{}", check::backend_line(backend), observer.cost_log(),
-               store ? looks_line(observer.looks()) : "");
+               store ? looks_line(observer.looks(), options) : "");
   }
   if (baseline) {
-    document.revision = report::revise(*baseline, document, options.baseline, options.gate);
+    document.revision = report::revise(
+        *baseline, document, old_state ? options.against : options.baseline, options.gate);
+    if (old_state) {
+      report::Revision& revision = *document.revision;
+      revision.commits = old_state->commits();
+      const std::vector<std::string>& notes = old_state->notes();
+      revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
+    }
   }
   if (options.output.redact) report::redact(document);
   const bool is_written =

@@ -67,6 +67,30 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
        seconds(settings.radiosity.time_limit_s)}};
 }
 
+// Its repository says whether it is one.
+ValueParser git_revision(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty() || text.front() == '-') {
+      return "a git revision: a branch, a tag, the id of a commit, HEAD~1, main...";
+    }
+    target = text;
+    return "";
+  };
+}
+
+Option against_option(std::string& target) {
+  return {
+      "--against",
+      "REV",
+      "The same since a git revision: branch, tag, commit, HEAD~1, or 'main...' for the commit\n"
+      "at which HEAD left main. The projects are checked as they were then, with the same\n"
+      "options, from the repository's objects: the work tree is not touched, nothing is\n"
+      "fetched. --rules in the repository are those of then, others those of now",
+      git_revision(target),
+      false,
+      {"--baseline"}};
+}
+
 // The folder that is meant, "" = none, and what is wrong with it.
 std::string take_store(const std::string& variable, std::string& store) {
   const bool is_given = !store.empty();
@@ -83,8 +107,9 @@ std::string complete(CheckOptions& options, const Environment& environment) {
     if (!problem.empty()) return problem;
   }
   options.settings.today = day_of_moment(options.timestamp);
+  const bool is_compared = !options.baseline.empty() || !options.against.empty();
   if (std::string problem =
-          gate_contradiction(options.gate, !options.baseline.empty(), "a --baseline");
+          gate_contradiction(options.gate, is_compared, "a --baseline or --against");
       !problem.empty()) {
     return problem;
   }
@@ -104,7 +129,7 @@ Command check_syntax(CheckOptions& options) {
   command.places = {projects_place(options.input)};
   command.options = {rules_of_projects(options.input)};
   add(command.options, output_options(options.output));
-  add(command.options, {baseline_option(options.baseline)});
+  add(command.options, {baseline_option(options.baseline), against_option(options.against)});
   add(command.options, gate_options(options.gate));
   add(command.options, document_options(options));
   add(command.options, accuracy_options(options.settings));
@@ -118,7 +143,7 @@ Command check_syntax(CheckOptions& options) {
         "seed, replicates and the most paths are the file's. Results are the same to the bit",
         some_text(options.vpl_file),
         false,
-        {"--seed", "--replicates", "--max-paths", "--by-luminaire"}},
+        {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
        {"--store", "DIR",
         "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
         "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "

@@ -21,6 +21,7 @@ struct CheckOptions {
   bool explain_cost = false;
   StrictWarnings strict;
   std::string baseline;  // a result file; "" = none
+  std::string against;   // a git revision to compare with instead; "" = none
   report::Gate gate;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
   std::string store;     // folder of looks to be used again; "" = none

@@ -152,29 +152,7 @@ std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
 }
 
 std::string mask_text(const rules::Mask& mask) {
-  std::string text = fmt::format("mask {}:", mask.id);
-  for (const rules::MaskOperation& operation : mask.operations) {
-    if (operation.step == rules::MaskStep::centre_line) {
-      text += " the points along the middle line";
-      if (operation.up_to_width_m > 0.0) {
-        text += fmt::format(", of planes up to {:g} m wide", operation.up_to_width_m);
-      }
-      continue;
-    }
-    if (operation.step == rules::MaskStep::walls) {
-      text += fmt::format(" without what is nearer than {:g} m to a wall of the room",
-                          operation.metres);
-      continue;
-    }
-    text += operation.step == rules::MaskStep::inset ? " without a strip along the outline of"
-                                                     : " without a strip along the long sides of";
-    if (operation.up_to_width_m > 0.0) {
-      text += fmt::format(" {:g} of the width up to {:g} m, else", operation.share,
-                          operation.up_to_width_m);
-    }
-    text += fmt::format(" {:g} m", operation.metres);
-  }
-  return text + "\n";
+  return fmt::format("mask {}: {}\n", mask.id, rules::mask_words(mask));
 }
 
 std::string grids_text(const RulePack& pack) {

@@ -38,6 +38,8 @@ TEST(FileKind, ContentsTell) {
       {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1....R\0e\0v\0i\0t\0"s, "a Revit model"},
       {"<?xml version='1.0'?><COLLADA>", "a COLLADA scene"},
       {"<!DOCTYPE html><html>", "a web page"},
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:12\n",
+       "a Git LFS pointer, not the file itself"},
       {"<ns0:gbXML xmlns:ns0='x'>", "a gbXML file"},
       {"<luxgate version='1'/>", "a luxgate project"},
       {"<rule-pack id='a'/>", "a rule pack"},

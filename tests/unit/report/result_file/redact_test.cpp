@@ -106,6 +106,39 @@ TEST(Redact, ProjectsOfOneNameStayApart) {
   EXPECT_EQ(render_json(document), once);
 }
 
+TEST(Redact, RevisionHasTheSameNames) {
+  Document document = one_project("/home/anna/p/a.xml");
+  Revision revision;
+  revision.baseline = "/home/anna/main.json";
+  RevisionPlace place;
+  place.project = "/home/anna/p/a.xml";
+  place.where.file = "/home/anna/p/a.xml";
+  revision.results.resize(2);
+  revision.results[0].place = place;
+  revision.results[1].place.project = "/home/benno/gone.xml";
+  revision.questions.resize(1);
+  revision.questions[0].place = place;
+  revision.inputs.resize(1);
+  revision.inputs[0].place = place;
+  revision.planes.resize(1);
+  revision.planes[0].place = place;
+  revision.notes = {"/home/anna/p/a.xml could not be judged now"};
+  revision.gate.weaker_accepted_by = "see /home/anna/letter.txt";
+  document.revision = revision;
+  redact(document);
+  EXPECT_EQ(document.revision->baseline, "main.json");
+  EXPECT_EQ(document.revision->planes[0].place.project, document.projects[0].path);
+  EXPECT_EQ(document.revision->results[1].place.project, "gone.xml");
+  EXPECT_THAT(render_json(document), Not(HasSubstr("/home")));
+
+  revision.baseline = "origin/main";
+  revision.commits = {std::string(40, 'a')};
+  document.revision = revision;
+  redact(document);
+  EXPECT_EQ(document.revision->baseline, "origin/main");
+  EXPECT_EQ(document.revision->commits, revision.commits);
+}
+
 TEST(Redact, DevicesLoseTheirNames) {
   EXPECT_EQ(redacted_backend("cpu (Embree 3.13.5)"), "cpu (Embree 3.13.5)");
   EXPECT_EQ(redacted_backend("gpu (X 1 (rev 2), software)"), "gpu");

@@ -4,6 +4,7 @@
 #include "report/result_file/read_json.h"
 #include "report/revision/gate.h"
 #include "report/revision/results.h"
+#include "report/revision/revision_tables.h"
 #include "tests/support/sample_document.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -477,6 +479,39 @@ TEST(Revise, ValuesOfChangedPlanesAreKeptPointByPoint) {
   EXPECT_THAT(revise(before, before, "main.json", kRegression).planes, IsEmpty());
   plane(after).points.back().position_m.x += 0.01;
   EXPECT_THAT(revise(before, after, "main.json", kRegression).planes, IsEmpty());
+}
+
+TEST(RevisionTables, SayAgainstWhat) {
+  Revision revision;
+  revision.baseline = "main.json";
+  EXPECT_EQ(baseline_words(revision), "main.json");
+  revision.baseline = "main";
+  revision.commits = {std::string(40, 'a'), std::string(40, 'b')};
+  EXPECT_EQ(baseline_words(revision), "main (aaaaaaaaaa, bbbbbbbbbb)");
+  revision.baseline = std::string(12, 'a');
+  EXPECT_EQ(baseline_words(revision), std::string(12, 'a'));
+
+  // Also where no table of results has it as its title.
+  Document after = base();
+  finding(after).requirement.limit = 250;
+  revision = revise(base(), after, "main", kRegression);
+  ASSERT_THAT(revision.results, IsEmpty());
+  ASSERT_FALSE(revision.questions.empty());
+  revision.commits = {std::string(40, 'a')};
+  after.revision = revision;
+  EXPECT_THAT(revision_remarks(after, {}).front(), HasSubstr("Against main (aaaaaaaaaa): "));
+}
+
+TEST(Revise, CommitsAreReadBackFromTheResultFile) {
+  Document document = base();
+  document.revision = revise(base(), document, "main", kRegression);
+  document.revision->commits = {std::string(40, 'a')};
+  const std::string bytes = render_json(document);
+  std::string problem;
+  const std::optional<Document> read = read_json(bytes, problem);
+  ASSERT_TRUE(read) << problem;
+  EXPECT_EQ(read->revision->commits, document.revision->commits);
+  EXPECT_EQ(render_json(*read), bytes);
 }
 
 TEST(Revise, IsReadBackFromTheResultFile) {

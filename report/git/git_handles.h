@@ -1,0 +1,38 @@
+#pragma once
+// libgit2's objects as C++ ones: for this folder only.
+
+#include <git2.h>
+
+#include <memory>
+#include <string>
+
+namespace git {
+
+template <class T, void (*Free)(T*)>
+struct Freeing {
+  void operator()(T* object) const { Free(object); }
+};
+using Repository = std::unique_ptr<git_repository, Freeing<git_repository, git_repository_free>>;
+using Object = std::unique_ptr<git_object, Freeing<git_object, git_object_free>>;
+using Commit = std::unique_ptr<git_commit, Freeing<git_commit, git_commit_free>>;
+using Tree = std::unique_ptr<git_tree, Freeing<git_tree, git_tree_free>>;
+using Blob = std::unique_ptr<git_blob, Freeing<git_blob, git_blob_free>>;
+using Config = std::unique_ptr<git_config, Freeing<git_config, git_config_free>>;
+using ObjectStore = std::unique_ptr<git_odb, Freeing<git_odb, git_odb_free>>;
+using Index = std::unique_ptr<git_index, Freeing<git_index, git_index_free>>;
+
+// Lives longer than all of the above.
+class Library {
+ public:
+  Library();
+  ~Library();
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+// What libgit2 said last, as a clause in brackets with a blank before it; "" = nothing.
+std::string said();
+
+std::string hex_of(const git_oid& id);
+
+}  // namespace git

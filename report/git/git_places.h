@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace git {
+
+// Where the repository is, if not around the files: as git's variables of these names. "" = not
+// set.
+struct GitPlaces {
+  std::string git_dir;
+  std::string work_tree;  // only with git_dir; "" = the repository's own, or the current folder
+};
+
+}  // namespace git

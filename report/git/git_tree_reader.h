@@ -1,0 +1,58 @@
+#pragma once
+// Files as they were in a git revision, from the objects of the repository. Neither the work tree
+// nor the index is touched, no program is started and nothing is fetched.
+
+#include "calc/base/file_reader.h"
+#include "report/git/git_places.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace git {
+
+// One repository at one commit. What is read are the bytes that a checkout would write, line ends
+// included; of Git LFS the contents, if they are in the repository's LFS objects. Symbolic links
+// are followed inside the repository only. What lies in a submodule is an error, as is what a
+// checkout would have other programs write, and a file over 512 MiB. Not thread-safe.
+class GitTreeReader : public calc::FileReader {
+ public:
+  // Of the repository in whose work tree `file` lies, which need not exist; of linked work trees
+  // and submodules their own. revision: as git names a commit: branch, tag, id, HEAD~1; or
+  // "main...", the commit at which HEAD has left main. Null, and `problem` says why in words that
+  // tell what is allowed.
+  static std::unique_ptr<GitTreeReader> open(const std::string& file, const std::string& revision,
+                                             const GitPlaces& places, std::string& problem);
+  ~GitTreeReader() override;
+  GitTreeReader(const GitTreeReader&) = delete;
+  GitTreeReader& operator=(const GitTreeReader&) = delete;
+
+  // Paths are those of the work tree, relative to the current folder or absolute.
+  calc::FileContent read(const std::string& path) const override;
+  // Whether there is something of this name, of any kind.
+  bool has(const std::string& path) const;
+  // What a folder holds, names alone, in order; empty where there is no such folder.
+  std::vector<std::string> names_in(const std::string& folder) const;
+  // Every file of the revision whose name ends so, as a path from `root`, in order.
+  std::vector<std::string> files_ending(const std::string& end) const;
+
+  // From the root of the repository; empty: outside of its work tree.
+  std::optional<std::string> path_in_repository(const std::string& path) const;
+  // The folder of the work tree, absolute, without a '/' at its end.
+  const std::string& root() const;
+  // Its full id, in hexadecimal.
+  const std::string& commit() const;
+
+  // How often something could not be read that the revision has: it is not among the objects at
+  // hand, or luxgate cannot follow to where it is.
+  std::size_t failures() const;
+
+ private:
+  struct State;
+  explicit GitTreeReader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace git

@@ -1,0 +1,221 @@
+#include "report/git/open_repository.h"
+
+#include "report/text/shell_words.h"
+
+#include <fmt/format.h>
+#include <git2/sys/repository.h>
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace git {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSinceItLeft = "...";  // as 'git diff main...' has it
+constexpr const char* kAllowed =
+    "a branch, a tag, the id of a commit, one of these with ~1 behind it, or 'main...', the commit "
+    "at which HEAD has left main";
+
+// The closest folder at or above the one of `file` that exists: files and their folders may be
+// gone.
+std::string existing_folder_of(const std::string& file) {
+  std::error_code ignored;
+  fs::path folder = fs::path(absolute_path(file)).parent_path();
+  while (!fs::is_directory(folder, ignored) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+  }
+  return folder.string();
+}
+
+// libgit2 1.5 may say of a foreign repository that the setting which would allow it was not found.
+bool is_about_owner(int error) {
+  return error == GIT_EOWNER || (error != 0 && said().find("safe.directory") != std::string::npos);
+}
+
+int note_safe_folder(const git_config_entry* entry, void* all) {
+  *static_cast<bool*>(all) = std::string_view(entry->value) == "*";  // an empty one starts anew
+  return 0;
+}
+
+// safe.directory = *: libgit2 1.5 knows single folders only.
+bool are_all_folders_safe() {
+  git_config* config = nullptr;
+  if (git_config_open_default(&config) != 0) return false;
+  const Config owned(config);
+  bool all = false;
+  git_config_get_multivar_foreach(config, "safe.directory", "^(\\*|)$", note_safe_folder, &all);
+  return all;
+}
+
+// For somebody who has been asked already. The switch is one for the whole process.
+class WithoutOwnerCheck {
+ public:
+  WithoutOwnerCheck() { git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 0); }
+  ~WithoutOwnerCheck() { git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 1); }
+  WithoutOwnerCheck(const WithoutOwnerCheck&) = delete;
+  WithoutOwnerCheck& operator=(const WithoutOwnerCheck&) = delete;
+};
+
+int open_at(const std::string& place, bool is_named, Repository& opened) {
+  git_repository* repository = nullptr;
+  const int error = is_named ? git_repository_open(&repository, place.c_str())
+                             : git_repository_open_ext(&repository, place.c_str(),
+                                                       GIT_REPOSITORY_OPEN_CROSS_FS, nullptr);
+  opened.reset(repository);
+  return error;
+}
+
+// What git wants to be named as safe.
+std::string folder_of_repository(const std::string& place) {
+  std::error_code ignored;
+  const fs::path whole = absolute_path(place);
+  if (whole.filename() == ".git") return whole.parent_path().string();
+  for (fs::path folder = whole; folder.has_relative_path(); folder = folder.parent_path()) {
+    if (fs::exists(folder / ".git", ignored)) return folder.string();
+  }
+  return whole.string();
+}
+
+std::string repository_problem(int error, const std::string& place, bool is_named) {
+  const std::string words = said();
+  const std::string whose = (is_named ? "GIT_DIR, '" : "the git repository of '") + place + "',";
+  if (is_about_owner(error)) {
+    return fmt::format(
+        "{} belongs to another user and is not read; if you trust it: git config --global --add "
+        "safe.directory {}",
+        whose, report::shell_quoted(folder_of_repository(place)));
+  }
+  if (error == GIT_ENOTFOUND) {
+    return fmt::format("'{}' lies in no git repository{}", place,
+                       is_named ? ": GIT_DIR names it, which is to name one" : "");
+  }
+  if (words.find("extension") != std::string::npos || words.find("version") != std::string::npos) {
+    return fmt::format(
+        "{} is of a kind that luxgate cannot read, such as one with SHA-256 ids; allowed are those "
+        "with SHA-1 ids{}",
+        whose, words);
+  }
+  return fmt::format("{} cannot be read{}", whose, words);
+}
+
+std::string unknown_revision(git_repository* repository, int error, const std::string& revision,
+                             const std::string& root) {
+  if (error == GIT_EAMBIGUOUS) {
+    return fmt::format("'{}' is short for several objects of {}: give more digits", revision, root);
+  }
+  const std::string words = said();
+  const std::string remote = "origin/" + revision;
+  git_object* found = nullptr;
+  if (git_revparse_single(&found, repository, remote.c_str()) == 0) {
+    const Object owned(found);
+    return fmt::format("{} knows no '{}', but '{}': say --against {}", root, revision, remote,
+                       remote);
+  }
+  return fmt::format("{} knows no commit '{}'; allowed is {}{}{}", root, revision, kAllowed,
+                     shallow_advice(repository), words);
+}
+
+std::optional<git_oid> find_named(git_repository* repository, const std::string& revision,
+                                  const std::string& root, std::string& problem) {
+  git_object* found = nullptr;
+  if (const int error = git_revparse_single(&found, repository, revision.c_str()); error != 0) {
+    problem = unknown_revision(repository, error, revision, root);
+    return std::nullopt;
+  }
+  const Object named(found);
+  git_object* commit = nullptr;
+  if (git_object_peel(&commit, found, GIT_OBJECT_COMMIT) != 0) {
+    problem = fmt::format("'{}' leads to no commit, it is a {}; allowed is {}", revision,
+                          git_object_type2string(git_object_type(found)), kAllowed);
+    return std::nullopt;
+  }
+  return *git_object_id(Object(commit).get());
+}
+
+}  // namespace
+
+std::string absolute_path(const std::string& path) {
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(path.empty() ? "." : path, ignored).lexically_normal();
+  const std::string text = whole.string();
+  return text.size() > 1 && text.back() == '/' ? text.substr(0, text.size() - 1) : text;
+}
+
+std::string canonical_folder(const std::string& path) {
+  std::error_code error;
+  const fs::path canonical = fs::canonical(path, error);
+  return error ? absolute_path(path) : absolute_path(canonical.string());
+}
+
+std::string shallow_advice(git_repository* repository) {
+  if (git_repository_is_shallow(repository) != 1) return "";
+  return "; this is a shallow clone, which lacks older commits and other branches: 'git fetch "
+         "--unshallow' brings them, in CI 'fetch-depth: 0' of actions/checkout (GitHub) or the "
+         "variable GIT_DEPTH: \"0\" (GitLab)";
+}
+
+std::optional<OpenedRepository> open_repository(const std::string& file, const GitPlaces& places,
+                                                std::string& problem) {
+  const bool is_named = !places.git_dir.empty();
+  const std::string place = is_named ? places.git_dir : existing_folder_of(file);
+  OpenedRepository opened;
+  int error = open_at(place, is_named, opened.repository);
+  if (is_about_owner(error) && are_all_folders_safe()) {
+    const WithoutOwnerCheck trusted;
+    error = open_at(place, is_named, opened.repository);
+  }
+  if (error != 0) {
+    problem = repository_problem(error, place, is_named);
+    return std::nullopt;
+  }
+  const char* work_tree = git_repository_workdir(opened.repository.get());
+  if (is_named && !places.work_tree.empty()) {
+    opened.root = canonical_folder(places.work_tree);
+  } else if (work_tree != nullptr) {
+    opened.root = canonical_folder(work_tree);
+  } else if (is_named) {
+    opened.root = canonical_folder(".");
+  } else {
+    problem = fmt::format(
+        "'{}' lies in a bare git repository, which has no work tree: check files of a 'git "
+        "worktree' of it, or set GIT_DIR and GIT_WORK_TREE",
+        file);
+    return std::nullopt;
+  }
+  return opened;
+}
+
+Repository open_without_work_tree(git_repository* repository) {
+  const WithoutOwnerCheck checked_when_it_was_opened;
+  git_repository* found = nullptr;
+  git_repository_open_ext(&found, git_repository_commondir(repository),
+                          GIT_REPOSITORY_OPEN_BARE | GIT_REPOSITORY_OPEN_NO_SEARCH, nullptr);
+  Repository bare(found);
+  git_index* index = nullptr;
+  if (bare == nullptr || git_index_new(&index) != 0) return nullptr;
+  const Index empty(index);
+  if (git_repository_set_index(bare.get(), index) != 0) return nullptr;
+  return bare;
+}
+
+std::optional<git_oid> find_commit(git_repository* repository, const std::string& revision,
+                                   const std::string& root, std::string& problem) {
+  if (!revision.ends_with(kSinceItLeft)) return find_named(repository, revision, root, problem);
+  const std::string other = revision.substr(0, revision.size() - kSinceItLeft.size());
+  const auto theirs = find_named(repository, other, root, problem);
+  if (!theirs) return std::nullopt;
+  const auto ours = find_named(repository, "HEAD", root, problem);
+  if (!ours) return std::nullopt;
+  git_oid base;
+  if (git_merge_base(&base, repository, &*ours, &*theirs) != 0) {
+    problem = fmt::format("HEAD and '{}' of {} have no commit in common{}", other, root,
+                          shallow_advice(repository));
+    return std::nullopt;
+  }
+  return base;
+}
+
+}  // namespace git

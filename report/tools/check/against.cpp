@@ -1,0 +1,230 @@
+#include "report/tools/check/against.h"
+
+#include "calc/base/diagnostics.h"
+#include "report/check/load_rules.h"
+#include "report/git/moved_files.h"
+#include "report/shell/print.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace cli {
+namespace {
+
+constexpr const char* kProjectEnd = ".xml";
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+// An absolute path, relative to the current folder where `example` is.
+std::string named_like(const std::string& example, const std::string& path) {
+  if (std::filesystem::path(example).is_absolute()) return path;
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::current_path(error);
+  return error ? path : std::filesystem::path(path).lexically_relative(here).string();
+}
+
+// A guess that is cheap: what is no project would not be like one either.
+bool looks_like_project(const std::string& bytes) {
+  return bytes.find("<luxgate") != std::string::npos;
+}
+
+// Rule packs of the revision where they lie in a repository, else of today.
+class RuleReader : public calc::FileReader {
+ public:
+  explicit RuleReader(
+      std::function<const git::GitTreeReader*(const std::string& path)> repository_of)
+      : repository_of_(std::move(repository_of)) {}
+
+  calc::FileContent read(const std::string& path) const override {
+    const git::GitTreeReader* repository = repository_of_(path);
+    return repository != nullptr ? repository->read(path) : disk_.read(path);
+  }
+
+ private:
+  std::function<const git::GitTreeReader*(const std::string& path)> repository_of_;
+  calc::DiskFileReader disk_;
+};
+
+}  // namespace
+
+std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
+                                                const std::string& revision,
+                                                const git::GitPlaces& places,
+                                                const calc::FileReader& now) {
+  OldState state;
+  state.revision_ = revision;
+  std::set<std::string> problems;
+  for (const std::string& path : input.projects) {
+    std::string problem;
+    Project project{path, path, state.open(path, places, problem)};
+    if (project.files == nullptr) {
+      if (problems.insert(problem).second) {
+        print_error(calc::DiagnosticId::revision_not_available, revision, problem);
+      }
+      continue;
+    }
+    project.was_there = project.files->has(path);
+    project.is_there_now = is_there(path);
+    state.projects_.push_back(std::move(project));
+  }
+  if (!problems.empty()) return std::nullopt;
+  state.find_moved(now);
+  for (const Project& project : state.projects_) {
+    if (!project.was_there && project.is_there_now) {
+      state.notes_.push_back(
+          fmt::format("{} was not there at {}: it is new", project.path, revision));
+    } else if (!project.is_there_now && project.was_there) {
+      state.notes_.push_back(fmt::format("{} is there at {}, and not now", project.path, revision));
+    } else if (project.path_then != project.path) {
+      state.notes_.push_back(fmt::format("{} is compared with {}", project.path,
+                                         state.shown(project.path_then, project.files)));
+    }
+  }
+  state.find_rules(input.rule_files);
+  return state;
+}
+
+const git::GitTreeReader* OldState::open(const std::string& project, const git::GitPlaces& places,
+                                         std::string& problem) {
+  std::unique_ptr<git::GitTreeReader> reader =
+      git::GitTreeReader::open(project, revision_, places, problem);
+  if (reader == nullptr) return nullptr;
+  const auto known =
+      std::find_if(repositories_.begin(), repositories_.end(),
+                   [&](const auto& repository) { return repository->root() == reader->root(); });
+  if (known != repositories_.end()) return known->get();
+  return repositories_.emplace_back(std::move(reader)).get();
+}
+
+// A project that is new may be one that is gone, by another name: what it asks less would not be
+// seen otherwise.
+void OldState::find_moved(const calc::FileReader& now) {
+  for (const auto& repository : repositories_) {
+    std::vector<Project*> added;
+    std::vector<std::string> texts_now;
+    for (Project& project : projects_) {
+      if (project.was_there || !project.is_there_now || project.files != repository.get()) continue;
+      calc::FileContent content = now.read(project.path);
+      if (!content.ok()) continue;
+      added.push_back(&project);
+      texts_now.push_back(std::move(content.bytes));
+    }
+    if (added.empty()) continue;
+    std::vector<std::string> gone, texts_gone;
+    for (const std::string& inside : repository->files_ending(kProjectEnd)) {
+      const std::string path = repository->root() + "/" + inside;
+      if (is_there(path)) continue;
+      calc::FileContent content = repository->read(path);
+      if (!content.ok() || !looks_like_project(content.bytes)) continue;
+      gone.push_back(path);
+      texts_gone.push_back(std::move(content.bytes));
+    }
+    const auto matches = git::match_moved(texts_now, texts_gone);
+    for (std::size_t k = 0; k < added.size(); ++k) {
+      if (!matches[k]) continue;
+      added[k]->path_then = named_like(added[k]->path, gone[*matches[k]]);
+      added[k]->was_there = true;
+    }
+  }
+}
+
+// Those in a repository are questions of the revision, too; others are as they are now.
+void OldState::find_rules(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const git::GitTreeReader* repository = repository_of(path);
+    if (repository == nullptr) {
+      rule_files_.push_back(path);
+      continue;
+    }
+    const std::vector<std::string> names = repository->names_in(path);
+    if (names.empty() && repository->has(path)) {
+      rule_files_.push_back(path);
+      continue;
+    }
+    const std::size_t before = rule_files_.size();
+    for (const std::string& name : names) {
+      const std::filesystem::path file = std::filesystem::path(path) / name;
+      if (file.extension() == ".xml") rule_files_.push_back(file.string());
+    }
+    if (rule_files_.size() == before) {
+      notes_.push_back(
+          fmt::format("the rules {} were not there at {}: they count now only", path, revision_));
+    }
+  }
+}
+
+// Of several, one inside the other, the innermost.
+const git::GitTreeReader* OldState::repository_of(const std::string& path) const {
+  const git::GitTreeReader* innermost = nullptr;
+  for (const auto& repository : repositories_) {
+    if (!repository->path_in_repository(path)) continue;
+    if (innermost == nullptr || repository->root().size() > innermost->root().size()) {
+      innermost = repository.get();
+    }
+  }
+  return innermost;
+}
+
+// "main:designs/a.xml", as git has it.
+std::string OldState::shown(const std::string& file, const git::GitTreeReader* files) const {
+  const auto inside = files != nullptr ? files->path_in_repository(file) : std::nullopt;
+  return inside ? fmt::format("{}:{}", revision_, *inside) : file;
+}
+
+void OldState::print_errors(const std::vector<calc::Diagnostic>& diagnostics) const {
+  std::vector<calc::Diagnostic> renamed = diagnostics;
+  for (calc::Diagnostic& diagnostic : renamed) {
+    std::string& file = diagnostic.where.file;
+    file = file.empty() ? revision_ : shown(file, repository_of(file));
+  }
+  print_diagnostics(renamed, true);
+}
+
+std::optional<std::vector<report::ProjectPart>> OldState::check(
+    const CheckOne& check_one, const std::function<bool()>& go_on) const {
+  const std::size_t failures_before = failures();
+  const RuleReader rules([this](const std::string& path) { return repository_of(path); });
+  calc::Diagnostics diagnostics;
+  const std::vector<rules::RulePack> packs =
+      check::load_rule_packs(rule_files_, rules, diagnostics);
+  print_errors(diagnostics.all());
+  std::vector<report::ProjectPart> parts;
+  for (const Project& project : projects_) {
+    if (!project.was_there) continue;
+    report::ProjectPart part;
+    if (project.is_there_now) {
+      part = check_one(project.path_then, *project.files, packs,
+                       shown(project.path_then, project.files));
+      print_errors(part.diagnostics);
+    }
+    part.path = project.path;
+    parts.push_back(std::move(part));
+    if (!go_on()) return parts;
+  }
+  if (failures() == failures_before) return parts;
+  print_error(calc::DiagnosticId::revision_not_available, revision_,
+              "what stands above is in this revision and cannot be read: nothing was compared");
+  return std::nullopt;
+}
+
+std::size_t OldState::failures() const {
+  std::size_t sum = 0;
+  for (const auto& repository : repositories_) sum += repository->failures();
+  return sum;
+}
+
+std::vector<std::string> OldState::commits() const {
+  std::vector<std::string> ids;
+  for (const auto& repository : repositories_) ids.push_back(repository->commit());
+  return ids;
+}
+
+}  // namespace cli

@@ -1,0 +1,68 @@
+#pragma once
+// The projects of a run as they were in a git revision: `check --against`.
+
+#include "calc/base/file_reader.h"
+#include "report/document/document.h"
+#include "report/git/git_tree_reader.h"
+#include "report/shell/work_options.h"
+#include "rules/pack/rule_pack.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+class OldState {
+ public:
+  // Of the same projects, each in the repository in which it lies. now: reads the files of today.
+  // Empty after an error, which has been printed.
+  static std::optional<OldState> open_or_print(const ProjectOptions& input,
+                                               const std::string& revision,
+                                               const git::GitPlaces& places,
+                                               const calc::FileReader& now);
+
+  // "main:designs/a.xml" comes before a project is checked; then its part, with the files and the
+  // rule packs of the revision.
+  using CheckOne = std::function<report::ProjectPart(
+      const std::string& path, const calc::FileReader& files,
+      const std::vector<rules::RulePack>& packs, const std::string& shown_path)>;
+  // Projects that were there, by their paths of today; one that could not be read or judged then is
+  // there and not judged. Errors are printed as of "REVISION:path". Empty where something could not
+  // be had that the revision holds; it has been printed. go_on: asked after each project; once it
+  // is false the rest is missing.
+  std::optional<std::vector<report::ProjectPart>> check(const CheckOne& check_one,
+                                                        const std::function<bool()>& go_on) const;
+
+  // Full ids of the commits, one for each repository, in the order of the projects.
+  std::vector<std::string> commits() const;
+  // What was not there, is not there now, or had another name; about rule files, too.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  struct Project {
+    std::string path, path_then;
+    const git::GitTreeReader* files = nullptr;
+    bool is_there_now = true, was_there = true;
+  };
+
+  std::size_t failures() const;
+  const git::GitTreeReader* open(const std::string& project, const git::GitPlaces& places,
+                                 std::string& problem);
+  void find_moved(const calc::FileReader& now);
+  void find_rules(const std::vector<std::string>& paths);
+  const git::GitTreeReader* repository_of(const std::string& path) const;
+  std::string shown(const std::string& file, const git::GitTreeReader* files) const;
+  void print_errors(const std::vector<calc::Diagnostic>& diagnostics) const;
+
+  std::string revision_;
+  std::vector<std::unique_ptr<git::GitTreeReader>> repositories_;
+  std::vector<Project> projects_;
+  std::vector<std::string> rule_files_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace cli

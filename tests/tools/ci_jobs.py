@@ -1,0 +1,213 @@
+"""The jobs in examples/ci, run as GitHub and GitLab would run them, for requests that do this and that to twelve designs.
+
+    ci_jobs.py LUXGATE FOLDER    FOLDER is made anew
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import git_repository
+import small_designs
+
+try:
+    import yaml
+except ImportError:
+    print("skipped: python3-yaml is not installed")
+    sys.exit(0)
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+WORK = pathlib.Path(sys.argv[2]).resolve()
+EXAMPLES = pathlib.Path(__file__).resolve().parent.parent.parent / "examples/ci"
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+VARIABLES = git_repository.environment(WORK / "home")
+VARIABLES["PATH"] = f"{PROGRAM.parent}:{VARIABLES['PATH']}"
+HOSTILE = "x$(touch${IFS}pwned)`touch${IFS}pwned`;touch${IFS}pwned;#'\""
+problems = []
+
+# The repository of the team.
+team = git_repository.Repository(WORK / "team", VARIABLES)
+DESIGNS = {f"designs/room-{k:02}.xml": dict(name=f"Room {k}", columns=3 + k % 3, points=4 + k, limit="500", far=False) for k in range(12)}
+
+
+def write(changes={}):
+    """All twelve, some of them changed: {name: what is other}."""
+    shutil.rmtree(team.folder / "designs", ignore_errors=True)
+    for name, values in DESIGNS.items():
+        values = {**values, **changes.get(name, {})}
+        small_designs.write(team.folder / values.pop("file", name), **values)
+
+
+def branch(name, changes):
+    team.git("checkout", "-q", "-B", name, "start")
+    write(changes)
+    team.commit(name)
+
+
+write()
+(team.folder / ".gitattributes").write_text("*.xml text eol=crlf\n")
+team.commit("designs")
+team.git("tag", "start")
+branch("darker", {"designs/room-07.xml": dict(columns=1)})
+branch("weaker", {"designs/room-03.xml": dict(limit="400")})
+branch("renamed", {name: dict(plane="table", was_plane=' was="desk"', name="Other", file=f"designs/hall-{k:02}.xml")
+                   for k, name in enumerate(DESIGNS) if k % 3 == 0})
+branch("better", {"designs/room-05.xml": dict(columns=7)})
+branch("unreadable", {"designs/room-02.xml": dict(limit="none")})
+team.git("checkout", "-q", "-B", HOSTILE, "start")
+# What others merge meanwhile is no regression of those who have it not yet.
+team.git("checkout", "-q", "main")
+write({"designs/room-01.xml": dict(columns=9)})
+team.commit("brighter")
+
+# Name of the request: target, exit code, how many designs have other light, what people read of it.
+REQUESTS = {
+    "darker": ("main", 1, 1, ["room-07.xml", "✗ broken"]),
+    "weaker": ("main", 1, 0, ["room-03.xml", "asks less", "≥ 500 lx", "≥ 400 lx"]),
+    "renamed": ("main", 0, 4, ["nothing became worse"]),
+    "better": (HOSTILE, 0, 1, ["▲ better", "room-05.xml"]),
+    "unreadable": ("main", 2, 0, ["room-02.xml"]),
+}
+
+
+def entries(store):
+    return sum(1 for file in store.rglob("*") if file.is_file()) if store.exists() else 0
+
+
+class Machine:
+    """A clone as the system makes it, of another user's as in a container, with the store of the last run on main."""
+
+    def __init__(self, name, depth, store):
+        self.folder = WORK / name
+        self.home = WORK / f"{name}-home"
+        self.variables = {**VARIABLES, **git_repository.environment(self.home), "PATH": VARIABLES["PATH"]}
+        limits = [] if depth == 0 else ["--depth", str(depth)]
+        subprocess.run(["git", "clone", "-q", "--no-checkout", *limits, f"file://{team.folder}", self.folder], check=True, env=VARIABLES)
+        self.store = self.folder / ".luxgate-store"
+        self.kept = store
+
+    def git(self, *arguments):
+        done = subprocess.run(["git", "-c", "user.name=A", "-c", "user.email=a@example.invalid", *arguments], cwd=self.folder, env=VARIABLES,
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"{self.folder.name}: git {' '.join(arguments)}: {done.stderr}")
+
+    def hand_over(self):
+        if self.kept.exists():
+            shutil.copytree(self.kept, self.store)
+        if os.geteuid() == 0:
+            for file in [self.folder, self.folder / ".git", *self.folder.rglob("*")]:
+                os.chown(file, 12345, -1, follow_symlinks=False)
+
+    def run(self, shell, script, variables):
+        (WORK / "step.sh").write_text(script)
+        return subprocess.run([*shell, WORK / "step.sh"], cwd=self.folder, env={**self.variables, **variables}, capture_output=True, text=True)
+
+
+def read_example(name):
+    return yaml.safe_load((EXAMPLES / name).read_text())
+
+
+class GitHub:
+    def __init__(self):
+        workflow = read_example("github.yml")
+        self.job = workflow["jobs"]["designs"]
+        self.store = WORK / "github-store"
+        text = (EXAMPLES / "github.yml").read_text()
+        if workflow["permissions"] != {} or self.job["permissions"] != {"contents": "read", "security-events": "write"}:
+            problems.append("GitHub: more rights than it needs")
+        if "pull_request_target" in text or "secrets" in text:
+            problems.append("GitHub: secrets for requests of anybody")
+        for step in self.job["steps"]:
+            if "uses" in step and not re.fullmatch(r"[\w./-]+@[0-9a-f]{40}", step["uses"]):
+                problems.append(f"GitHub: {step['uses']} is not pinned")
+            if "${{" in step.get("run", ""):
+                problems.append(f"GitHub: a value is pasted into a script: {step['run']}")
+        self.checkout = next(step for step in self.job["steps"] if step.get("uses", "").startswith("actions/checkout@"))
+
+    def play(self, name, target):
+        """target: None for a push to `name`. Exit code, log, summary, folder."""
+        machine = Machine(f"github-{name}", self.checkout["with"].get("fetch-depth", 1), self.store)
+        machine.git("checkout", "-q", "--detach", f"origin/{target or name}")
+        if target:
+            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"origin/{name}")
+        machine.hand_over()
+        summary = WORK / f"github-{name}.md"
+        variables = {"GITHUB_WORKSPACE": str(machine.folder), "GITHUB_STEP_SUMMARY": str(summary)}
+        expressions = {"${{ github.base_ref }}": target or ""}
+        variables.update({key: expressions[value] for key, value in self.job["env"].items()})
+        code, log = 0, ""
+        for step in self.job["steps"]:
+            if "run" not in step or (code != 0 and "!cancelled()" not in step.get("if", "")):
+                continue
+            done = machine.run(["sh", "-e"], step["run"], variables)
+            log += done.stdout + done.stderr
+            code = code or done.returncode
+        return code, log, summary.read_text() if summary.exists() else "", machine
+
+
+class GitLab:
+    def __init__(self):
+        self.job = read_example("gitlab.yml")["luxgate"]
+        self.store = WORK / "gitlab-store"
+
+    def play(self, name, target):
+        """As GitHub.play; a request is its branch, not a merge."""
+        machine = Machine(f"gitlab-{name}", int(self.job["variables"].get("GIT_DEPTH", 20)), self.store)
+        machine.git("checkout", "-q", "--detach", f"origin/{name}")
+        machine.hand_over()
+        variables = {"CI_PROJECT_DIR": str(machine.folder), **self.job["variables"]}
+        if target:
+            variables["CI_MERGE_REQUEST_TARGET_BRANCH_NAME"] = target
+        done = machine.run(["sh", "-e"], "\n".join(self.job["script"]), variables)
+        after = machine.run(["sh"], "\n".join(self.job["after_script"]), variables)
+        summary = machine.folder / "out/summary.md"
+        return done.returncode, done.stdout + done.stderr + after.stdout + after.stderr, summary.read_text() if summary.exists() else "", machine
+
+
+def expect(name, done, code, words):
+    got, log, summary, machine = done
+    found = [] if got == code else [f"exit code {got}, expected {code}"]
+    found += [f"'{word}' is missing" for word in words if word not in (summary if code != 2 else log + summary)]
+    found += [f"'{file}' was made" for file in machine.folder.rglob("pwned*")]
+    problems.extend(f"{name}: {problem}" for problem in found)
+    if found:
+        print(f"--- {name}\n{log}\n{summary}")
+    return machine
+
+
+for system in (GitHub(), GitLab()):
+    kind = type(system).__name__
+    machine = expect(f"{kind}: main", system.play("main", None), 0, ["pass"])
+    if not machine.store.exists():
+        problems.append(f"{kind}: no store is left")
+        continue
+    machine.store.rename(system.store)
+    whole = entries(system.store)
+    for name, (target, code, others, words) in REQUESTS.items():
+        machine = expect(f"{kind}: {name}", system.play(name, target), code, words)
+        more = entries(machine.store) - whole
+        # Random numbers hang on the ids of planes, so what is renamed is calculated anew. A request that is
+        # behind main has the design that has changed there as it was.
+        if more > others + 1:
+            problems.append(f"{kind}: {name}: {more} new looks, {others} designs have changed")
+        out = machine.folder / "out"
+        files = ("luxgate.sarif", "report.txt", "report.html") if kind == "GitHub" else ("junit.xml", "quality.json", "report.html")
+        missing = [file for file in files if not (out / file).exists()]
+        problems.extend(f"{kind}: {name}: {file} is missing" for file in missing)
+        if missing:
+            continue
+        if kind == "GitHub":
+            sarif = json.loads((out / "luxgate.sarif").read_text())
+            if code == 1 and not any(result.get("baselineState") in ("new", "updated") for run in sarif["runs"] for result in run["results"]):
+                problems.append(f"{kind}: {name}: nothing in SARIF")
+        elif code == 1 and ('failures="0"' in (out / "junit.xml").read_text().split("<testsuite ")[0] or not json.loads((out / "quality.json").read_text())):
+            problems.append(f"{kind}: {name}: nothing in JUnit or code quality")
+
+for problem in problems:
+    print(problem)
+sys.exit(1 if problems else 0)
