@@ -80,10 +80,10 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script revision_gate revision_against ci_jobs)
+foreach(script revision_gate revision_attacks revision_against ci_jobs)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
-      $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script})
+      $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)
   else()
     add_test(NAME cli.${script} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
   endif()

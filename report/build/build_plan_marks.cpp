@@ -157,7 +157,11 @@ void add_plan_marks(const calc::Project& project, const calc::Space& space,
   if (!space.surfaces_file.empty()) return;
   const std::size_t shell = space.shell ? space.shell->footprint_m.size() + 2 : 0;
   for (std::size_t i = 0; i < std::min(shell, space.bodies.size()); ++i) {
-    part.finishes.push_back({space.bodies[i].id, materials_of(project, space.bodies[i])});
+    const calc::Body& body = space.bodies[i];
+    const std::string of_room = space.id + ".";
+    part.finishes.push_back(
+        {body.id.starts_with(of_room) ? body.id.substr(of_room.size()) : body.id,
+         materials_of(project, body)});
   }
   for (std::size_t i = shell; i < space.bodies.size(); ++i) {
     if (part.bodies.size() == kMostBodies) {

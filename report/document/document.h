@@ -50,11 +50,12 @@ struct Provenance {
   double tolerance = 0.02;      // relative half-width aimed at where nothing is decided
   std::uint64_t max_paths = 0;  // per plane and replicate
   int replicates = 0;
-  std::string method;  // "--method instant-radiosity --clamp 10": not as by default; "" = all is
   std::string backend;      // "cpu (Embree 3.13.5)"
   int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
   SameBits same_bits = SameBits::any_processor;
   bool is_redacted = false;  // see redact()
+  // Options of the method that are not as by default: "--method instant-radiosity --clamp 10".
+  std::string method = {};
 };
 
 struct LuminaireRow {
@@ -174,7 +175,7 @@ struct BodyMark {  // furniture, for plans
 
 // Of the shell of a room: floor, ceiling and walls.
 struct SurfaceFinish {
-  std::string surface;    // "office.floor"
+  std::string surface;    // "floor", "wall1"
   std::string materials;  // ids, as of a body
 };
 

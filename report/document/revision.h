@@ -60,7 +60,7 @@ enum class QuestionPart : std::uint8_t {
   confidence,
   accuracy,  // goal, tolerance, replicates, most paths
   method,
-  remark  // what must be read with the requirement: trust in its number, hours of energy
+  energy  // hours and factors of LENI
 };
 
 // Where in the design; later parts are "" where something is about all of the earlier one. Ids.
@@ -192,7 +192,7 @@ struct EnumNames<report::QuestionPart> {
       {report::QuestionPart::confidence, "confidence"},
       {report::QuestionPart::accuracy, "accuracy"},
       {report::QuestionPart::method, "method"},
-      {report::QuestionPart::remark, "remark"}};
+      {report::QuestionPart::energy, "energy"}};
 };
 
 template <>

@@ -150,7 +150,9 @@ void add_changes(const Document& document, std::vector<CiFinding>& list) {
     const ChangedResult* result = found == changed.end() ? nullptr : found->second;
     entry.change = result == nullptr ? ResultChange::same : result->change;
     if (revision.gate.mode == GateMode::all || entry.verdict != rules::Verdict::fail) continue;
+    // What failed before and became worse stands among the changes, with how much worse it is.
     const bool stops =
+        entry.change != ResultChange::worse &&
         std::find(reasons.results.begin(), reasons.results.end(), result) != reasons.results.end();
     entry.is_known = entry.counts && !stops;
     entry.counts = entry.counts && stops;

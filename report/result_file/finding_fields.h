@@ -150,6 +150,10 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
     o.field("words", requirement.mask_words, {.presence = kSinceLater});
   };
   v.object("mask", mask, {.presence = only_if(!requirement.mask.id.empty())});
+  v.field("energy", requirement.energy_words,
+          {.words = "From which hours and factors: also in requirement_note.",
+           .presence = only_if(!requirement.energy_words.empty()),
+           .holds = Holds::prose});
   v.field("percent", requirement.percent,
           {.presence = only_if(requirement.metric == rules::Metric::percentile)});
   v.field("point_m", requirement.point_m, {.presence = only_if(requirement.point_m.has_value())});

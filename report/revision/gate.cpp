@@ -7,11 +7,7 @@ namespace {
 
 // Of 0 before no share is known: then any loss is too much.
 bool is_worse_than_allowed(const ChangedResult& result, const Gate& gate) {
-  double allowed = gate.allowed_worse;
-  for (const AllowedLoss& loss : gate.allowed_worse_of) {
-    if (result.metric == loss.metric) allowed = loss.share;
-  }
-  return !(result.gain.high >= -allowed);
+  return !(result.gain.high >= -allowed_loss(gate, result));
 }
 
 bool stops(const ChangedResult& result, const Gate& gate) {
@@ -47,6 +43,17 @@ rules::Outcome outcome_beside_failures(const Document& document) {
 }
 
 }  // namespace
+
+double allowed_loss(const Gate& gate, const ChangedResult& result) {
+  for (const AllowedLoss& loss : gate.allowed_worse_of) {
+    if (result.metric == loss.metric) return loss.share;
+  }
+  return gate.allowed_worse;
+}
+
+bool may_have_lost_more(const Gate& gate, const ChangedResult& result) {
+  return result.gain.low < -allowed_loss(gate, result);
+}
 
 GateReasons reasons_of(const Revision& revision) {
   GateReasons reasons;

@@ -16,6 +16,11 @@ struct GateReasons {
 };
 GateReasons reasons_of(const Revision& revision);
 
+// Share that the value may lose.
+double allowed_loss(const Gate& gate, const ChangedResult& result);
+// Whether a loss of more than that is not excluded: by the interval, or as it is not known.
+bool may_have_lost_more(const Gate& gate, const ChangedResult& result);
+
 // Whether anything is asked otherwise, or a verdict is another one; values may differ.
 bool is_judged_otherwise(const Revision& revision);
 

@@ -33,51 +33,52 @@ class Inputs {
 
 std::string photometry_words(const LuminaireRow& row) {
   constexpr std::size_t kShown = 8;  // digits of the hash, as git shows them
-  std::string words = fmt::format("{} ({})", row.photometry_file, row.sha256.substr(0, kShown));
+  std::string words = row.photometry_file.empty() ? "luminous surface"
+                                                  : fmt::format("{} ({})", row.photometry_file,
+                                                                row.sha256.substr(0, kShown));
   if (std::isfinite(row.flux_lm)) words += ", " + format_lumens(row.flux_lm) + " lm";
   if (row.power_w > 0.0) words += ", " + format_watts(row.power_w) + " W";
   words += ", maintenance factor " + format_shortest(row.maintenance_factor);
   return words;
 }
 
-// Of one type, those of either side that the other has not, and how far the others went: each is
-// taken for the nearest that is left.
+// What became of luminaires of one type.
 struct Moves {
-  std::size_t moved = 0, added = 0, removed = 0, turned = 0;
+  std::size_t moved = 0, added = 0, removed = 0, turned = 0, regrouped = 0, reshaped = 0;
   double farthest_m = 0.0;
 };
 
-Moves moves_of(std::vector<LuminaireMark> before, std::vector<LuminaireMark> after) {
+bool is_same_way(const glm::dvec3& a, const glm::dvec3& b) {
+  const bool is_known = a != glm::dvec3(0.0) && b != glm::dvec3(0.0);
+  return !is_known || glm::length(a - b) <= kSamePlace_m;
+}
+
+// Of the opening, wherever it is.
+double size_of(const LuminaireMark& mark) {
+  double size_m = 0.0;
+  for (std::size_t k = 1; k < mark.outline_m.size(); ++k) {
+    size_m += glm::length(mark.outline_m[k] - mark.outline_m[k - 1]);
+  }
+  return size_m;
+}
+
+Moves moves_of(const std::vector<LuminaireMark>& before, const std::vector<LuminaireMark>& after) {
   Moves moves;
-  std::erase_if(after, [&](const LuminaireMark& mark) {
-    const auto found = std::find_if(before.begin(), before.end(), [&](const LuminaireMark& other) {
-      return is_same_place(other.position_m, mark.position_m);
-    });
-    if (found == before.end()) return false;
-    const bool is_turned = glm::length(found->c0 - mark.c0) > kSamePlace_m ||
-                           found->outline_m.size() != mark.outline_m.size() ||
-                           found->group != mark.group;
-    moves.turned += is_turned ? 1 : 0;
-    before.erase(found);
-    return true;
-  });
-  for (const LuminaireMark& mark : after) {
-    if (before.empty()) {
-      ++moves.added;
+  for (const PartPair<LuminaireMark>& pair : match_marks(before, after)) {
+    if (pair.before == nullptr || pair.after == nullptr) {
+      ++(pair.before == nullptr ? moves.added : moves.removed);
       continue;
     }
-    const auto distance_m = [&](const LuminaireMark& other) {
-      return glm::length(other.position_m - mark.position_m);
-    };
-    const auto nearest = std::min_element(before.begin(), before.end(),
-                                          [&](const LuminaireMark& a, const LuminaireMark& b) {
-                                            return distance_m(a) < distance_m(b);
-                                          });
-    moves.farthest_m = std::max(moves.farthest_m, distance_m(*nearest));
-    ++moves.moved;
-    before.erase(nearest);
+    const LuminaireMark &was = *pair.before, &is = *pair.after;
+    if (!is_same_place(was.position_m, is.position_m)) {
+      ++moves.moved;
+      moves.farthest_m = std::max(moves.farthest_m, glm::length(was.position_m - is.position_m));
+    }
+    const bool is_turned = !is_same_way(was.c0, is.c0) || !is_same_way(was.axis, is.axis);
+    if (is_turned) ++moves.turned;
+    if (was.group != is.group) ++moves.regrouped;
+    if (!is_turned && std::abs(size_of(was) - size_of(is)) > kSamePlace_m) ++moves.reshaped;
   }
-  moves.removed = before.size();
   return moves;
 }
 
@@ -89,7 +90,9 @@ std::string moves_words(const Moves& moves) {
   add(moves.added, "added");
   add(moves.removed, "removed");
   add(moves.moved, fmt::format("moved, up to {} m", format_metres(moves.farthest_m)));
-  add(moves.turned, "turned or in another group");
+  add(moves.turned, "turned");
+  add(moves.regrouped, "in another group");
+  add(moves.reshaped, "with another opening");
   return words;
 }
 
@@ -125,6 +128,12 @@ bool is_same_body(const BodyMark& a, const BodyMark& b) {
 
 std::string body_words(const BodyMark& body) {
   return fmt::format("{} to {} m high", format_metres(body.low_z_m), format_metres(body.high_z_m));
+}
+
+// Results of earlier versions do not know them.
+void compare_materials(Inputs& inputs, const std::string& surface, const std::string& before,
+                       const std::string& after) {
+  if (!before.empty() && !after.empty()) inputs.compare("material", surface, before, after);
 }
 
 std::string levels_words(const SceneRow& scene) {
@@ -174,6 +183,12 @@ std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePar
                                          const RevisionPlace& place) {
   Inputs inputs(place);
   compare_luminaires(inputs, before, after);
+  const auto finishes = match_parts(before.finishes, after.finishes,
+                                    [](const SurfaceFinish& finish) { return finish.surface; });
+  for (const PartPair<SurfaceFinish>& pair : finishes) {
+    if (pair.before == nullptr || pair.after == nullptr) continue;  // the shape of the room tells
+    compare_materials(inputs, pair.after->surface, pair.before->materials, pair.after->materials);
+  }
   const auto bodies =
       match_parts(before.bodies, after.bodies, [](const BodyMark& body) { return body.id; });
   for (const PartPair<BodyMark>& pair : bodies) {
@@ -185,6 +200,8 @@ std::vector<ChangedInput> compare_inputs(const SpacePart& before, const SpacePar
       inputs.compare("body", pair.after->id, body_words(*pair.before),
                      body_words(*pair.after) + ", moved or of another shape");
     }
+    if (pair.before == nullptr || pair.after == nullptr) continue;
+    compare_materials(inputs, pair.after->id, pair.before->materials, pair.after->materials);
   }
   if (bodies.size() > 0 || before.triangles != after.triangles) {
     inputs.compare("triangles", "", fmt::format("{}", before.triangles),

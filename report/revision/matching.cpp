@@ -61,6 +61,44 @@ std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<Luminaire
   return pairs;
 }
 
+std::vector<PartPair<SpacePart>> match_rooms(const ProjectPart& before, const ProjectPart& after) {
+  return match_renamed(
+      before.spaces, after.spaces, [](const SpacePart& space) { return space.id; },
+      [](const SpacePart& space) { return space.was; });
+}
+
+std::vector<PartPair<LuminaireMark>> match_marks(const std::vector<LuminaireMark>& before,
+                                                 const std::vector<LuminaireMark>& after) {
+  std::vector<const LuminaireMark*> left;
+  for (const LuminaireMark& mark : before) left.push_back(&mark);
+  std::vector<PartPair<LuminaireMark>> pairs;
+  for (const LuminaireMark& mark : after) {
+    PartPair<LuminaireMark> pair{nullptr, &mark};
+    const auto found = std::find_if(left.begin(), left.end(), [&](const LuminaireMark* other) {
+      return is_same_place(other->position_m, mark.position_m);
+    });
+    if (found != left.end()) {
+      pair.before = *found;
+      left.erase(found);
+    }
+    pairs.push_back(pair);
+  }
+  for (PartPair<LuminaireMark>& pair : pairs) {
+    if (pair.before != nullptr || left.empty()) continue;
+    const auto distance_m = [&](const LuminaireMark* other) {
+      return glm::length(other->position_m - pair.after->position_m);
+    };
+    const auto nearest = std::min_element(left.begin(), left.end(),
+                                          [&](const LuminaireMark* a, const LuminaireMark* b) {
+                                            return distance_m(a) < distance_m(b);
+                                          });
+    pair.before = *nearest;
+    left.erase(nearest);
+  }
+  for (const LuminaireMark* gone : left) pairs.push_back({gone, nullptr});
+  return pairs;
+}
+
 std::vector<PartPair<ProjectPart>> match_projects(const Document& before, const Document& after) {
   std::vector<PartPair<ProjectPart>> pairs;
   for (const ProjectPart& project : after.projects) pairs.push_back({nullptr, &project});

@@ -72,6 +72,14 @@ std::vector<PartPair<Part>> match_renamed(const std::vector<Part>& before,
 std::vector<PartPair<LuminaireRow>> match_luminaires(const std::vector<LuminaireRow>& before,
                                                      const std::vector<LuminaireRow>& after);
 
+// Of two projects that belong together.
+std::vector<PartPair<SpacePart>> match_rooms(const ProjectPart& before, const ProjectPart& after);
+
+// Those of one place, whatever their type, then each that is left with the nearest that is left;
+// at last what is new or gone.
+std::vector<PartPair<LuminaireMark>> match_marks(const std::vector<LuminaireMark>& before,
+                                                 const std::vector<LuminaireMark>& after);
+
 // Projects have no ids: those of one path are the same; of the others those of one name that no
 // other project of either side has, then those whose files alone have one name, and at last the
 // only one that is left on either side.

@@ -1,7 +1,7 @@
 #include "report/revision/questions.h"
 
 #include "calc/base/names.h"
-#include "calc/scene/polygon.h"
+#include "report/revision/question_list.h"
 #include "report/text/number_format.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
@@ -10,55 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace report {
 namespace {
 
-constexpr double kSameShare = 1e-9;  // of numbers that were calculated, not written
-
-bool is_same(double a, double b) {
-  return a == b || (std::isnan(a) && std::isnan(b)) ||
-         std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b));
-}
-
-class Questions {
- public:
-  explicit Questions(RevisionPlace place) : place_(std::move(place)) {}
-
-  void add(QuestionChange change, QuestionPart part, std::string before, std::string after,
-           const std::string& item = "") {
-    ChangedQuestion question{change, part, place_, std::move(before), std::move(after)};
-    if (!item.empty()) question.place.item = item;
-    list_.push_back(std::move(question));
-  }
-  // Nothing where they are the same.
-  void exchange(QuestionPart part, const std::string& before, const std::string& after) {
-    if (before != after) add(QuestionChange::exchanged, part, before, after);
-  }
-  // A number of which more asks for more, or for less.
-  void compare(QuestionPart part, double before, double after, bool more_is_stricter,
-               const std::string& before_words, const std::string& after_words,
-               const std::string& item = "") {
-    if (is_same(before, after)) return;
-    const bool is_known = std::isfinite(before) && std::isfinite(after);
-    const bool is_stricter = (after > before) == more_is_stricter;
-    add(!is_known     ? QuestionChange::exchanged
-        : is_stricter ? QuestionChange::stricter
-                      : QuestionChange::weaker,
-        part, before_words, after_words, item);
-  }
-  std::vector<ChangedQuestion> take() { return std::move(list_); }
-
- private:
-  RevisionPlace place_;
-  std::vector<ChangedQuestion> list_;
-};
-
 // Something that lasts up to a day and lets a requirement go.
-void compare_leave(Questions& questions, QuestionPart part,
+void compare_leave(QuestionList& questions, QuestionPart part,
                    const std::optional<calc::Waiver>& before,
                    const std::optional<calc::Waiver>& after, const std::string& item = "") {
   const auto words = [](const std::optional<calc::Waiver>& leave) {
@@ -71,7 +31,7 @@ void compare_leave(Questions& questions, QuestionPart part,
   questions.add(change, part, words(before), words(after), item);
 }
 
-void compare_severities(Questions& questions, rules::Severity before, rules::Severity after) {
+void compare_severities(QuestionList& questions, rules::Severity before, rules::Severity after) {
   const auto rank = [](rules::Severity severity) {
     return severity == rules::Severity::shall          ? 2
            : severity == rules::Severity::in_aggregate ? 1
@@ -85,14 +45,14 @@ std::string limit_words(const rules::Requirement& requirement) {
   return format_required({requirement.limit, requirement.comparison}, rules::unit_of(requirement));
 }
 
-void compare_limits(Questions& questions, const rules::Requirement& before,
+void compare_limits(QuestionList& questions, const rules::Requirement& before,
                     const rules::Requirement& after) {
   const bool is_lower = rules::is_lower_limit(after.comparison);
   if (rules::is_lower_limit(before.comparison) != is_lower) {
     return questions.add(QuestionChange::exchanged, QuestionPart::quantity, limit_words(before),
                          limit_words(after));
   }
-  if (!is_same(before.limit, after.limit)) {
+  if (!is_same_number(before.limit, after.limit)) {
     return questions.compare(QuestionPart::limit, before.limit, after.limit, is_lower,
                              limit_words(before), limit_words(after));
   }
@@ -103,17 +63,48 @@ void compare_limits(Questions& questions, const rules::Requirement& before,
                 QuestionPart::limit, limit_words(before), limit_words(after));
 }
 
-// What is looked at, in the words of reports, with all that they leave out.
-std::string quantity_of(const rules::Requirement& requirement) {
+bool is_same_point(const std::optional<glm::dvec3>& a, const std::optional<glm::dvec3>& b) {
+  return a.has_value() == b.has_value() && (!a || is_same_place(*a, *b));
+}
+
+std::string exact_words(const glm::dvec3& v) {
+  return fmt::format("({}, {}, {})", format_shortest(v.x), format_shortest(v.y),
+                     format_shortest(v.z));
+}
+
+// With what the words of reports round or leave out.
+std::string exact_quantity(const rules::Requirement& requirement) {
   std::string words = quantity_words(requirement);
-  if (requirement.metric == rules::Metric::share) {
-    words += fmt::format(" from {} to {}", format_shortest(requirement.range.from),
-                         std::isfinite(requirement.range.to) ? format_shortest(requirement.range.to)
-                                                             : std::string("any"));
-  }
-  if (requirement.facing) words += " facing " + format_position(*requirement.facing);
+  if (requirement.point_m) words += ", exactly " + exact_words(*requirement.point_m);
+  if (requirement.facing) words += ", facing " + exact_words(*requirement.facing);
   if (requirement.any_one_unit_out) words += " with any one luminaire out";
   return words;
+}
+
+// What is looked at.
+void compare_quantities(QuestionList& questions, const rules::Requirement& before,
+                        const rules::Requirement& after) {
+  const bool is_same =
+      before.metric == after.metric && before.derived == after.derived &&
+      before.percent == after.percent && before.any_one_unit_out == after.any_one_unit_out &&
+      before.range.from == after.range.from && before.range.to == after.range.to &&
+      is_same_point(before.point_m, after.point_m) && is_same_point(before.facing, after.facing);
+  if (is_same) return;
+  const std::string was = quantity_words(before), is = quantity_words(after);
+  questions.add(QuestionChange::exchanged, QuestionPart::quantity,
+                was == is ? exact_quantity(before) : was, was == is ? exact_quantity(after) : is);
+}
+
+// A mask's name is nothing where it is known what it does.
+void compare_masks(QuestionList& questions, const rules::Requirement& before,
+                   const rules::Requirement& after) {
+  const auto words = [](const rules::Requirement& requirement) {
+    if (requirement.mask.id.empty()) return std::string("all points");
+    return requirement.mask_words.empty() ? requirement.mask.id : requirement.mask_words;
+  };
+  const bool is_unknown = before.mask_words.empty() != after.mask_words.empty() &&
+                          before.mask.id == after.mask.id;  // results of earlier versions
+  if (!is_unknown) questions.exchange(QuestionPart::mask, words(before), words(after));
 }
 
 std::string light_of(const rules::Requirement& requirement) {
@@ -125,7 +116,7 @@ std::string light_of(const rules::Requirement& requirement) {
 // Of the standard's scale; "modified" asks for at least as much as "required".
 int level_rank(const rules::RowLevel& level) { return level.is_modified ? 1 : level.steps; }
 
-void compare_rules(Questions& questions, const rules::Requirement& before,
+void compare_rules(QuestionList& questions, const rules::Requirement& before,
                    const rules::Requirement& after) {
   const auto words = [](const rules::RuleOrigin& origin) {
     if (origin.pack.empty()) return std::string();
@@ -141,7 +132,7 @@ void compare_rules(Questions& questions, const rules::Requirement& before,
                     rules::level_name(after.origin.level));
 }
 
-void compare_policies(Questions& questions, const rules::DecisionPolicy& before,
+void compare_policies(QuestionList& questions, const rules::DecisionPolicy& before,
                       const rules::DecisionPolicy& after) {
   const std::string was = rules::policy_text(before), is = rules::policy_text(after);
   const bool is_rounded_alike = before.compares_rounded == after.compares_rounded &&
@@ -157,7 +148,7 @@ void compare_policies(Questions& questions, const rules::DecisionPolicy& before,
   if (!is_rounded_alike) questions.add(QuestionChange::exchanged, QuestionPart::policy, was, is);
 }
 
-void compare_deviations(Questions& questions, const rules::Requirement& before,
+void compare_deviations(QuestionList& questions, const rules::Requirement& before,
                         const rules::Requirement& after) {
   const auto stated = [](const rules::Requirement& requirement, rules::FitAspect aspect) {
     for (const rules::Deviation& deviation : requirement.deviations) {
@@ -171,100 +162,6 @@ void compare_deviations(Questions& questions, const rules::Requirement& before,
   }
 }
 
-struct PlaneShape {
-  std::vector<glm::dvec3> corner_m;
-  double area_m2 = 0.0;
-  double width_m = 0.0;  // of routes
-};
-
-PlaneShape shape_of(const PlanePart& plane) {
-  PlaneShape shape;
-  const calc::SensorGrid& grid = plane.grid;
-  if (grid.route) {
-    shape.corner_m = grid.route->line.corner_m;
-    shape.width_m = grid.route->line.width_m;
-    for (std::size_t k = 1; k < shape.corner_m.size(); ++k) {
-      shape.area_m2 += shape.width_m * glm::length(shape.corner_m[k] - shape.corner_m[k - 1]);
-    }
-    return shape;
-  }
-  const auto add = [&](const std::vector<glm::dvec2>& outline) {
-    for (const glm::dvec2& corner : outline) {
-      shape.corner_m.push_back(grid.origin_m + corner.x * grid.u + corner.y * grid.v);
-    }
-  };
-  add(plane.outline_m);
-  shape.area_m2 = std::abs(calc::signed_area(plane.outline_m));
-  for (const std::vector<glm::dvec2>& hole : plane.holes_m) {
-    add(hole);
-    shape.area_m2 -= std::abs(calc::signed_area(hole));
-  }
-  if (!shape.corner_m.empty()) return shape;
-  for (const PointRow& point : plane.points) shape.corner_m.push_back(point.position_m);
-  return shape;
-}
-
-bool is_same(const PlaneShape& a, const PlaneShape& b) {
-  if (a.corner_m.size() != b.corner_m.size() || !is_same(a.width_m, b.width_m)) return false;
-  for (std::size_t k = 0; k < a.corner_m.size(); ++k) {
-    if (!is_same_place(a.corner_m[k], b.corner_m[k])) return false;
-  }
-  return true;
-}
-
-std::string shape_words(const PlaneShape& shape) {
-  std::string words;
-  if (shape.area_m2 > 0.0) words = fmt::format("{:.4g} m2 ", shape.area_m2);
-  if (!shape.corner_m.empty()) words += "from " + format_position(shape.corner_m.front());
-  return words;
-}
-
-// Whether the area is the same, so that its points can be compared.
-bool compare_areas(Questions& questions, const PlanePart& before, const PlanePart& after) {
-  const PlaneShape was = shape_of(before), is = shape_of(after);
-  if (is_same(was, is)) return true;
-  constexpr double kSmaller = 1.0 - 1e-6;
-  const bool is_smaller =
-      is.area_m2 < kSmaller * was.area_m2 || is.corner_m.size() < was.corner_m.size();
-  questions.add(is_smaller ? QuestionChange::weaker : QuestionChange::exchanged, QuestionPart::area,
-                shape_words(was), shape_words(is));
-  return false;
-}
-
-std::string facing_words(const glm::dvec3& normal) {
-  return fmt::format("facing ({:.3g} {:.3g} {:.3g})", normal.x, normal.y, normal.z);
-}
-
-// Of the first point that faces another way.
-void compare_facing(Questions& questions, const PlanePart& before, const PlanePart& after) {
-  constexpr double kSameWay = 1e-6;
-  if (before.points.empty() || before.points.size() != after.points.size()) return;
-  for (std::size_t k = 0; k < before.points.size(); ++k) {
-    if (glm::length(before.points[k].normal - after.points[k].normal) <= kSameWay) continue;
-    return questions.add(QuestionChange::exchanged, QuestionPart::area,
-                         facing_words(before.points[k].normal),
-                         facing_words(after.points[k].normal));
-  }
-}
-
-std::string grid_words(const PlanePart& plane) {
-  if (plane.grid.columns == 0) return fmt::format("{} points", plane.points.size());
-  return fmt::format("{} x {} points", plane.grid.columns, plane.grid.rows);
-}
-
-void compare_grids(Questions& questions, const PlanePart& before, const PlanePart& after) {
-  const auto cells = [](const PlanePart& plane) {
-    return plane.grid.columns == 0
-               ? static_cast<double>(plane.points.size())
-               : static_cast<double>(plane.grid.columns) * static_cast<double>(plane.grid.rows);
-  };
-  if (cells(before) == cells(after)) {
-    questions.exchange(QuestionPart::grid, grid_words(before), grid_words(after));
-  }
-  questions.compare(QuestionPart::grid, cells(before), cells(after), true, grid_words(before),
-                    grid_words(after));
-}
-
 // What of a row is asked for, by role.
 bool is_asked(const rules::RoleCoverage& role) { return rules::is_of_findings(role.state); }
 
@@ -272,7 +169,7 @@ std::string row_name(const rules::RowCoverage& row) {
   return row.workplace.empty() ? row.clause : row.workplace;
 }
 
-void compare_left_out(Questions& questions, const rules::RoleCoverage& before,
+void compare_left_out(QuestionList& questions, const rules::RoleCoverage& before,
                       const rules::RoleCoverage& after) {
   const auto zones = match_parts(before.left_out, after.left_out,
                                  [](const rules::LeftOutZone& zone) { return zone.zone; });
@@ -285,7 +182,7 @@ void compare_left_out(Questions& questions, const rules::RoleCoverage& before,
   }
 }
 
-void compare_rows(Questions& questions, const rules::RowCoverage& before,
+void compare_rows(QuestionList& questions, const rules::RowCoverage& before,
                   const rules::RowCoverage& after) {
   if (before.clause != after.clause) {
     questions.add(QuestionChange::exchanged, QuestionPart::rule, before.clause, after.clause,
@@ -305,22 +202,110 @@ void compare_rows(Questions& questions, const rules::RowCoverage& before,
   }
 }
 
-std::string watts_words(const LuminaireRow& row) {
-  return row.power_w > 0.0 ? format_watts(row.power_w) + " W" : std::string("no power stated");
+// "4000 lm", and what the file says where that is something else.
+std::string stated_words(const std::string& words, double stated, double of_file,
+                         const std::string& file_words) {
+  return of_file > 0.0 && !is_same_number(stated, of_file)
+             ? fmt::format("{} (the file says {})", words, file_words)
+             : words;
+}
+
+std::string flux_words(const LuminaireRow& row) {
+  const std::string file = format_lumens(row.file_flux_lm) + " lm";
+  return stated_words(format_lumens(row.flux_lm) + " lm", row.flux_lm, row.file_flux_lm, file);
+}
+
+std::string power_words(const LuminaireRow& row) {
+  if (!(row.power_w > 0.0)) return "no power stated";
+  const std::string file = format_watts(row.file_power_w) + " W";
+  return stated_words(format_watts(row.power_w) + " W", row.power_w, row.file_power_w, file);
+}
+
+// What a project says beside the photometry: by which factor it is another number than the file's,
+// or the number itself where the file has none.
+double by_hand(double stated, double of_file) { return of_file > 0.0 ? stated / of_file : stated; }
+
+// Whether the two can be compared by that: both by a factor, or the file is the same one.
+bool is_by_hand(const LuminaireRow& before, const LuminaireRow& after, double file_before,
+                double file_after) {
+  const bool has_file = file_before > 0.0;
+  if (has_file != (file_after > 0.0)) return false;
+  return has_file || before.sha256 == after.sha256;
+}
+
+void compare_luminaires(QuestionList& questions, const LuminaireRow& before,
+                        const LuminaireRow& after) {
+  const bool is_other_type = before.type_id != after.type_id;
+  const auto words = [&](const LuminaireRow& row, const std::string& text) {
+    return is_other_type ? row.type_id + ": " + text : text;
+  };
+  questions.compare(QuestionPart::maintenance_factor, before.maintenance_factor,
+                    after.maintenance_factor, false,
+                    words(before, format_shortest(before.maintenance_factor)),
+                    words(after, format_shortest(after.maintenance_factor)), after.type_id);
+  if (is_by_hand(before, after, before.file_flux_lm, after.file_flux_lm)) {
+    questions.compare(QuestionPart::flux, by_hand(before.flux_lm, before.file_flux_lm),
+                      by_hand(after.flux_lm, after.file_flux_lm), false,
+                      words(before, flux_words(before)), words(after, flux_words(after)),
+                      after.type_id);
+  }
+  if (is_by_hand(before, after, before.file_power_w, after.file_power_w)) {
+    questions.compare(QuestionPart::power, by_hand(before.power_w, before.file_power_w),
+                      by_hand(after.power_w, after.file_power_w), true,
+                      words(before, power_words(before)), words(after, power_words(after)),
+                      after.type_id);
+  }
+}
+
+using LuminairePair = std::pair<const LuminaireRow*, const LuminaireRow*>;
+
+const LuminaireRow* row_of(const ProjectPart& project, const std::string& type_id) {
+  const auto found = std::find_if(project.luminaires.begin(), project.luminaires.end(),
+                                  [&](const LuminaireRow& row) { return row.type_id == type_id; });
+  return found == project.luminaires.end() ? nullptr : &*found;
+}
+
+// Types that hang where others were, by themselves or nearest to them; each two once.
+std::vector<LuminairePair> exchanged_luminaires(const ProjectPart& before,
+                                                const ProjectPart& after) {
+  std::set<std::pair<std::string, std::string>> known;
+  for (const PartPair<LuminaireRow>& pair : match_luminaires(before.luminaires, after.luminaires)) {
+    if (pair.before == nullptr || pair.after == nullptr) continue;
+    known.emplace(pair.before->type_id, pair.after->type_id);
+  }
+  std::vector<LuminairePair> exchanged;
+  for (const PartPair<SpacePart>& room : match_rooms(before, after)) {
+    if (room.before == nullptr || room.after == nullptr) continue;
+    for (const auto& [was, is] : match_marks(room.before->luminaires, room.after->luminaires)) {
+      if (was == nullptr || is == nullptr) continue;
+      if (!known.emplace(was->type_id, is->type_id).second) continue;
+      const LuminairePair pair{row_of(before, was->type_id), row_of(after, is->type_id)};
+      if (pair.first != nullptr && pair.second != nullptr) exchanged.push_back(pair);
+    }
+  }
+  return exchanged;
 }
 
 }  // namespace
 
-bool is_same_area(const PlanePart& before, const PlanePart& after) {
-  return is_same(shape_of(before), shape_of(after));
-}
-
 std::vector<ChangedQuestion> compare_settings(const Provenance& before, const Provenance& after) {
-  Questions questions{RevisionPlace{}};
+  QuestionList questions{RevisionPlace{}};
   questions.compare(QuestionPart::confidence, before.confidence, after.confidence, true,
                     format_percent(before.confidence), format_percent(after.confidence));
   questions.compare(QuestionPart::accuracy, before.tolerance, after.tolerance, false,
                     format_percent(before.tolerance), format_percent(after.tolerance));
+  questions.compare(QuestionPart::accuracy, before.replicates, after.replicates, true,
+                    fmt::format("{} replicates", before.replicates),
+                    fmt::format("{} replicates", after.replicates));
+  const auto paths = [](const Provenance& of) {
+    return fmt::format("at most {} paths per replicate", of.max_paths);
+  };
+  questions.compare(QuestionPart::accuracy, static_cast<double>(before.max_paths),
+                    static_cast<double>(after.max_paths), true, paths(before), paths(after));
+  const auto method = [](const Provenance& of) {
+    return of.method.empty() ? std::string("as by default") : of.method;
+  };
+  questions.exchange(QuestionPart::method, method(before), method(after));
   if (before.goal != after.goal) {
     questions.add(
         after.goal == rules::Goal::verdict ? QuestionChange::weaker : QuestionChange::stricter,
@@ -333,31 +318,22 @@ std::vector<ChangedQuestion> compare_settings(const Provenance& before, const Pr
 std::vector<ChangedQuestion> compare_project_question(const ProjectPart& before,
                                                       const ProjectPart& after,
                                                       const RevisionPlace& place) {
-  Questions questions(place);
-  const auto types = match_luminaires(before.luminaires, after.luminaires);
-  for (const PartPair<LuminaireRow>& pair : types) {
+  QuestionList questions(place);
+  for (const PartPair<LuminaireRow>& pair : match_luminaires(before.luminaires, after.luminaires)) {
     if (pair.before == nullptr || pair.after == nullptr) continue;
-    const LuminaireRow &was = *pair.before, &is = *pair.after;
-    questions.compare(QuestionPart::maintenance_factor, was.maintenance_factor,
-                      is.maintenance_factor, false, format_shortest(was.maintenance_factor),
-                      format_shortest(is.maintenance_factor), is.type_id);
-    if (was.sha256 != is.sha256) continue;  // another luminaire: its lumens are its own
-    questions.compare(QuestionPart::flux, was.flux_lm, is.flux_lm, false,
-                      format_lumens(was.flux_lm) + " lm", format_lumens(is.flux_lm) + " lm",
-                      is.type_id);
-    if (was.power_w != is.power_w) {
-      const bool is_less = is.power_w < was.power_w;
-      questions.add(is_less ? QuestionChange::weaker : QuestionChange::stricter,
-                    QuestionPart::power, watts_words(was), watts_words(is), is.type_id);
-    }
+    compare_luminaires(questions, *pair.before, *pair.after);
+  }
+  for (const auto& [was, is] : exchanged_luminaires(before, after)) {
+    compare_luminaires(questions, *was, *is);
   }
   return questions.take();
 }
 
 std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, const SpacePart& after,
                                                    const RevisionPlace& place) {
-  Questions questions(place);
-  const auto rows = match_parts(before.coverage, after.coverage, row_name);
+  QuestionList questions(place);
+  const auto rows = match_renamed(before.coverage, after.coverage, row_name,
+                                  [](const rules::RowCoverage& row) { return row.was; });
   for (const PartPair<rules::RowCoverage>& pair : rows) {
     if (pair.after == nullptr) {
       questions.add(QuestionChange::weaker, QuestionPart::rule, pair.before->clause, "",
@@ -372,31 +348,11 @@ std::vector<ChangedQuestion> compare_room_question(const SpacePart& before, cons
   return questions.take();
 }
 
-std::vector<ChangedQuestion> compare_plane_question(const PlanePart& before, const PlanePart& after,
-                                                    const RevisionPlace& place) {
-  Questions questions(place);
-  questions.exchange(QuestionPart::quantity, plane_words(before), plane_words(after));
-  if (!before.is_computed || !after.is_computed) return questions.take();  // no grid to compare
-  const bool is_same_area = compare_areas(questions, before, after);
-  questions.compare(QuestionPart::margin, before.grid.margin_m, after.grid.margin_m, false,
-                    format_metres(before.grid.margin_m) + " m",
-                    format_metres(after.grid.margin_m) + " m");
-  if (is_same_area) {
-    compare_facing(questions, before, after);
-    compare_grids(questions, before, after);
-  }
-  questions.compare(QuestionPart::lost_points, static_cast<double>(before.grid.dropped.size()),
-                    static_cast<double>(after.grid.dropped.size()), false,
-                    fmt::format("{}", before.grid.dropped.size()),
-                    fmt::format("{}", after.grid.dropped.size()));
-  return questions.take();
-}
-
 std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& before,
                                                  const rules::Requirement& after,
                                                  const RevisionPlace& place) {
-  Questions questions(place);
-  questions.exchange(QuestionPart::quantity, quantity_of(before), quantity_of(after));
+  QuestionList questions(place);
+  compare_quantities(questions, before, after);
   compare_limits(questions, before, after);
   questions.exchange(QuestionPart::light, light_of(before), light_of(after));
   compare_severities(questions, before.severity, after.severity);
@@ -404,14 +360,15 @@ std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& befor
   compare_leave(questions, QuestionPart::waiver, before.waiver, after.waiver);
   compare_deviations(questions, before, after);
   compare_policies(questions, before.policy, after.policy);
-  questions.exchange(QuestionPart::mask, before.mask.id, after.mask.id);
+  compare_masks(questions, before, after);
+  questions.exchange(QuestionPart::energy, before.energy_words, after.energy_words);
   return questions.take();
 }
 
 std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& before,
                                                const rules::AggregateFinding& after,
                                                const RevisionPlace& place) {
-  Questions questions(place);
+  QuestionList questions(place);
   const auto rule = [](const rules::AggregateFinding& finding) {
     return fmt::format("{} of {}{} {}", calc::name_of(finding.rule), calc::name_of(finding.over),
                        finding.by_area ? " by area" : "", finding.asked);

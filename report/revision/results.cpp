@@ -14,18 +14,35 @@ using rules::Verdict;
 
 bool is_decided(Verdict verdict) { return verdict == Verdict::pass || verdict == Verdict::fail; }
 
-// By verdicts alone; empty: they leave it open.
-std::optional<ResultChange> change_of_verdicts(std::optional<Verdict> before,
-                                               std::optional<Verdict> after) {
-  if (!after) return ResultChange::gone;
-  if (!before) return *after == Verdict::fail ? ResultChange::new_failing : ResultChange::added;
-  if (*after == Verdict::fail && *before != Verdict::fail) return ResultChange::broken;
-  if (*after == Verdict::pass && (*before == Verdict::fail || *before == Verdict::not_judged)) {
+// How something was judged; none: it was not asked.
+struct Judged {
+  std::optional<Verdict> verdict;
+  bool is_waived = false;
+
+  bool fails() const { return verdict == Verdict::fail && !is_waived; }
+};
+
+// By verdicts alone; empty: they leave it open. A failure that is waived does not count: one that
+// no longer is, is as one that was none.
+std::optional<ResultChange> change_of_verdicts(const Judged& before, const Judged& after) {
+  if (!after.verdict) return ResultChange::gone;
+  if (!before.verdict) return after.fails() ? ResultChange::new_failing : ResultChange::added;
+  const Verdict was = *before.verdict, is = *after.verdict;
+  if (after.fails() && !before.fails()) return ResultChange::broken;
+  if (is == Verdict::fail && was != Verdict::fail) return ResultChange::broken;
+  if (is == Verdict::pass && (was == Verdict::fail || was == Verdict::not_judged)) {
     return ResultChange::fixed;
   }
-  if (is_decided(*before) && !is_decided(*after)) return ResultChange::unsure;
-  if (*before == Verdict::undecided && *after == Verdict::not_judged) return ResultChange::unsure;
+  if (is_decided(was) && !is_decided(is)) return ResultChange::unsure;
+  if (was == Verdict::undecided && is == Verdict::not_judged) return ResultChange::unsure;
   return std::nullopt;
+}
+
+Judged judged_before(const ChangedResult& result) {
+  return {result.verdict_before, result.is_waived_before};
+}
+Judged judged_after(const ChangedResult& result) {
+  return {result.verdict_after, result.is_waived_after};
 }
 
 // What sums in another order may differ by is no difference.
@@ -115,7 +132,7 @@ ChangedResult compare_results(const rules::Finding* before, const rules::Finding
     result.difference = beyond_rounding(result.difference, result.before.value);
     result.gain = gain_of(result.before, result.difference, after->requirement.comparison);
   }
-  if (const auto change = change_of_verdicts(result.verdict_before, result.verdict_after)) {
+  if (const auto change = change_of_verdicts(judged_before(result), judged_after(result))) {
     result.change = *change;
   } else if (*result.verdict_after == Verdict::not_judged) {
     result.change = ResultChange::same;  // as it was
@@ -139,7 +156,7 @@ ChangedResult compare_results(const rules::AggregateFinding* before,
   result.is_waived_before = before != nullptr && before->is_waived;
   result.is_waived_after = after != nullptr && after->is_waived;
   result.change =
-      change_of_verdicts(result.verdict_before, result.verdict_after).value_or(ResultChange::same);
+      change_of_verdicts(judged_before(result), judged_after(result)).value_or(ResultChange::same);
   return result;
 }
 

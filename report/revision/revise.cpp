@@ -1,5 +1,7 @@
 #include "report/revision/revise.h"
 
+#include "calc/base/text.h"
+#include "report/revision/gate.h"
 #include "report/revision/inputs.h"
 #include "report/revision/matching.h"
 #include "report/revision/questions.h"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,54 @@ namespace {
 
 using FindingPair = PartPair<rules::Finding>;
 using AggregatePair = PartPair<rules::AggregateFinding>;
+
+// Whether an id is one that a requirement gets that has none: "average", "average-2".
+bool is_made(const rules::Requirement& requirement) {
+  std::string_view id = requirement.id;
+  const std::string_view name = calc::name_of(requirement.metric);
+  if (!id.starts_with(name)) return false;
+  id.remove_prefix(name.size());
+  if (id.empty()) return true;
+  return id.size() > 1 && id.front() == '-' &&
+         std::all_of(id.begin() + 1, id.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// Ids that were made count the requirements of a plane, so that they change where others come and
+// go: those that ask the same get the ids that they have now.
+std::vector<rules::Finding> with_ids_of_now(std::vector<rules::Finding> before,
+                                            const std::vector<rules::Finding>& after) {
+  const auto asks_same = [](const rules::Finding& a, const rules::Finding& b) {
+    return a.requirement.metric == b.requirement.metric &&
+           compare_requirement(a.requirement, b.requirement, {}).empty();
+  };
+  std::vector<std::size_t> of_after(after.size(), before.size());
+  std::vector<bool> is_taken(before.size(), false);
+  for (const bool has_same_id : {true, false}) {
+    for (std::size_t a = 0; a < after.size(); ++a) {
+      if (of_after[a] < before.size() || !is_made(after[a].requirement)) continue;
+      for (std::size_t b = 0; b < before.size() && of_after[a] == before.size(); ++b) {
+        const bool is_same_id = before[b].requirement.id == after[a].requirement.id;
+        if (is_taken[b] || (has_same_id && !is_same_id) || !is_made(before[b].requirement))
+          continue;
+        if (!asks_same(before[b], after[a])) continue;
+        is_taken[b] = true;
+        of_after[a] = b;
+      }
+    }
+  }
+  // Two change their ids, so that what is left has one, too.
+  for (std::size_t a = 0; a < after.size(); ++a) {
+    if (of_after[a] == before.size()) continue;
+    const std::string given_up = before[of_after[a]].requirement.id;
+    const std::string id = after[a].requirement.id;
+    if (given_up == id) continue;
+    for (std::size_t b = 0; b < before.size(); ++b) {
+      if (b != of_after[a] && before[b].requirement.id == id) before[b].requirement.id = given_up;
+    }
+    before[of_after[a]].requirement.id = id;
+  }
+  return before;
+}
 
 class Reviser {
  public:
@@ -63,9 +114,12 @@ class Reviser {
   void add(ChangedResult result) {
     const bool fails =
         result.verdict_after == rules::Verdict::fail && result.counts && !result.is_waived_after;
-    if (fails && result.verdict_before == rules::Verdict::fail) ++revision_.known_failures;
+    if (fails && result.verdict_before == rules::Verdict::fail && !result.is_waived_before) {
+      ++revision_.known_failures;
+    }
     if (result.change == ResultChange::same) {
       ++revision_.same;
+      if (result.counts && may_have_lost_more(revision_.gate, result)) ++revision_.untold;
     } else {
       revision_.results.push_back(std::move(result));
     }
@@ -76,29 +130,53 @@ class Reviser {
                          is_gone ? words : "", is_gone ? "" : words}});
   }
 
-  // Rooms and planes by the ids that they have now.
-  std::string id_now(const std::string& id) const {
-    const auto renamed = id_now_.find(id);
-    return renamed == id_now_.end() ? id : renamed->second;
+  using Renamed = std::map<std::string, std::string>;  // id now, by the id that it had
+  static std::string id_now(const Renamed& renamed, const std::string& id) {
+    const auto found = renamed.find(id);
+    return found == renamed.end() ? id : found->second;
   }
   void note_renaming(const std::string& kind, const std::string& before, const std::string& after,
-                     const RevisionPlace& place) {
+                     const RevisionPlace& place, Renamed* renamed = nullptr) {
     if (before == after) return;
     revision_.inputs.push_back({place, "id of the " + kind, before, after});
-    if (kind != "requirement") id_now_[before] = after;
+    if (renamed != nullptr) (*renamed)[before] = after;
+  }
+
+  // Of files that are not as they were, although nothing that is compared has changed.
+  void note_files(const ProjectPart& before, const ProjectPart& after, const RevisionPlace& place) {
+    const auto has = [](const ProjectPart& project, const std::string& sha256) {
+      return std::any_of(project.inputs.begin(), project.inputs.end(),
+                         [&](const calc::InputFile& input) { return input.sha256 == sha256; });
+    };
+    std::vector<std::string> names;
+    for (const calc::InputFile& input : after.inputs) {
+      if (!has(before, input.sha256)) names.push_back(input.path);
+    }
+    if (names.empty()) return;
+    constexpr std::size_t kMostNamed = 3;
+    revision_.notes.push_back(
+        fmt::format("{}: not the files of the baseline, though nothing that is compared has "
+                    "changed: {}",
+                    place.project, calc::list_names(names, kMostNamed)));
   }
 
   // Of planes without anything that says so: whoever has renamed one should say `was`.
   void hint_at_renaming(const std::vector<PartPair<PlanePart>>& planes, const RevisionPlace& room) {
+    bool is_workplace_told = false;
     for (const PartPair<PlanePart>& gone : planes) {
       if (gone.after != nullptr) continue;
-      for (const PartPair<PlanePart>& added : planes) {
-        if (added.before != nullptr || !is_same_area(*gone.before, *added.after)) continue;
-        revision_.notes.push_back(fmt::format(
-            "{}: plane '{}' lies where '{}' was; if it is that plane, was=\"{}\" in it says so",
-            room.words, added.after->id, gone.before->id, gone.before->id));
-        break;
-      }
+      const auto found = std::find_if(planes.begin(), planes.end(), [&](const auto& added) {
+        return added.before == nullptr && is_same_area(*gone.before, *added.after);
+      });
+      if (found == planes.end()) continue;
+      const bool is_of_workplace = !found->after->made_by.empty();
+      if (is_of_workplace && is_workplace_told) continue;  // one id for all its planes
+      is_workplace_told = is_workplace_told || is_of_workplace;
+      revision_.notes.push_back(fmt::format(
+          "{}: plane '{}' lies where '{}' was; if it is that plane, {}", room.words,
+          found->after->id, gone.before->id,
+          is_of_workplace ? "was= in its workplace, with the id that the workplace had, says so"
+                          : fmt::format("was=\"{}\" in it says so", gone.before->id)));
     }
   }
 
@@ -106,6 +184,7 @@ class Reviser {
     static const ProjectPart kNone;
     const ProjectPart &was = pair.before != nullptr ? *pair.before : kNone,
                       &is = pair.after != nullptr ? *pair.after : kNone;
+    const std::size_t said_before = said();
     RevisionPlace place;
     place.project = pair.after != nullptr ? is.path : was.path;
     place.words = std::string(title_of(pair.after != nullptr ? is.name : was.name, place.project));
@@ -129,21 +208,26 @@ class Reviser {
       }
     }
     const bool is_there = pair.before != nullptr && pair.after != nullptr;
-    id_now_.clear();
-    const auto rooms = match_renamed(
-        was.spaces, is.spaces, [](const SpacePart& s) { return s.id; },
-        [](const SpacePart& s) { return s.was; });
-    for (const PartPair<SpacePart>& room : rooms) add_room(room, place, is_there);
+    renamed_rooms_.clear();
+    renamed_planes_.clear();
+    for (const PartPair<SpacePart>& room : match_rooms(was, is)) add_room(room, place, is_there);
     std::vector<rules::AggregateFinding> was_aggregates = was.aggregates;
     for (rules::AggregateFinding& finding : was_aggregates) {
-      finding.space_id = id_now(finding.space_id);
-      finding.plane_id = id_now(finding.plane_id);
+      finding.space_id = id_now(renamed_rooms_, finding.space_id);
+      finding.plane_id = id_now(renamed_planes_, finding.plane_id);
     }
     const auto aggregates =
         match_parts(was_aggregates, is.aggregates, [](const rules::AggregateFinding& f) {
           return fmt::format("{}\n{}\n{}\n{}", calc::name_of(f.kind), f.id, f.space_id, f.plane_id);
         });
     for (const AggregatePair& aggregate : aggregates) add_aggregate(aggregate, place, is_there);
+    if (is_there && was.is_judged && said() == said_before) note_files(was, is, place);
+  }
+
+  // How much is said so far; results that are the same are not.
+  std::size_t said() const {
+    return revision_.results.size() + revision_.questions.size() + revision_.inputs.size() +
+           revision_.planes.size();
   }
 
   // is_project_there: on both sides; else the project says it.
@@ -159,7 +243,7 @@ class Reviser {
         add_whole(QuestionPart::room, place, pair.after == nullptr, place.words);
       }
     } else {
-      note_renaming("room", was.id, is.id, place);
+      note_renaming("room", was.id, is.id, place, &renamed_rooms_);
       add(compare_room_question(was, is, place));
       add(compare_inputs(was, is, place));
     }
@@ -183,18 +267,20 @@ class Reviser {
     if (pair.before == nullptr || pair.after == nullptr) {
       if (is_room_there) add_whole(QuestionPart::plane, place, pair.after == nullptr, any.id);
     } else {
-      note_renaming("plane", was.id, is.id, place);
+      note_renaming("plane", was.id, is.id, place, &renamed_planes_);
       add(compare_plane_question(was, is, place));
       if (auto values = compare_values(was, is, place)) {
         revision_.planes.push_back(std::move(*values));
       }
     }
     const bool is_plane_there = pair.before != nullptr && pair.after != nullptr;
+    const std::vector<rules::Finding> findings_before = with_ids_of_now(was.findings, is.findings);
     const auto findings = match_renamed(
-        was.findings, is.findings, [](const rules::Finding& f) { return f.requirement.id; },
+        findings_before, is.findings, [](const rules::Finding& f) { return f.requirement.id; },
         [](const rules::Finding& f) { return f.requirement.was; });
-    const double confidence =
-        rules::look_confidence(after_.provenance.confidence, last_look(any), any.looks_planned);
+    // The lower level is the narrower interval, which hides less.
+    const double level = std::min(before_.provenance.confidence, after_.provenance.confidence);
+    const double confidence = rules::look_confidence(level, last_look(any), any.looks_planned);
     for (const FindingPair& finding : findings) {
       add_finding(finding, confidence, place, is_plane_there);
     }
@@ -237,7 +323,7 @@ class Reviser {
   const Document& before_;
   const Document& after_;
   Revision& revision_;
-  std::map<std::string, std::string> id_now_;  // of rooms and planes that were renamed, by the old
+  Renamed renamed_rooms_, renamed_planes_;  // of the project
 };
 
 }  // namespace

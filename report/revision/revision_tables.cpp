@@ -62,11 +62,30 @@ std::string state_words(const Texts& t, const ChangedResult& result, bool is_aft
 // "-3.2 % (-3.5 to -2.9)"; "" where it is not known.
 std::string gain_words(const Texts& t, const calc::Estimate& gain) {
   if (std::isnan(gain.value)) return "";
+  constexpr double kNothing = 1e-8;  // what rounding alone may come to
   const auto percent = [&](double share) {
+    if (std::abs(share) < kNothing) return format_margin(t, 0.0);
     return std::isfinite(share) ? format_margin(t, share) : std::string(share < 0.0 ? "-∞" : "+∞");
   };
   return fmt::format("{} ({} {} {})", percent(gain.value), percent(gain.low), t[Text::interval_to],
                      percent(gain.high));
+}
+
+// As it is asked now; null: it is not, or is an aggregate.
+const rules::Requirement* requirement_of(const Document& document, const ChangedResult& result) {
+  if (!result.metric || !result.verdict_after) return nullptr;
+  for (const ProjectPart& project : document.projects) {
+    if (project.path != result.place.project) continue;
+    for (const SpacePart& space : project.spaces) {
+      for (const PlanePart& plane : space.planes) {
+        if (space.id != result.place.space || plane.id != result.place.plane) continue;
+        for (const rules::Finding& finding : plane.findings) {
+          if (finding.requirement.id == result.place.item) return &finding.requirement;
+        }
+      }
+    }
+  }
+  return nullptr;
 }
 
 void cut(RevisionTable& table, std::size_t most) {
@@ -81,12 +100,16 @@ RevisionTable result_table(const Document& document, const Revision& revision, c
   table.head = {t[Text::revision_head_change], t[Text::head_place],
                 t[Text::head_quantity],        t[Text::revision_head_before],
                 t[Text::revision_head_after],  t[Text::revision_head_gain]};
-  table.english = {2};
   for (const ChangedResult& result : revision.results) {
+    const rules::Requirement* requirement = requirement_of(document, result);
+    // Of what is gone nothing is known but its words.
+    if (requirement == nullptr) table.english = {2};
     table.rows.push_back(
         {fmt::format("{} {}", symbol_of(result.change), change_words(t, result.change)),
-         place_words(document, result.place, t), result.quantity, state_words(t, result, false),
-         state_words(t, result, true), gain_words(t, result.gain)});
+         place_words(document, result.place, t),
+         requirement == nullptr ? result.quantity
+                                : quantity_words(t, *requirement) + scene_words(t, *requirement),
+         state_words(t, result, false), state_words(t, result, true), gain_words(t, result.gain)});
   }
   return table;
 }
@@ -129,6 +152,15 @@ RevisionTable input_table(const Document& document, const Revision& revision, co
   return table;
 }
 
+// "1 %, Uo (min/avg) 2 %".
+std::string allowed_words(const Gate& gate, const Texts& t) {
+  std::string words = format_percent(t, gate.allowed_worse);
+  for (const AllowedLoss& loss : gate.allowed_worse_of) {
+    words += fmt::format(", {} {}", calc::name_of(loss.metric), format_percent(t, loss.share));
+  }
+  return words;
+}
+
 void add_gate(const Document& document, const Revision& revision, const Texts& t,
               std::vector<std::string>& remarks) {
   if (revision.gate.mode == GateMode::all) return;
@@ -153,7 +185,7 @@ std::string gate_words(const Document& document, const Texts& t) {
     const rules::Outcome outcome = gate_outcome(document);
     return rules::counts(outcome) && outcome != rules::Outcome::pass
                ? t.say<Text::gate_waits>(outcome_words(t, outcome))
-               : t[Text::gate_open];
+               : t.say<Text::gate_open>(allowed_words(document.revision->gate, t));
   }
   std::string why;
   if (!reasons.results.empty()) {
@@ -250,6 +282,10 @@ const char* part_words(const Texts& t, QuestionPart part) {
       return t[Text::part_power];
     case QuestionPart::confidence:
       return t[Text::part_confidence];
+    case QuestionPart::method:
+      return t[Text::part_method];
+    case QuestionPart::energy:
+      return t[Text::part_energy];
     case QuestionPart::accuracy:
       break;
   }
@@ -292,7 +328,10 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
   std::vector<std::string> remarks;
   if (!document.revision) return remarks;
   const Revision& revision = *document.revision;
-  if (revision.results.empty() && revision.questions.empty()) {
+  // Of what could not be judged nobody knows.
+  const bool is_known = std::all_of(document.projects.begin(), document.projects.end(),
+                                    [](const ProjectPart& project) { return project.is_judged; });
+  if (is_known && revision.results.empty() && revision.questions.empty()) {
     remarks.push_back(t.say<Text::revision_nothing>(baseline_words(revision)));
   }
   if (revision.same > 0) {
@@ -301,6 +340,10 @@ std::vector<std::string> revision_remarks(const Document& document, const Texts&
     const std::string same = t.say<Text::revision_same>(revision.same);
     remarks.push_back(
         is_named ? same : t.say<Text::revision_results>(baseline_words(revision)) + ": " + same);
+  }
+  if (revision.untold > 0) {
+    remarks.push_back(
+        t.say<Text::revision_untold>(revision.untold, allowed_words(revision.gate, t)));
   }
   remarks.insert(remarks.end(), revision.notes.begin(), revision.notes.end());
   add_gate(document, revision, t, remarks);

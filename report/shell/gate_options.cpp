@@ -1,6 +1,7 @@
 #include "report/shell/gate_options.h"
 
 #include "calc/base/names.h"
+#include "calc/base/text.h"
 #include "report/shell/option_values.h"
 #include "rules/catalogue/metric.h"
 
@@ -34,6 +35,14 @@ std::string take_allowed_loss(const std::string& text, report::Gate& gate) {
   return "";
 }
 
+ValueParser reason(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (calc::trim(text).empty()) return "a reason is needed, which then stands in reports";
+    target = text;
+    return "";
+  };
+}
+
 }  // namespace
 
 Option baseline_option(std::string& target) {
@@ -52,12 +61,12 @@ std::vector<Option> gate_options(report::Gate& gate) {
            choice<report::GateMode>(gate.mode, {{"all", report::GateMode::all},
                                                 {"regression", report::GateMode::regression}})},
           {"--allow-worse", "SHARE",
-           "What a value may lose with --gate regression while its requirement is met, as 0.01 or\n"
+           "What a value may lose with --gate regression while its verdict stays, as 0.01 or\n"
            "1%; of one quantity: Uo=2%; may be given again; default 0.01",
            [&gate](const std::string& text) { return take_allowed_loss(text, gate); }, true},
           {"--accept-weaker", "REASON",
            "Let weaker and other questions through --gate regression; the reason stands in reports",
-           some_text(gate.weaker_accepted_by)}};
+           reason(gate.weaker_accepted_by)}};
 }
 
 std::string gate_contradiction(const report::Gate& gate, bool is_compared,

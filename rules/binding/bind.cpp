@@ -87,6 +87,7 @@ void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
   requirement.power_density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
   if (!is_energy) return;
   requirement.leni_kwh_m2 = of_space.energy.leni_kwh_m2;
+  requirement.energy_words = of_space.energy.words;
   if (of_space.energy.words.empty()) return;
   requirement.note += (requirement.note.empty() ? "" : "; ") + of_space.energy.words;
 }
@@ -100,7 +101,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
     for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
-      requirement.mask_words = mask_words(requirement.mask);
+      requirement.mask_words = mask_words(requirement.mask, plane.travel);
       if (is_about_power(requirement.metric)) set_power(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);

@@ -218,10 +218,13 @@ MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
   return result;
 }
 
-std::string mask_words(const Mask& mask) {
+std::string mask_words(const Mask& mask, const glm::dvec3& travel) {
   std::string words;
+  bool is_across = false;
   for (const MaskOperation& operation : mask.operations) {
     if (!words.empty()) words += ", ";
+    is_across = is_across || operation.step == MaskStep::across ||
+                operation.step == MaskStep::centre_line || operation.up_to_width_m > 0.0;
     if (operation.step == MaskStep::centre_line) {
       words += "the points along the middle line";
       if (operation.up_to_width_m > 0.0) {
@@ -230,8 +233,8 @@ std::string mask_words(const Mask& mask) {
       continue;
     }
     if (operation.step == MaskStep::walls) {
-      words += fmt::format("without what is nearer than {:g} m to a wall of the room",
-                           operation.metres);
+      words +=
+          fmt::format("without what is nearer than {:g} m to a wall of the room", operation.metres);
       continue;
     }
     words += operation.step == MaskStep::inset ? "without a strip along the outline of"
@@ -241,6 +244,9 @@ std::string mask_words(const Mask& mask) {
                            operation.up_to_width_m);
     }
     words += fmt::format(" {:g} m", operation.metres);
+  }
+  if (is_across && travel != glm::dvec3(0.0)) {
+    words += fmt::format(", people going along ({:g} {:g} {:g})", travel.x, travel.y, travel.z);
   }
   return words;
 }

@@ -47,7 +47,8 @@ struct MaskedPoints {
 // run along the line, its centre line is the middle row, and an inset takes both ends, too.
 MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid);
 
-// "without a strip along the outline of 0.5 m": all operations; "" without any.
-std::string mask_words(const Mask& mask);
+// "without a strip along the outline of 0.5 m": all operations; "" without any. travel: of the
+// plane, which says what is across; 0: it is not said, or asked.
+std::string mask_words(const Mask& mask, const glm::dvec3& travel = glm::dvec3(0.0));
 
 }  // namespace rules

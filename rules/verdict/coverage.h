@@ -52,9 +52,9 @@ struct RoleCoverage {
 // One row in a room, by a workplace or by the <require> elements of the room's planes together.
 struct RowCoverage {
   std::string workplace;            // its id; "" of <require> elements
-  std::string was;                  // the workplace's id in earlier revisions; "" = the same
   std::string clause;               // "EN 12464-1:2021 34.2"
   std::vector<RoleCoverage> roles;  // that the row requires something of, in the pack's order
+  std::string was = {};             // the workplace's id in earlier revisions; "" = the same
 
   // Nothing of it was never asked, or is no longer, or is asked of a part only.
   bool is_whole() const;

@@ -82,7 +82,7 @@ expect("all", check(lowered), 1, "▼ asks less", "FAIL", without=["Gate for reg
 darker = write("darker-under-the-same-name", candela="900 864 774 630 432 216 0")
 expect("allowed", check(darker, *GATE, "--allow-worse", "15%"), 0, OPEN)
 expect("allowed of this", check(darker, *GATE, "--allow-worse", "average=15%", "--allow-worse", "minimum=15%"), 0, OPEN)
-expect("allowed of others", check(darker, *GATE, "--allow-worse", "Uo=15%"), 1, "stopped by 2 worse")
+expect("allowed of others", check(darker, *GATE, "--allow-worse", "Uo=15%"), 1, "stopped, 2 failing")
 expect("not a share", check(darker, *GATE, "--allow-worse", "100%"), 2, "a share from 0 to below 1")
 expect("not a quantity", check(darker, *GATE, "--allow-worse", "avrage=1%"), 2, "average")
 
@@ -117,7 +117,7 @@ expect("was what is there", check(wrong, *GATE), 2, "former-id-in-use", "the pla
 other = WORK / "lowered.json"
 luxgate("check", lowered, "--pictures", "off", "-q", "--format", f"json={other}")
 beside = luxgate("report", other, "--baseline", BASELINE, *GATE)
-expect("report", beside, 1, "▼ asks less", "Gate for regressions: stopped by")
+expect("report", beside, 1, "▼ asks less", "Gate for regressions: stopped")
 if beside.stdout != check(lowered, *GATE).stdout:
     problems.append("report --baseline: another text than check --baseline")
 expect("report without gate", luxgate("report", other, "--baseline", BASELINE), 0, "▼ asks less")

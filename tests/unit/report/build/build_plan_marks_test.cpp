@@ -119,12 +119,33 @@ TEST(PlanMarks, LuminairesHaveTheirOpeningAndDirection) {
   EXPECT_EQ(mark.type_id, "panel");
   EXPECT_EQ(mark.group, "row 1");
   EXPECT_NEAR(mark.c0.x, std::cos(turn), 1e-12);
+  EXPECT_EQ(mark.axis, glm::dvec3(0, 0, -1));
   ASSERT_EQ(mark.outline_m.size(), 4U);
   const glm::dvec2 corner(1 + 0.6 * std::cos(turn) - 0.15 * std::sin(turn),
                           2 + 0.6 * std::sin(turn) + 0.15 * std::cos(turn));
   EXPECT_TRUE(std::any_of(mark.outline_m.begin(), mark.outline_m.end(),
                           [&](const glm::dvec2& p) { return glm::distance(p, corner) < 1e-12; }));
   EXPECT_TRUE(part.luminaires[1].outline_m.empty());  // a point
+}
+
+TEST(PlanMarks, SurfacesAndBodiesNameTheirMaterials) {
+  Room room = empty_room();
+  room.project.materials = {{"white", 0.8, {}}, {"wood", 0.3, {}}};
+  room.space.id = "office";
+  for (calc::Body& body : room.space.bodies) {
+    body.id = "office." + body.id;
+    body.material_of.assign(12, 0);
+  }
+  room.space.bodies.push_back(box("desk", {1, 1, 0.7}, {2, 2, 0.75}));
+  room.space.bodies.back().material_of.assign(12, 1);
+  room.space.bodies.back().material_of[3] = 0;
+  SpacePart part;
+  add_plan_marks(room.project, room.space, room.scene, part);
+  ASSERT_EQ(part.finishes.size(), 6U);
+  EXPECT_EQ(part.finishes[2].surface, "wall1") << "so that a room may have another id";
+  EXPECT_EQ(part.finishes[2].materials, "white");
+  ASSERT_EQ(part.bodies.size(), 1U);
+  EXPECT_EQ(part.bodies[0].materials, "wood, white");
 }
 
 TEST(PlanMarks, TooManyBodiesAreCounted) {

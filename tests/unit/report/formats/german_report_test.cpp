@@ -46,7 +46,7 @@ Document rich_document() {
   space.bodies_left_out = 3;
   space.bodies = {{"desk", 0.0, 0.7, {{glm::dvec2(1, 1), glm::dvec2(3, 2)}}},
                   {"shelf", 1.0, 2.0, {{glm::dvec2(2, 1), glm::dvec2(2, 2)}}}};
-  for (LuminaireMark& mark : space.luminaires) mark.c0 = {1, 0};
+  for (LuminaireMark& mark : space.luminaires) mark.c0 = {1, 0, 0};
   space.pictures.list = {{"corner", "seen from above a corner", 4, 3, "png", "", ""},
                          {"plan", "seen from above", 4, 3, "png", "", ""}};
   space.pictures.highest_lx = 1e6;

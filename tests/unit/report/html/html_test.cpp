@@ -239,6 +239,7 @@ TEST(Html, NoFieldEscapesItsPlace) {
   Document document = sample_document();
   ProjectPart& project = document.projects[0];
   document.provenance = {evil, evil, evil, evil, 0, 0.95, rules::Goal::verdict, 0.02, 0, 0, evil};
+  document.provenance.method = evil;
   project.path = project.name = evil;
   for (SpacePart& space : project.spaces) {
     space.id = space.name = evil;

@@ -52,7 +52,7 @@ TEST(PlanLayout, FurnitureAndLuminairesLieWhereTheyAreInTheWorld) {
   LuminaireMark mark{world(1.0, 0.5), "panel"};
   mark.outline_m = {glm::dvec2(world(0.9, 0.4)), glm::dvec2(world(1.1, 0.4)),
                     glm::dvec2(world(1.1, 0.6))};
-  mark.c0 = glm::dvec2(plane.grid.v);
+  mark.c0 = plane.grid.v;
   space.luminaires = {mark};
   space.bodies = {{"desk", 0, 0.75, {{glm::dvec2(world(0.2, 0.1)), glm::dvec2(world(2.2, 0.1))}}},
                   {"beam", 2, 2.2, {{glm::dvec2(world(0, 1)), glm::dvec2(world(3, 1))}}},

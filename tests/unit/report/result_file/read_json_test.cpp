@@ -94,8 +94,13 @@ Document rich_document() {
   LuminaireMark& mark = project.spaces[0].luminaires.at(0);
   mark.group = "row <1>";
   mark.outline_m = {{1, 1}, {2, 1}, {2, 1.5}};
-  mark.c0 = {0.6, 0.8};
-  project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}}};
+  mark.c0 = {0.48, 0.64, 0.6};
+  mark.axis = {0.36, 0.48, -0.8};
+  project.luminaires.at(0).file_flux_lm = 1234.5;
+  project.luminaires.at(0).file_power_w = 23.5;
+  document.provenance.method = "--method instant-radiosity";
+  project.spaces[0].finishes = {{"floor", "wood, tiles"}};
+  project.spaces[0].bodies = {{"desk", 0, 0.75, {{glm::dvec2(1, 1), glm::dvec2(2, 1)}}, "wood"}};
   project.spaces[0].bodies_left_out = 3;
   document.provenance.timestamp = "2024-05-01T12:00:00Z";
   document.provenance.judged_on = "2024-05-01";

@@ -10,10 +10,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -27,14 +30,16 @@ constexpr Gate kRegression{GateMode::regression, 0.01, ""};
 
 Document base() {
   Document document = small_document();
+  document.provenance.replicates = 16;
+  document.provenance.max_paths = 1024;
   ProjectPart& project = document.projects[0];
   LuminaireRow row;
   row.type_id = "panel";
   row.photometry_file = "panel.ies";
   row.sha256 = "0123456789";
   row.count = 1;
-  row.flux_lm = 4000;
-  row.power_w = 30;
+  row.flux_lm = row.file_flux_lm = 4000;
+  row.power_w = row.file_power_w = 30;
   row.max_intensity_cd = 1500;
   row.maintenance_factor = 0.8;
   project.luminaires = {row};
@@ -49,6 +54,15 @@ rules::Finding& finding(Document& document, std::size_t k = 0) {
   return document.projects[0].spaces[0].planes[0].findings.at(k);
 }
 PlanePart& plane(Document& document) { return document.projects[0].spaces[0].planes[0]; }
+
+// A point of the plane is left out.
+void lose(Document& document, std::size_t k) {
+  PlanePart& of = plane(document);
+  const PointRow& point = of.points.at(k);
+  of.grid.dropped.push_back(
+      {point.position_m, point.column, point.row, calc::DropReason::inside_solid, "desk"});
+  of.points.erase(of.points.begin() + static_cast<std::ptrdiff_t>(k));
+}
 
 Revision revised(const std::function<void(Document&)>& change, const Gate& gate = kRegression) {
   const Document before = base();
@@ -77,6 +91,13 @@ std::vector<std::string> became(const Revision& revision) {
 void set_measured(rules::Finding& of, const calc::Estimate& measured) {
   of.measured = measured;
   judge_again(of);
+}
+
+void fail_first(Document& document) {
+  rules::Finding& of = finding(document);
+  const bool is_lower = rules::is_lower_limit(of.requirement.comparison);
+  set_measured(
+      of, estimate((is_lower ? 0.8 : 1.2) * of.requirement.limit, 0.001 * of.requirement.limit));
 }
 
 TEST(Revise, OfTheSameDocumentNothingHasChanged) {
@@ -162,6 +183,14 @@ INSTANTIATE_TEST_SUITE_P(
         QuestionCase{"Mask",
                      [](Document& d) { finding(d).requirement.mask.id = "inner"; },
                      {"exchanged mask"}},
+        QuestionCase{"Energy",
+                     [](Document& d) { finding(d).requirement.energy_words = "100 h by day"; },
+                     {"exchanged energy"}},
+        QuestionCase{"ExactPoint",
+                     [](Document& d) {
+                       finding(d).requirement.point_m = glm::dvec3{1, 1, 1};
+                     },
+                     {"exchanged quantity"}},
         QuestionCase{"RequirementGone",
                      [](Document& d) { plane(d).findings.pop_back(); },
                      {"weaker requirement"}},
@@ -184,10 +213,13 @@ INSTANTIATE_TEST_SUITE_P(
                      {"weaker maintenance-factor"}},
         QuestionCase{
             "Margin", [](Document& d) { plane(d).grid.margin_m += 0.5; }, {"weaker margin"}},
-        QuestionCase{"Grid", [](Document& d) { plane(d).grid.columns -= 1; }, {"weaker grid"}},
-        QuestionCase{"LostPoints",
-                     [](Document& d) { plane(d).grid.dropped.emplace_back(); },
-                     {"weaker lost-points"}},
+        QuestionCase{"Grid",
+                     [](Document& d) {
+                       plane(d).grid.columns -= 1;
+                       plane(d).points.pop_back();
+                     },
+                     {"weaker grid"}},
+        QuestionCase{"LostPoints", [](Document& d) { lose(d, 1); }, {"weaker lost-points"}},
         QuestionCase{"MaintenanceFactor",
                      [](Document& d) { d.projects[0].luminaires.at(0).maintenance_factor *= 1.1; },
                      {"weaker maintenance-factor"}},
@@ -201,8 +233,141 @@ INSTANTIATE_TEST_SUITE_P(
                      [](Document& d) { d.provenance.confidence = 0.9; },
                      {"weaker confidence"}},
         QuestionCase{
-            "Tolerance2", [](Document& d) { d.provenance.tolerance *= 2; }, {"weaker accuracy"}}),
+            "Tolerance2", [](Document& d) { d.provenance.tolerance *= 2; }, {"weaker accuracy"}},
+        QuestionCase{
+            "Replicates", [](Document& d) { d.provenance.replicates -= 8; }, {"weaker accuracy"}},
+        QuestionCase{
+            "MaxPaths", [](Document& d) { d.provenance.max_paths /= 2; }, {"weaker accuracy"}},
+        QuestionCase{
+            "Method", [](Document& d) { d.provenance.method = "--clamp 1"; }, {"exchanged method"}},
+        QuestionCase{"FluxOfAnotherFile",
+                     [](Document& d) {
+                       d.projects[0].luminaires.at(0).sha256 = "other";
+                       d.projects[0].luminaires.at(0).flux_lm *= 1.1;
+                     },
+                     {"weaker flux"}},
+        QuestionCase{"PowerOfAnotherFile",
+                     [](Document& d) {
+                       d.projects[0].luminaires.at(0).sha256 = "other";
+                       d.projects[0].luminaires.at(0).power_w *= 0.9;
+                     },
+                     {"weaker power"}},
+        QuestionCase{"MaintenanceFactorOfAnotherTypeInItsPlace",
+                     [](Document& d) {
+                       ProjectPart& project = d.projects[0];
+                       project.luminaires.push_back(project.luminaires.at(0));
+                       project.luminaires[1].type_id = "other";
+                       project.luminaires[1].maintenance_factor *= 1.1;
+                       project.spaces[0].luminaires.at(0).type_id = "other";
+                     },
+                     {"weaker maintenance-factor"}}),
     [](const auto& param) { return std::string(param.param.name); });
+
+TEST(Revise, PointsThatLieElsewhereAreExchanged) {
+  const Revision revision = revised([](Document& d) { plane(d).points.at(0).position_m.z += 0.1; });
+  EXPECT_THAT(asked(revision), ElementsAre("exchanged grid"));
+  EXPECT_THAT(revision.questions.at(0).after, HasSubstr("up to 0.1 m elsewhere"));
+}
+
+TEST(Revise, ASmallerAreaIsWeakerAndALargerOneExchanged) {
+  const auto with_width = [](double more_m) {
+    return revised([&](Document& d) {
+      plane(d).outline_m.at(1).x += more_m;
+      plane(d).outline_m.at(2).x += more_m;
+    });
+  };
+  EXPECT_THAT(asked(with_width(-0.1)), ElementsAre("weaker area"));
+  EXPECT_THAT(asked(with_width(0.1)), ElementsAre("exchanged area"));
+}
+
+TEST(Revise, AsManyPointsLeftOutButOthersAreExchanged) {
+  Document before = base(), after = before;
+  lose(before, 0);
+  lose(after, 1);
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)),
+              ElementsAre("exchanged lost-points"));
+}
+
+TEST(Revise, ARectangleMayBeginAtAnyCornerAndItsPointsStandInAnyOrder) {
+  const Revision revision = revised([](Document& d) {
+    PlanePart& of = plane(d);
+    std::rotate(of.outline_m.begin(), of.outline_m.begin() + 1, of.outline_m.end());
+    std::reverse(of.outline_m.begin(), of.outline_m.end());
+    std::swap(of.grid.columns, of.grid.rows);
+    std::swap(of.points.at(0), of.points.at(1));
+    for (PointRow& point : of.points) std::swap(point.column, point.row);
+  });
+  EXPECT_THAT(asked(revision), IsEmpty());
+  EXPECT_THAT(revised([](Document& d) { plane(d).outline_m.at(0).x -= 0.001; }).questions,
+              ::testing::SizeIs(1));
+}
+
+TEST(Revise, PointsAreTheSameWithinRoundingWhereverTheyLie) {
+  for (const double place_m : {0.0, 0.001, -12.3456789, 4711.0}) {
+    Document before = base();
+    plane(before).points.at(0).position_m.x = place_m;
+    Document after = before;
+    plane(after).points.at(0).position_m.x += 0.9e-6;
+    EXPECT_THAT(asked(revise(before, after, "", kRegression)), IsEmpty()) << place_m;
+    plane(after).points.at(0).position_m.x = place_m - 0.9e-6;
+    EXPECT_THAT(asked(revise(before, after, "", kRegression)), IsEmpty()) << place_m;
+    plane(after).points.at(0).position_m.x = place_m + 2e-6;
+    EXPECT_THAT(asked(revise(before, after, "", kRegression)), ElementsAre("exchanged grid"));
+  }
+}
+
+TEST(Revise, AFailureWhoseWaiverIsOverIsBroken) {
+  Document before = base();
+  fail_first(before);
+  finding(before).requirement.waiver = kWaiver;
+  finding(before).is_waived = true;
+  Document after = before;
+  finding(after).is_waived = false;
+  const Revision revision = revise(before, after, "main.json", kRegression);
+  EXPECT_EQ(became(revision), std::vector<std::string>{"broken"});
+  EXPECT_EQ(revision.known_failures, 1u) << "the other one";
+  EXPECT_EQ(reasons_of(revision).results.size(), 1u);
+  EXPECT_THAT(became(revise(before, before, "main.json", kRegression)), IsEmpty());
+}
+
+TEST(Revise, WhatTheIntervalDoesNotExcludeIsCounted) {
+  const auto untold = [](double half_width, const Gate& gate) {
+    Document document = base();
+    set_measured(finding(document), estimate(600, half_width));
+    return revise(document, document, "main.json", gate).untold;
+  };
+  EXPECT_EQ(untold(1.0, {GateMode::regression, 0.02, ""}), 0u);
+  EXPECT_EQ(untold(12.0, {GateMode::regression, 0.02, ""}), 1u);  // 17 of 600
+  EXPECT_EQ(untold(12.0, {GateMode::regression, 0.03, ""}), 0u);
+}
+
+TEST(Revise, RequirementsWithoutIdsMayChangePlaces) {
+  Document before = base();
+  finding(before, 1).requirement.metric = rules::Metric::average;
+  finding(before, 1).requirement.id = "average-2";
+  const Revision swapped = revise(
+      before,
+      [&] {
+        Document after = before;
+        std::swap(plane(after).findings[0], plane(after).findings[1]);
+        std::swap(finding(after, 0).requirement.id, finding(after, 1).requirement.id);
+        return after;
+      }(),
+      "main.json", kRegression);
+  EXPECT_THAT(asked(swapped), IsEmpty());
+  EXPECT_THAT(became(swapped), IsEmpty());
+  EXPECT_EQ(swapped.same, 2u);
+}
+
+TEST(Revise, FilesThatChangedWithoutEffectAreNoted) {
+  Document before = base();
+  before.projects[0].inputs = {{"office.xml", "0123"}, {"panel.ies", "4567"}};
+  Document after = before;
+  after.projects[0].inputs[1].sha256 = "89ab";
+  EXPECT_THAT(revise(before, after, "", kRegression).notes, ElementsAre(HasSubstr("panel.ies")));
+  finding(after).requirement.limit -= 1.0;  // that says enough
+  EXPECT_THAT(revise(before, after, "", kRegression).notes, IsEmpty());
+}
 
 TEST(Revise, ALimitBelowWhichIsToStayIsWeakerWhereItRises) {
   Document before = base();
@@ -326,13 +491,6 @@ void pass_all(Document& document) {
     set_measured(of, estimate((is_lower ? 1.2 : 0.8) * limit, 0.001 * limit));
   }
 }
-void fail_first(Document& document) {
-  rules::Finding& of = finding(document);
-  const bool is_lower = rules::is_lower_limit(of.requirement.comparison);
-  set_measured(
-      of, estimate((is_lower ? 0.8 : 1.2) * of.requirement.limit, 0.001 * of.requirement.limit));
-}
-
 TEST(Gate, KnownFailuresPassAGateForRegressionsOnly) {
   const auto known = [](Document& d) {
     pass_all(d);

@@ -242,5 +242,21 @@ TEST(Mask, IsForRectanglesOnly) {
   EXPECT_EQ(apply_mask({}, list).points.size(), 16u);
 }
 
+TEST(Mask, WordsTellAllThatItDoes) {
+  EXPECT_EQ(mask_words({"all", {}}), "");
+  EXPECT_EQ(mask_words(mask_of(MaskStep::inset, 0.5)),
+            "without a strip along the outline of 0.5 m");
+  Mask mask = mask_of(MaskStep::across, 0.5, 0.25, 2);
+  mask.operations.push_back({MaskStep::walls, 0.3, 0, 0});
+  const std::string words =
+      "without a strip along the long sides of 0.25 of the width up to 2 m, else 0.5 m, without "
+      "what "
+      "is nearer than 0.3 m to a wall of the room";
+  EXPECT_EQ(mask_words(mask), words);
+  EXPECT_EQ(mask_words(mask, {0, 1, 0}), words + ", people going along (0 1 0)");
+  EXPECT_EQ(mask_words(mask_of(MaskStep::inset, 0.5), {0, 1, 0}),
+            mask_words(mask_of(MaskStep::inset, 0.5)));
+}
+
 }  // namespace
 }  // namespace rules

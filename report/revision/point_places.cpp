@@ -1,0 +1,109 @@
+#include "report/revision/point_places.h"
+
+#include "report/revision/matching.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace report {
+namespace {
+
+std::vector<PlacedPoint> points_of(const PlanePart& plane) {
+  std::vector<PlacedPoint> points;
+  points.reserve(plane.points.size() + plane.grid.dropped.size());
+  for (const PointRow& point : plane.points) {
+    points.push_back({point.position_m, point.column, point.row, &point});
+  }
+  for (const calc::DroppedPoint& point : plane.grid.dropped) {
+    points.push_back({point.position_m, point.column, point.row, nullptr});
+  }
+  return points;
+}
+
+// Finds points by boxes that are much larger than what two places may differ by.
+class PlaceIndex {
+ public:
+  explicit PlaceIndex(const std::vector<PlacedPoint>& points) : points_(points) {
+    for (std::size_t k = points.size(); k-- > 0;) {  // so that the first is at the end
+      boxes_[box_of(points[k].position_m, {})].push_back(k);
+    }
+  }
+
+  // The first that is left at this place, or points.size().
+  std::size_t take(const glm::dvec3& position_m) {
+    std::size_t found = points_.size();
+    std::vector<std::size_t>* of_found = nullptr;
+    for (int side = 0; side < 8; ++side) {
+      const glm::dvec3 off{(side & 1) != 0 ? 1.0 : -1.0, (side & 2) != 0 ? 1.0 : -1.0,
+                           (side & 4) != 0 ? 1.0 : -1.0};
+      const auto box = boxes_.find(box_of(position_m, kSamePlace_m * off));
+      if (box == boxes_.end()) continue;
+      for (const std::size_t k : box->second) {
+        if (k >= found || !is_same_place(points_[k].position_m, position_m)) continue;
+        found = k;
+        of_found = &box->second;
+      }
+    }
+    if (of_found != nullptr) std::erase(*of_found, found);
+    return found;
+  }
+
+ private:
+  using Box = std::array<std::int64_t, 3>;
+
+  static Box box_of(const glm::dvec3& position_m, const glm::dvec3& off_m) {
+    constexpr double kBoxes_1_m = 1000.0;
+    Box box{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double place = std::floor((position_m[axis] + off_m[axis]) * kBoxes_1_m);
+      constexpr double kFarthest = 1e15;  // what no number of boxes can be made of: one box for all
+      box[static_cast<std::size_t>(axis)] =
+          std::abs(place) < kFarthest ? static_cast<std::int64_t>(place) : 0;
+    }
+    return box;
+  }
+
+  const std::vector<PlacedPoint>& points_;
+  std::map<Box, std::vector<std::size_t>> boxes_;
+};
+
+}  // namespace
+
+PointPairs match_points(const PlanePart& before, const PlanePart& after) {
+  const std::vector<PlacedPoint> was = points_of(before), is = points_of(after);
+  PointPairs pairs;
+  PlaceIndex index(was);
+  std::vector<bool> is_taken(was.size(), false);
+  for (const PlacedPoint& point : is) {
+    const std::size_t k = index.take(point.position_m);
+    if (k == was.size()) {
+      pairs.added.push_back(point);
+      continue;
+    }
+    is_taken[k] = true;
+    pairs.both.emplace_back(was[k], point);
+  }
+  for (std::size_t k = 0; k < was.size(); ++k) {
+    if (!is_taken[k]) pairs.gone.push_back(was[k]);
+  }
+  return pairs;
+}
+
+double farthest_move_m(const PointPairs& pairs) {
+  std::map<std::pair<int, int>, glm::dvec3> place_of_cell;
+  for (const PlacedPoint& point : pairs.gone) {
+    place_of_cell.emplace(std::pair(point.column, point.row), point.position_m);
+  }
+  double farthest_m = 0.0;
+  for (const PlacedPoint& point : pairs.added) {
+    const auto found = place_of_cell.find({point.column, point.row});
+    if (found == place_of_cell.end()) continue;
+    farthest_m = std::max(farthest_m, glm::length(point.position_m - found->second));
+  }
+  return farthest_m;
+}
+
+}  // namespace report
