@@ -28,4 +28,11 @@ void MemoryStore::refuse(std::string_view key, std::string_view /*why*/) {
   entries_.erase(found);
 }
 
+void MemoryStore::clear_above(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  if (bytes_ <= bytes) return;
+  entries_.clear();
+  bytes_ = 0;
+}
+
 }  // namespace calc

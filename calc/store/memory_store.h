@@ -20,6 +20,9 @@ class MemoryStore : public EntryStore {
   // Forgets it: whoever refuses it writes another.
   void refuse(std::string_view key, std::string_view why) override;
 
+  // Forgets all if it holds more than that: for programs that run on and on.
+  void clear_above(std::size_t bytes);
+
  private:
   std::size_t most_bytes_;
   std::size_t bytes_ = 0;

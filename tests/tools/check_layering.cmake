@@ -13,7 +13,7 @@ set(folders
   report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
   report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
   report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/store report/tools/validate
-  report/tools/vpl report/cli)
+  report/tools/vpl report/tools/watch report/cli)
 
 set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli))$")
 
@@ -26,6 +26,7 @@ set(owned_libraries
   "epoxy/|gpu/"
   "CLI/|report/shell/command_line\\.cpp"
   "git2|report/git/"
+  "httplib|report/tools/watch/report_server\\.cpp"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
   "png\\.h|report/"

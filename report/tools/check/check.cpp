@@ -1,13 +1,10 @@
 #include "report/tools/check/check.h"
 
-#include "calc/base/numbers_version.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/check_project.h"
 #include "report/check/load_rules.h"
 #include "report/check/plan.h"
-#include "report/document/program_version.h"
-#include "report/document/same_bits.h"
 #include "report/result_file/redact.h"
 #include "report/revision/gate.h"
 #include "report/revision/revise.h"
@@ -19,6 +16,7 @@
 #include "report/shell/recording_reader.h"
 #include "report/shell/result_input.h"
 #include "report/tools/check/against.h"
+#include "report/tools/check/checked_document.h"
 #include "report/tools/pictures/room_pictures.h"
 #include "report/tools/plan/plan.h"
 #include "rules/verdict/outcome.h"
@@ -26,7 +24,6 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -36,48 +33,6 @@ namespace {
 
 // Looks are small: some 100 KiB for a plane of 1000 points.
 constexpr std::size_t kMostMemoryStoreBytes = std::size_t{1} << 30;
-
-report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
-                                 const std::string& description) {
-  const check::Settings& settings = options.settings;
-  report::Provenance provenance;
-  provenance.program_version = report::program_version();
-  CheckOptions used = options;  // what `auto` came to; its answer `cpu` is the usual one
-  if (backend == check::Backend::gpu) used.backend.backend = backend;
-  provenance.command_line = reproducible_command(used);
-  provenance.timestamp = options.timestamp;
-  provenance.seed = settings.radiosity.seed;
-  provenance.confidence = settings.confidence;
-  provenance.goal = settings.goal;
-  provenance.tolerance = settings.tolerance;
-  provenance.max_paths = settings.radiosity.max_paths;
-  provenance.replicates = settings.radiosity.replicates;
-  provenance.method = method_words(settings.radiosity);
-  provenance.backend = description;
-  provenance.numbers_version = calc::kNumbersVersion;
-  return provenance;
-}
-
-report::ProjectPart failed_project(const std::string& path, calc::DiagnosticId id,
-                                   const std::string& reason) {
-  calc::Diagnostics diagnostics;
-  diagnostics.report(id, {path, 0, 0}, reason);
-  report::ProjectPart part;
-  part.path = path;
-  part.diagnostics = diagnostics.all();
-  return part;
-}
-
-// Whatever goes wrong in one project must not stop the batch.
-report::ProjectPart check_safely(const std::string& path, const check::Context& context) {
-  try {
-    return check::check_project(path, context);
-  } catch (const calc::BackendFailure& failure) {
-    return failed_project(path, calc::DiagnosticId::backend_failed, failure.what());
-  } catch (const std::exception& error) {
-    return failed_project(path, calc::DiagnosticId::internal_error, error.what());
-  }
-}
 
 void print_timing(const report::ProjectPart& project) {
   std::uint64_t rays = 0;
@@ -277,9 +232,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     print_diagnostics(project.diagnostics, options.output.quiet);
     if (options.settings.has_times && project.is_judged) print_timing(project);
   }
-  if (hangs_on_the_day(document)) document.provenance.judged_on = options.settings.today;
-  document.provenance.same_bits =
-      report::same_bits_of(document, backend.backend == check::Backend::gpu);
+  complete_provenance(document, options.settings.today, backend.backend);
   if (options.explain_cost) {
     fmt::print(stderr, "{}{}{}", check::backend_line(backend), observer.cost_log(),
                store ? looks_line(observer.looks(), options) : "");

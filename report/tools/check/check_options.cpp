@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 namespace cli {
 namespace {
 
@@ -41,6 +39,72 @@ std::vector<Option> document_options(CheckOptions& options) {
       color_option(options.output.color)};
 }
 
+// Its repository says whether it is one.
+ValueParser git_revision(std::string& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty() || text.front() == '-') {
+      return "a git revision: a branch, a tag, the id of a commit, HEAD~1, main...";
+    }
+    target = text;
+    return "";
+  };
+}
+
+Option against_option(std::string& target) {
+  return {
+      "--against",
+      "REV",
+      "The same since a git revision: branch, tag, commit, HEAD~1, or 'main...' for the commit\n"
+      "at which HEAD left main. The projects are checked as they were then, with the same\n"
+      "options, from the repository's objects: the work tree is not touched, nothing is\n"
+      "fetched. --rules in the repository are those of then, others those of now",
+      git_revision(target),
+      false,
+      {"--baseline"}};
+}
+
+std::string complete(CheckOptions& options, const Environment& environment) {
+  if (options.timestamp.empty()) {
+    std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
+    if (!problem.empty()) return problem;
+  }
+  options.settings.today = day_of_moment(options.timestamp);
+  const bool is_compared = !options.baseline.empty() || !options.against.empty();
+  if (std::string problem =
+          gate_contradiction(options.gate, is_compared, "a --baseline or --against");
+      !problem.empty()) {
+    return problem;
+  }
+  if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
+    return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
+  }
+  std::string problem = take_store(environment.store, options.store);
+  if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
+  if (problem.empty()) problem = output_contradiction(options.output);
+  return problem.empty() ? project_contradiction(options.input) : problem;
+}
+
+}  // namespace
+
+Option store_option(std::string& store) {
+  return {
+      "--store", "DIR",
+      "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
+      "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "
+      "set,\n"
+      "else none. See 'luxgate store'",
+      some_text(store)};
+}
+
+std::string take_store(const std::string& variable, std::string& store) {
+  const bool is_given = !store.empty();
+  if (!is_given) store = variable;
+  if (store == "off") store.clear();
+  if (store.empty()) return "";
+  const std::string problem = calc::problem_with_store(store);
+  return problem.empty() ? "" : (is_given ? "--store: " : "LUXGATE_STORE: ") + problem;
+}
+
 std::vector<Option> accuracy_options(check::Settings& settings) {
   return {
       {"--goal", "NAME",
@@ -67,63 +131,6 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
        seconds(settings.radiosity.time_limit_s)}};
 }
 
-// Its repository says whether it is one.
-ValueParser git_revision(std::string& target) {
-  return [&target](const std::string& text) -> std::string {
-    if (text.empty() || text.front() == '-') {
-      return "a git revision: a branch, a tag, the id of a commit, HEAD~1, main...";
-    }
-    target = text;
-    return "";
-  };
-}
-
-Option against_option(std::string& target) {
-  return {
-      "--against",
-      "REV",
-      "The same since a git revision: branch, tag, commit, HEAD~1, or 'main...' for the commit\n"
-      "at which HEAD left main. The projects are checked as they were then, with the same\n"
-      "options, from the repository's objects: the work tree is not touched, nothing is\n"
-      "fetched. --rules in the repository are those of then, others those of now",
-      git_revision(target),
-      false,
-      {"--baseline"}};
-}
-
-// The folder that is meant, "" = none, and what is wrong with it.
-std::string take_store(const std::string& variable, std::string& store) {
-  const bool is_given = !store.empty();
-  if (!is_given) store = variable;
-  if (store == "off") store.clear();
-  if (store.empty()) return "";
-  const std::string problem = calc::problem_with_store(store);
-  return problem.empty() ? "" : (is_given ? "--store: " : "LUXGATE_STORE: ") + problem;
-}
-
-std::string complete(CheckOptions& options, const Environment& environment) {
-  if (options.timestamp.empty()) {
-    std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
-    if (!problem.empty()) return problem;
-  }
-  options.settings.today = day_of_moment(options.timestamp);
-  const bool is_compared = !options.baseline.empty() || !options.against.empty();
-  if (std::string problem =
-          gate_contradiction(options.gate, is_compared, "a --baseline or --against");
-      !problem.empty()) {
-    return problem;
-  }
-  if (!options.vpl_file.empty() && options.input.projects.size() > 1) {
-    return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
-  }
-  std::string problem = take_store(environment.store, options.store);
-  if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
-  if (problem.empty()) problem = output_contradiction(options.output);
-  return problem.empty() ? project_contradiction(options.input) : problem;
-}
-
-}  // namespace
-
 Command check_syntax(CheckOptions& options) {
   Command command{"check", "Calculate projects and judge their requirements"};
   command.places = {projects_place(options.input)};
@@ -144,12 +151,7 @@ Command check_syntax(CheckOptions& options) {
         some_text(options.vpl_file),
         false,
         {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
-       {"--store", "DIR",
-        "Keep looks of planes in this folder, and take from there what did not change; made if it\n"
-        "is not there. Results are the same to the bit. 'off': none; default LUXGATE_STORE if "
-        "set,\n"
-        "else none. See 'luxgate store'",
-        some_text(options.store)},
+       store_option(options.store),
        strict_option(options.strict),
        quiet_option_with_count(options.output.quiet)});
   command.footer = kExitCodes;

@@ -8,6 +8,7 @@
 #include "report/shell/work_options.h"
 
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -26,6 +27,14 @@ struct CheckOptions {
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
   std::string store;     // folder of looks to be used again; "" = none
 };
+
+// --store, and with it: the folder that is meant, "" = none; gives what is wrong with it. variable:
+// LUXGATE_STORE.
+Option store_option(std::string& store);
+std::string take_store(const std::string& variable, std::string& store);
+
+// Those of them that say how exactly is calculated.
+std::vector<Option> accuracy_options(check::Settings& settings);
 
 // What may stand behind `luxgate check`; sets `options`.
 Command check_syntax(CheckOptions& options);

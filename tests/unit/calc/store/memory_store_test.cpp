@@ -47,4 +47,15 @@ TEST(MemoryStore, KeepsNoMoreThanItMay) {
   EXPECT_TRUE(store.read("c", kMost));
 }
 
+TEST(MemoryStore, ForgetsAllAboveALimit) {
+  calc::MemoryStore store(100);
+  store.write("a", std::string(60, 'x'));
+  store.clear_above(60);
+  EXPECT_TRUE(store.read("a", 100).has_value());
+  store.clear_above(59);
+  EXPECT_FALSE(store.read("a", 100).has_value());
+  store.write("b", std::string(100, 'y'));
+  EXPECT_TRUE(store.read("b", 100).has_value()) << "there is room for all again";
+}
+
 }  // namespace

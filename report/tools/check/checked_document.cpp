@@ -1,0 +1,61 @@
+#include "report/tools/check/checked_document.h"
+
+#include "calc/base/numbers_version.h"
+#include "report/document/program_version.h"
+#include "report/document/same_bits.h"
+
+#include <exception>
+
+namespace cli {
+namespace {
+
+report::ProjectPart failed_project(const std::string& path, calc::DiagnosticId id,
+                                   const std::string& reason) {
+  calc::Diagnostics diagnostics;
+  diagnostics.report(id, {path, 0, 0}, reason);
+  report::ProjectPart part;
+  part.path = path;
+  part.diagnostics = diagnostics.all();
+  return part;
+}
+
+}  // namespace
+
+report::ProjectPart check_safely(const std::string& path, const check::Context& context) {
+  try {
+    return check::check_project(path, context);
+  } catch (const calc::BackendFailure& failure) {
+    return failed_project(path, calc::DiagnosticId::backend_failed, failure.what());
+  } catch (const std::exception& error) {
+    return failed_project(path, calc::DiagnosticId::internal_error, error.what());
+  }
+}
+
+report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
+                                 const std::string& description) {
+  const check::Settings& settings = options.settings;
+  report::Provenance provenance;
+  provenance.program_version = report::program_version();
+  CheckOptions used = options;  // what `auto` came to; its answer `cpu` is the usual one
+  if (backend == check::Backend::gpu) used.backend.backend = backend;
+  provenance.command_line = reproducible_command(used);
+  provenance.timestamp = options.timestamp;
+  provenance.seed = settings.radiosity.seed;
+  provenance.confidence = settings.confidence;
+  provenance.goal = settings.goal;
+  provenance.tolerance = settings.tolerance;
+  provenance.max_paths = settings.radiosity.max_paths;
+  provenance.replicates = settings.radiosity.replicates;
+  provenance.method = method_words(settings.radiosity);
+  provenance.backend = description;
+  provenance.numbers_version = calc::kNumbersVersion;
+  return provenance;
+}
+
+void complete_provenance(report::Document& document, const std::string& today,
+                         check::Backend backend) {
+  if (hangs_on_the_day(document)) document.provenance.judged_on = today;
+  document.provenance.same_bits = report::same_bits_of(document, backend == check::Backend::gpu);
+}
+
+}  // namespace cli

@@ -1,0 +1,24 @@
+#pragma once
+// What `check` and `watch` put into a document, and how.
+
+#include "report/check/backend.h"
+#include "report/check/check_project.h"
+#include "report/document/document.h"
+#include "report/tools/check/check_options.h"
+
+#include <string>
+
+namespace cli {
+
+// Whatever goes wrong in one project must not stop the batch: then it is not judged and says why.
+report::ProjectPart check_safely(const std::string& path, const check::Context& context);
+
+// description: of the backend.
+report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
+                                 const std::string& description);
+
+// What is known once all projects are in it. today: YYYY-MM-DD, by which waivers were judged.
+void complete_provenance(report::Document& document, const std::string& today,
+                         check::Backend backend);
+
+}  // namespace cli

@@ -1,0 +1,38 @@
+#include "report/tools/watch/file_stamps.h"
+
+#include <sys/stat.h>
+
+namespace cli {
+namespace {
+
+std::int64_t nanoseconds(const timespec& time) {
+  constexpr std::int64_t kPerSecond = 1'000'000'000;
+  return static_cast<std::int64_t>(time.tv_sec) * kPerSecond + time.tv_nsec;
+}
+
+}  // namespace
+
+FileStamp stamp_of(const std::string& path) {
+  struct stat state {};
+  if (stat(path.c_str(), &state) != 0) return {};
+  return {static_cast<std::uint64_t>(state.st_size), state.st_ino, nanoseconds(state.st_mtim),
+          nanoseconds(state.st_ctim)};
+}
+
+FileStamps changed_since(const FileStamps& stamps) {
+  FileStamps changed;
+  for (const auto& [path, stamp] : stamps) {
+    const FileStamp now = stamp_of(path);
+    if (now != stamp) changed.emplace(path, now);
+  }
+  return changed;
+}
+
+calc::FileContent StampedReader::read(const std::string& path) const {
+  note(path);
+  return reader_.read(path);
+}
+
+void StampedReader::note(const std::string& path) const { stamps_.emplace(path, stamp_of(path)); }
+
+}  // namespace cli

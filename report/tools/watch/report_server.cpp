@@ -1,0 +1,155 @@
+#include "report/tools/watch/report_server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <random>
+#include <thread>
+#include <utility>
+
+namespace cli {
+namespace {
+
+constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kMostBrowsers = 32;  // each waits for news on a thread of its own
+
+// The report keeps its place where it is scrolled to.
+constexpr const char* kPage = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>luxgate watch</title>
+<style>html,body,iframe{{margin:0;border:0;width:100%;height:100%;display:block}}body{{overflow:hidden}}</style></head>
+<body><iframe id="report" title="Report" src="report"></iframe>
+<script nonce="{0}">
+"use strict";
+const frame = document.getElementById("report");
+let y = 0;
+frame.addEventListener("load", () => frame.contentWindow.scrollTo(0, y));
+new EventSource("news").onmessage = () => {{
+  y = frame.contentWindow.scrollY;
+  frame.contentWindow.location.reload();
+}};
+</script></body></html>
+)";
+
+std::string random_words() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
+}  // namespace
+
+struct ReportServer::Parts {
+  httplib::Server server;
+  std::string token = random_words();
+  std::string address, host;  // host: with the port, as browsers name it
+  std::mutex mutex;
+  std::condition_variable has_news;
+  std::string html;
+  std::uint64_t version = 0;
+  bool is_ending = false;
+  std::thread thread;
+
+  // Waits for another report than that of `seen`; false: the server ends.
+  bool wait_for_news(std::uint64_t& seen, bool& is_new) {
+    constexpr std::chrono::seconds kAtMost{10};
+    std::unique_lock lock(mutex);
+    has_news.wait_for(lock, kAtMost, [&] { return is_ending || version != seen; });
+    is_new = version != seen;
+    seen = version;
+    return !is_ending;
+  }
+
+  void answer() {
+    server.new_task_queue = [] { return new httplib::ThreadPool(kMostBrowsers); };
+    server.set_default_headers({{"Cache-Control", "no-store"},
+                                {"Referrer-Policy", "no-referrer"},
+                                {"Cross-Origin-Resource-Policy", "same-origin"},
+                                {"X-Content-Type-Options", "nosniff"}});
+    // A page of another name that leads here asks with that name.
+    server.set_pre_routing_handler(
+        [this](const httplib::Request& request, httplib::Response& response) {
+          if (request.get_header_value("Host") == host)
+            return httplib::Server::HandlerResponse::Unhandled;
+          response.status = 403;
+          return httplib::Server::HandlerResponse::Handled;
+        });
+    server.Get("/" + token + "/", [](const httplib::Request&, httplib::Response& response) {
+      const std::string nonce = random_words();
+      response.set_header("Content-Security-Policy",
+                          fmt::format("default-src 'none'; style-src 'unsafe-inline'; script-src "
+                                      "'nonce-{}'; connect-src 'self'; frame-src 'self'; "
+                                      "frame-ancestors 'none'",
+                                      nonce));
+      response.set_content(fmt::format(kPage, nonce), "text/html; charset=utf-8");
+    });
+    server.Get("/" + token + "/report",
+               [this](const httplib::Request&, httplib::Response& response) {
+                 const std::lock_guard lock(mutex);
+                 response.set_content(html, "text/html; charset=utf-8");
+               });
+    server.Get("/" + token + "/news", [this](const httplib::Request&, httplib::Response& response) {
+      std::uint64_t seen = 0;
+      {
+        const std::lock_guard lock(mutex);
+        seen = version;
+      }
+      response.set_chunked_content_provider(
+          "text/event-stream", [this, seen](std::size_t, httplib::DataSink& sink) mutable {
+            bool is_new = false;
+            if (!wait_for_news(seen, is_new)) return false;
+            const std::string event = is_new ? "data: report\n\n" : ": nothing new\n\n";
+            return sink.write(event.data(), event.size());
+          });
+    });
+  }
+};
+
+ReportServer::ReportServer() : parts_(std::make_unique<Parts>()) {}
+
+std::unique_ptr<ReportServer> ReportServer::start(std::string& problem) {
+  std::unique_ptr<ReportServer> server(new ReportServer);
+  Parts& parts = *server->parts_;
+  const int port = parts.server.bind_to_any_port(kHost);
+  if (port <= 0) {
+    problem = fmt::format("no port of {} can be had", kHost);
+    return nullptr;
+  }
+  parts.host = fmt::format("{}:{}", kHost, port);
+  parts.address = fmt::format("http://{}/{}/", parts.host, parts.token);
+  parts.answer();
+  parts.thread = std::thread([&parts] { parts.server.listen_after_bind(); });
+  // One that does not run yet cannot be stopped.
+  constexpr int kMostWaits = 1000;
+  for (int k = 0; k < kMostWaits && !parts.server.is_running(); ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return server;
+}
+
+ReportServer::~ReportServer() {
+  if (!parts_->thread.joinable()) return;
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->is_ending = true;
+  }
+  parts_->has_news.notify_all();
+  parts_->server.stop();
+  parts_->thread.join();
+}
+
+const std::string& ReportServer::address() const { return parts_->address; }
+
+void ReportServer::show(std::string html) {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->html = std::move(html);
+    ++parts_->version;
+  }
+  parts_->has_news.notify_all();
+}
+
+}  // namespace cli

@@ -1,0 +1,260 @@
+#include "report/tools/watch/watch.h"
+
+#include "calc/store/entry_folder.h"
+#include "calc/store/memory_store.h"
+#include "report/check/plan.h"
+#include "report/html/html.h"
+#include "report/revision/revise.h"
+#include "report/shell/interrupt.h"
+#include "report/shell/open_backend.h"
+#include "report/shell/outputs.h"
+#include "report/shell/print.h"
+#include "report/shell/progress.h"
+#include "report/shell/recording_reader.h"
+#include "report/tools/check/check_options.h"
+#include "report/tools/check/checked_document.h"
+#include "report/tools/watch/file_stamps.h"
+#include "report/tools/watch/input_watch.h"
+#include "report/tools/watch/report_server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cli {
+namespace {
+
+// Looks of half that size are forgotten together, so that there is always room for new ones.
+constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
+
+constexpr const char* kFooter =
+    "The terminal shows the whole result first, then what each change did to it, and the time\n"
+    "from the last save to the verdict. What did not change is not calculated again. A change\n"
+    "while it calculates starts it anew. Ctrl-C ends it; then the exit code is that of the last\n"
+    "result, as of 'luxgate check'.";
+
+struct WatchOptions {
+  CheckOptions check;
+  bool serves = false;
+};
+
+class WatchObserver : public check::Observer {
+ public:
+  WatchObserver(Progress& progress, InputWatch& watch) : progress_(progress), watch_(watch) {}
+
+  void start_space(const std::string& id) override { progress_.start_space(id); }
+  bool go_on(const calc::SolveProgress& progress) override {
+    progress_.update(progress);
+    return !is_stopped();
+  }
+  bool is_stopped() const override { return interrupted() || watch_.has_changed(); }
+
+ private:
+  Progress& progress_;
+  InputWatch& watch_;
+};
+
+double seconds_since(std::int64_t ns_since_1970) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  constexpr double kPerSecond = 1e9;
+  const std::int64_t now_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  return static_cast<double>(now_ns - ns_since_1970) / kPerSecond;
+}
+
+// Of the newest of these files; empty where none was written just now, but moved or removed.
+std::optional<double> seconds_since_save(const FileStamps& changed) {
+  constexpr double kJustNow_s = 3600.0;
+  std::int64_t newest_ns = 0;
+  for (const auto& [path, stamp] : changed) newest_ns = std::max(newest_ns, stamp.modified_ns);
+  const double since_s = seconds_since(newest_ns);
+  if (newest_ns == 0 || since_s < 0.0 || since_s > kJustNow_s) return std::nullopt;
+  return since_s;
+}
+
+// One run of the command.
+class Watch {
+ public:
+  Watch(const WatchOptions& options, const RunContext& context)
+      : options_(options.check),
+        context_(context),
+        progress_(context.environment.stderr_is_terminal) {
+    options_.output.are_messages_printed = true;
+  }
+
+  ExitCode run(bool serves) {
+    if (serves) {
+      std::string problem;
+      server_ = ReportServer::start(problem);
+      if (server_ == nullptr) {
+        print_error(calc::DiagnosticId::output_not_possible, problem);
+        return kNotJudged;
+      }
+      fmt::print(stderr, "luxgate: the report is at {}\n", server_->address());
+    }
+    watch_for_interrupt();
+    FileStamps changed;
+    while (!interrupted()) {
+      if (!check(changed)) return kNotJudged;
+      changed = watch_.wait([] { return interrupted(); });
+    }
+    return exit_code_;
+  }
+
+ private:
+  // False: nothing can be checked on this machine, whatever the files hold.
+  bool check(const FileStamps& changed) {
+    const calc::DiskFileReader disk;
+    const StampedReader stamped(disk);
+    const RecordingReader files(stamped);
+    for (const std::string& path : options_.input.rule_files) stamped.note(path);
+    bool is_good = true;
+    std::optional<report::Document> document = check_files(files, is_good);
+    const bool is_overtaken = watch_.has_changed();
+    watch_.set(stamped.stamps(), !is_overtaken);
+    if (!is_good || interrupted()) return is_good;
+    if (document && !is_overtaken) {
+      show(*std::move(document), files.paths(), changed);
+    } else if (!is_overtaken) {
+      exit_code_ = kNotJudged;
+    }
+    return true;
+  }
+
+  // Empty: rule packs cannot be read, which has been printed; is_good false: see check().
+  std::optional<report::Document> check_files(const RecordingReader& files, bool& is_good) {
+    options_.settings.today = day_of(asked_settings_);
+    const auto packs = load_packs_or_print(options_.input.rule_files, files);
+    if (!packs) return std::nullopt;
+    if (!open_backend(files, *packs)) {
+      is_good = false;
+      return std::nullopt;
+    }
+    WatchObserver observer(progress_, watch_);
+    const calc::Stages stages = backend_->stages();
+    memory_.clear_above(kMostStoreBytes / 2);
+    report::Document document;
+    document.provenance = provenance_of(options_, choice_.backend, backend_->description);
+    for (const std::string& path : options_.input.projects) {
+      progress_.start_project(path);
+      document.projects.push_back(check_safely(
+          path, {options_.settings, files, *packs, stages, observer, nullptr, &*store_}));
+      progress_.clear();
+      if (observer.is_stopped()) return std::nullopt;
+    }
+    complete_provenance(document, options_.settings.today, choice_.backend);
+    return document;
+  }
+
+  // Once.
+  bool open_backend(const RecordingReader& files, const std::vector<rules::RulePack>& packs) {
+    if (backend_) return true;
+    const calc::RadiositySettings& radiosity = options_.settings.radiosity;
+    choice_ = check::choose_backend(
+        options_.backend, radiosity.shadow_map_texels, context_.gl_fault, [&] {
+          return first_look_work(check::plan_projects(options_.input.projects, files, packs,
+                                                      radiosity, options_.settings.today));
+        });
+    backend_ = open_or_complain(choice_, context_.gl_fault, context_.environment.program_folder,
+                                options_.output.quiet);
+    if (!backend_) return false;
+    if (!options_.store.empty()) folder_.emplace(options_.store);
+    calc::EntryStore& entries = folder_ ? static_cast<calc::EntryStore&>(*folder_) : memory_;
+    store_.emplace(calc::LookStore{entries, backend_->identity});
+    return true;
+  }
+
+  void show(report::Document document, const std::set<std::string>& inputs,
+            const FileStamps& changed) {
+    for (const report::ProjectPart& project : document.projects) {
+      print_diagnostics(project.diagnostics, false);
+    }
+    std::optional<report::Document> shown;
+    if (last_) {
+      shown = document;
+      report::Gate gate;
+      gate.mode = report::GateMode::regression;  // tells of what has changed alone
+      shown->revision = report::revise(*last_, document, "the last save", gate);
+    }
+    const report::Document& of_now = shown ? *shown : document;
+    write_results(options_.output, context_.environment, of_now, inputs);
+    if (server_) server_->show(report::render_html(of_now));
+    exit_code_ = exit_code_of(report::outcome_of(document));
+    say_how_long(changed);
+    if (is_judged(document)) last_ = std::move(document);
+  }
+
+  void say_how_long(const FileStamps& changed) {
+    const std::optional<double> took_s = seconds_since_save(changed);
+    const std::string took =
+        took_s ? fmt::format("{:.2f} s after the save; ", *took_s) : std::string();
+    fmt::print(stderr, "luxgate: {}waiting for changes, Ctrl-C ends\n\n", took);
+  }
+
+  static bool is_judged(const report::Document& document) {
+    return std::all_of(document.projects.begin(), document.projects.end(),
+                       [](const report::ProjectPart& project) { return project.is_judged; });
+  }
+
+  CheckOptions options_;
+  const check::Settings asked_settings_ = options_.settings;
+  const RunContext& context_;
+  Progress progress_;
+  InputWatch watch_;
+  std::unique_ptr<ReportServer> server_;
+  calc::MemoryStore memory_{kMostStoreBytes};
+  std::optional<calc::EntryFolder> folder_;
+  check::BackendChoice choice_;
+  std::optional<check::OpenBackend> backend_;
+  std::optional<calc::LookStore> store_;
+  std::optional<report::Document> last_;  // of which everything could be judged
+  ExitCode exit_code_ = kNotJudged;
+};
+
+std::string complete(CheckOptions& options, const Environment& environment) {
+  if (std::string problem = take_store(environment.store, options.store); !problem.empty()) {
+    return problem;
+  }
+  if (std::string problem = complete_work(options.settings.radiosity, options.backend);
+      !problem.empty()) {
+    return problem;
+  }
+  return project_contradiction(options.input);
+}
+
+}  // namespace
+
+Command watch_command() {
+  const auto options = std::make_shared<WatchOptions>();
+  CheckOptions& check = options->check;
+  check.pictures = false;
+  Command command{"watch", "Check projects again whenever one of their files changes"};
+  command.places = {projects_place(check.input)};
+  command.options = {rules_of_projects(check.input),
+                     {"--serve", "",
+                      "Show the report in a browser, too, and keep it up to date: on this machine\n"
+                      "alone, at an address that nobody can guess",
+                      &options->serves},
+                     passes_option(check.output.lists_passes),
+                     color_option(check.output.color)};
+  add(command.options, accuracy_options(check.settings));
+  add(command.options, work_options(check.settings.radiosity));
+  add(command.options, backend_options(check.backend));
+  add(command.options, {store_option(check.store)});
+  command.footer = kFooter;
+  command.complete = [options](const Environment& environment) {
+    return complete(options->check, environment);
+  };
+  command.run = [options](const RunContext& context) {
+    return Watch(*options, context).run(options->serves);
+  };
+  return command;
+}
+
+}  // namespace cli
