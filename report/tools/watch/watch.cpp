@@ -3,6 +3,7 @@
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/plan.h"
+#include "report/formats/console.h"
 #include "report/html/html.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
@@ -11,6 +12,7 @@
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/shell/recording_reader.h"
+#include "report/text/words.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/watch/file_stamps.h"
@@ -178,12 +180,16 @@ class Watch {
     std::optional<report::Document> shown;
     if (last_) {
       shown = document;
-      report::Gate gate;
-      gate.mode = report::GateMode::regression;  // tells of what has changed alone
-      shown->revision = report::revise(*last_, document, "the last save", gate);
+      shown->revision = report::revise(*last_, document, "the last save", {});
     }
     const report::Document& of_now = shown ? *shown : document;
-    write_results(options_.output, context_.environment, of_now, inputs);
+    if (shown && !options_.output.lists_passes) {
+      const bool is_coloured = use_color(options_.output.color, context_.environment);
+      print_result(report::render_revision_text({}, of_now, is_coloured) +
+                   report::summary_words(of_now) + "\n");
+    } else {
+      write_results(options_.output, context_.environment, of_now, inputs);
+    }
     if (server_) server_->show(report::render_html(of_now));
     exit_code_ = exit_code_of(report::outcome_of(document));
     say_how_long(changed);
