@@ -1,6 +1,6 @@
 """`luxgate watch` as somebody uses it: saves files while it runs, and reads the terminal and the browser's page.
 
-    watch.py LUXGATE FOLDER    FOLDER is made anew
+    watch.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
 """
 import os
 import pathlib
@@ -154,6 +154,26 @@ run.wait("not there yet", "not judged", "none.xml")
 shutil.copy(project, WORK / "none.xml")
 run.wait("there now", "1 requirement: 1 fail")
 run.end("there now", 1)
+
+# Rule packs: a folder of them.
+(WORK / "rules").mkdir()
+shutil.copy(pathlib.Path(sys.argv[3]) / "11-classroom/rules/brief.xml", WORK / "rules/brief.xml")
+run = Terminal("project.xml", "--rules", "rules", "--serve", folder=WORK)
+url = re.search(r"http://\S+", run.wait("rules", "1 requirement: 1 fail")).group(0)
+(WORK / "rules/new.xml").write_text("<wrong/>")
+run.wait("a wrong pack", "error[wrong-root-element]", "1 project not judged")
+if "could not be judged" not in get(url + "report")[1] and "not judged" not in get(url + "report")[1]:
+    problems.append("a wrong pack: the page shows an older result")
+(WORK / "rules/new.xml").unlink()
+run.wait("without it", "1 requirement: 1 fail")
+run.end("rules", 1)
+early = subprocess.Popen([PROGRAM, "watch", "project.xml", "--goal", "accuracy", "--tolerance", "0.0001", "--max-paths", "1048576"], cwd=WORK,
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+time.sleep(0.5)
+early.send_signal(signal.SIGINT)
+early.communicate(timeout=PATIENCE_S)
+if early.returncode not in (1, 130):  # 1: it was done by then
+    problems.append(f"before the first result: {early.returncode}")
 
 for problem in problems:
     print(problem)

@@ -64,6 +64,9 @@ struct ReportServer::Parts {
   }
 
   void answer() {
+    // Whoever connects and asks nothing must keep neither a thread nor the end of the program.
+    server.set_keep_alive_timeout(1);
+    server.set_read_timeout(2);
     server.new_task_queue = [] { return new httplib::ThreadPool(kMostBrowsers); };
     server.set_default_headers({{"Cache-Control", "no-store"},
                                 {"Referrer-Policy", "no-referrer"},

@@ -40,7 +40,7 @@ constexpr const char* kFooter =
     "The terminal shows the whole result first, then what each change did to it, and the time\n"
     "from the last save to the verdict. What did not change is not calculated again. A change\n"
     "while it calculates starts it anew. Ctrl-C ends it; then the exit code is that of the last\n"
-    "result, as of 'luxgate check'.";
+    "result, as of 'luxgate check', or 130 if there was none.";
 
 struct WatchOptions {
   CheckOptions check;
@@ -121,11 +121,7 @@ class Watch {
     const bool is_overtaken = watch_.has_changed();
     watch_.set(stamped.stamps(), !is_overtaken);
     if (!is_good || interrupted()) return is_good;
-    if (document && !is_overtaken) {
-      show(*std::move(document), files.paths(), changed);
-    } else if (!is_overtaken) {
-      exit_code_ = kNotJudged;
-    }
+    if (!is_overtaken) show(document ? *std::move(document) : none(), files.paths(), changed);
     return true;
   }
 
@@ -151,6 +147,18 @@ class Watch {
       if (observer.is_stopped()) return std::nullopt;
     }
     complete_provenance(document, options_.settings.today, choice_.backend);
+    return document;
+  }
+
+  // Where rule packs cannot be read nothing is judged: an older result must not stand there.
+  report::Document none() const {
+    report::Document document;
+    if (backend_) {
+      document.provenance = provenance_of(options_, choice_.backend, backend_->description);
+    }
+    for (const std::string& path : options_.input.projects) {
+      document.projects.emplace_back().path = path;
+    }
     return document;
   }
 
@@ -220,7 +228,7 @@ class Watch {
   std::optional<check::OpenBackend> backend_;
   std::optional<calc::LookStore> store_;
   std::optional<report::Document> last_;  // of which everything could be judged
-  ExitCode exit_code_ = kNotJudged;
+  ExitCode exit_code_ = kInterrupted;     // before the first result
 };
 
 std::string complete(CheckOptions& options, const Environment& environment) {
