@@ -24,6 +24,10 @@ luxgate_test(report_tests
     unit/report/result_file/redact_test.cpp
     unit/report/result_file/result_schema_test.cpp
     unit/report/revision/revise_test.cpp
+    unit/report/stream/format_writer_test.cpp
+    unit/report/stream/json_list_test.cpp
+    unit/report/stream/spill_test.cpp
+    unit/report/stream/text_list_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
     unit/report/formats/standard_words_test.cpp

@@ -66,6 +66,11 @@ void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
   for (std::size_t i = 0; i < places.size(); ++i) all_[places[i]] = std::move(sorted[i]);
 }
 
+void Diagnostics::add(const Diagnostics& others) {
+  all_.insert(all_.end(), others.all_.begin(), others.all_.end());
+  error_count_ += others.error_count_;
+}
+
 void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
   if (diagnostic_severity(id) == Severity::error) ++error_count_;
   // Messages quote files, which may hold anything.

@@ -64,6 +64,9 @@ class Diagnostics {
     add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
   }
 
+  // Those of `others`, after its own.
+  void add(const Diagnostics& others);
+
   bool has_errors() const { return error_count_ > 0; }
   std::size_t error_count() const { return error_count_; }
   const std::vector<Diagnostic>& all() const { return all_; }

@@ -12,6 +12,7 @@
 #include "calc/radiosity/phase_timer.h"
 #include "calc/radiosity/shared_gather.h"
 #include "calc/radiosity/stored_look.h"
+#include "calc/radiosity/threads.h"
 #include "calc/radiosity/vertex_bounds.h"
 #include "calc/radiosity/vertex_cache.h"
 #include "calc/radiosity/vertex_tree.h"
@@ -121,10 +122,7 @@ class Solver {
     begin_missing();
     finish_exact();
     if (any_active() && is_endless()) {
-      refuse_active(fmt::format(
-          "light is reflected more than {} times on the way, on average: a closed space "
-          "whose surfaces absorb next to nothing has no steady state within reach",
-          kMostMeanReflections));
+      refuse_active(endless_words());
     } else {
       take_looks();
     }
@@ -170,6 +168,8 @@ class Solver {
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       if (most_look_bytes(planes_[p].state) <= kMostLookBytes) {
         planes_[p].key.emplace(space, tasks_[p]);
+      } else {
+        ++solution_.looks.too_large;
       }
     }
   }
@@ -243,6 +243,7 @@ class Solver {
       make_work(p);
       planes_[p].work->begin(*tasks_[p].grid);
     }
+    refuse_missing_of_store();
     for (SolvedPlane& plane : planes_) {
       if (!plane.is_missing()) continue;
       plane.work->add_exact(deadline_s_, solution_.times);
@@ -284,6 +285,32 @@ class Solver {
     return traced.has_endless_path || traced.has_too_many_vertices;
   }
 
+  bool is_store_all() const { return store_ != nullptr && store_->is_all_there_is; }
+
+  // Where nothing but the store counts. What it can never hold is told as it would be otherwise:
+  // points that cannot be computed, and spaces without an end.
+  void refuse_missing_of_store() {
+    if (!is_store_all() || !any_missing()) return;
+    const bool is_unlimited = workshop_ != nullptr && is_endless();
+    for (SolvedPlane& plane : planes_) {
+      if (!plane.is_missing()) continue;
+      const char* why = plane.key ? kNotInStore : kTooLargeForStore;
+      plane.state.refuse(is_unlimited ? endless_words() : why);
+    }
+  }
+
+  bool any_missing() const {
+    return std::any_of(planes_.begin(), planes_.end(),
+                       [](const SolvedPlane& plane) { return plane.is_missing(); });
+  }
+
+  static std::string endless_words() {
+    return fmt::format(
+        "light is reflected more than {} times on the way, on average: a closed space "
+        "whose surfaces absorb next to nothing has no steady state within reach",
+        kMostMeanReflections);
+  }
+
   bool any_active() const {
     return std::any_of(planes_.begin(), planes_.end(),
                        [](const SolvedPlane& plane) { return plane.state.is_active(); });
@@ -307,7 +334,11 @@ class Solver {
     Look look_number{0, std::countr_zero(settings_.max_paths / settings_.first_paths) + 1};
     for (std::uint64_t paths = settings_.first_paths; any_active();
          paths *= 2, ++look_number.index) {
-      if (look_number.index > 0 && find_stored() > 0) make_workshop();
+      if (look_number.index > 0 && find_stored() > 0) {
+        if (!is_store_all()) make_workshop();
+        refuse_missing_of_store();
+        if (!any_active()) return;
+      }
       const auto stopped = look(done_paths, paths);
       pool_rays_ += look_rays_;
       if (stopped) {
@@ -381,9 +412,7 @@ class Solver {
       planes_[p].work->sample_openings(deadline_s_, solution_.times);
     }
     if (const auto stopped = reason_to_stop(paths)) return stopped;
-    const bool any_missing = std::any_of(planes_.begin(), planes_.end(),
-                                         [](const SolvedPlane& p) { return p.is_missing(); });
-    if (!any_missing || !workshop_->plan.samples_indirect) return std::nullopt;
+    if (!any_missing() || !workshop_->plan.samples_indirect) return std::nullopt;
 
     const std::uint64_t batch_paths = paths - done_paths;
     const bool is_pool = settings_.method == Method::light_pool;
@@ -565,10 +594,12 @@ SpaceSolution solve_illuminance(const PreparedScene& scene, const std::vector<Pl
                                 const Stages& stages, const LookTest& test,
                                 const ProgressSink& progress, const VertexCache* cache,
                                 const LookStore* store) {
-  tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
-  return arena.execute([&] {
-    return Solver(scene, tasks, settings, confidence, stages, test, progress, cache, store).run();
+  SpaceSolution solution;
+  on_threads(settings.jobs, [&] {
+    solution =
+        Solver(scene, tasks, settings, confidence, stages, test, progress, cache, store).run();
   });
+  return solution;
 }
 
 }  // namespace calc

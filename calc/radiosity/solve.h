@@ -24,13 +24,19 @@ struct VertexCache;
 struct LookStore {
   EntryStore& entries;
   std::string backend;  // who computes, with versions: looks of one are not another's
+  // Nothing is computed: a plane of which a look is not there is refused, with one of the words
+  // below.
+  bool is_all_there_is = false;
 };
+inline constexpr const char* kNotInStore = "its light is not in the store";
+inline constexpr const char* kTooLargeForStore = "a look at it is too large for a store";
 
 // What became of a space's looks; none of it is in a result.
 struct LookCounts {
-  std::uint64_t read = 0;      // taken from the store, one for each plane and look
-  std::uint64_t computed = 0;  // and those that were not there
-  bool has_rays = false;       // something had to be prepared for rays; false: none was traced
+  std::uint64_t read = 0;       // taken from the store, one for each plane and look
+  std::uint64_t computed = 0;   // and those that were not there
+  std::uint64_t too_large = 0;  // planes whose looks cannot be kept
+  bool has_rays = false;        // something had to be prepared for rays; false: none was traced
 };
 
 // Which look it is: a plane takes at most `planned` looks (sample sizes double), a number fixed

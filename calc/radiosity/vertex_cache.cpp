@@ -6,9 +6,9 @@
 #include "calc/radiosity/emission.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/scene_fingerprint.h"
+#include "calc/radiosity/threads.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -103,8 +103,8 @@ TracedCache trace_vertex_cache(const PreparedScene& scene, const RadiositySettin
   const std::vector<std::uint8_t> is_unlit =
       unlit_luminaires(scene, beams_of(scene), settings.skips);
   cache.scene = scene_fingerprint(scene, is_unlit);
-  tbb::task_arena arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic);
-  std::string problem = arena.execute([&] { return trace_all(scene, is_unlit, cache); });
+  std::string problem;
+  on_threads(settings.jobs, [&] { problem = trace_all(scene, is_unlit, cache); });
   if (!problem.empty()) return {std::nullopt, std::move(problem)};
   return {std::move(cache), ""};
 }

@@ -1,5 +1,6 @@
 #include "report/check/check_project.h"
 
+#include "calc/forecast/cost_model.h"
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
@@ -8,6 +9,7 @@
 #include "report/build/build_evidence.h"
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
+#include "report/check/in_order.h"
 #include "report/check/plane_jobs.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
@@ -21,6 +23,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -71,10 +74,14 @@ struct Tasks {
   std::vector<std::vector<report::PlaneLook>> looks;  // taken so far
 };
 
-Tasks make_tasks(const std::vector<PlaneJob>& jobs) {
+// planes: ids of those that are wanted; null: all.
+Tasks make_tasks(const std::vector<PlaneJob>& jobs, const std::vector<std::string>* planes) {
   Tasks tasks;
   for (const PlaneJob& job : jobs) {
     if (!job.grid) continue;
+    if (planes != nullptr &&
+        std::find(planes->begin(), planes->end(), job.plane->id) == planes->end())
+      continue;
     tasks.list.push_back({job.plane->id, &*job.grid});
     tasks.job.push_back(&job);
   }
@@ -176,6 +183,17 @@ report::PlanePart judge(const PlaneJob& job, const calc::PlaneField* field,
                              settings.confidence);
 }
 
+// Seconds of spaces that run at the same time add up to more than the clock's.
+void add_times(const report::PhaseTimes& space, report::PhaseTimes& times) {
+  times.prepare_s += space.prepare_s;
+  times.direct_s += space.direct_s;
+  times.pool_s += space.pool_s;
+  times.maps_s += space.maps_s;
+  times.connect_s += space.connect_s;
+  times.near_s += space.near_s;
+  times.judge_s += space.judge_s;
+}
+
 void add_times(const calc::SpaceSolution& solution, report::PhaseTimes& times) {
   times.prepare_s += solution.times.build_s;
   times.direct_s += solution.times.direct_s;
@@ -196,36 +214,66 @@ std::vector<rules::JudgedPlane> judged_planes(const calc::Space& space,
   return planes;
 }
 
-report::SpacePart check_space(const calc::Space& space, const rules::JudgedProject& loaded,
-                              const Context& context, const Stopwatch& watch,
-                              calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
+// A space, and what only its project can tell or add up.
+struct CheckedSpace {
+  report::SpacePart part;
+  calc::Diagnostics diagnostics;
+  report::PhaseTimes times;
+  std::optional<calc::PreparedScene> scene;  // for pictures of the room
+};
+
+// The light of a space, and what it was calculated of.
+struct LitSpace {
+  std::vector<PlaneJob> jobs;
+  calc::PreparedScene scene;
+  std::optional<calc::PreparedScene> apart;  // each luminaire for itself
+  std::string not_apart;                     // why not, although it was asked for
+  Tasks tasks;
+  calc::SpaceSolution solution;
+};
+
+// planes: as of make_tasks(). Empty: light vertices that were given are not of this space.
+std::unique_ptr<LitSpace> light_space(const calc::Space& space, const rules::JudgedProject& loaded,
+                                      const Context& context, const Stopwatch& watch,
+                                      const std::vector<std::string>* planes,
+                                      calc::Diagnostics& diagnostics, report::PhaseTimes& times) {
   const Stopwatch prepare_watch;
-  std::vector<PlaneJob> jobs =
-      make_plane_jobs(space, loaded, context.packs, context.settings.today, diagnostics);
-  const calc::PreparedScene scene = calc::prepare_scene(loaded.project, space);
-  Tasks tasks = make_tasks(jobs);
-  std::optional<calc::PreparedScene> apart;
-  std::string not_apart;
+  auto lit = std::make_unique<LitSpace>();  // its tasks point at its jobs
+  lit->jobs = make_plane_jobs(space, loaded, context.packs, context.settings.today, diagnostics);
+  lit->scene = calc::prepare_scene(loaded.project, space);
+  lit->tasks = make_tasks(lit->jobs, nullptr);
   if (context.settings.by_luminaire) {
-    not_apart = problem_with_separation(scene, tasks, context.settings);
-    if (not_apart.empty()) calc::separate_luminaires(apart.emplace(scene));
+    lit->not_apart = problem_with_separation(lit->scene, lit->tasks, context.settings);
+    if (lit->not_apart.empty()) calc::separate_luminaires(lit->apart.emplace(lit->scene));
   }
-  const calc::PreparedScene& solved = apart ? *apart : scene;
+  if (planes != nullptr) lit->tasks = make_tasks(lit->jobs, planes);
+  const calc::PreparedScene& solved = lit->apart ? *lit->apart : lit->scene;
   times.prepare_s += prepare_watch.seconds();
 
   const bool is_traced =
       context.vertices == nullptr || context.vertices->cache.space_id != space.id;
   if (!is_traced &&
       !fits(*context.vertices, solved, context.settings.radiosity.skips, diagnostics)) {
-    return {};
+    return nullptr;
   }
   const calc::VertexCache* cache = is_traced ? nullptr : &context.vertices->cache;
-  calc::SpaceSolution solution;
-  if (!tasks.list.empty()) {
-    solution = solve(loaded.project, solved, tasks, context, watch, cache);
-    context.observer.solved(loaded.project.path, space.id, solved, tasks.list, solution);
+  if (!lit->tasks.list.empty()) {
+    lit->solution = solve(loaded.project, solved, lit->tasks, context, watch, cache);
+    context.observer.solved(loaded.project.path, space.id, solved, lit->tasks.list, lit->solution);
   }
-  add_times(solution, times);
+  add_times(lit->solution, times);
+  return lit;
+}
+
+CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& loaded,
+                         const Context& context, const Stopwatch& watch) {
+  CheckedSpace checked;
+  calc::Diagnostics& diagnostics = checked.diagnostics;
+  report::PhaseTimes& times = checked.times;
+  const std::unique_ptr<LitSpace> lit =
+      light_space(space, loaded, context, watch, nullptr, diagnostics, times);
+  if (lit == nullptr) return checked;
+  auto& [jobs, scene, apart, not_apart, tasks, solution] = *lit;
   take_problems(jobs, solution.fields, diagnostics);
   warn_about_lost_light(space, solution.balance, diagnostics);
 
@@ -246,7 +294,8 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
     ++task;
   }
   times.judge_s += judge_watch.seconds();
-  report::SpacePart part = report::build_space(space, scene, solution.balance, std::move(planes));
+  report::SpacePart& part = checked.part;
+  part = report::build_space(space, scene, solution.balance, std::move(planes));
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
@@ -254,8 +303,8 @@ report::SpacePart check_space(const calc::Space& space, const rules::JudgedProje
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
   part.coverage = rules::row_coverage(space, judged, context.packs, day);
   rules::warn_about_waivers(space, judged, day, diagnostics);
-  context.observer.judged(loaded.project.path, space, scene, part);
-  return part;
+  if (context.observer.draws_rooms()) checked.scene = std::move(scene);
+  return checked;
 }
 
 // Half a project must not look like one that passes.
@@ -264,6 +313,33 @@ bool is_cut_short(const report::SpacePart& space, const Observer& observer) {
          std::any_of(space.planes.begin(), space.planes.end(), [](const report::PlanePart& plane) {
            return plane.stop == calc::StopReason::interrupted;
          });
+}
+
+// Several at a time. Stops after one that is cut short; false: there was one.
+bool check_spaces(const rules::JudgedProject& loaded, const Context& context,
+                  const Stopwatch& watch, report::ProjectPart& part, calc::Diagnostics& diagnostics,
+                  report::PhaseTimes& times) {
+  const std::vector<calc::Space>& spaces = loaded.project.spaces;
+  std::vector<CheckedSpace> checked(spaces.size());
+  std::atomic<bool> is_cut{false};
+  const auto work = [&](std::size_t s) {
+    context.observer.start_space(spaces[s].id);
+    checked[s] = check_space(spaces[s], loaded, context, watch);
+    if (is_cut_short(checked[s].part, context.observer)) is_cut = true;
+  };
+  const auto deliver = [&](std::size_t s) {
+    CheckedSpace& space = checked[s];
+    diagnostics.add(space.diagnostics);
+    add_times(space.times, times);
+    if (space.scene) {
+      context.observer.judged(loaded.project.path, spaces[s], *space.scene, space.part);
+    }
+    part.spaces.push_back(std::move(space.part));
+    space = {};
+  };
+  in_order(spaces.size(), {context.settings.radiosity.jobs, context.spaces_at_once}, work, deliver,
+           [&] { return !is_cut; });
+  return !is_cut;
 }
 
 std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
@@ -281,6 +357,12 @@ std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart&
 
 }  // namespace
 
+std::size_t most_at_once(const Settings& settings, Backend backend) {
+  if (backend == Backend::gpu || settings.radiosity.time_limit_s > 0.0) return 1;
+  constexpr std::size_t kForEachThread = 2;  // so that nobody waits while results are written
+  return kForEachThread * static_cast<std::size_t>(calc::thread_count(settings.radiosity));
+}
+
 report::ProjectPart check_project(const std::string& path, const Context& given) {
   if (const std::string problem = problem_with(given.settings); !problem.empty()) {
     throw std::invalid_argument(problem);
@@ -288,7 +370,7 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
   Settings settings = given.settings;
   settings.today = day_of(given.settings);  // one day, even over midnight
   const Context context{settings,       given.files,    given.packs, given.stages,
-                        given.observer, given.vertices, given.store};
+                        given.observer, given.vertices, given.store, given.spaces_at_once};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
   const std::optional<rules::JudgedProject> loaded =
@@ -302,12 +384,9 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
       !has_space_of(*context.vertices, loaded->project, diagnostics)) {
     return unreadable_project(path, diagnostics);
   }
-  for (const calc::Space& space : loaded->project.spaces) {
-    context.observer.start_space(space.id);
-    part.spaces.push_back(check_space(space, *loaded, context, watch, diagnostics, times));
-    if (is_cut_short(part.spaces.back(), context.observer)) {
-      return unreadable_project(path, diagnostics);
-    }
+  context.observer.start_project(loaded->project.spaces.size());
+  if (!check_spaces(*loaded, context, watch, part, diagnostics, times)) {
+    return unreadable_project(path, diagnostics);
   }
   const bool is_refused =
       std::any_of(diagnostics.all().begin(), diagnostics.all().end(), [](const auto& diagnostic) {
@@ -329,6 +408,70 @@ report::ProjectPart check_project(const std::string& path, const Settings& setti
   const calc::Stages stages(*gatherer);
   Observer nobody;
   return check_project(path, Context{settings, files, packs, stages, nobody});
+}
+
+namespace {
+
+// "" if every look that a check needs of it has been taken, and a store can keep it. A space whose
+// first look takes too much memory has no light at all, which only calculating it again can tell.
+std::string why_not_kept(const LitSpace& lit) {
+  if (lit.solution.looks.too_large > 0) return calc::kTooLargeForStore;
+  for (const calc::PlaneField& field : lit.solution.fields) {
+    if (!field.problem.empty()) continue;  // a check comes to it by itself
+    switch (field.stop) {
+      case calc::StopReason::exact:
+      case calc::StopReason::decided:
+      case calc::StopReason::accurate:
+      case calc::StopReason::path_limit:
+        break;
+      default:
+        return fmt::format("the calculation of plane '{}' was stopped: {}", field.plane_id,
+                           calc::name_of(field.stop));
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& units,
+                              const Context& given) {
+  Settings settings = given.settings;
+  settings.today = day_of(given.settings);
+  const Context context{settings,       given.files,    given.packs, given.stages,
+                        given.observer, given.vertices, given.store, given.spaces_at_once};
+  const Stopwatch watch;
+  calc::Diagnostics diagnostics;
+  const auto loaded = rules::load_judged_project(context.files, path, context.packs, diagnostics);
+  if (!loaded) return diagnostics;
+  context.observer.start_project(units.size());
+  std::vector<calc::Diagnostics> of_unit(units.size());
+  const auto work = [&](std::size_t u) {
+    const std::vector<calc::Space>& spaces = loaded->project.spaces;
+    const auto space = std::find_if(spaces.begin(), spaces.end(), [&](const calc::Space& one) {
+      return one.id == units[u].space;
+    });
+    if (space == spaces.end()) {
+      of_unit[u].report(calc::DiagnosticId::unit_not_kept, {path, 0, 0}, unit_name(units[u]),
+                        "the project has no such space");
+      return;
+    }
+    context.observer.start_space(space->id);
+    calc::Diagnostics told;  // of the project: the check that comes after tells it
+    report::PhaseTimes times;
+    const std::unique_ptr<LitSpace> lit =
+        light_space(*space, *loaded, context, watch, &units[u].planes, told, times);
+    if (context.observer.is_stopped()) return;
+    std::string why = why_not_kept(*lit);
+    if (lit->tasks.list.size() != units[u].planes.size()) why = "the project has other planes";
+    if (why.empty()) return;
+    of_unit[u].report(calc::DiagnosticId::unit_not_kept, space->where, unit_name(units[u]), why);
+  };
+  in_order(
+      units.size(), {settings.radiosity.jobs, context.spaces_at_once}, work,
+      [&](std::size_t u) { diagnostics.add(of_unit[u]); },
+      [&] { return !context.observer.is_stopped(); });
+  return diagnostics;
 }
 
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,

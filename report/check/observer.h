@@ -1,11 +1,14 @@
 #pragma once
-// Who watches a check: tells people, stops it, adds pictures. Nothing of it changes a value.
+// Who watches a check: tells people, stops it, adds pictures. Nothing of it changes a value. Where
+// spaces are checked at the same time (Context::spaces_at_once) several threads call at once, of
+// different spaces; judged() alone is called for one space after the other, in their order.
 
 #include "calc/radiosity/solve.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/project.h"
 #include "report/document/document.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
+  // It is read, and has so many spaces.
+  virtual void start_project(std::size_t /*spaces*/) {}
   virtual void start_space(const std::string& /*id*/) {}
   // Between two pieces of work of a space. False stops the check: the project is not judged.
   virtual bool go_on(const calc::SolveProgress& /*progress*/) { return true; }
@@ -25,6 +30,8 @@ class Observer {
                       const calc::PreparedScene& /*scene*/,
                       const std::vector<calc::PlaneTask>& /*tasks*/,
                       const calc::SpaceSolution& /*solution*/) {}
+  // Whether judged() is to be called; scenes are kept until then.
+  virtual bool draws_rooms() const { return false; }
   // Its verdicts too; pictures may be added to the part.
   virtual void judged(const std::string& /*project_path*/, const calc::Space& /*space*/,
                       const calc::PreparedScene& /*scene*/, report::SpacePart& /*part*/) {}

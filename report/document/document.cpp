@@ -52,6 +52,40 @@ rules::Outcome outcome_of(const PlanePart& plane) {
   return outcome;
 }
 
+// It has a waiver or a stated deviation.
+bool does_hang_on_the_day(const ProjectPart& project) {
+  const auto is_stated = [](const rules::Deviation& deviation) {
+    return deviation.stated.has_value();
+  };
+  const auto is_one = [&](const rules::Finding& finding) {
+    const auto& deviations = finding.requirement.deviations;
+    return finding.requirement.waiver ||
+           std::any_of(deviations.begin(), deviations.end(), is_stated);
+  };
+  const auto leaves_out = [](const rules::RowCoverage& row) {
+    return std::any_of(row.roles.begin(), row.roles.end(),
+                       [](const auto& role) { return !role.left_out.empty(); });
+  };
+  for (const SpacePart& space : project.spaces) {
+    if (std::any_of(space.coverage.begin(), space.coverage.end(), leaves_out)) return true;
+    for (const PlanePart& plane : space.planes) {
+      if (std::any_of(plane.findings.begin(), plane.findings.end(), is_one)) return true;
+    }
+  }
+  return false;
+}
+
+// A run that was cut short depends on how fast the machine was.
+bool was_cut_short(const ProjectPart& project) {
+  const auto is_cut = [](const PlanePart& plane) {
+    return plane.stop == calc::StopReason::time_limit ||
+           plane.stop == calc::StopReason::interrupted;
+  };
+  return std::any_of(project.spaces.begin(), project.spaces.end(), [&](const SpacePart& space) {
+    return std::any_of(space.planes.begin(), space.planes.end(), is_cut);
+  });
+}
+
 }  // namespace
 
 calc::Estimate no_estimate() {
@@ -122,45 +156,9 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
   return counts;
 }
 
-bool hangs_on_the_day(const Document& document) {
-  const auto is_stated = [](const rules::Deviation& deviation) {
-    return deviation.stated.has_value();
-  };
-  const auto is_one = [&](const rules::Finding& finding) {
-    const auto& deviations = finding.requirement.deviations;
-    return finding.requirement.waiver ||
-           std::any_of(deviations.begin(), deviations.end(), is_stated);
-  };
-  const auto leaves_out = [](const rules::RowCoverage& row) {
-    return std::any_of(row.roles.begin(), row.roles.end(),
-                       [](const auto& role) { return !role.left_out.empty(); });
-  };
-  for (const ProjectPart& project : document.projects) {
-    for (const SpacePart& space : project.spaces) {
-      if (std::any_of(space.coverage.begin(), space.coverage.end(), leaves_out)) return true;
-      for (const PlanePart& plane : space.planes) {
-        if (std::any_of(plane.findings.begin(), plane.findings.end(), is_one)) return true;
-      }
-    }
-  }
-  return false;
-}
+bool hangs_on_the_day(const Document& document) { return totals_of(document).hangs_on_the_day; }
 
-int count_rows_in_part(const Document& document) {
-  int count = 0;
-  for (const ProjectPart& project : document.projects) {
-    for (const SpacePart& space : project.spaces) {
-      for (const rules::RowCoverage& row : space.coverage) count += row.is_whole() ? 0 : 1;
-    }
-  }
-  return count;
-}
-
-VerdictCounts count_verdicts(const Document& document) {
-  VerdictCounts sum;
-  for (const ProjectPart& project : document.projects) add(count_verdicts(project), sum);
-  return sum;
-}
+VerdictCounts count_verdicts(const Document& document) { return totals_of(document).verdicts; }
 
 bool is_warning(const calc::Diagnostic& diagnostic) {
   return diagnostic.severity() == calc::Severity::warning;
@@ -180,15 +178,7 @@ WarningCounts count_warnings(const ProjectPart& project) {
   return counts;
 }
 
-WarningCounts count_warnings(const Document& document) {
-  WarningCounts sum;
-  for (const ProjectPart& project : document.projects) {
-    const WarningCounts counts = count_warnings(project);
-    sum.all += counts.all;
-    sum.strict += counts.strict;
-  }
-  return sum;
-}
+WarningCounts count_warnings(const Document& document) { return totals_of(document).warnings; }
 
 rules::Outcome outcome_of(const ProjectPart& project) {
   rules::Outcome outcome = rules::Outcome::nothing_asked;
@@ -203,12 +193,36 @@ rules::Outcome outcome_of(const ProjectPart& project) {
   return outcome;
 }
 
-rules::Outcome outcome_of(const Document& document) {
-  rules::Outcome outcome = rules::Outcome::nothing_asked;
-  for (const ProjectPart& project : document.projects) {
-    outcome = graver(outcome, outcome_of(project));
+rules::Outcome outcome_of(const Document& document) { return totals_of(document).outcome; }
+
+void Totals::add(const ProjectPart& project) {
+  projects_not_judged += project.is_judged ? 0 : 1;
+  report::add(count_verdicts(project), verdicts);
+  const WarningCounts counts = count_warnings(project);
+  warnings.all += counts.all;
+  warnings.strict += counts.strict;
+  for (const SpacePart& space : project.spaces) {
+    for (const rules::RowCoverage& row : space.coverage) rows_in_part += row.is_whole() ? 0 : 1;
   }
-  return outcome;
+  outcome = graver(outcome, outcome_of(project));
+  hangs_on_the_day = hangs_on_the_day || does_hang_on_the_day(project);
+  is_cut_short = is_cut_short || was_cut_short(project);
 }
+
+Totals totals_of(const Document& document) {
+  Totals totals;
+  for (const ProjectPart& project : document.projects) totals.add(project);
+  return totals;
+}
+
+DocumentFrame frame_of(const Document& document) {
+  DocumentFrame frame;
+  frame.provenance = document.provenance;
+  for (const ProjectPart& project : document.projects) frame.paths.push_back(project.path);
+  if (document.revision) frame.revised = &document;
+  return frame;
+}
+
+DocumentEnd end_of(const Document& document) { return {document.provenance, totals_of(document)}; }
 
 }  // namespace report

@@ -268,8 +268,6 @@ void settle_estimates(PlanePart& plane);
 // It has a waiver or a stated deviation, so that its verdicts hang on the day.
 bool hangs_on_the_day(const Document& document);
 
-// Rows of rule packs of which something was never asked.
-int count_rows_in_part(const Document& document);
 // Over all findings; a project that could not be judged at all counts as one not_judged.
 VerdictCounts count_verdicts(const Document& document);
 VerdictCounts count_verdicts(const ProjectPart& project);
@@ -285,6 +283,37 @@ WarningCounts count_warnings(const ProjectPart& project);
 // a plane without result, even one of which nothing is required.
 rules::Outcome outcome_of(const Document& document);
 rules::Outcome outcome_of(const ProjectPart& project);
+
+// What a document says of all its projects together, summed up one by one: the projects themselves
+// need not be kept for it.
+struct Totals {
+  int projects_not_judged = 0;
+  VerdictCounts verdicts;
+  WarningCounts warnings;
+  int rows_in_part = 0;  // of rule packs: of which something was never asked
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
+  bool hangs_on_the_day = false;  // see above
+  bool is_cut_short = false;      // by time or an interruption, so that it hangs on the machine
+
+  void add(const ProjectPart& project);
+};
+Totals totals_of(const Document& document);
+
+// A document whose projects are rendered one by one, and forgotten.
+struct DocumentFrame {             // what is known before the first of them
+  Provenance provenance;           // judged_on and same_bits come at the end
+  std::vector<std::string> paths;  // of all projects, in order
+  // What a revision says of a finding is known only when all projects are: with a baseline the
+  // whole document is kept, and stands here. Null without one.
+  const Document* revised = nullptr;
+};
+struct DocumentEnd {  // what is known after the last one
+  Provenance provenance;
+  Totals totals;
+};
+// Of one that is there as a whole, which the frame refers to.
+DocumentFrame frame_of(const Document& document);
+DocumentEnd end_of(const Document& document);
 
 }  // namespace report
 

@@ -5,7 +5,7 @@
 
 namespace report {
 
-// Of a document whose projects are all there.
-SameBits same_bits_of(const Document& document, bool uses_graphics_device);
+// totals: of all projects.
+SameBits same_bits_of(const Totals& totals, bool uses_graphics_device);
 
 }  // namespace report

@@ -4,13 +4,15 @@
 #include "report/formats/ci_finding.h"
 #include "report/formats/ci_revision.h"
 #include "report/revision/revision_tables.h"
-#include "report/text/json_layout.h"
+#include "report/stream/json_list.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cstdint>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -63,13 +65,26 @@ const char* gitlab_severity(rules::Verdict verdict) {
 }
 
 // GitLab keeps the first of equal fingerprints: repeats are numbered.
-std::string unique_fingerprint(const std::string& text, std::set<std::string>& taken) {
-  std::string fingerprint = calc::sha256_hex(text);
-  for (int k = 2; !taken.insert(fingerprint).second; ++k) {
-    fingerprint = calc::sha256_hex(fmt::format("{}#{}", text, k));
+class UniqueFingerprints {
+ public:
+  std::string of(const std::string& text) {
+    std::string fingerprint = calc::sha256_hex(text);
+    for (int k = 2; !taken_.insert(half(fingerprint)).second; ++k) {
+      fingerprint = calc::sha256_hex(fmt::format("{}#{}", text, k));
+    }
+    return fingerprint;
   }
-  return fingerprint;
-}
+
+ private:
+  // One is kept for every problem of every project: half of its bits tell them apart, too.
+  using Half = std::array<std::uint64_t, 2>;
+  static Half half(const std::string& hex) {
+    return {std::stoull(hex.substr(0, 16), nullptr, 16),
+            std::stoull(hex.substr(16, 16), nullptr, 16)};
+  }
+
+  std::set<Half> taken_;
+};
 
 Json gitlab_issue(const std::string& check, const std::string& description,
                   const std::string& fingerprint, const char* severity,
@@ -89,74 +104,121 @@ const char* command_for(const CiFinding& entry) {
   return entry.verdict == rules::Verdict::undecided ? "warning" : "error";
 }
 
-}  // namespace
+class GithubWriter : public FormatWriter {
+ public:
+  GithubWriter(const DocumentFrame& frame, const SpillPlace& place)
+      : frame_(frame), findings_(frame), messages_(place), problems_(place) {}
 
-std::string render_github(const Document& document) {
-  std::string text;
-  for (const ProjectPart& project : document.projects) {
+  void add(const ProjectPart& project) override {
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-      text += github_line(is_error(project, diagnostic) ? "error" : "warning", diagnostic.where,
-                          fmt::format("luxgate: {}", calc::diagnostic_name(diagnostic.id)),
-                          printable(diagnostic.message));
+      messages_.write(github_line(is_error(project, diagnostic) ? "error" : "warning",
+                                  diagnostic.where,
+                                  fmt::format("luxgate: {}", calc::diagnostic_name(diagnostic.id)),
+                                  printable(diagnostic.message)));
     }
     for (const std::string& words : ci_left_out(project)) {
-      text += github_line("notice", {project.path, 0, 0}, "luxgate: left out", words);
+      messages_.write(github_line("notice", {project.path, 0, 0}, "luxgate: left out", words));
+    }
+    for (const CiFinding& entry : findings_.of(project)) {
+      if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
+      problems_.write(github_line(
+          command_for(entry), entry.where,
+          fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
+          entry.message));
     }
   }
-  for (const CiFinding& entry : ci_findings(document)) {
-    if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
-    text +=
-        github_line(command_for(entry), entry.where,
-                    fmt::format("luxgate: {}: {}", rules::verdict_name(entry.verdict), entry.place),
-                    entry.message);
-  }
-  for (const CiChange& change : ci_changes(document)) {
-    text += github_line(change.stops ? "error" : "notice", change.where,
-                        fmt::format("luxgate: {}", change.rule), change.message);
-  }
-  for (const std::string& remark : revision_remarks(document, {})) {
-    text += "luxgate: " + printable(remark) + "\n";
-  }
-  text += "luxgate: " + printable(summary_words(document)) + "\n";
-  if (const std::string words = redaction_words(document); !words.empty())
-    text += "luxgate: " + words + "\n";
-  return text;
-}
 
-std::string render_gitlab(const Document& document) {
-  Json issues = Json::array();
-  std::set<std::string> taken;
-  for (const CiChange& change : ci_changes(document)) {
-    issues.push_back(gitlab_issue("luxgate/" + change.rule, change.message,
-                                  unique_fingerprint(change.fingerprint, taken),
-                                  change.stops ? "critical" : "info", change.where));
+  void finish(const DocumentEnd& end, Sink& sink) override {
+    messages_.copy_to(sink);
+    problems_.copy_to(sink);
+    std::string text;
+    if (const Document* revised = frame_.revised) {
+      for (const CiChange& change : ci_changes(*revised)) {
+        text += github_line(change.stops ? "error" : "notice", change.where,
+                            fmt::format("luxgate: {}", change.rule), change.message);
+      }
+      for (const std::string& remark : revision_remarks(*revised, {})) {
+        text += "luxgate: " + printable(remark) + "\n";
+      }
+    }
+    text += "luxgate: " + printable(summary_words(end.totals)) + "\n";
+    if (const std::string words = redaction_words(end.provenance); !words.empty())
+      text += "luxgate: " + words + "\n";
+    sink.write(text);
   }
-  for (const CiFinding& entry : ci_findings(document)) {
-    if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
-    issues.push_back(gitlab_issue(
-        "luxgate/" + entry.rule,
-        fmt::format("{}: {}: {}", rules::verdict_name(entry.verdict), entry.place, entry.message),
-        unique_fingerprint(entry.fingerprint, taken),
-        entry.counts ? gitlab_severity(entry.verdict) : "info", entry.where));
+
+ private:
+  const DocumentFrame& frame_;
+  CiFindings findings_;
+  Spill messages_, problems_;  // of all projects
+};
+
+// Problems of all projects come before the messages of all projects. Their fingerprints are made of
+// texts that are never equal, so that each kind has its own numbers.
+class GitlabWriter : public FormatWriter {
+ public:
+  GitlabWriter(const DocumentFrame& frame, const SpillPlace& place)
+      : findings_(frame), problems_(place, 0), messages_(place, 0) {
+    if (frame.revised == nullptr) return;
+    for (const CiChange& change : ci_changes(*frame.revised)) {
+      problems_.add(gitlab_issue("luxgate/" + change.rule, change.message,
+                                 of_problems_.of(change.fingerprint),
+                                 change.stops ? "critical" : "info", change.where));
+    }
   }
-  for (const ProjectPart& project : document.projects) {
+
+  void add(const ProjectPart& project) override {
+    for (const CiFinding& entry : findings_.of(project)) {
+      if (entry.verdict == rules::Verdict::pass || entry.is_known) continue;
+      problems_.add(gitlab_issue(
+          "luxgate/" + entry.rule,
+          fmt::format("{}: {}: {}", rules::verdict_name(entry.verdict), entry.place, entry.message),
+          of_problems_.of(entry.fingerprint),
+          entry.counts ? gitlab_severity(entry.verdict) : "info", entry.where));
+    }
     for (const calc::Diagnostic& diagnostic : project.diagnostics) {
       calc::SourceLocation where = diagnostic.where;
       if (where.file.empty()) where.file = project.path;
       const std::string name(calc::diagnostic_name(diagnostic.id));
       const std::string identity = project.path + "\n" + name + "\n" + diagnostic.message;
-      issues.push_back(gitlab_issue("luxgate/" + name, printable(diagnostic.message),
-                                    unique_fingerprint(identity, taken),
-                                    is_error(project, diagnostic) ? "blocker" : "info", where));
+      messages_.add(gitlab_issue("luxgate/" + name, printable(diagnostic.message),
+                                 of_messages_.of(identity),
+                                 is_error(project, diagnostic) ? "blocker" : "info", where));
     }
     for (const std::string& words : ci_left_out(project)) {
-      issues.push_back(
-          gitlab_issue("luxgate/left-out", words,
-                       unique_fingerprint(project.path + "\nleft-out\n" + words, taken), "info",
-                       {project.path, 0, 0}));
+      messages_.add(gitlab_issue("luxgate/left-out", words,
+                                 of_messages_.of(project.path + "\nleft-out\n" + words), "info",
+                                 {project.path, 0, 0}));
     }
   }
-  return json_layout(issues);
+
+  void finish(const DocumentEnd& /*end*/, Sink& sink) override {
+    problems_.copy_to(sink, &messages_);
+    sink.write("\n");
+  }
+
+ private:
+  CiFindings findings_;
+  UniqueFingerprints of_problems_, of_messages_;
+  JsonList problems_, messages_;
+};
+
+}  // namespace
+
+std::unique_ptr<FormatWriter> github_writer(const DocumentFrame& frame, const SpillPlace& place) {
+  return std::make_unique<GithubWriter>(frame, place);
+}
+
+std::unique_ptr<FormatWriter> gitlab_writer(const DocumentFrame& frame, const SpillPlace& place) {
+  return std::make_unique<GitlabWriter>(frame, place);
+}
+
+std::string render_github(const Document& document) {
+  return render_whole(document, github_writer);
+}
+
+std::string render_gitlab(const Document& document) {
+  return render_whole(document, gitlab_writer);
 }
 
 }  // namespace report

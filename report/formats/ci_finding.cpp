@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace report {
@@ -122,43 +121,6 @@ void add_aggregates(const ProjectPart& project, std::vector<CiFinding>& list) {
   }
 }
 
-// Whether it is an aggregate; project, space, plane, item.
-using PlaceKey = std::tuple<bool, std::string, std::string, std::string, std::string>;
-
-PlaceKey place_of(const CiFinding& entry) {
-  if (entry.aggregate != nullptr) {
-    const rules::AggregateFinding& finding = *entry.aggregate;
-    return {true, entry.project->path, finding.space_id, finding.plane_id, finding.id};
-  }
-  return {false, entry.project->path, entry.space->id, entry.plane->id,
-          entry.finding->requirement.id};
-}
-
-// What a revision did to each, and which failures it may keep.
-void add_changes(const Document& document, std::vector<CiFinding>& list) {
-  if (!document.revision) return;
-  const Revision& revision = *document.revision;
-  std::map<PlaceKey, const ChangedResult*> changed;
-  for (const ChangedResult& result : revision.results) {
-    const RevisionPlace& place = result.place;
-    changed[{result.is_aggregate, place.project, place.space, place.plane, place.item}] = &result;
-  }
-  const GateReasons reasons = reasons_of(revision);
-  for (CiFinding& entry : list) {
-    if (entry.finding == nullptr && entry.aggregate == nullptr) continue;
-    const auto found = changed.find(place_of(entry));
-    const ChangedResult* result = found == changed.end() ? nullptr : found->second;
-    entry.change = result == nullptr ? ResultChange::same : result->change;
-    if (revision.gate.mode == GateMode::all || entry.verdict != rules::Verdict::fail) continue;
-    // What failed before and became worse stands among the changes, with how much worse it is.
-    const bool stops =
-        entry.change != ResultChange::worse &&
-        std::find(reasons.results.begin(), reasons.results.end(), result) != reasons.results.end();
-    entry.is_known = entry.counts && !stops;
-    entry.counts = entry.counts && stops;
-  }
-}
-
 }  // namespace
 
 bool is_waived(const CiFinding& entry) {
@@ -200,30 +162,72 @@ std::vector<std::string> ci_left_out(const ProjectPart& project) {
   return list;
 }
 
+CiFindings::CiFindings(const Texts& t, const Revision* revision) : t_(t), revision_(revision) {
+  if (revision_ == nullptr) return;
+  for (const ChangedResult& result : revision_->results) {
+    const RevisionPlace& place = result.place;
+    changed_[{result.is_aggregate, place.project, place.space, place.plane, place.item}] = &result;
+  }
+  const GateReasons reasons = reasons_of(*revision_);
+  reasons_.insert(reasons.results.begin(), reasons.results.end());
+}
+
+CiFindings::CiFindings(const DocumentFrame& frame, const Texts& t)
+    : CiFindings(t, frame.revised == nullptr ? nullptr : &*frame.revised->revision) {}
+
+CiFindings::PlaceKey CiFindings::place_of(const CiFinding& entry) {
+  if (entry.aggregate != nullptr) {
+    const rules::AggregateFinding& finding = *entry.aggregate;
+    return {true, entry.project->path, finding.space_id, finding.plane_id, finding.id};
+  }
+  return {false, entry.project->path, entry.space->id, entry.plane->id,
+          entry.finding->requirement.id};
+}
+
+// What the revision did to it, and whether it is a failure that it may keep.
+void CiFindings::add_change(CiFinding& entry) const {
+  if (entry.finding == nullptr && entry.aggregate == nullptr) return;
+  const auto found = changed_.find(place_of(entry));
+  const ChangedResult* result = found == changed_.end() ? nullptr : found->second;
+  entry.change = result == nullptr ? ResultChange::same : result->change;
+  if (revision_->gate.mode == GateMode::all || entry.verdict != rules::Verdict::fail) return;
+  // What failed before and became worse stands among the changes, with how much worse it is.
+  const bool stops = entry.change != ResultChange::worse && reasons_.contains(result);
+  entry.is_known = entry.counts && !stops;
+  entry.counts = entry.counts && stops;
+}
+
+std::vector<CiFinding> CiFindings::of(const ProjectPart& project) const {
+  std::vector<CiFinding> list;
+  if (!project.is_judged) list.push_back(of_project(t_, project));
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      const CiFinding entry = of_plane(t_, project, space, plane);
+      bool is_told = plane.is_computed;
+      for (const rules::Finding& finding : plane.findings) {
+        list.push_back(of_finding(entry, finding));
+        is_told = is_told || list.back().counts;
+      }
+      if (!is_told) list.push_back(entry);  // it decides the exit code all the same
+    }
+  }
+  add_aggregates(project, list);
+  for (CiFinding& entry : list) {
+    if (entry.where.file.empty()) entry.where.file = project.path;
+    // Lengths keep one pair of names from looking like another.
+    entry.fingerprint =
+        calc::sha256_hex(std::to_string(project.path.size()) + ":" + project.path + entry.key);
+    if (revision_ != nullptr) add_change(entry);
+  }
+  return list;
+}
+
 std::vector<CiFinding> ci_findings(const Document& document, const Texts& t) {
+  const CiFindings findings(t, document.revision ? &*document.revision : nullptr);
   std::vector<CiFinding> list;
   for (const ProjectPart& project : document.projects) {
-    if (!project.is_judged) list.push_back(of_project(t, project));
-    for (const SpacePart& space : project.spaces) {
-      for (const PlanePart& plane : space.planes) {
-        const CiFinding entry = of_plane(t, project, space, plane);
-        bool is_told = plane.is_computed;
-        for (const rules::Finding& finding : plane.findings) {
-          list.push_back(of_finding(entry, finding));
-          is_told = is_told || list.back().counts;
-        }
-        if (!is_told) list.push_back(entry);  // it decides the exit code all the same
-      }
-    }
-    add_aggregates(project, list);
+    for (CiFinding& entry : findings.of(project)) list.push_back(std::move(entry));
   }
-  for (CiFinding& entry : list) {
-    if (entry.where.file.empty()) entry.where.file = entry.project->path;
-    // Lengths keep one pair of names from looking like another.
-    entry.fingerprint = calc::sha256_hex(std::to_string(entry.project->path.size()) + ":" +
-                                         entry.project->path + entry.key);
-  }
-  add_changes(document, list);
   return list;
 }
 

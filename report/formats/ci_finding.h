@@ -5,8 +5,11 @@
 #include "report/document/document.h"
 #include "report/text/texts.h"
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace report {
@@ -54,5 +57,26 @@ bool is_waived(const CiFinding& entry);
 // and class. Text is printable(). Valid as long as the document. t: of the messages of planes and
 // projects; those of findings are English.
 std::vector<CiFinding> ci_findings(const Document& document, const Texts& t = {});
+
+// The same project by project; valid as long as the project.
+class CiFindings {
+ public:
+  // revision: that the projects are in; null: none. It must outlive this.
+  CiFindings(const Texts& t, const Revision* revision);
+  explicit CiFindings(const DocumentFrame& frame, const Texts& t = {});
+  std::vector<CiFinding> of(const ProjectPart& project) const;
+
+ private:
+  // Whether it is an aggregate; project, space, plane, item.
+  using PlaceKey = std::tuple<bool, std::string, std::string, std::string, std::string>;
+
+  static PlaceKey place_of(const CiFinding& entry);
+  void add_change(CiFinding& entry) const;
+
+  Texts t_;
+  const Revision* revision_;
+  std::map<PlaceKey, const ChangedResult*> changed_;
+  std::set<const ChangedResult*> reasons_;  // at which the gate stops
+};
 
 }  // namespace report

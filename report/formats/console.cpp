@@ -2,6 +2,7 @@
 
 #include "report/formats/folded_passes.h"
 #include "report/revision/revision_tables.h"
+#include "report/stream/text_list.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/text_numbers.h"
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,7 @@ constexpr std::size_t kNarrowestName = 12;
 struct TableLine {
   std::array<std::string, kColumns> cells;
   std::string note;
-  const char* colour = "";
+  std::string_view colour = "";
 };
 
 constexpr const char* kBold = "\033[1m";
@@ -292,29 +294,23 @@ TableLine heading(const Texts& t) {
   return line;
 }
 
+// Verdicts are never dim.
 bool is_heading(const TableLine& line) { return line.colour == kDim; }
 
 // Column widths over all projects, so that their tables line up; 0: nobody has anything in it.
-Widths natural_widths(const Texts& t, const std::vector<std::vector<TableLine>>& tables) {
+void widen(const Texts& t, const std::vector<TableLine>& lines, Widths& widths) {
   const TableLine head = heading(t);
-  Widths widths{};
-  for (const std::vector<TableLine>& lines : tables) {
-    for (const TableLine& line : lines) {
-      if (is_heading(line)) continue;
-      for (std::size_t c = 0; c < kColumns; ++c) {
-        if (line.cells[c].empty()) continue;
-        widths[c] =
-            std::max({widths[c], display_width(line.cells[c]), display_width(head.cells[c])});
-      }
+  for (const TableLine& line : lines) {
+    if (is_heading(line)) continue;
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      if (line.cells[c].empty()) continue;
+      widths[c] = std::max({widths[c], display_width(line.cells[c]), display_width(head.cells[c])});
     }
   }
-  return widths;
 }
 
 // The name column gives way to a narrow terminal.
-Widths column_widths(const Texts& t, const std::vector<std::vector<TableLine>>& tables,
-                     int terminal_width) {
-  Widths widths = natural_widths(t, tables);
+Widths fitted(Widths widths, int terminal_width) {
   std::size_t total = 2;  // indentation
   for (const std::size_t width : widths) total += width == 0 ? 0 : width + kGap;
   const auto available = static_cast<std::size_t>(std::max(terminal_width, 0)) + kGap;
@@ -337,7 +333,7 @@ std::string render_line(const TableLine& line, const Widths& widths, bool colour
   for (std::size_t c = 0; c < kColumns; ++c) {
     if (widths[c] == 0) continue;
     const std::string shown = c == kPlace ? shorten_start(line.cells[c], widths[c]) : line.cells[c];
-    const bool is_coloured = colour && *line.colour != '\0' && (c == kVerdict || is_heading(line));
+    const bool is_coloured = colour && !line.colour.empty() && (c == kVerdict || is_heading(line));
     if (is_coloured) text += line.colour;
     text += padded(shown, widths[c], is_number_column(c));
     if (is_coloured) text += kReset;
@@ -445,8 +441,81 @@ std::string render_table(const Texts& t, const RevisionTable& table, bool colour
 }
 
 // A gate for regressions is about what has changed; --passes shows the rest.
-bool shows_all(const Document& document, bool lists_passes) {
-  return lists_passes || !document.revision || document.revision->gate.mode != GateMode::regression;
+bool shows_all(const DocumentFrame& frame, bool lists_passes) {
+  return lists_passes || frame.revised == nullptr ||
+         frame.revised->revision->gate.mode != GateMode::regression;
+}
+
+// The lines of all projects wait for the widths of the columns.
+class TextWriter : public FormatWriter {
+ public:
+  TextWriter(const DocumentFrame& frame, const SpillPlace& place, const TextOptions& options,
+             const Texts& t)
+      : frame_(frame), options_(options), t_(t), waiting_(place) {}
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  void add_line(const TableLine& line);
+
+  const DocumentFrame& frame_;
+  TextOptions options_;
+  Texts t_;
+  Widths widths_{};
+  TextList waiting_;  // finished text, and lines after an empty one
+};
+
+void TextWriter::add_line(const TableLine& line) {
+  waiting_.add("");
+  for (const std::string& cell : line.cells) waiting_.add(cell);
+  waiting_.add(line.note);
+  waiting_.add(line.colour);
+}
+
+void TextWriter::add(const ProjectPart& project) {
+  const std::vector<TableLine> lines = project_lines(t_, project, options_.lists_passes);
+  widen(t_, lines, widths_);
+  const bool is_shown = shows_all(frame_, options_.lists_passes);
+  const bool has_messages = options_.has_messages && !project.diagnostics.empty();
+  if (project.is_judged && !has_messages && !is_shown) return;
+  std::string text = project_title(project, options_.colour);
+  if (!project.is_judged) {
+    const std::string words = std::string("– ") + t_[Text::not_judged_see_errors];
+    text += std::string("  ") +
+            (options_.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
+            (options_.colour ? kReset : "") + "\n";
+  }
+  waiting_.add(text);
+  if (is_shown) {
+    for (const TableLine& line : lines) add_line(line);
+  }
+  waiting_.add((options_.has_messages ? messages(project) : "") + "\n");
+}
+
+void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
+  const Widths widths = fitted(widths_, options_.width);
+  for (TextListReader reader(waiting_); !reader.is_at_end();) {
+    const std::string text = reader.next();
+    if (!text.empty()) {
+      sink.write(text);
+      continue;
+    }
+    TableLine line;
+    for (std::string& cell : line.cells) cell = reader.next();
+    line.note = reader.next();
+    const std::string colour = reader.next();
+    line.colour = colour;
+    sink.write(render_line(line, widths, options_.colour));
+  }
+  std::string text;
+  if (frame_.revised != nullptr) text += render_revision_text(t_, *frame_.revised, options_.colour);
+  std::string summary = summary_words(t_, end.totals);
+  if (options_.colour) summary = outcome_colour(end.totals.outcome) + summary + kReset;
+  text += summary + "\n";
+  if (const std::string words = redaction_words(end.provenance, t_); !words.empty())
+    text += words + "\n";
+  sink.write(text);
 }
 
 }  // namespace
@@ -461,36 +530,15 @@ std::string render_revision_text(const Texts& t, const Document& document, bool 
   return text;
 }
 
+std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          const TextOptions& options, const Texts& t) {
+  return std::make_unique<TextWriter>(frame, place, options, t);
+}
+
 std::string render_text(const Document& document, const TextOptions& options, const Texts& t) {
-  std::vector<std::vector<TableLine>> tables;
-  for (const ProjectPart& project : document.projects) {
-    tables.push_back(project_lines(t, project, options.lists_passes));
-  }
-  const Widths widths = column_widths(t, tables, options.width);
-  std::string text;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    const ProjectPart& project = document.projects[i];
-    const bool has_messages = options.has_messages && !project.diagnostics.empty();
-    if (project.is_judged && !has_messages && !shows_all(document, options.lists_passes)) continue;
-    text += project_title(project, options.colour);
-    if (!project.is_judged) {
-      const std::string words = std::string("– ") + t[Text::not_judged_see_errors];
-      text += std::string("  ") +
-              (options.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
-              (options.colour ? kReset : "") + "\n";
-    }
-    if (shows_all(document, options.lists_passes)) {
-      for (const TableLine& line : tables[i]) text += render_line(line, widths, options.colour);
-    }
-    if (options.has_messages) text += messages(project);
-    text += "\n";
-  }
-  text += render_revision_text(t, document, options.colour);
-  std::string summary = summary_words(t, document);
-  if (options.colour) summary = outcome_colour(outcome_of(document)) + summary + kReset;
-  text += summary + "\n";
-  if (const std::string words = redaction_words(document, t); !words.empty()) text += words + "\n";
-  return text;
+  return render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
+    return text_writer(frame, place, options, t);
+  });
 }
 
 }  // namespace report

@@ -3,8 +3,10 @@
 // of workplaces that pass share lines, see folded_passes.h.
 
 #include "report/document/document.h"
+#include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
+#include <memory>
 #include <string>
 
 namespace report {
@@ -21,6 +23,8 @@ struct TextOptions {
 // counts the warnings.
 std::string render_text(const Document& document, const TextOptions& options = {},
                         const Texts& t = {});
+std::unique_ptr<FormatWriter> text_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          const TextOptions& options, const Texts& t);
 
 // What the document's revision did, as it stands at the head of that; "" without one.
 std::string render_revision_text(const Texts& t, const Document& document, bool colour);

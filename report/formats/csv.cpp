@@ -227,39 +227,81 @@ void for_each_plane(const ProjectPart& project, Visit visit) {
   }
 }
 
-}  // namespace
-
-std::string render_results_csv(const Document& document) {
-  std::string csv = fmt::format("{}\r\n", fmt::join(kResultColumns, ","));
-  for (const ProjectPart& project : document.projects) {
-    if (!project.is_judged) add_unjudged_project(project, csv);
-    for (const SpacePart& space : project.spaces) {
-      for (const PlanePart& plane : space.planes) {
-        for (const rules::Finding& finding : plane.findings) {
-          add_finding(project, space, plane, finding, csv);
-        }
+std::string result_rows(const ProjectPart& project) {
+  std::string csv;
+  if (!project.is_judged) add_unjudged_project(project, csv);
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        add_finding(project, space, plane, finding, csv);
       }
     }
-    for (const rules::AggregateFinding& finding : project.aggregates) {
-      add_aggregate(project, finding, csv);
-    }
-    for (const SpacePart& space : project.spaces) add_coverage(project, space, csv);
-    for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-      if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);
-    }
   }
-  for (const CiChange& change : ci_changes(document)) add_change(change, csv);
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    add_aggregate(project, finding, csv);
+  }
+  for (const SpacePart& space : project.spaces) add_coverage(project, space, csv);
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    if (is_warning(diagnostic)) add_warning(project, diagnostic, csv);
+  }
   return csv;
 }
 
-std::string render_points_csv(const Document& document) {
-  std::string csv(kPointsHeader);
-  for (const ProjectPart& project : document.projects) {
-    for_each_plane(project, [&csv](const std::string& place, const PlanePart& plane) {
-      for (const PointRow& point : plane.points) add_point(place, plane, point, csv);
+class ResultsWriter : public FormatWriter {
+ public:
+  ResultsWriter(const DocumentFrame& frame, const SpillPlace& place) : frame_(frame), csv_(place) {
+    csv_.write(fmt::format("{}\r\n", fmt::join(kResultColumns, ",")));
+  }
+
+  void add(const ProjectPart& project) override { csv_.write(result_rows(project)); }
+  void finish(const DocumentEnd& /*end*/, Sink& sink) override {
+    csv_.copy_to(sink);
+    if (frame_.revised == nullptr) return;
+    std::string changes;
+    for (const CiChange& change : ci_changes(*frame_.revised)) add_change(change, changes);
+    sink.write(changes);
+  }
+
+ private:
+  const DocumentFrame& frame_;
+  Spill csv_;
+};
+
+class PointsWriter : public FormatWriter {
+ public:
+  explicit PointsWriter(const SpillPlace& place) : csv_(place) { csv_.write(kPointsHeader); }
+
+  void add(const ProjectPart& project) override {
+    for_each_plane(project, [this](const std::string& at, const PlanePart& plane) {
+      std::string rows;
+      for (const PointRow& point : plane.points) add_point(at, plane, point, rows);
+      csv_.write(rows);
     });
   }
-  return csv;
+  void finish(const DocumentEnd& /*end*/, Sink& sink) override { csv_.copy_to(sink); }
+
+ private:
+  Spill csv_;
+};
+
+}  // namespace
+
+std::unique_ptr<FormatWriter> results_csv_writer(const DocumentFrame& frame,
+                                                 const SpillPlace& place) {
+  return std::make_unique<ResultsWriter>(frame, place);
+}
+
+std::unique_ptr<FormatWriter> points_csv_writer(const DocumentFrame& /*frame*/,
+                                                const SpillPlace& place) {
+  return std::make_unique<PointsWriter>(place);
+}
+
+std::string render_results_csv(const Document& document) {
+  return render_whole(document, results_csv_writer);
+}
+
+std::string render_points_csv(const Document& document) {
+  return render_whole(document, points_csv_writer);
 }
 
 }  // namespace report

@@ -14,25 +14,33 @@ namespace report {
 namespace {
 
 using Style = const FormatStyle&;
-using Doc = const Document&;
+using Frame = const DocumentFrame&;
+using Place = const SpillPlace&;
 
 constexpr Format kFormats[] = {
     {"text", "", "",
-     [](Doc document, Style s) { return render_text(document, s.terminal, s.texts); }},
-    {"csv", "", "results.csv", [](Doc document, Style) { return render_results_csv(document); }},
+     [](Frame frame, Place place, Style s) {
+       return text_writer(frame, place, s.terminal, s.texts);
+     }},
+    {"csv", "", "results.csv",
+     [](Frame frame, Place place, Style) { return results_csv_writer(frame, place); }},
     {"points-csv", "", "points.csv",
-     [](Doc document, Style) { return render_points_csv(document); }},
-    {"json", "", "result.json", [](Doc document, Style) { return render_json(document); }},
+     [](Frame frame, Place place, Style) { return points_csv_writer(frame, place); }},
+    {"json", "", "result.json",
+     [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
-     [](Doc document, Style s) { return render_html(document, s.texts); }, true},
-    {"junit", "", "", [](Doc document, Style) { return render_junit(document); }},
+     [](Frame frame, Place place, Style s) { return html_writer(frame, place, s.texts); }, true},
+    {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
-     [](Doc document, Style) { return render_sarif(document, SarifContent::problems); }},
+     [](Frame frame, Place place, Style) {
+       return sarif_writer(frame, place, SarifContent::problems);
+     }},
     {"sarif-all", "passes too", "",
-     [](Doc document, Style) { return render_sarif(document, SarifContent::all); }},
-    {"github", "", "", [](Doc document, Style) { return render_github(document); }},
-    {"gitlab", "", "", [](Doc document, Style) { return render_gitlab(document); }},
-    {"markdown", "", "", [](Doc document, Style s) { return render_markdown(document, s.texts); }}};
+     [](Frame frame, Place place, Style) { return sarif_writer(frame, place, SarifContent::all); }},
+    {"github", "", "", [](Frame frame, Place place, Style) { return github_writer(frame, place); }},
+    {"gitlab", "", "", [](Frame frame, Place place, Style) { return gitlab_writer(frame, place); }},
+    {"markdown", "", "",
+     [](Frame frame, Place place, Style s) { return markdown_writer(frame, place, s.texts); }}};
 
 }  // namespace
 
@@ -42,6 +50,12 @@ const Format* find_format(std::string_view name) {
   const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
                                    [&](const Format& format) { return format.name == name; });
   return found == std::end(kFormats) ? nullptr : found;
+}
+
+std::string Format::render(const Document& document, const FormatStyle& style) const {
+  return render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
+    return writer(frame, place, style);
+  });
 }
 
 }  // namespace report

@@ -4,8 +4,10 @@
 
 #include "report/document/document.h"
 #include "report/formats/console.h"
+#include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,8 +24,12 @@ struct Format {
   std::string_view name;       // after --format
   std::string_view remark;     // what the help says of it; "" = nothing
   std::string_view file_name;  // in the folder of --output; "" = not there
-  std::string (*render)(const Document&, const FormatStyle&);
+  std::unique_ptr<FormatWriter> (*writer)(const DocumentFrame&, const SpillPlace&,
+                                          const FormatStyle&);
   bool is_html = false;  // has pictures of rooms, and may be an index with pages
+
+  // Of a document that is there as a whole.
+  std::string render(const Document& document, const FormatStyle& style) const;
 };
 
 // In the order that the help names them; `text` is the first.

@@ -8,6 +8,7 @@
 
 #include <pugixml.hpp>
 
+#include <cstddef>
 #include <map>
 #include <sstream>
 #include <string>
@@ -27,7 +28,6 @@ CaseResult result_of(const CiFinding& entry) {
 struct Counts {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(const CiFinding& entry) { add(result_of(entry)); }
   void add(CaseResult result) {
     ++tests;
     skipped += result == CaseResult::skipped ? 1 : 0;
@@ -146,57 +146,92 @@ void add_revision_suite(pugi::xml_node root, const Document& document,
   if (!words.empty()) suite.append_child("system-out").text() = words.c_str();
 }
 
-}  // namespace
+// A suite as it stands in the file, one level deep.
+std::string suite_text(const pugi::xml_document& xml) {
+  std::ostringstream out;
+  xml.first_child().print(out, "  ", pugi::format_default, pugi::encoding_utf8, 1);
+  return out.str();
+}
 
-std::string render_junit(const Document& document) {
-  const std::vector<CiFinding> findings = ci_findings(document);
+class JunitWriter : public FormatWriter {
+ public:
+  JunitWriter(const DocumentFrame& frame, const SpillPlace& place)
+      : frame_(frame), findings_(frame), suites_(place) {}
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  const DocumentFrame& frame_;
+  CiFindings findings_;
+  Counts all_;
+  Spill suites_;
+};
+
+void JunitWriter::add(const ProjectPart& project) {
+  const std::vector<CiFinding> findings = findings_.of(project);
+  pugi::xml_document xml;
+  pugi::xml_node suite = xml.append_child("testsuite");
+  set(suite, "name", printable(project.path));
+  Counts counts;
+  const auto count = [&](CaseResult result) {
+    counts.add(result);
+    all_.add(result);
+  };
+  for (const CiFinding& entry : findings) count(result_of(entry));
+  for_each_warning(project,
+                   [&](const calc::Diagnostic& warning) { count(result_of(project, warning)); });
+  counts.write_to(suite, true);
+  for (const CiFinding& entry : findings) add_case(suite, entry);
+  std::map<calc::DiagnosticId, int> number;
+  for_each_warning(project, [&](const calc::Diagnostic& warning) {
+    add_warning_case(suite, project, warning, ++number[warning.id]);
+  });
+  std::string notes;
+  // A suite of which nothing was asked has no failure either: it must not look like a pass.
+  if (const rules::Outcome outcome = outcome_of(project);
+      outcome == rules::Outcome::nothing_asked) {
+    notes += std::string(outcome_words(outcome)) + "\n";
+  }
+  for (const std::string& note : ci_notes(project)) notes += note + "\n";
+  const std::string words = redaction_words(frame_.provenance);
+  if (!words.empty() && suites_.is_empty()) notes += words + "\n";
+  if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
+  suites_.write(suite_text(xml));
+}
+
+void JunitWriter::finish(const DocumentEnd& /*end*/, Sink& sink) {
+  if (const Document* revised = frame_.revised) {
+    const std::vector<CiChange> changes = ci_changes(*revised);
+    for (const CiChange& change : changes) all_.add(result_of(change));
+    pugi::xml_document xml;
+    add_revision_suite(xml, *revised, changes);
+    suites_.write(suite_text(xml));
+  }
   pugi::xml_document xml;
   pugi::xml_node declaration = xml.append_child(pugi::node_declaration);
   set(declaration, "version", "1.0");
   set(declaration, "encoding", "UTF-8");
   pugi::xml_node root = xml.append_child("testsuites");
   set(root, "name", "luxgate");
-  Counts all;
-  for (const CiFinding& entry : findings) all.add(entry);
-  for (const ProjectPart& project : document.projects) {
-    for_each_warning(
-        project, [&](const calc::Diagnostic& warning) { all.add(result_of(project, warning)); });
-  }
-  const std::vector<CiChange> changes = ci_changes(document);
-  for (const CiChange& change : changes) all.add(result_of(change));
-  all.write_to(root, false);
-  for (const ProjectPart& project : document.projects) {
-    pugi::xml_node suite = root.append_child("testsuite");
-    set(suite, "name", printable(project.path));
-    Counts counts;
-    for (const CiFinding& entry : findings) {
-      if (entry.project == &project) counts.add(entry);
-    }
-    for_each_warning(
-        project, [&](const calc::Diagnostic& warning) { counts.add(result_of(project, warning)); });
-    counts.write_to(suite, true);
-    for (const CiFinding& entry : findings) {
-      if (entry.project == &project) add_case(suite, entry);
-    }
-    std::map<calc::DiagnosticId, int> number;
-    for_each_warning(project, [&](const calc::Diagnostic& warning) {
-      add_warning_case(suite, project, warning, ++number[warning.id]);
-    });
-    std::string notes;
-    // A suite of which nothing was asked has no failure either: it must not look like a pass.
-    if (const rules::Outcome outcome = outcome_of(project);
-        outcome == rules::Outcome::nothing_asked) {
-      notes += std::string(outcome_words(outcome)) + "\n";
-    }
-    for (const std::string& note : ci_notes(project)) notes += note + "\n";
-    const std::string words = redaction_words(document);
-    if (!words.empty() && &project == &document.projects.front()) notes += words + "\n";
-    if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
-  }
-  if (document.revision) add_revision_suite(root, document, changes);
+  all_.write_to(root, false);
+  // Stands for the suites, on a line of its own.
+  if (!suites_.is_empty()) root.append_child("suites");
   std::ostringstream out;
   xml.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
-  return out.str();
+  const std::string text = out.str(), gap = "  <suites />\n";
+  const std::size_t at = text.find(gap);
+  sink.write(text.substr(0, at));
+  suites_.copy_to(sink);
+  if (at != std::string::npos) sink.write(text.substr(at + gap.size()));
 }
+
+}  // namespace
+
+std::unique_ptr<FormatWriter> junit_writer(const DocumentFrame& frame, const SpillPlace& place) {
+  return std::make_unique<JunitWriter>(frame, place);
+}
+
+std::string render_junit(const Document& document) { return render_whole(document, junit_writer); }
 
 }  // namespace report

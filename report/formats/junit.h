@@ -2,7 +2,9 @@
 // JUnit XML, which most CI systems show as test results.
 
 #include "report/document/document.h"
+#include "report/stream/format_writer.h"
 
+#include <memory>
 #include <string>
 
 namespace report {
@@ -16,5 +18,6 @@ namespace report {
 // equal bytes.  [the set of elements documented by testmoapp/junitxml; GitLab shows bodies rather
 // than attributes, so the words are in both]
 std::string render_junit(const Document& document);
+std::unique_ptr<FormatWriter> junit_writer(const DocumentFrame& frame, const SpillPlace& place);
 
 }  // namespace report

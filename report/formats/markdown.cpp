@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -58,40 +57,47 @@ std::string entry_words(const Texts& t, const CiFinding& entry) {
   return is_member ? t.say<Text::verdict_in_aggregate>(words) : t.say<Text::verdict_advice>(words);
 }
 
-// has_projects: the first column says which project it is.
-std::string table(const Texts& t, const std::vector<CiFinding>& findings, bool has_projects) {
-  std::string text;
-  if (has_projects) text += std::string("| ") + t[Text::markdown_project] + " ";
-  text += std::string(t[Text::markdown_head]) + "\n";
-  text += has_projects ? "| --- " : "";
-  text += "| --- | --- | --- | ---: | ---: | ---: |\n";
-  std::size_t rows = 0;
-  for (const CiFinding& entry : findings) {
-    if (++rows > kMostRows) break;
-    if (has_projects) text += fmt::format("| {} ", escape_markdown(entry.project->path));
-    text += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
-                        entry_words(t, entry), escape_markdown(entry.place), cells(t, entry));
-  }
-  if (findings.size() > kMostRows) {
-    text += "\n" + t.say<Text::more_left_out>(findings.size() - kMostRows) + "\n";
-  }
-  return text;
-}
+// Of findings, in the order that they come.
+class Table {
+ public:
+  // has_projects: the first column says which project it is.
+  Table(const Texts& t, bool has_projects) : t_(t), has_projects_(has_projects) {}
 
-// What each of them came to: two variants of a design have the same rooms and planes.
-std::string projects(const Texts& t, const Document& document) {
-  constexpr std::size_t kMost = 50;
-  std::string text = "\n";
-  for (std::size_t p = 0; p < std::min(document.projects.size(), kMost); ++p) {
-    const ProjectPart& project = document.projects[p];
-    const rules::Outcome outcome = outcome_of(project);
-    text += fmt::format("- {} {}: {}", outcome_symbol(outcome), outcome_words(t, outcome),
-                        escape_markdown(project.path));
-    if (!project.name.empty()) text += ", " + escape_markdown(project.name);
-    text += "\n";
+  void add(const CiFinding& entry) {
+    if (++count_ > kMostRows) return;
+    if (has_projects_) rows_ += fmt::format("| {} ", escape_markdown(entry.project->path));
+    rows_ += fmt::format("| {} {} | {} | {} |\n", verdict_symbol(entry.verdict),
+                         entry_words(t_, entry), escape_markdown(entry.place), cells(t_, entry));
   }
-  if (document.projects.size() <= kMost) return text;
-  return text + "\n" + t.say<Text::more_left_out>(document.projects.size() - kMost) + "\n";
+
+  std::size_t count() const { return count_; }
+
+  std::string text() const {
+    std::string text;
+    if (has_projects_) text += std::string("| ") + t_[Text::markdown_project] + " ";
+    text += std::string(t_[Text::markdown_head]) + "\n";
+    text += has_projects_ ? "| --- " : "";
+    text += "| --- | --- | --- | ---: | ---: | ---: |\n" + rows_;
+    if (count_ > kMostRows) {
+      text += "\n" + t_.say<Text::more_left_out>(count_ - kMostRows) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  Texts t_;
+  bool has_projects_;
+  std::size_t count_ = 0;
+  std::string rows_;  // the first ones
+};
+
+// What a project came to: two variants of a design have the same rooms and planes.
+std::string project_line(const Texts& t, const ProjectPart& project) {
+  const rules::Outcome outcome = outcome_of(project);
+  std::string text = fmt::format("- {} {}: {}", outcome_symbol(outcome), outcome_words(t, outcome),
+                                 escape_markdown(project.path));
+  if (!project.name.empty()) text += ", " + escape_markdown(project.name);
+  return text + "\n";
 }
 
 std::string warnings(const Texts& t, const ProjectPart& project) {
@@ -108,6 +114,73 @@ std::string warnings(const Texts& t, const ProjectPart& project) {
   if (count == 0) return {};
   if (count > kMost) text += "\n" + t.say<Text::more_left_out>(count - kMost) + "\n";
   return "\n" + t.say<Text::warnings_on>(escape_markdown(project.path)) + "\n\n" + text;
+}
+
+std::string notes(const Texts& t, const ProjectPart& project) {
+  const std::vector<std::string> list = ci_notes(project, t);
+  if (list.empty()) return {};
+  std::string text = "\n" + t.say<Text::notes_on>(escape_markdown(project.path)) + "\n\n";
+  for (const std::string& note : list) text += fmt::format("- {}\n", escape_markdown(note));
+  return text;
+}
+
+class MarkdownWriter : public FormatWriter {
+ public:
+  MarkdownWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t)
+      : frame_(frame),
+        t_(t),
+        findings_(frame, t),
+        passed_(t, has_projects()),
+        others_(t, has_projects()),
+        warnings_(place),
+        notes_(place) {}
+
+  void add(const ProjectPart& project) override {
+    for (const CiFinding& entry : findings_.of(project)) {
+      (entry.verdict == rules::Verdict::pass ? passed_ : others_).add(entry);
+    }
+    if (projects_++ < kMostProjects) project_lines_ += project_line(t_, project);
+    warnings_.write(warnings(t_, project));
+    notes_.write(notes(t_, project));
+  }
+
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  static constexpr std::size_t kMostProjects = 50;
+  bool has_projects() const { return frame_.paths.size() > 1; }
+
+  const DocumentFrame& frame_;
+  Texts t_;
+  CiFindings findings_;
+  Table passed_, others_;
+  std::size_t projects_ = 0;
+  std::string project_lines_;  // of the first ones
+  Spill warnings_, notes_;     // of all projects
+};
+
+void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
+  const rules::Outcome outcome =
+      frame_.revised == nullptr ? end.totals.outcome : gate_outcome(*frame_.revised);
+  std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
+                                 outcome_words(t_, outcome), summary_words(t_, end.totals));
+  if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
+  if (has_projects()) text += "\n" + project_lines_;
+  if (projects_ > kMostProjects) {
+    text += "\n" + t_.say<Text::more_left_out>(projects_ - kMostProjects) + "\n";
+  }
+  if (others_.count() > 0) text += "\n" + others_.text();
+  sink.write(text);
+  warnings_.copy_to(sink);
+  notes_.copy_to(sink);
+  text.clear();
+  if (passed_.count() > 0) {
+    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
+                        t_.say<Text::passed>(passed_.count()), passed_.text());
+  }
+  if (const std::string words = redaction_words(end.provenance, t_); !words.empty())
+    text += "\n" + words + "\n";
+  sink.write(text);
 }
 
 }  // namespace
@@ -137,32 +210,15 @@ std::string render_revision_markdown(const Texts& t, const Document& document) {
   return text;
 }
 
+std::unique_ptr<FormatWriter> markdown_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                              const Texts& t) {
+  return std::make_unique<MarkdownWriter>(frame, place, t);
+}
+
 std::string render_markdown(const Document& document, const Texts& t) {
-  std::vector<CiFinding> passed, others;
-  for (CiFinding& entry : ci_findings(document, t)) {
-    (entry.verdict == rules::Verdict::pass ? passed : others).push_back(std::move(entry));
-  }
-  const rules::Outcome outcome = gate_outcome(document);
-  std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
-                                 outcome_words(t, outcome), summary_words(t, document));
-  const bool has_projects = document.projects.size() > 1;
-  text += render_revision_markdown(t, document);
-  if (has_projects) text += projects(t, document);
-  if (!others.empty()) text += "\n" + table(t, others, has_projects);
-  for (const ProjectPart& project : document.projects) text += warnings(t, project);
-  for (const ProjectPart& project : document.projects) {
-    const std::vector<std::string> notes = ci_notes(project, t);
-    if (notes.empty()) continue;
-    text += "\n" + t.say<Text::notes_on>(escape_markdown(project.path)) + "\n\n";
-    for (const std::string& note : notes) text += fmt::format("- {}\n", escape_markdown(note));
-  }
-  if (!passed.empty()) {
-    text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
-                        t.say<Text::passed>(passed.size()), table(t, passed, has_projects));
-  }
-  if (const std::string words = redaction_words(document, t); !words.empty())
-    text += "\n" + words + "\n";
-  return text;
+  return render_whole(document, [&t](const DocumentFrame& frame, const SpillPlace& place) {
+    return markdown_writer(frame, place, t);
+  });
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 
 #include "report/formats/ci_finding.h"
 #include "report/formats/ci_revision.h"
+#include "report/stream/json_list.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
 #include "report/text/words.h"
@@ -9,7 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -73,18 +75,6 @@ const char* rule_words(std::string_view rule) {
   return "A required quantity of a calculation plane must meet its limit";
 }
 
-Json rules_json(const std::vector<CiFinding>& findings, const std::vector<CiChange>& changes,
-                std::map<std::string, std::size_t>& index) {
-  for (const CiFinding& entry : findings) index.emplace(entry.rule, 0);
-  for (const CiChange& change : changes) index.emplace(change.rule, 0);
-  Json array = Json::array();
-  for (auto& [rule, place] : index) {
-    place = array.size();
-    array.push_back({{"id", rule}, {"shortDescription", {{"text", rule_words(rule)}}}});
-  }
-  return array;
-}
-
 // Who lives with it, until when and why.
 std::string justification(const CiFinding& entry) {
   if (entry.aggregate != nullptr) return printable(entry.aggregate->reason);
@@ -109,7 +99,8 @@ const char* baseline_state(ResultChange change) {
   }
 }
 
-Json result_json(const CiFinding& entry, std::size_t rule_index) {
+// What is found, with a gap for the place of its rule among all rules.
+Json result_json(const CiFinding& entry) {
   const bool is_fail = entry.verdict == rules::Verdict::fail;
   Json location = {{"physicalLocation", physical_location(entry.where)}};
   if (entry.plane != nullptr || entry.aggregate != nullptr) {
@@ -119,7 +110,7 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
   // Only what fails may have a level.  [SARIF, 3.27.10]
   const char* level = !is_fail ? "none" : entry.counts || is_waived(entry) ? "error" : "note";
   Json result = {{"ruleId", entry.rule},
-                 {"ruleIndex", rule_index},
+                 {"ruleIndex", json_gap()},
                  {"kind", kind_of(entry.verdict)},
                  {"level", level},
                  {"message", {{"text", entry.place + ": " + entry.message}}},
@@ -133,10 +124,10 @@ Json result_json(const CiFinding& entry, std::size_t rule_index) {
   return result;
 }
 
-Json change_json(const CiChange& change, std::size_t rule_index) {
+Json change_json(const CiChange& change) {
   return {
       {"ruleId", change.rule},
-      {"ruleIndex", rule_index},
+      {"ruleIndex", json_gap()},
       {"kind", "fail"},
       {"level", change.stops ? "error" : "note"},
       {"message", {{"text", change.message}}},
@@ -148,18 +139,10 @@ Json change_json(const CiChange& change, std::size_t rule_index) {
       {"baselineState", "new"}};
 }
 
-Json artifacts_json(const Document& document) {
-  Json array = Json::array();
-  std::set<std::pair<std::string, std::string>> listed;  // projects may share files
-  for (const ProjectPart& project : document.projects) {
-    for (const calc::InputFile& input : project.inputs) {
-      if (!listed.emplace(input.path, input.sha256).second) continue;
-      Json json = {{"location", artifact_location(input.path)}};
-      if (!input.sha256.empty()) json["hashes"] = {{"sha-256", input.sha256}};
-      array.push_back(std::move(json));
-    }
-  }
-  return array;
+Json artifact_json(const calc::InputFile& input) {
+  Json json = {{"location", artifact_location(input.path)}};
+  if (!input.sha256.empty()) json["hashes"] = {{"sha-256", input.sha256}};
+  return json;
 }
 
 Json notification_json(const ProjectPart& project, const calc::Diagnostic& diagnostic) {
@@ -173,57 +156,146 @@ Json notification_json(const ProjectPart& project, const calc::Diagnostic& diagn
   return json;
 }
 
-Json invocation_json(const Document& document) {
-  Json notifications = Json::array();
-  bool is_successful = true;
-  for (const ProjectPart& project : document.projects) {
-    is_successful = is_successful && project.is_judged;
-    for (const calc::Diagnostic& diagnostic : project.diagnostics) {
-      notifications.push_back(notification_json(project, diagnostic));
+// How many lists and objects of the file something stands in.
+constexpr std::size_t kInRun = 3, kInInvocation = 5;
+
+// Results, and the rules that occur in them: which place a rule has among all is known at the end.
+class Results {
+ public:
+  explicit Results(const SpillPlace& place) : text_(place) {}
+
+  // result: with one gap.
+  void add(const Json& result, const std::string& rule) {
+    const std::vector<std::string> pieces = json_layout_around_gaps(result, kInRun + 1);
+    text_.write((text_.is_empty() ? "[\n" : ",\n") + std::string(kInRun + 1, ' ') + pieces.at(0));
+    const auto found = rules_.try_emplace(rule, rules_.size()).first;
+    gaps_.push_back({text_.size(), found->second});
+    text_.write(pieces.at(1));
+  }
+
+  Json rules() const {
+    Json array = Json::array();
+    for (const auto& rule : rules_) {
+      array.push_back(
+          {{"id", rule.first}, {"shortDescription", {{"text", rule_words(rule.first)}}}});
     }
-    for (const std::string& words : ci_left_out(project)) {
-      notifications.push_back({{"descriptor", {{"id", "left-out"}}},
-                               {"level", "note"},
-                               {"message", {{"text", words}}}});
+    return array;
+  }
+
+  void copy_to(Sink& sink) const {
+    if (text_.is_empty()) return sink.write("[]");
+    std::vector<std::string> places(rules_.size());  // by number
+    for (std::size_t place = 0; const auto& rule : rules_) {
+      places[rule.second] = std::to_string(place++);
+    }
+    std::uint64_t at = 0;
+    const auto copy_up_to = [&](std::uint64_t end) {
+      sink.write(text_.read(at, static_cast<std::size_t>(end - at)));
+      at = end;
+    };
+    for (const Gap& gap : gaps_) {
+      copy_up_to(gap.at);
+      sink.write(places[gap.rule]);
+    }
+    copy_up_to(text_.size());
+    sink.write("\n" + std::string(kInRun, ' ') + "]");
+  }
+
+ private:
+  struct Gap {
+    std::uint64_t at = 0;  // in the text
+    std::size_t rule = 0;
+  };
+
+  std::map<std::string, std::size_t> rules_;  // in the file's order; numbered as they came
+  std::vector<Gap> gaps_;
+  Spill text_;
+};
+
+class SarifWriter : public FormatWriter {
+ public:
+  SarifWriter(const DocumentFrame& frame, const SpillPlace& place, SarifContent content)
+      : frame_(frame),
+        content_(content),
+        findings_(frame),
+        notifications_(place, kInInvocation),
+        artifacts_(place, kInRun),
+        results_(place) {}
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  const DocumentFrame& frame_;
+  SarifContent content_;
+  CiFindings findings_;
+  JsonList notifications_, artifacts_;
+  std::set<std::pair<std::string, std::string>> listed_;  // artifacts: projects may share files
+  Results results_;
+};
+
+void SarifWriter::add(const ProjectPart& project) {
+  for (const calc::Diagnostic& diagnostic : project.diagnostics) {
+    notifications_.add(notification_json(project, diagnostic));
+  }
+  for (const std::string& words : ci_left_out(project)) {
+    notifications_.add(
+        {{"descriptor", {{"id", "left-out"}}}, {"level", "note"}, {"message", {{"text", words}}}});
+  }
+  for (const calc::InputFile& input : project.inputs) {
+    if (listed_.emplace(input.path, input.sha256).second) artifacts_.add(artifact_json(input));
+  }
+  for (const CiFinding& entry : findings_.of(project)) {
+    if (content_ == SarifContent::problems && entry.verdict == rules::Verdict::pass) continue;
+    results_.add(result_json(entry), entry.rule);
+  }
+}
+
+void SarifWriter::finish(const DocumentEnd& end, Sink& sink) {
+  if (frame_.revised != nullptr) {
+    for (const CiChange& change : ci_changes(*frame_.revised)) {
+      results_.add(change_json(change), change.rule);
     }
   }
-  return {{"executionSuccessful", is_successful},
-          {"commandLine", printable(document.provenance.command_line)},
-          {"toolExecutionNotifications", std::move(notifications)}};
+  const Json invocation = {{"executionSuccessful", end.totals.projects_not_judged == 0},
+                           {"commandLine", printable(end.provenance.command_line)},
+                           {"toolExecutionNotifications", json_gap()}};
+  Json run = {{"tool",
+               {{"driver",
+                 {{"name", "luxgate"},
+                  {"version", end.provenance.program_version},
+                  {"rules", results_.rules()}}}}},
+              {"invocations", Json::array({invocation})},
+              {"artifacts", json_gap()},
+              {"columnKind", "utf16CodeUnits"},
+              {"results", json_gap()}};
+  if (const std::string words = redaction_words(end.provenance); !words.empty())
+    run["properties"] = {{"redacted", words}};
+  const std::vector<std::string> pieces =
+      json_layout_around_gaps({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                               {"version", "2.1.0"},
+                               {"runs", Json::array({std::move(run)})}},
+                              0);
+  sink.write(pieces.at(0));
+  notifications_.copy_to(sink);
+  sink.write(pieces.at(1));
+  artifacts_.copy_to(sink);
+  sink.write(pieces.at(2));
+  results_.copy_to(sink);
+  sink.write(pieces.at(3) + "\n");
 }
 
 }  // namespace
 
+std::unique_ptr<FormatWriter> sarif_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                           SarifContent content) {
+  return std::make_unique<SarifWriter>(frame, place, content);
+}
+
 std::string render_sarif(const Document& document, SarifContent content) {
-  std::vector<CiFinding> findings = ci_findings(document);
-  if (content == SarifContent::problems) {
-    std::erase_if(findings,
-                  [](const CiFinding& entry) { return entry.verdict == rules::Verdict::pass; });
-  }
-  std::map<std::string, std::size_t> index;
-  const std::vector<CiChange> changes = ci_changes(document);
-  Json rules = rules_json(findings, changes, index);
-  Json results = Json::array();
-  for (const CiFinding& entry : findings) {
-    results.push_back(result_json(entry, index.at(entry.rule)));
-  }
-  for (const CiChange& change : changes) {
-    results.push_back(change_json(change, index.at(change.rule)));
-  }
-  Json run = {{"tool",
-               {{"driver",
-                 {{"name", "luxgate"},
-                  {"version", document.provenance.program_version},
-                  {"rules", std::move(rules)}}}}},
-              {"invocations", Json::array({invocation_json(document)})},
-              {"artifacts", artifacts_json(document)},
-              {"columnKind", "utf16CodeUnits"},
-              {"results", std::move(results)}};
-  if (const std::string words = redaction_words(document); !words.empty())
-    run["properties"] = {{"redacted", words}};
-  return json_layout({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-                      {"version", "2.1.0"},
-                      {"runs", Json::array({std::move(run)})}});
+  return render_whole(document, [content](const DocumentFrame& frame, const SpillPlace& place) {
+    return sarif_writer(frame, place, content);
+  });
 }
 
 }  // namespace report

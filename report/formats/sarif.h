@@ -2,7 +2,9 @@
 // SARIF 2.1.0, which code hosts show beside the lines of a project file.
 
 #include "report/document/document.h"
+#include "report/stream/format_writer.h"
 
+#include <memory>
 #include <string>
 
 namespace report {
@@ -18,5 +20,7 @@ enum class SarifContent {
 // requirement's line, the fingerprint depends on ids alone. Inputs with their hashes are artifacts,
 // diagnostics are notifications of the invocation.  [SARIF]
 std::string render_sarif(const Document& document, SarifContent content);
+std::unique_ptr<FormatWriter> sarif_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                           SarifContent content);
 
 }  // namespace report

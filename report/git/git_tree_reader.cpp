@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -43,7 +44,8 @@ std::vector<std::string> parts_reversed(const std::string& path) {
 }  // namespace
 
 struct GitTreeReader::State {
-  Library library;  // before all that is freed by it
+  std::mutex mutex;  // of read()
+  Library library;   // before all that is freed by it
   Repository repository;
   Repository bare;  // the same without work tree and index
   git_oid commit_id{};
@@ -281,6 +283,7 @@ GitTreeReader::GitTreeReader(std::unique_ptr<State> state) : state_(std::move(st
 GitTreeReader::~GitTreeReader() = default;
 
 calc::FileContent GitTreeReader::read(const std::string& path) const {
+  const std::scoped_lock lock(state_->mutex);
   const std::optional<std::string> inside = path_in_repository(path);
   if (!inside) return state_->failed("it lies outside of the git repository");
   const Found found = state_->find(*inside);

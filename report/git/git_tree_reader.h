@@ -29,7 +29,8 @@ class GitTreeReader : public calc::FileReader {
   GitTreeReader(const GitTreeReader&) = delete;
   GitTreeReader& operator=(const GitTreeReader&) = delete;
 
-  // Paths are those of the work tree, relative to the current folder or absolute.
+  // Paths are those of the work tree, relative to the current folder or absolute. Any number of
+  // threads may read at once, while nothing else is asked.
   calc::FileContent read(const std::string& path) const override;
   // Whether there is something of this name, of any kind.
   bool has(const std::string& path) const;

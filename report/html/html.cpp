@@ -17,18 +17,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace report {
 namespace {
-
-std::string page_title(const Texts& t, const Document& document) {
-  if (document.projects.size() != 1) return t.say<Text::project_count>(document.projects.size());
-  return escape_html(title_of(document.projects[0].name, document.projects[0].path));
-}
 
 // 'sha256-...' of the only script that may run.  [CSP, hash sources]
 std::string script_source(const std::string& script) {
@@ -46,46 +45,80 @@ constexpr const char* kLongWords =
     "tbody th, tbody td:not(.num, .gauge-cell) { overflow-wrap: break-word; }\n";
 
 // The policy forbids whatever a name from a file might still manage to load or run. title: escaped.
-std::string head(const Texts& t, const std::string& title, bool has_script) {
+std::string head(const Texts& t, const std::string& title) {
   return "<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
          "initial-scale=1\"/>\n"
          "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-         "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'" +
-         (has_script ? "; script-src " + script_source(html_script(t)) : "") + "\"/>\n<title>" +
-         title + " – " + t[Text::compliance] + "</title>\n<style>\n" + html_style() +
+         "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'; "
+         "script-src " +
+         script_source(html_script(t)) + "\"/>\n<title>" + title + " – " + t[Text::compliance] +
+         "</title>\n<style>\n" + html_style() +
          (t.language() == Language::german ? kLongWords : "") + "</style>\n</head>\n";
 }
 
 // Regions are landmarks, which must differ in name; planes of several rooms may have one name.
-// body: made by our own renderers, so that no name from a file can hold a quote.
-std::string with_unique_regions(std::string_view body) {
-  constexpr std::string_view kLabel = "role=\"region\" tabindex=\"0\" aria-label=\"";
-  std::set<std::string> taken;
-  std::string html;
-  html.reserve(body.size());
-  for (std::size_t at = body.find(kLabel); at != std::string_view::npos; at = body.find(kLabel)) {
-    const std::size_t begin = at + kLabel.size();
-    const std::string label(body.substr(begin, body.find('"', begin) - begin));
-    std::string name = label;
-    for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{} ({})", label, k);
-    html += body.substr(0, begin);
-    html += name;
-    body.remove_prefix(begin + label.size());
+// Repeats of "name" are "name (2)", "name (3)" ..., unless another region is called so.
+class RegionNames {
+ public:
+  std::string unique(const std::string& label) {
+    if (!is_taken(label)) return *plain_.insert(label).first;
+    for (int& k = next_.try_emplace(label, 2).first->second;;) {
+      std::string name = fmt::format("{} ({})", label, k++);
+      if (!plain_.contains(name)) return name;
+    }
   }
-  html += body;
-  return html;
+
+  // html: made by our own renderers, so that no name from a file can hold a quote.
+  std::string with_unique_regions(std::string_view html) {
+    const std::string start = region_start();
+    std::string unique_html;
+    unique_html.reserve(html.size());
+    for (std::size_t at = html.find(start); at != std::string_view::npos; at = html.find(start)) {
+      const std::size_t begin = at + start.size();
+      const std::string label(html.substr(begin, html.find('"', begin) - begin));
+      unique_html += html.substr(0, begin);
+      unique_html += unique(label);
+      html.remove_prefix(begin + label.size());
+    }
+    unique_html += html;
+    return unique_html;
+  }
+
+ private:
+  static std::string region_start() {
+    const std::string box = scroll_box_start("");  // up to the quote at the end of its label
+    return box.substr(box.find("role="), box.rfind('"') - box.find("role="));
+  }
+
+  bool is_taken(const std::string& name) const {
+    if (plain_.contains(name)) return true;
+    const std::size_t at = name.rfind(" (");
+    if (at == std::string::npos) return false;
+    const auto found = next_.find(name.substr(0, at));
+    if (found == next_.end()) return false;
+    int k = 0;
+    std::from_chars(name.data() + at + 2, name.data() + name.size(), k);
+    return k >= 2 && k < found->second && name.substr(at) == fmt::format(" ({})", k);
+  }
+
+  std::set<std::string> plain_;      // as they were labelled
+  std::map<std::string, int> next_;  // by label: the number of its next repeat
+};
+
+// What comes before and after the main part of a page.
+std::string page_start(const Texts& t, const std::string& title) {
+  return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
+         head(t, title) + "<body>\n<a class=\"skip\" href=\"#main\">" + t[Text::skip_to_results] +
+         "</a>\n";
 }
 
-std::string page(const Texts& t, const std::string& title, const std::string& masthead,
-                 const std::string& body, const Document& document, bool has_script) {
-  return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
-         head(t, title, has_script) + "<body>\n<a class=\"skip\" href=\"#main\">" +
-         t[Text::skip_to_results] + "</a>\n" + masthead + "<main id=\"main\">\n" +
-         with_unique_regions(body) + "</main>\n<footer><p>" +
-         t.say<Text::made_by_program>(escape_html(document.provenance.program_version)) +
-         "</p></footer>\n" + (has_script ? "<script>" + html_script(t) + "</script>\n" : "") +
-         "</body>\n</html>\n";
+constexpr const char* kMainStart = "<main id=\"main\">\n";
+
+std::string page_end(const Texts& t, const Provenance& provenance) {
+  return "</main>\n<footer><p>" +
+         t.say<Text::made_by_program>(escape_html(provenance.program_version)) +
+         "</p></footer>\n<script>" + html_script(t) + "</script>\n</body>\n</html>\n";
 }
 
 struct Section {
@@ -98,35 +131,6 @@ std::string contents(const Texts& t, const std::vector<Section>& sections) {
   for (const Section& section : sections)
     html += fmt::format("<li><a href=\"{}\">{}</a></li>", section.address, section.words);
   return html + "</ul></nav>\n";
-}
-
-std::string masthead(const Texts& t, const Document& document, bool needs_attention) {
-  std::string paths;
-  for (const ProjectPart& project : document.projects) {
-    paths += fmt::format("{}{}", paths.empty() ? "" : " · ", escape_html(project.path));
-  }
-  if (!document.provenance.timestamp.empty()) {
-    paths += " · " + escape_html(document.provenance.timestamp);
-  }
-  std::vector<Section> sections;
-  if (document.revision) sections.push_back({"#revision", html_revision_title(t, document)});
-  if (needs_attention) sections.push_back({"#attention", t[Text::needs_attention]});
-  sections.push_back({"#summary", t[Text::summary]});
-  constexpr std::size_t kMostProjects = 12;
-  const std::size_t projects = document.projects.size();
-  for (std::size_t p = 0; p < std::min(projects, kMostProjects); ++p) {
-    const ProjectPart& project = document.projects[p];
-    sections.push_back(
-        {fmt::format("#project{}", p + 1),
-         projects == 1 ? t[Text::planes] : escape_html(title_of(project.name, project.path))});
-    if (projects > 1) continue;
-    if (!project.luminaires.empty()) sections.push_back({"#luminaires1", t[Text::luminaires]});
-    if (!project.spaces.empty()) sections.push_back({"#calculation1", t[Text::calculation]});
-  }
-  sections.push_back({"#provenance", t[Text::provenance]});
-  return std::string("<header>\n<p class=\"eyebrow\">luxgate · ") + t[Text::compliance_report] +
-         "</p>\n<h1>" + page_title(t, document) + "</h1>\n<p class=\"quiet paths\">" + paths +
-         "</p>\n" + html_verdict_banner(t, document) + contents(t, sections) + "</header>\n";
 }
 
 std::string space_title(const SpacePart& space) {
@@ -146,105 +150,233 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
   return html;
 }
 
-std::string space_html(const Texts& t, const Document& document, std::size_t p, std::size_t s) {
-  const SpacePart& space = document.projects[p].spaces[s];
+std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
+                       bool folds_passed) {
+  const SpacePart& space = project.spaces[s];
   std::string html = "<section class=\"space\"><h3>" + space_title(space) + "</h3>\n";
   html += html_room(t, space) + notes_html(t, space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += html_plane(t, {p, s, k}, space, space.planes[k], folds_passed_planes(document));
+    html += html_plane(t, {p, s, k}, space, space.planes[k], folds_passed);
   return html + "</section>\n";
 }
 
-// Sections are landmarks, which must differ in name; projects may have one name.
-std::string section_name(const Document& document, std::size_t p) {
-  const auto title = [&](std::size_t k) {
-    return std::string(title_of(document.projects[k].name, document.projects[k].path));
-  };
-  std::size_t number = 1;
-  for (std::size_t k = 0; k < p; ++k) number += title(k) == title(p) ? 1 : 0;
-  if (number == 1) return fmt::format("aria-labelledby=\"project{}\"", p + 1);
-  return fmt::format("aria-label=\"{} ({})\"", escape_html(title(p)), number);
+std::string page_links(const Texts& t, const ProjectPart& project, std::size_t p,
+                       const std::string& folder) {
+  std::string html = "<ul class=\"pages\">\n";
+  for (const HtmlPage& room : html_pages(project, p)) {
+    const SpacePart& space = project.spaces[room.space];
+    const std::string part = room.planes == space.planes.size()
+                                 ? ""
+                                 : ", " + t.say<Text::planes_from_to>(
+                                              room.first_plane + 1, room.first_plane + room.planes);
+    html += fmt::format("<li><a href=\"{}/{}\">{}</a><span class=\"quiet\">{}</span>{}</li>\n",
+                        folder, room.name, escape_html(title_of(space.name, space.id)), part,
+                        room.first_plane == 0 ? notes_html(t, space) : "");
+  }
+  return html + "</ul>\n";
 }
 
-std::string project_html(const Texts& t, const Document& document, std::size_t p,
-                         const std::string& folder) {
-  const ProjectPart& project = document.projects[p];
-  const bool is_only = document.projects.size() == 1;
-  std::string html =
-      fmt::format("<section class=\"project\" {2}><h2 id=\"project{0}\">{1}</h2>\n", p + 1,
-                  is_only ? t[Text::planes] : escape_html(title_of(project.name, project.path)),
-                  section_name(document, p));
-  if (!is_only && !project.name.empty())
+// The page that holds everything, or the index of pages in `folder`. What comes first in it is
+// known last: all else waits in spills.
+class HtmlWriter : public FormatWriter {
+ public:
+  HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+             std::string folder);
+
+  void add(const ProjectPart& project) override;
+  void finish(const DocumentEnd& end, Sink& sink) override;
+
+ private:
+  bool is_only() const { return frame_.paths.size() == 1; }
+  std::string section_name(const ProjectPart& project);
+  std::string project_html(const ProjectPart& project, const std::string& section,
+                           bool folds_passed) const;
+  void add_project(const ProjectPart& project);
+  void add_to_masthead(const ProjectPart& project);
+  void write_masthead(const DocumentEnd& end, Sink& sink) const;
+  std::string page_title() const;
+
+  const DocumentFrame& frame_;
+  Texts t_;
+  std::string folder_;
+  RegionNames regions_;
+  std::size_t project_ = 0;            // the next one
+  std::map<std::string, int> titles_;  // how many projects have each
+  std::string only_title_;             // of the first one
+  std::vector<Section> sections_;      // of the first ones
+  Spill paths_;
+  std::string revision_, summary_start_;
+  HtmlAttention attention_;
+  Spill summary_rows_;
+  // Whether planes that pass are folded hangs on how many there are: while there are few, projects
+  // are rendered both ways.
+  std::size_t planes_ = 0;
+  Spill projects_, projects_unfolded_;
+};
+
+HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+                       std::string folder)
+    : frame_(frame),
+      t_(t),
+      folder_(std::move(folder)),
+      paths_(place),
+      attention_(t, folder_, place),
+      summary_rows_(place),
+      projects_(place),
+      projects_unfolded_(place) {
+  if (frame.revised != nullptr) {
+    revision_ = regions_.with_unique_regions(html_revision(t, *frame.revised));
+  }
+  summary_start_ = regions_.with_unique_regions(
+      html_summary_start(t, t[Text::summary_of_planes], frame.provenance.confidence));
+}
+
+void HtmlWriter::add(const ProjectPart& project) {
+  add_to_masthead(project);
+  attention_.add(project, project_);
+  summary_rows_.write(html_summary_rows(t_, project, project_, is_only(), folder_));
+  add_project(project);
+  ++project_;
+}
+
+void HtmlWriter::add_project(const ProjectPart& project) {
+  const bool was_few = planes_ <= kFewPlanes;
+  for (const SpacePart& space : project.spaces) planes_ += space.planes.size();
+  const std::string section = section_name(project);
+  if (planes_ <= kFewPlanes) {
+    RegionNames regions = regions_;
+    projects_unfolded_.write(regions.with_unique_regions(project_html(project, section, false)));
+    if (project_ + 1 == frame_.paths.size()) {  // there will be no more planes
+      regions_ = std::move(regions);
+      return;
+    }
+  } else if (was_few) {
+    projects_unfolded_.clear();
+  }
+  projects_.write(regions_.with_unique_regions(project_html(project, section, true)));
+}
+
+// Sections are landmarks, which must differ in name; projects may have one name.
+std::string HtmlWriter::section_name(const ProjectPart& project) {
+  const std::string title(title_of(project.name, project.path));
+  const int number = ++titles_[title];
+  if (number == 1) return fmt::format("aria-labelledby=\"project{}\"", project_ + 1);
+  return fmt::format("aria-label=\"{} ({})\"", escape_html(title), number);
+}
+
+std::string HtmlWriter::project_html(const ProjectPart& project, const std::string& section,
+                                     bool folds_passed) const {
+  std::string html = fmt::format(
+      "<section class=\"project\" {2}><h2 id=\"project{0}\">{1}</h2>\n", project_ + 1,
+      is_only() ? t_[Text::planes] : escape_html(title_of(project.name, project.path)), section);
+  if (!is_only() && !project.name.empty())
     html += "<p class=\"quiet\">" + escape_html(project.path) + "</p>\n";
   if (!project.is_judged) {
-    html += "<p class=\"message\">" + badge(t, rules::Verdict::not_judged) + " " +
-            t[Text::project_unreadable] + "</p>\n";
+    html += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
+            t_[Text::project_unreadable] + "</p>\n";
   }
-  html += html_messages(t, project);
-  if (!folder.empty() && !project.spaces.empty()) {
-    html += "<ul class=\"pages\">\n";
-    for (const HtmlPage& room : html_pages(document)) {
-      if (room.project != p) continue;
-      const SpacePart& space = project.spaces[room.space];
-      const std::string part =
-          room.planes == space.planes.size()
-              ? ""
-              : ", " + t.say<Text::planes_from_to>(room.first_plane + 1,
-                                                   room.first_plane + room.planes);
-      html += fmt::format("<li><a href=\"{}/{}\">{}</a><span class=\"quiet\">{}</span>{}</li>\n",
-                          folder, room.name, escape_html(title_of(space.name, space.id)), part,
-                          room.first_plane == 0 ? notes_html(t, space) : "");
-    }
-    html += "</ul>\n";
+  html += html_messages(t_, project);
+  if (!folder_.empty() && !project.spaces.empty()) {
+    html += page_links(t_, project, project_, folder_);
   } else {
-    for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_html(t, document, p, s);
+    for (std::size_t s = 0; s < project.spaces.size(); ++s)
+      html += space_html(t_, project, project_, s, folds_passed);
   }
-  return html + html_aggregates(t, project, p) + html_luminaires(t, project, p) +
-         html_calculation(t, document.provenance, project, p) + html_inputs(t, project) +
+  return html + html_aggregates(t_, project, project_) + html_luminaires(t_, project, project_) +
+         html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project) +
          "</section>\n";
 }
 
-std::string whole_page(const Texts& t, const Document& document, const std::string& folder) {
-  const std::string attention = html_attention(t, document, folder);
-  std::string body = html_revision(t, document) + attention + html_summary(t, document, folder);
-  for (std::size_t p = 0; p < document.projects.size(); ++p)
-    body += project_html(t, document, p, folder);
-  const std::string title =
-      std::string(outcome_symbol(outcome_of(document))) + " " + page_title(t, document);
-  return page(t, title, masthead(t, document, !attention.empty()),
-              body + html_provenance(t, document), document, true);
+void HtmlWriter::add_to_masthead(const ProjectPart& project) {
+  constexpr std::size_t kMostProjects = 12;
+  paths_.write((project_ == 0 ? "" : " · ") + escape_html(project.path));
+  const std::string title = escape_html(title_of(project.name, project.path));
+  if (project_ == 0) only_title_ = title;
+  if (project_ >= kMostProjects) return;
+  sections_.push_back(
+      {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
+  if (!is_only()) return;
+  if (!project.luminaires.empty()) sections_.push_back({"#luminaires1", t_[Text::luminaires]});
+  if (!project.spaces.empty()) sections_.push_back({"#calculation1", t_[Text::calculation]});
+}
+
+std::string HtmlWriter::page_title() const {
+  return is_only() ? only_title_ : t_.say<Text::project_count>(frame_.paths.size());
+}
+
+void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
+  sink.write(std::string("<header>\n<p class=\"eyebrow\">luxgate · ") +
+             t_[Text::compliance_report] + "</p>\n<h1>" + page_title() +
+             "</h1>\n<p class=\"quiet paths\">");
+  paths_.copy_to(sink);
+  if (!end.provenance.timestamp.empty()) {
+    sink.write(" · " + escape_html(end.provenance.timestamp));
+  }
+  std::vector<Section> sections;
+  if (frame_.revised != nullptr)
+    sections.push_back({"#revision", html_revision_title(t_, *frame_.revised)});
+  if (!attention_.is_empty()) sections.push_back({"#attention", t_[Text::needs_attention]});
+  sections.push_back({"#summary", t_[Text::summary]});
+  sections.insert(sections.end(), sections_.begin(), sections_.end());
+  sections.push_back({"#provenance", t_[Text::provenance]});
+  sink.write("</p>\n" + html_verdict_banner(t_, frame_, end.totals) + contents(t_, sections) +
+             "</header>\n");
+}
+
+void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
+  sink.write(page_start(t_, std::string(outcome_symbol(end.totals.outcome)) + " " + page_title()));
+  write_masthead(end, sink);
+  sink.write(kMainStart + revision_);
+  attention_.copy_to(sink);
+  sink.write(summary_start_);
+  summary_rows_.copy_to(sink);
+  sink.write(html_summary_end());
+  (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
+  sink.write(regions_.with_unique_regions(html_provenance(t_, end.provenance)) +
+             page_end(t_, end.provenance));
 }
 
 }  // namespace
 
+std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          const Texts& t, const std::string& folder) {
+  return std::make_unique<HtmlWriter>(frame, place, t, folder);
+}
+
 std::string render_html(const Document& document, const Texts& t) {
-  return whole_page(t, document, "");
+  return render_html_index(document, "", t);
 }
 
 std::string render_html_index(const Document& document, const std::string& folder, const Texts& t) {
-  return whole_page(t, document, folder);
+  return render_whole(document, [&](const DocumentFrame& frame, const SpillPlace& place) {
+    return html_writer(frame, place, t, folder);
+  });
+}
+
+std::vector<HtmlPage> html_pages(const ProjectPart& project, std::size_t index) {
+  std::vector<HtmlPage> pages;
+  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+    const std::size_t planes = project.spaces[s].planes.size();
+    std::size_t first = 0;
+    do {
+      const std::size_t count = std::min(kPlanesPerPage, planes - first);
+      pages.push_back({page_name({index, s, first}), index, s, first, count});
+      first += kPlanesPerPage;
+    } while (first < planes);
+  }
+  return pages;
 }
 
 std::vector<HtmlPage> html_pages(const Document& document) {
   std::vector<HtmlPage> pages;
   for (std::size_t p = 0; p < document.projects.size(); ++p) {
-    const ProjectPart& project = document.projects[p];
-    for (std::size_t s = 0; s < project.spaces.size(); ++s) {
-      const std::size_t planes = project.spaces[s].planes.size();
-      std::size_t first = 0;
-      do {
-        const std::size_t count = std::min(kPlanesPerPage, planes - first);
-        pages.push_back({page_name({p, s, first}), p, s, first, count});
-        first += kPlanesPerPage;
-      } while (first < planes);
-    }
+    for (HtmlPage& page : html_pages(document.projects[p], p)) pages.push_back(std::move(page));
   }
   return pages;
 }
 
-std::string render_html_page(const Document& document, const HtmlPage& room,
-                             const std::string& index, const Texts& t) {
-  const ProjectPart& project = document.projects[room.project];
+std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
+                             const HtmlPage& room, const std::string& index, const Texts& t) {
   const SpacePart& space = project.spaces[room.space];
   const std::string title = escape_html(title_of(space.name, space.id));
   const std::string head = "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
@@ -258,8 +390,9 @@ std::string render_html_page(const Document& document, const HtmlPage& room,
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], true);
   }
-  // The script unfolds what is printed.
-  return page(t, title, head, body + "</section>\n", document, true);
+  RegionNames regions;
+  return page_start(t, title) + head + kMainStart +
+         regions.with_unique_regions(body + "</section>\n") + page_end(t, provenance);
 }
 
 }  // namespace report

@@ -3,8 +3,10 @@
 // and by screen readers.
 
 #include "report/document/document.h"
+#include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
+#include <memory>
 #include <string>
 
 namespace report {
@@ -12,5 +14,8 @@ namespace report {
 // HTML5 that is well-formed XML as well. Time of day and phase times appear only where the document
 // holds them; same document, same bytes.
 std::string render_html(const Document& document, const Texts& t = {});
+// folder: as of render_html_index() in html_pages.h, or "" for one page that holds everything.
+std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                          const Texts& t, const std::string& folder = "");
 
 }  // namespace report

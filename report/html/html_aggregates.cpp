@@ -69,25 +69,22 @@ std::string html_aggregates(const Texts& t, const ProjectPart& project, std::siz
          scroll_box(title, table);
 }
 
-std::vector<std::string> html_aggregate_items(const Texts& t, const Document& document,
-                                              rules::Verdict verdict) {
+std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart& project,
+                                              std::size_t index, rules::Verdict verdict) {
   std::vector<std::string> items;
-  for (std::size_t p = 0; p < document.projects.size(); ++p) {
-    const ProjectPart& project = document.projects[p];
-    for (const rules::AggregateFinding& finding : project.aggregates) {
-      if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
-        continue;
-      items.push_back(fmt::format(
-          "<li>{}<div><p><a href=\"#aggregates{}\">{}</a> <span class=\"quiet\">{}</span></p>"
-          "<p><b>{}</b> ({}) {}</p>{}</div></li>\n",
-          badge(t, verdict), p + 1, escape_html(aggregate_title(t, finding)),
-          t.say<Text::in_room>(escape_html(aggregate_place(project, finding))),
-          escape_html(aggregate_measured(t, finding)), escape_html(aggregate_required(t, finding)),
-          notes_html(t, finding),
-          finding.reason.empty()
-              ? ""
-              : "<p class=\"quiet\">" + t.english_html(escape_html(finding.reason)) + "</p>"));
-    }
+  for (const rules::AggregateFinding& finding : project.aggregates) {
+    if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
+      continue;
+    items.push_back(fmt::format(
+        "<li>{}<div><p><a href=\"#aggregates{}\">{}</a> <span class=\"quiet\">{}</span></p>"
+        "<p><b>{}</b> ({}) {}</p>{}</div></li>\n",
+        badge(t, verdict), index + 1, escape_html(aggregate_title(t, finding)),
+        t.say<Text::in_room>(escape_html(aggregate_place(project, finding))),
+        escape_html(aggregate_measured(t, finding)), escape_html(aggregate_required(t, finding)),
+        notes_html(t, finding),
+        finding.reason.empty()
+            ? ""
+            : "<p class=\"quiet\">" + t.english_html(escape_html(finding.reason)) + "</p>"));
   }
   return items;
 }

@@ -13,8 +13,9 @@ namespace report {
 // All of one project, with their members; "" if there is none. index: of the project.
 std::string html_aggregates(const Texts& t, const ProjectPart& project, std::size_t index);
 
-// <li> of every aggregate with this verdict that counts, for the list of what needs attention.
-std::vector<std::string> html_aggregate_items(const Texts& t, const Document& document,
-                                              rules::Verdict verdict);
+// <li> of every aggregate of one project with this verdict that counts, for the list of what needs
+// attention.
+std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart& project,
+                                              std::size_t index, rules::Verdict verdict);
 
 }  // namespace report

@@ -217,14 +217,12 @@ std::string room_words(const Texts& t, const SpacePart& space) {
   return words;
 }
 
-std::string room_rows(const Texts& t, const Document& document, std::size_t p, std::size_t s,
-                      const std::string& folder) {
-  const ProjectPart& project = document.projects[p];
+std::string room_rows(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
+                      bool is_only, const std::string& folder) {
   const SpacePart& space = project.spaces[s];
-  const std::string building =
-      document.projects.size() == 1
-          ? ""
-          : escape_html(title_of(project.name, project.path)) + " <span class=\"sep\">›</span> ";
+  const std::string building = is_only ? ""
+                                       : escape_html(title_of(project.name, project.path)) +
+                                             " <span class=\"sep\">›</span> ";
   std::string html = fmt::format(
       "<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"8\">{}{} <span "
       "class=\"quiet\">{}</span></th></tr>\n",
@@ -251,34 +249,6 @@ std::string attention_item(const Texts& t, PlaneIndex index, const SpacePart& sp
                      badge(t, finding.verdict), plane_link(index, plane, folder),
                      t.say<Text::in_room>(escape_html(title_of(space.name, space.id))), told,
                      remark.empty() ? "" : "<p class=\"quiet\">" + remark + "</p>");
-}
-
-// Of one verdict, the furthest from its limit first.
-void add_attention(const Texts& t, const Document& document, rules::Verdict verdict,
-                   const std::string& folder, std::vector<std::string>& items) {
-  std::vector<std::pair<double, std::string>> found;
-  for_each_plane(document, [&](PlaneIndex index, const ProjectPart&, const SpacePart& space,
-                               const PlanePart& plane) {
-    for (const rules::Finding& finding : plane.findings) {
-      if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
-        continue;
-      const bool is_judged = verdict != rules::Verdict::not_judged;
-      found.emplace_back(is_judged ? finding.margin : 0.0,
-                         attention_item(t, index, space, plane, finding, folder));
-    }
-  });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& [margin, item] : found) items.push_back(std::move(item));
-  for (std::string& item : html_aggregate_items(t, document, verdict))
-    items.push_back(std::move(item));
-  if (verdict != rules::Verdict::not_judged) return;
-  for (const ProjectPart& project : document.projects) {
-    if (project.is_judged) continue;
-    items.push_back(fmt::format("<li>{}<div><p><b>{}</b></p><p>{}</p></div></li>\n",
-                                badge(t, verdict), escape_html(project.path),
-                                t[Text::project_unreadable_messages]));
-  }
 }
 
 std::string tools(const Texts& t) {
@@ -342,9 +312,9 @@ std::string banner_attributes(rules::Outcome outcome) {
 
 }  // namespace
 
-std::string html_verdict_banner(const Texts& t, const Document& document) {
-  const VerdictCounts counts = count_verdicts(document);
-  const rules::Outcome outcome = outcome_of(document);
+std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals) {
+  const VerdictCounts& counts = totals.verdicts;
+  const rules::Outcome outcome = totals.outcome;
   std::string chips;
   for (const rules::Verdict verdict : rules::kGravestFirst) {
     const int count = counts.of(verdict);
@@ -352,8 +322,9 @@ std::string html_verdict_banner(const Texts& t, const Document& document) {
                          count == 0 ? " none" : "", count, verdict_words(t, verdict));
   }
   std::string gate;
-  if (const std::string words = gate_words(document, t); !words.empty()) {
-    const rules::Outcome of_gate = gate_outcome(document);
+  const std::string words = frame.revised == nullptr ? "" : gate_words(*frame.revised, t);
+  if (!words.empty()) {
+    const rules::Outcome of_gate = gate_outcome(*frame.revised);
     gate = fmt::format(
         "<div {}><span class=\"seal\" aria-hidden=\"true\">{}</span><div><p "
         "class=\"outcome\">{}</p></div></div>\n",
@@ -364,50 +335,101 @@ std::string html_verdict_banner(const Texts& t, const Document& document) {
                     "class=\"outcome\">{}</p>"
                     "<p>{}</p></div><ul class=\"counts\">{}</ul></div>\n",
                     banner_attributes(outcome), outcome_symbol(outcome),
-                    banner_sentence(t, outcome, counts), summary_words(t, document), chips);
+                    banner_sentence(t, outcome, counts), summary_words(t, totals), chips);
 }
 
-std::string html_attention(const Texts& t, const Document& document, const std::string& folder) {
-  constexpr std::size_t kOpen = 20;  // more are folded
-  std::vector<std::string> items;
+HtmlAttention::Item HtmlAttention::kept(const std::string& html, double margin) {
+  const Item item{margin, items_.size(), html.size()};
+  items_.write(html);
+  return item;
+}
+
+void HtmlAttention::add_findings(const ProjectPart& project, std::size_t index,
+                                 rules::Verdict verdict, Items& items) {
+  for (std::size_t s = 0; s < project.spaces.size(); ++s) {
+    const SpacePart& space = project.spaces[s];
+    for (std::size_t k = 0; k < space.planes.size(); ++k) {
+      const PlanePart& plane = space.planes[k];
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.verdict != verdict || outcome_of(finding) == rules::Outcome::nothing_asked)
+          continue;
+        const bool is_judged = verdict != rules::Verdict::not_judged;
+        items.findings.push_back(
+            kept(attention_item(t_, {index, s, k}, space, plane, finding, folder_),
+                 is_judged ? finding.margin : 0.0));
+      }
+    }
+  }
+}
+
+void HtmlAttention::add(const ProjectPart& project, std::size_t index) {
   for (const rules::Verdict verdict : rules::kGravestFirst) {
-    if (verdict != rules::Verdict::pass) add_attention(t, document, verdict, folder, items);
-  }
-  if (items.empty()) return {};
-  std::string html = std::string("<section aria-labelledby=\"attention\"><h2 id=\"attention\">") +
-                     t[Text::needs_attention] + "</h2>\n<ul class=\"attention\">\n";
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i == kOpen) {
-      html += fmt::format("</ul>\n<details><summary>{}</summary><ul class=\"attention\">\n",
-                          t.say<Text::more>(items.size() - kOpen));
+    if (verdict == rules::Verdict::pass) continue;
+    Items& items = by_verdict_[verdict];
+    add_findings(project, index, verdict, items);
+    for (const std::string& html : html_aggregate_items(t_, project, index, verdict)) {
+      items.aggregates.push_back(kept(html));
     }
-    html += items[i];
+    if (verdict != rules::Verdict::not_judged || project.is_judged) continue;
+    items.projects.push_back(
+        kept(fmt::format("<li>{}<div><p><b>{}</b></p><p>{}</p></div></li>\n", badge(t_, verdict),
+                         escape_html(project.path), t_[Text::project_unreadable_messages])));
   }
-  return html + (items.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
 }
 
-std::string html_summary(const Texts& t, const Document& document, const std::string& folder) {
-  std::string table = fmt::format(
-      "<table class=\"summary\"><caption>{}</caption>\n"
-      "<thead><tr><th scope=\"col\" data-sort=\"\">{}</th>{}</tr></thead>\n",
-      t.say<Text::summary_caption>(format_percent(t, document.provenance.confidence)),
-      t[Text::plane], head_cells(t, true));
-  for (std::size_t p = 0; p < document.projects.size(); ++p) {
-    const ProjectPart& project = document.projects[p];
-    if (!project.is_judged) {
-      table += fmt::format(
-          "<tbody><tr class=\"finding not-judged\"><th scope=\"row\" data-v=\"{0}\">{0}</th><td "
-          "data-v=\"0\">{1}</td><td colspan=\"6\">{2}</td></tr></tbody>\n",
-          escape_html(title_of(project.name, project.path)), badge(t, rules::Verdict::not_judged),
-          t[Text::could_not_be_read]);
-    }
-    for (std::size_t s = 0; s < project.spaces.size(); ++s)
-      table += room_rows(t, document, p, s, folder);
+void HtmlAttention::copy_to(Sink& sink) const {
+  constexpr std::size_t kOpen = 20;  // more are folded
+  if (is_empty()) return;
+  std::vector<Item> all;
+  for (const rules::Verdict verdict : rules::kGravestFirst) {
+    const auto found = by_verdict_.find(verdict);
+    if (found == by_verdict_.end()) continue;
+    const auto& [findings, aggregates, projects] = found->second;
+    const auto first = all.insert(all.end(), findings.begin(), findings.end());
+    // The furthest from its limit first.
+    std::stable_sort(first, all.end(),
+                     [](const Item& a, const Item& b) { return a.margin < b.margin; });
+    all.insert(all.end(), aggregates.begin(), aggregates.end());
+    all.insert(all.end(), projects.begin(), projects.end());
   }
-  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">" +
-         std::string(t[Text::summary]) + "</h2>\n" + tools(t) +
-         scroll_box(t[Text::summary_of_planes], table + "</table>") + "</section>\n";
+  sink.write(std::string("<section aria-labelledby=\"attention\"><h2 id=\"attention\">") +
+             t_[Text::needs_attention] + "</h2>\n<ul class=\"attention\">\n");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i == kOpen) {
+      sink.write(fmt::format("</ul>\n<details><summary>{}</summary><ul class=\"attention\">\n",
+                             t_.say<Text::more>(all.size() - kOpen)));
+    }
+    sink.write(items_.read(all[i].begin, all[i].length));
+  }
+  sink.write(all.size() > kOpen ? "</ul></details></section>\n" : "</ul></section>\n");
 }
+
+std::string html_summary_start(const Texts& t, const std::string& region, double confidence) {
+  return "<section aria-labelledby=\"summary\"><h2 id=\"summary\">" +
+         std::string(t[Text::summary]) + "</h2>\n" + tools(t) + scroll_box_start(region) +
+         fmt::format(
+             "<table class=\"summary\"><caption>{}</caption>\n"
+             "<thead><tr><th scope=\"col\" data-sort=\"\">{}</th>{}</tr></thead>\n",
+             t.say<Text::summary_caption>(format_percent(t, confidence)), t[Text::plane],
+             head_cells(t, true));
+}
+
+std::string html_summary_rows(const Texts& t, const ProjectPart& project, std::size_t index,
+                              bool is_only, const std::string& folder) {
+  std::string rows;
+  if (!project.is_judged) {
+    rows += fmt::format(
+        "<tbody><tr class=\"finding not-judged\"><th scope=\"row\" data-v=\"{0}\">{0}</th><td "
+        "data-v=\"0\">{1}</td><td colspan=\"6\">{2}</td></tr></tbody>\n",
+        escape_html(title_of(project.name, project.path)), badge(t, rules::Verdict::not_judged),
+        t[Text::could_not_be_read]);
+  }
+  for (std::size_t s = 0; s < project.spaces.size(); ++s)
+    rows += room_rows(t, project, index, s, is_only, folder);
+  return rows;
+}
+
+std::string html_summary_end() { return std::string("</table>") + kScrollBoxEnd + "</section>\n"; }
 
 std::string html_plane_findings(const Texts& t, const PlanePart& plane) {
   if (plane.findings.empty()) return {};

@@ -71,9 +71,12 @@ std::string plane_href(PlaneIndex index, std::string_view folder) {
 }
 
 std::string scroll_box(std::string_view label, std::string_view table) {
-  return fmt::format(
-      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{}</div>\n", label,
-      table);
+  return scroll_box_start(label) + std::string(table) + kScrollBoxEnd;
+}
+
+std::string scroll_box_start(std::string_view label) {
+  return fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">",
+                     label);
 }
 
 std::string fact(std::string_view name, std::string_view value) {

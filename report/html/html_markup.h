@@ -46,6 +46,8 @@ void for_each_plane(const Document& document, Visit visit) {
 
 // A table that can be scrolled sideways on narrow screens; label: escaped words for screen readers.
 std::string scroll_box(std::string_view label, std::string_view table);
+std::string scroll_box_start(std::string_view label);
+inline constexpr const char* kScrollBoxEnd = "</div>\n";
 
 // "<tr><th scope="row">...</th><td class="num">...</td></tr>" of finished HTML.
 std::string fact(std::string_view name, std::string_view value);

@@ -342,15 +342,6 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 
 }  // namespace
 
-bool folds_passed_planes(const Document& document) {
-  constexpr std::size_t kFew = 3;
-  std::size_t planes = 0;
-  for (const ProjectPart& project : document.projects) {
-    for (const SpacePart& space : project.spaces) planes += space.planes.size();
-  }
-  return planes > kFew;
-}
-
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, bool folds_passed) {

@@ -4,6 +4,7 @@
 #include "report/document/document.h"
 #include "report/html/html_markup.h"
 
+#include <cstddef>
 #include <string>
 
 namespace report {
@@ -13,7 +14,7 @@ namespace report {
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
                        const PlanePart& plane, bool folds_passed);
 
-// A report of a few planes has room for them all.
-bool folds_passed_planes(const Document& document);
+// A report of so few planes has room for them all.
+inline constexpr std::size_t kFewPlanes = 3;
 
 }  // namespace report

@@ -214,8 +214,7 @@ std::string html_inputs(const Texts& t, const ProjectPart& project) {
                                 title, t[Text::file], rows));
 }
 
-std::string html_provenance(const Texts& t, const Document& document) {
-  const Provenance& provenance = document.provenance;
+std::string html_provenance(const Texts& t, const Provenance& provenance) {
   std::string rows = fact(t[Text::program], "luxgate " + escape_html(provenance.program_version));
   if (!provenance.timestamp.empty()) rows += fact(t[Text::made], escape_html(provenance.timestamp));
   rows += fact(t[Text::backend], t.english_html(escape_html(provenance.backend)));
@@ -232,7 +231,7 @@ std::string html_provenance(const Texts& t, const Document& document) {
   rows += fact(t[Text::most_paths],
                t.say<Text::per_plane_and_replicate>(format_count(provenance.max_paths)));
   rows += fact(t[Text::replicates], fmt::format("{}", provenance.replicates));
-  const std::string redacted = redaction_words(document, t);
+  const std::string redacted = redaction_words(provenance, t);
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
       "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "

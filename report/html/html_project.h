@@ -16,6 +16,6 @@ std::string html_luminaires(const Texts& t, const ProjectPart& project, std::siz
 std::string html_calculation(const Texts& t, const Provenance& provenance,
                              const ProjectPart& project, std::size_t index);
 std::string html_inputs(const Texts& t, const ProjectPart& project);
-std::string html_provenance(const Texts& t, const Document& document);
+std::string html_provenance(const Texts& t, const Provenance& provenance);
 
 }  // namespace report

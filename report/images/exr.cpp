@@ -93,7 +93,7 @@ float linear_light(std::uint8_t component) {
 
 }  // namespace
 
-std::string render_exr(const Document& document, const ProjectPart& project, const SpacePart& space,
+std::string render_exr(const Provenance& provenance, const ProjectPart& project, const SpacePart& space,
                        const PlanePart& plane) {
   const int columns = plane.grid.columns, rows = plane.grid.rows;
   if (columns <= 0 || rows <= 0)
@@ -110,7 +110,7 @@ std::string render_exr(const Document& document, const ProjectPart& project, con
     attribute("luxgate.plane", plane.id);
     attribute("luxgate.quantity", calc::quantity_name(plane.kernel, plane.derived));
     attribute("luxgate.unit", plane_unit(plane));
-    attribute("luxgate.version", document.provenance.program_version);
+    attribute("luxgate.version", provenance.program_version);
     Planes values = channel_values(plane);
     MemoryStream stream;
     write_picture(header, columns, rows, kNames, values, stream);

@@ -2,7 +2,9 @@
 // The whole document as JSON, for other programs and for rendering again without calculation.
 
 #include "report/document/document.h"
+#include "report/stream/format_writer.h"
 
+#include <memory>
 #include <string>
 
 namespace report {
@@ -14,5 +16,6 @@ namespace report {
 // number is null. Key order and bytes depend on the document only. UTF-8; broken text becomes
 // U+FFFD.
 std::string render_json(const Document& document);
+std::unique_ptr<FormatWriter> json_writer(const DocumentFrame& frame, const SpillPlace& place);
 
 }  // namespace report

@@ -133,26 +133,14 @@ class FileNames {
   std::string prefix_;
 };
 
-// One for each project, in order.
-std::vector<FileNames> file_names(const Document& document) {
-  std::map<std::string, int> uses;
-  for (const ProjectPart& project : document.projects) ++uses[last_name(project.path)];
-  std::vector<FileNames> names;
-  for (const ProjectPart& project : document.projects) {
-    const bool is_shared = uses[last_name(project.path)] > 1;
-    names.emplace_back(project.path,
-                       is_shared ? "project" + std::to_string(names.size() + 1) + "/" : "");
-  }
-  return names;
-}
-
-// Before the projects' own paths are changed.
-std::string redacted_command(const Document& document, const std::vector<FileNames>& names) {
+// paths: of the projects; names: of each, in the same order.
+std::string redacted_command(const std::string& command_line, const std::vector<std::string>& paths,
+                             const std::vector<FileNames>& names) {
   std::string command;
-  for (const std::string& word : shell_words(document.provenance.command_line)) {
+  for (const std::string& word : shell_words(command_line)) {
     std::string redacted = word.find('/') == std::string::npos ? word : last_name(word);
     for (std::size_t p = 0; p < names.size(); ++p) {
-      if (word == document.projects[p].path) redacted = names[p].of(word);
+      if (word == paths[p]) redacted = names[p].of(word);
     }
     command += (command.empty() ? "" : " ") + shell_quoted(redacted);
   }
@@ -263,18 +251,47 @@ void redact_revision(const std::vector<std::string>& paths, const std::vector<Fi
   for (const FileNames& own : names) reason = own.within(reason);
 }
 
+std::vector<FileNames> file_names(const std::vector<std::string>& paths,
+                                  const Redaction& redaction) {
+  std::vector<FileNames> names;
+  for (std::size_t p = 0; p < paths.size(); ++p) names.emplace_back(paths[p], redaction.prefix(p));
+  return names;
+}
+
 }  // namespace
 
-void redact(Document& document) {
-  const std::vector<FileNames> names = file_names(document);
-  Provenance& provenance = document.provenance;
-  provenance.command_line = redacted_command(document, names);
+Redaction::Redaction(std::vector<std::string> paths) : paths_(std::move(paths)) {
+  std::map<std::string, int> uses;
+  for (const std::string& path : paths_) ++uses[last_name(path)];
+  for (const std::string& path : paths_) {
+    const bool is_shared = uses[last_name(path)] > 1;
+    prefixes_.push_back(is_shared ? "project" + std::to_string(prefixes_.size() + 1) + "/" : "");
+  }
+}
+
+void Redaction::redact(DocumentFrame& frame) const {
+  const std::vector<FileNames> names = file_names(paths_, *this);
+  Provenance& provenance = frame.provenance;
+  provenance.command_line = redacted_command(provenance.command_line, paths_, names);
   provenance.backend = redacted_backend(provenance.backend);
-  std::vector<std::string> paths;
-  for (const ProjectPart& project : document.projects) paths.push_back(project.path);
-  for (std::size_t p = 0; p < names.size(); ++p) redact_project(names[p], document.projects[p]);
-  if (document.revision) redact_revision(paths, names, *document.revision);
   provenance.is_redacted = true;
+  for (std::size_t p = 0; p < names.size(); ++p) frame.paths[p] = names[p].of(frame.paths[p]);
+}
+
+void Redaction::redact(ProjectPart& project, std::size_t index) const {
+  redact_project(FileNames(paths_[index], prefixes_[index]), project);
+}
+
+void redact(Document& document) {
+  DocumentFrame frame = frame_of(document);
+  const std::vector<std::string> paths = frame.paths;
+  const Redaction redaction(paths);
+  redaction.redact(frame);
+  document.provenance = frame.provenance;
+  for (std::size_t p = 0; p < paths.size(); ++p) redaction.redact(document.projects[p], p);
+  if (document.revision) {
+    redact_revision(paths, file_names(paths, redaction), *document.revision);
+  }
 }
 
 }  // namespace report

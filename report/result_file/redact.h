@@ -4,6 +4,10 @@
 
 #include "report/document/document.h"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace report {
 
 // In the whole document:
@@ -16,5 +20,21 @@ namespace report {
 // Names that the project itself gives (rooms, planes, luminaires, who waived) are the design and
 // stay, as do versions, seeds and hashes. A second time changes nothing.
 void redact(Document& document);
+
+// The same for projects that come one by one.
+class Redaction {
+ public:
+  // paths: of all projects, as they are.
+  explicit Redaction(std::vector<std::string> paths);
+
+  void redact(DocumentFrame& frame) const;
+  void redact(ProjectPart& project, std::size_t index) const;
+
+  // What goes before names of files: "" or "project2/".
+  const std::string& prefix(std::size_t index) const { return prefixes_[index]; }
+
+ private:
+  std::vector<std::string> paths_, prefixes_;
+};
 
 }  // namespace report

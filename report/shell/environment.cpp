@@ -44,6 +44,7 @@ Environment read_environment() {
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
   if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);
+  if (environment.stderr_is_terminal) environment.stderr_columns = columns_of(STDERR_FILENO);
   return environment;
 }
 

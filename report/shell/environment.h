@@ -17,6 +17,7 @@ struct Environment {
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known
+  int stderr_columns = 0;  // the same of standard error
 };
 Environment read_environment();
 

@@ -1,5 +1,6 @@
 #include "report/shell/outputs.h"
 
+#include "report/formats/format.h"
 #include "report/formats/write.h"
 #include "report/html/heatmap_svg.h"
 #include "report/html/html.h"
@@ -13,9 +14,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -54,38 +60,57 @@ std::string writability(const std::string& file) {
 
 namespace {
 
-// Writes what `make` gives; "" or a message.
-std::string write_made(const std::string& path, const std::function<std::string()>& make) {
-  try {
-    const std::string problem = report::write_file_atomically(path, make());
-    return problem.empty() ? "" : fmt::format("cannot write '{}': {}", path, problem);
-  } catch (const std::exception& error) {
-    return fmt::format("cannot write '{}': {}", path, error.what());
-  }
+std::string cannot_write(const std::string& path, const std::string& why) {
+  return fmt::format("cannot write '{}': {}", path, why);
 }
 
 // Writes files one by one, but never over an input.
-class Writer {
+class GuardedFiles {
  public:
-  explicit Writer(const std::set<std::string>& inputs) {
-    for (const std::string& input : inputs) inputs_.insert(path_identity(input));
+  void add_inputs(const std::set<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+      if (!inputs_.insert(input).second) continue;
+      const std::string identity = path_identity(input);
+      identities_.insert(identity);
+      if (written_.contains(identity)) {
+        problems_.push_back(
+            fmt::format("'{}' was read as an input after it had been overwritten", input));
+      }
+    }
   }
 
-  void write(const std::string& path, const std::function<std::string()>& make) {
-    std::string problem =
-        is_input(path) ? fmt::format("'{}' was read as an input and is not overwritten", path)
-                       : write_made(path, make);
-    if (!problem.empty()) problems_.push_back(std::move(problem));
+  // "" or a message.
+  std::string write(const std::string& path, const std::function<void(report::Sink&)>& make) {
+    if (is_input(path)) {
+      return fmt::format("'{}' was read as an input and is not overwritten", path);
+    }
+    try {
+      const std::string problem = report::write_file_atomically(path, make);
+      return problem.empty() ? "" : cannot_write(path, problem);
+    } catch (const std::exception& error) {
+      return cannot_write(path, error.what());
+    }
+  }
+  // The same while inputs may still come.
+  std::string write_early(const std::string& path, const std::function<std::string()>& make) {
+    std::string problem = write(path, [&](report::Sink& sink) { sink.write(make()); });
+    if (problem.empty()) written_.insert(path_identity(path));
+    return problem;
   }
 
-  bool is_input(const std::string& path) const { return inputs_.contains(path_identity(path)); }
-  void add_problem(std::string problem) { problems_.push_back(std::move(problem)); }
+  bool is_input(const std::string& path) const { return identities_.contains(path_identity(path)); }
+  // Inputs that came too late.
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:
-  std::set<std::string> inputs_;
+  std::set<std::string> inputs_, identities_;
+  std::set<std::string> written_;  // early; identities
   std::vector<std::string> problems_;
 };
+
+void add_problem(std::string problem, std::vector<std::string>& problems) {
+  if (!problem.empty()) problems.push_back(std::move(problem));
+}
 
 std::string safe_name(const std::string& wanted) {
   std::string safe;
@@ -99,42 +124,63 @@ std::string safe_name(const std::string& wanted) {
   return safe;
 }
 
-// Of a room's pictures; names are those of its planes with the picture's in place of the plane's.
-void write_pictures(const std::string& folder, const report::ProjectPart& project,
-                    const report::SpacePart& space, std::set<std::string>& taken, Writer& writer) {
-  for (const report::RoomPicture& picture : space.pictures.list) {
-    const std::string wanted =
-        safe_name(fs::path(project.path).stem().string() + "-" + space.id + "-" + picture.name);
-    std::string stem = wanted;
-    for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
-    const std::string path = (fs::path(folder) / stem).string();
-    writer.write(path + ".png", [&] { return picture.labelled_png; });
-    writer.write(path + ".exr", [&] { return picture.exr; });
-  }
-}
+// A PNG, an SVG and an EXR of every computed plane, and the pictures of rooms.
+class Images {
+ public:
+  Images(const std::string& folder, const report::Provenance& provenance, const report::Texts& t)
+      : folder_(folder), provenance_(provenance), t_(t) {}
 
-void write_images(const std::string& folder, const report::Document& document,
-                  const report::Texts& t, Writer& writer) {
-  std::set<std::string> taken;
-  for (const report::ProjectPart& project : document.projects) {
+  void add(const report::ProjectPart& project, GuardedFiles& files) {
     for (const report::SpacePart& space : project.spaces) {
       for (const report::PlanePart& plane : space.planes) {
-        if (!plane.is_computed || !report::has_cells(plane)) continue;
-        const std::string wanted = image_stem(project, plane);
-        std::string stem = wanted;
-        for (int i = 2; !taken.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
-        const std::string path = (fs::path(folder) / stem).string();
-        writer.write(path + ".png", [&] { return report::render_heatmap_png(plane); });
-        if (report::has_all_values(plane)) {
-          writer.write(path + ".svg", [&] { return report::render_heatmap_svg(t, space, plane); });
-        }
-        writer.write(path + ".exr",
-                     [&] { return report::render_exr(document, project, space, plane); });
+        if (plane.is_computed && report::has_cells(plane)) add_plane(project, space, plane, files);
       }
-      write_pictures(folder, project, space, taken, writer);
+      add_pictures(project, space, files);
     }
   }
-}
+
+  const std::vector<std::string>& problems() const { return problems_; }
+
+ private:
+  // Names are given once.
+  std::string path_of(const std::string& wanted) {
+    std::string stem = wanted;
+    for (int i = 2; !taken_.insert(stem).second; ++i) stem = fmt::format("{}-{}", wanted, i);
+    return (fs::path(folder_) / stem).string();
+  }
+  void write(GuardedFiles& files, const std::string& path,
+             const std::function<std::string()>& make) {
+    add_problem(files.write_early(path, make), problems_);
+  }
+
+  void add_plane(const report::ProjectPart& project, const report::SpacePart& space,
+                 const report::PlanePart& plane, GuardedFiles& files) {
+    const std::string path = path_of(image_stem(project, plane));
+    write(files, path + ".png", [&] { return report::render_heatmap_png(plane); });
+    if (report::has_all_values(plane)) {
+      write(files, path + ".svg", [&] { return report::render_heatmap_svg(t_, space, plane); });
+    }
+    write(files, path + ".exr",
+          [&] { return report::render_exr(provenance_, project, space, plane); });
+  }
+
+  // Names are those of the room's planes with the picture's in place of the plane's.
+  void add_pictures(const report::ProjectPart& project, const report::SpacePart& space,
+                    GuardedFiles& files) {
+    for (const report::RoomPicture& picture : space.pictures.list) {
+      const std::string path = path_of(
+          safe_name(fs::path(project.path).stem().string() + "-" + space.id + "-" + picture.name));
+      write(files, path + ".png", [&] { return picture.labelled_png; });
+      write(files, path + ".exr", [&] { return picture.exr; });
+    }
+  }
+
+  std::string folder_;
+  report::Provenance provenance_;
+  report::Texts t_;
+  std::set<std::string> taken_;
+  std::vector<std::string> problems_;
+};
 
 // Of the pages that belong to an index: the index's whole name, so that no two share it.
 fs::path rooms_folder(const fs::path& index) {
@@ -168,7 +214,7 @@ bool is_page_of(const fs::path& folder, const std::string& file) {
 // Pages of an earlier run that this one has not: nothing links to them, and they tell old results.
 std::vector<std::string> remove_stale_pages(const fs::path& folder,
                                             const std::set<std::string>& written,
-                                            const Writer& writer) {
+                                            const GuardedFiles& files) {
   std::vector<fs::path> stale;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
@@ -176,7 +222,7 @@ std::vector<std::string> remove_stale_pages(const fs::path& folder,
     const std::string name = entry->path().filename().string();
     std::error_code ignored;
     if (!is_page_name(name) || written.contains(name)) continue;
-    if (entry->is_regular_file(ignored) && !writer.is_input(entry->path().string()))
+    if (entry->is_regular_file(ignored) && !files.is_input(entry->path().string()))
       stale.push_back(entry->path());
   }
   std::vector<std::string> problems;
@@ -190,24 +236,43 @@ std::vector<std::string> remove_stale_pages(const fs::path& folder,
   return problems;
 }
 
-// The page of a room names its planes by position: it must not be a file that is there for another
-// reason, which the folder of its own sees to. The index comes last, since it links to the others.
-void write_html_pages(const std::string& file, const report::Document& document,
-                      const report::Texts& t, Writer& writer) {
-  const fs::path index = file;
-  const fs::path folder = rooms_folder(index);
-  const std::string back = "../" + report::url_name(index.filename().string());
-  std::set<std::string> written;
-  for (const report::HtmlPage& page : report::html_pages(document)) {
-    written.insert(page.name);
-    writer.write((folder / page.name).string(),
-                 [&] { return report::render_html_page(document, page, back, t); });
+// The pages of an index. They name planes by position: none must be a file that is there for
+// another reason, which the folder of its own sees to.
+class RoomPages {
+ public:
+  RoomPages(const std::string& index, const report::Provenance& provenance, const report::Texts& t)
+      : folder_(rooms_folder(index)),
+        back_("../" + report::url_name(fs::path(index).filename().string())),
+        provenance_(provenance),
+        t_(t) {}
+
+  // From the index to the pages.
+  std::string address() const { return report::url_name(folder_.filename().string()); }
+
+  void add(const report::ProjectPart& project, GuardedFiles& files,
+           std::vector<std::string>& problems) {
+    for (const report::HtmlPage& page : report::html_pages(project, projects_)) {
+      written_.insert(page.name);
+      const auto make = [&] {
+        return report::render_html_page(provenance_, project, page, back_, t_);
+      };
+      add_problem(files.write_early((folder_ / page.name).string(), make), problems);
+    }
+    ++projects_;
   }
-  const std::string address = report::url_name(folder.filename().string());
-  writer.write(file, [&] { return report::render_html_index(document, address, t); });
-  for (std::string& problem : remove_stale_pages(folder, written, writer))
-    writer.add_problem(std::move(problem));
-}
+
+  std::vector<std::string> remove_stale(const GuardedFiles& files) const {
+    return remove_stale_pages(folder_, written_, files);
+  }
+
+ private:
+  fs::path folder_;
+  std::string back_;
+  report::Provenance provenance_;
+  report::Texts t_;
+  std::size_t projects_ = 0;  // so far
+  std::set<std::string> written_;
+};
 
 // "" or why the pages beside an index cannot be written: an input or another planned file may be
 // one of them, or their folder is none.
@@ -255,41 +320,214 @@ std::string check_outputs(const OutputOptions& options, const std::vector<std::s
   return "";
 }
 
-std::vector<std::string> write_outputs(const OutputOptions& options,
-                                       const report::Document& document,
-                                       const std::set<std::string>& inputs) {
-  Writer writer(inputs);
-  const report::Texts t = report_texts(options);
-  report::TextOptions files;
-  files.lists_passes = options.lists_passes;
-  for (const OutputFormat& format : planned_files(options)) {
-    if (format.format->is_html && options.html_split) {
-      write_html_pages(format.file, document, t, writer);
+namespace {
+
+// For what has no folder of its own: standard output, pipes.
+report::SpillPlace spill_place() {
+  std::error_code failure;
+  const fs::path folder = fs::temp_directory_path(failure);
+  // Where there is none, memory must do.
+  if (failure || access(folder.c_str(), W_OK | X_OK) != 0) return report::SpillPlace::memory();
+  return {folder.string()};
+}
+
+report::SpillPlace spill_place(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return spill_place();
+  return {existing_folder(fs::path(path_identity(file)).parent_path()).string()};
+}
+
+// One format on its way into its file. What goes wrong is kept until the end.
+class OutputFile {
+ public:
+  OutputFile(const OutputFormat& planned, const OutputOptions& options,
+             const report::DocumentFrame& frame)
+      : file_(planned.file) {
+    const report::Texts t = report_texts(options);
+    report::TextOptions text;
+    text.lists_passes = options.lists_passes;
+    if (planned.format->is_html && options.html_split) {
+      pages_.emplace(file_, frame.provenance, t);
+      writer_ = report::html_writer(frame, spill_place(file_), t, pages_->address());
     } else {
-      writer.write(format.file, [&] { return format.format->render(document, {files, t}); });
+      writer_ = planned.format->writer(frame, spill_place(file_), {text, t});
     }
   }
-  if (options.images) write_images(options.folder, document, t, writer);
-  return writer.problems();
+
+  void add(const report::ProjectPart& project, GuardedFiles& files) {
+    if (pages_) pages_->add(project, files, problems_);
+    if (!writer_) return;
+    try {
+      writer_->add(project);
+    } catch (const std::exception& error) {
+      failure_ = cannot_write(file_, error.what());
+      writer_.reset();  // others may need the room on the disk
+    }
+  }
+
+  // The index links to the pages, and so comes after them.
+  std::vector<std::string> finish(const report::DocumentEnd& end, GuardedFiles& files) {
+    if (writer_)
+      failure_ = files.write(file_, [&](report::Sink& sink) { writer_->finish(end, sink); });
+    writer_.reset();
+    add_problem(std::move(failure_), problems_);
+    if (pages_) {
+      for (std::string& problem : pages_->remove_stale(files)) {
+        add_problem(std::move(problem), problems_);
+      }
+    }
+    return std::move(problems_);
+  }
+
+ private:
+  std::string file_;
+  std::optional<RoomPages> pages_;
+  std::unique_ptr<report::FormatWriter> writer_;  // null after a failure
+  std::string failure_;
+  std::vector<std::string> problems_;
+};
+
+// What cannot be written any more is an empty reason.
+class StandardOutput : public report::Sink {
+ public:
+  void write(std::string_view bytes) override {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size())
+      throw report::WriteFailure("");
+  }
+  static void finish() {
+    if (std::fflush(stdout) != 0) throw report::WriteFailure("");
+  }
+};
+
+}  // namespace
+
+// So that what is in it can stand in the unnamed namespace.
+class OutputFiles {
+ public:
+  virtual ~OutputFiles() = default;
+  virtual void add(const report::ProjectPart& project, const std::set<std::string>& inputs) = 0;
+  // Messages, one for each file that could not be written.
+  virtual std::vector<std::string> finish(const report::DocumentEnd& end,
+                                          const std::set<std::string>& inputs) = 0;
+};
+
+namespace {
+
+class PlannedFiles final : public OutputFiles {
+ public:
+  PlannedFiles(const OutputOptions& options, const report::DocumentFrame& frame)
+      : writes_early_(options.images || options.html_split) {
+    for (const OutputFormat& planned : planned_files(options)) {
+      outputs_.emplace_back(planned, options, frame);
+    }
+    if (options.images) images_.emplace(options.folder, frame.provenance, report_texts(options));
+  }
+
+  void add(const report::ProjectPart& project, const std::set<std::string>& inputs) override {
+    if (writes_early_) files_.add_inputs(inputs);
+    for (OutputFile& output : outputs_) output.add(project, files_);
+    if (images_) images_->add(project, files_);
+  }
+
+  std::vector<std::string> finish(const report::DocumentEnd& end,
+                                  const std::set<std::string>& inputs) override {
+    files_.add_inputs(inputs);
+    std::vector<std::string> problems;
+    for (OutputFile& output : outputs_) {
+      for (std::string& problem : output.finish(end, files_))
+        problems.push_back(std::move(problem));
+    }
+    if (images_) {
+      problems.insert(problems.end(), images_->problems().begin(), images_->problems().end());
+    }
+    problems.insert(problems.end(), files_.problems().begin(), files_.problems().end());
+    return problems;
+  }
+
+ private:
+  bool writes_early_;  // images or pages
+  GuardedFiles files_;
+  std::deque<OutputFile> outputs_;
+  std::optional<Images> images_;
+};
+
+}  // namespace
+
+ResultFiles::ResultFiles(const OutputOptions& options, const Environment& environment,
+                         report::DocumentFrame frame)
+    : frame_(std::move(frame)), files_(std::make_unique<PlannedFiles>(options, frame_)) {
+  const report::Format* format = stdout_format(options);
+  if (format == nullptr) return;
+  const report::TextOptions terminal{use_color(options.color, environment),
+                                     environment.stdout_columns, options.lists_passes,
+                                     !options.are_messages_printed};
+  for_stdout_ = format->writer(frame_, spill_place(), {terminal, report_texts(options)});
 }
+
+ResultFiles::~ResultFiles() = default;
+
+void ResultFiles::add(const report::ProjectPart& project, const std::set<std::string>& inputs) {
+  files_->add(project, inputs);
+  if (!for_stdout_ || !stdout_failure_.empty()) return;
+  try {
+    for_stdout_->add(project);
+  } catch (const std::exception& error) {
+    stdout_failure_ = error.what();
+  }
+}
+
+bool ResultFiles::finish(const report::DocumentEnd& end, const std::set<std::string>& inputs) {
+  const std::vector<std::string> problems = files_->finish(end, inputs);
+  for (const std::string& problem : problems) {
+    print_error(calc::DiagnosticId::output_not_possible, problem);
+  }
+  const bool is_printed = !for_stdout_ || print(end);
+  return problems.empty() && is_printed;
+}
+
+bool ResultFiles::print(const report::DocumentEnd& end) {
+  std::string problem = "cannot write to standard output";
+  try {
+    if (!stdout_failure_.empty()) throw report::WriteFailure(stdout_failure_);
+    StandardOutput output;
+    for_stdout_->finish(end, output);
+    StandardOutput::finish();
+    return true;
+  } catch (const std::exception& error) {
+    if (*error.what() != '\0') problem += fmt::format(": {}", error.what());
+  }
+  print_error(calc::DiagnosticId::output_not_possible, problem);
+  return false;
+}
+
+namespace {
+
+// To OutputFiles or ResultFiles; inputs: with the first project.
+void add_all(auto& files, const report::Document& document, const std::set<std::string>& inputs) {
+  bool is_first = true;
+  for (const report::ProjectPart& project : document.projects) {
+    files.add(project, is_first ? inputs : std::set<std::string>());
+    is_first = false;
+  }
+}
+
+}  // namespace
 
 bool write_results(const OutputOptions& options, const Environment& environment,
                    const report::Document& document, const std::set<std::string>& inputs) {
-  bool is_written = true;
-  for (const std::string& problem : write_outputs(options, document, inputs)) {
-    print_error(calc::DiagnosticId::output_not_possible, problem);
-    is_written = false;
-  }
-  if (const report::Format* format = stdout_format(options)) {
-    const report::TextOptions terminal{use_color(options.color, environment),
-                                       environment.stdout_columns, options.lists_passes,
-                                       !options.are_messages_printed};
-    if (!print_result(format->render(document, {terminal, report_texts(options)}))) {
-      print_error(calc::DiagnosticId::output_not_possible, "cannot write to standard output");
-      is_written = false;
-    }
-  }
-  return is_written;
+  ResultFiles results(options, environment, report::frame_of(document));
+  add_all(results, document, inputs);
+  return results.finish(report::end_of(document), inputs);
+}
+
+std::vector<std::string> write_outputs(const OutputOptions& options,
+                                       const report::Document& document,
+                                       const std::set<std::string>& inputs) {
+  const report::DocumentFrame frame = report::frame_of(document);
+  PlannedFiles files(options, frame);
+  add_all(files, document, inputs);
+  return files.finish(report::end_of(document), inputs);
 }
 
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {

@@ -1,9 +1,12 @@
 #pragma once
-// Which files a run writes: decided and checked before the calculation, written whole after it.
+// Which files a run writes: decided and checked before the calculation, written while its projects
+// come, each whole or not at all.
 
 #include "report/document/document.h"
 #include "report/shell/output_options.h"
+#include "report/stream/format_writer.h"
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,23 +18,50 @@ namespace cli {
 // inputs: files that will be read.
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs);
 
-// Writes all planned files, and with --images a PNG and an EXR of every computed plane. inputs:
-// files that were read and must not be overwritten. Returns one message per file that could not be
-// written.
-std::vector<std::string> write_outputs(const OutputOptions& options,
-                                       const report::Document& document,
-                                       const std::set<std::string>& inputs);
-
 // "" if a file can be written there, else why not. Touches nothing.
 std::string writability(const std::string& file);
 
 // Equal for two paths to the same file, whether it exists or not.
 std::string path_identity(const std::string& file);
 
-// All planned files and what goes to standard output. inputs: as above. False after an error, which
-// has been printed; the other formats are written all the same.
+class OutputFiles;
+
+// All planned files, with --images a PNG and an EXR of every computed plane, and what goes to
+// standard output. Every project is rendered into all formats at once and may then be forgotten.
+// The files of formats appear at the end; images, and pages of --html-split, when their project
+// comes: they stay if the run ends before its time.
+class ResultFiles {
+ public:
+  ResultFiles(const OutputOptions& options, const Environment& environment,
+              report::DocumentFrame frame);
+  ResultFiles(const ResultFiles&) = delete;
+  ResultFiles& operator=(const ResultFiles&) = delete;
+  ~ResultFiles();
+
+  // In the frame's order. inputs: files that were read since the call before, at least; they are
+  // not overwritten. Those that the command line names are known to check_outputs(); what a later
+  // project will read is not, and may be overwritten by an image or a page of this one: that is an
+  // error at the end.
+  void add(const report::ProjectPart& project, const std::set<std::string>& inputs);
+  // Once. False after an error, which has been printed; the other formats are written all the same.
+  bool finish(const report::DocumentEnd& end, const std::set<std::string>& inputs);
+
+ private:
+  bool print(const report::DocumentEnd& end);
+
+  const report::DocumentFrame frame_;
+  std::unique_ptr<OutputFiles> files_;
+  std::unique_ptr<report::FormatWriter> for_stdout_;  // null: nothing goes there
+  std::string stdout_failure_;                        // of rendering
+};
+
+// The same of a document that is there as a whole.
 bool write_results(const OutputOptions& options, const Environment& environment,
                    const report::Document& document, const std::set<std::string>& inputs);
+// Without standard output. Returns one message per file that could not be written.
+std::vector<std::string> write_outputs(const OutputOptions& options,
+                                       const report::Document& document,
+                                       const std::set<std::string>& inputs);
 
 // "<project file's stem>-<plane id>", other characters than letters, digits, '-', '_' and '.'
 // (UTF-8) each replaced by one '_'.

@@ -3,8 +3,10 @@
 
 #include "calc/base/file_reader.h"
 
+#include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace cli {
 
@@ -13,16 +15,28 @@ class RecordingReader : public calc::FileReader {
   explicit RecordingReader(const calc::FileReader& reader) : reader_(reader) {}
 
   calc::FileContent read(const std::string& path) const override {
-    paths_.insert(path);
+    {
+      const std::scoped_lock lock(mutex_);
+      if (paths_.insert(path).second) new_paths_.insert(path);
+    }
     return reader_.read(path);
   }
 
   // As they were asked for, also those that could not be read.
-  const std::set<std::string>& paths() const { return paths_; }
+  std::set<std::string> paths() const {
+    const std::scoped_lock lock(mutex_);
+    return paths_;
+  }
+  // Those of them that are new since this was asked before.
+  std::set<std::string> new_paths() const {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(new_paths_, {});
+  }
 
  private:
   const calc::FileReader& reader_;
-  mutable std::set<std::string> paths_;
+  mutable std::mutex mutex_;  // several projects are read at the same time
+  mutable std::set<std::string> paths_, new_paths_;
 };
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace report {
 namespace {
@@ -15,14 +16,26 @@ bool is_flat(const Json& json) {
   if (!json.is_structured() || json.empty()) return true;
   if (json.is_object() && json.size() > kMostKeys) return false;
   return std::none_of(json.begin(), json.end(),
-                      [](const Json& part) { return part.is_structured(); });
+                      [](const Json& part) { return part.is_structured() || part.is_binary(); });
 }
 
 std::string scalar(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void lay_out(const Json& json, std::size_t depth, std::string& text) {
+// Collects a layout; gaps are binary values, which JSON has not.
+struct Pieces {
+  std::vector<std::string> before;  // each ends at a gap
+  std::string text;                 // since the last one
+};
+
+void lay_out(const Json& json, std::size_t depth, Pieces& pieces) {
+  if (json.is_binary()) {
+    pieces.before.push_back(std::move(pieces.text));
+    pieces.text.clear();
+    return;
+  }
+  std::string& text = pieces.text;
   if (!json.is_structured() || json.empty()) {
     text += scalar(json);
     return;
@@ -36,7 +49,7 @@ void lay_out(const Json& json, std::size_t depth, std::string& text) {
   for (const auto& item : json.items()) {
     text += separator + indent;
     if (json.is_object()) text += scalar(Json(item.key())) + ": ";
-    lay_out(item.value(), depth + 1, text);
+    lay_out(item.value(), depth + 1, pieces);
     separator = flat ? ", " : ",\n";
   }
   if (!flat) text += "\n" + std::string(depth, ' ');
@@ -45,10 +58,21 @@ void lay_out(const Json& json, std::size_t depth, std::string& text) {
 
 }  // namespace
 
-std::string json_layout(const nlohmann::ordered_json& json) {
-  std::string text;
-  lay_out(json, 0, text);
-  return text + "\n";
+std::string json_layout(const Json& json) { return json_layout_within(json, 0) + "\n"; }
+
+std::string json_layout_within(const Json& json, std::size_t depth) {
+  Pieces pieces;
+  lay_out(json, depth, pieces);
+  return std::move(pieces.text);
+}
+
+Json json_gap() { return Json::binary({}); }
+
+std::vector<std::string> json_layout_around_gaps(const Json& json, std::size_t depth) {
+  Pieces pieces;
+  lay_out(json, depth, pieces);
+  pieces.before.push_back(std::move(pieces.text));
+  return std::move(pieces.before);
 }
 
 }  // namespace report

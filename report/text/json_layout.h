@@ -3,11 +3,22 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace report {
 
 // Ends in '\n'. Broken UTF-8 becomes U+FFFD, a number that is not finite null.
 std::string json_layout(const nlohmann::ordered_json& json);
+
+// As it stands in another, depth lists and objects deep: its lines are indented, but not the first,
+// and nothing is behind it.
+std::string json_layout_within(const nlohmann::ordered_json& json, std::size_t depth);
+
+// A value that is filled in later, and the layout in pieces: before, between and after such gaps.
+nlohmann::ordered_json json_gap();
+std::vector<std::string> json_layout_around_gaps(const nlohmann::ordered_json& json,
+                                                 std::size_t depth);
 
 }  // namespace report

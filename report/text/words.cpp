@@ -340,11 +340,9 @@ const char* drop_words(const Texts& t, calc::DropReason reason) {
   return t[Text::drop_inside_solid];
 }
 
-std::string summary_words(const Texts& t, const Document& document) {
-  VerdictCounts counts = count_verdicts(document);
-  const auto not_judged_projects = static_cast<int>(
-      std::count_if(document.projects.begin(), document.projects.end(),
-                    [](const ProjectPart& project) { return !project.is_judged; }));
+std::string summary_words(const Texts& t, const Totals& totals) {
+  VerdictCounts counts = totals.verdicts;
+  const int not_judged_projects = totals.projects_not_judged;
   counts.not_judged -= not_judged_projects;
   const int total = counts.all();
   std::string text =
@@ -364,17 +362,16 @@ std::string summary_words(const Texts& t, const Document& document) {
     text += separator + t.say<Text::with_deviations>(counts.deviating);
     separator = ", ";
   }
-  if (const rules::Outcome outcome = outcome_of(document);
-      outcome == rules::Outcome::nothing_asked) {
-    text += std::string(separator) + outcome_words(t, outcome);
+  if (totals.outcome == rules::Outcome::nothing_asked) {
+    text += std::string(separator) + outcome_words(t, totals.outcome);
   }
-  if (const int parts = count_rows_in_part(document); parts > 0) {
+  if (const int parts = totals.rows_in_part; parts > 0) {
     text += "; " +
             (parts == 1 ? t.say<Text::one_row_in_part>(parts) : t.say<Text::rows_in_part>(parts));
   }
   if (not_judged_projects == 1) text += "; " + t.say<Text::one_project_not_judged>(1);
   if (not_judged_projects > 1) text += "; " + t.say<Text::projects_not_judged>(not_judged_projects);
-  const WarningCounts warnings = count_warnings(document);
+  const WarningCounts& warnings = totals.warnings;
   if (warnings.all == 1) text += ", " + t.say<Text::one_warning>(warnings.all);
   if (warnings.all > 1) text += ", " + t.say<Text::warnings>(warnings.all);
   if (warnings.strict > 0) text += t.say<Text::of_which_count>(warnings.strict);
@@ -387,8 +384,8 @@ std::string close_words(const Texts& t, const rules::Finding& finding) {
                                                        : Text::close_rounded];
 }
 
-std::string redaction_words(const Document& document, const Texts& t) {
-  return document.provenance.is_redacted ? t[Text::paths_left_out] : "";
+std::string redaction_words(const Provenance& provenance, const Texts& t) {
+  return provenance.is_redacted ? t[Text::paths_left_out] : "";
 }
 
 std::string looks_words(const Texts& t, const PlanePart& plane) {

@@ -100,11 +100,11 @@ const char* drop_words(const Texts& t, calc::DropReason reason);
 
 // "5 requirements: 3 pass, 1 fail, 1 undecided; 1 project not judged", "0 requirements: nothing was
 // asked".
-std::string summary_words(const Texts& t, const Document& document);
-inline std::string summary_words(const Document& document) { return summary_words({}, document); }
+std::string summary_words(const Texts& t, const Totals& totals);
+inline std::string summary_words(const Totals& totals) { return summary_words({}, totals); }
 
 // That paths were left out (redact.h), a sentence; "" where nothing was.
-std::string redaction_words(const Document& document, const Texts& t = {});
+std::string redaction_words(const Provenance& provenance, const Texts& t = {});
 
 // "3 of 9 planned"; "" where nothing was sampled.
 std::string looks_words(const Texts& t, const PlanePart& plane);

@@ -9,7 +9,7 @@ set(folders
   calc/project calc/radiosity calc/forecast
   rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu
-  report/document report/text report/revision report/build report/images report/html report/result_file report/formats report/check
+  report/document report/text report/stream report/revision report/build report/images report/html report/result_file report/formats report/check
   report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
   report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
   report/tools/report report/tools/rules report/tools/schema report/tools/selftest report/tools/store report/tools/validate
@@ -54,7 +54,7 @@ function(check_file root file)
     if(target MATCHES "^calc/(rays|radiosity|forecast)$" AND NOT folder MATCHES "${needs_rays}")
       message(SEND_ERROR "${name}: must not include ${target}: a verdict traces no ray")
     endif()
-    if(target STREQUAL "calc/proofs" AND folder MATCHES "^(rules|report/(document|text|revision|build|images|html|result_file|formats))")
+    if(target STREQUAL "calc/proofs" AND folder MATCHES "^(rules|report/(document|text|stream|revision|build|images|html|result_file|formats))")
       message(SEND_ERROR "${name}: must not include ${target}: a verdict traces no ray")
     endif()
     if(folder STREQUAL "gpu" AND NOT target MATCHES "^(calc/|gpu)")

@@ -189,7 +189,7 @@ void OldState::print_errors(const std::vector<calc::Diagnostic>& diagnostics) co
 }
 
 std::optional<std::vector<report::ProjectPart>> OldState::check(
-    const CheckOne& check_one, const std::function<bool()>& go_on) const {
+    const CheckOne& check_one, const check::Crew& crew, const std::function<bool()>& go_on) const {
   const std::size_t failures_before = failures();
   const RuleReader rules([this](const std::string& path) { return repository_of(path); });
   calc::Diagnostics diagnostics;
@@ -197,22 +197,31 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
       check::load_rule_packs(rule_files_, rules, diagnostics);
   print_errors(diagnostics.all());
   std::vector<report::ProjectPart> parts;
-  for (const Project& project : projects_) {
-    if (!project.was_there) continue;
-    report::ProjectPart part;
-    if (project.is_there_now) {
-      part = check_one(project.path_then, *project.files, packs,
-                       shown(project.path_then, project.files));
-      print_errors(part.diagnostics);
-    }
-    part.path = project.path;
-    parts.push_back(std::move(part));
-    if (!go_on()) return parts;
-  }
+  std::vector<report::ProjectPart> begun(projects_.size());
+  const auto work = [&](std::size_t k) {
+    const Project& project = projects_[k];
+    if (!project.was_there || !project.is_there_now) return;
+    begun[k] = check_one(project.path_then, *project.files, packs,
+                         shown(project.path_then, project.files));
+  };
+  const auto deliver = [&](std::size_t k) {
+    if (!projects_[k].was_there) return;
+    begun[k].path = projects_[k].path;
+    parts.push_back(std::move(begun[k]));
+  };
+  check::in_order(projects_.size(), crew, work, deliver, go_on);
+  for (const report::ProjectPart& part : parts) print_errors(part.diagnostics);
+  if (!go_on()) return parts;
   if (failures() == failures_before) return parts;
   print_error(calc::DiagnosticId::revision_not_available, revision_,
               "what stands above is in this revision and cannot be read: nothing was compared");
   return std::nullopt;
+}
+
+std::size_t OldState::project_count() const {
+  return static_cast<std::size_t>(std::count_if(
+      projects_.begin(), projects_.end(),
+      [](const Project& project) { return project.was_there && project.is_there_now; }));
 }
 
 std::size_t OldState::failures() const {

@@ -2,6 +2,7 @@
 // The projects of a run as they were in a git revision: `check --against`.
 
 #include "calc/base/file_reader.h"
+#include "report/check/in_order.h"
 #include "report/document/document.h"
 #include "report/git/git_tree_reader.h"
 #include "report/shell/work_options.h"
@@ -32,10 +33,13 @@ class OldState {
       const std::vector<rules::RulePack>& packs, const std::string& shown_path)>;
   // Projects that were there, by their paths of today; one that could not be read or judged then is
   // there and not judged. Errors are printed as of "REVISION:path". Empty where something could not
-  // be had that the revision holds; it has been printed. go_on: asked after each project; once it
-  // is false the rest is missing.
+  // be had that the revision holds; it has been printed. crew: check_one is called for several at
+  // the same time. go_on: asked before each project; once it is false the rest is missing.
   std::optional<std::vector<report::ProjectPart>> check(const CheckOne& check_one,
+                                                        const check::Crew& crew,
                                                         const std::function<bool()>& go_on) const;
+  // That check() will call check_one for.
+  std::size_t project_count() const;
 
   // Full ids of the commits, one for each repository, in the order of the projects.
   std::vector<std::string> commits() const;

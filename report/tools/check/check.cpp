@@ -1,32 +1,40 @@
 #include "report/tools/check/check.h"
 
+#include "calc/base/text.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/check_project.h"
-#include "report/check/load_rules.h"
-#include "report/check/plan.h"
-#include "report/result_file/redact.h"
-#include "report/revision/gate.h"
+#include "report/check/in_order.h"
+#include "report/check/units.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
-#include "report/shell/open_backend.h"
 #include "report/shell/outputs.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/shell/recording_reader.h"
 #include "report/shell/result_input.h"
+#include "report/text/words.h"
 #include "report/tools/check/against.h"
+#include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
+#include "report/tools/check/checked_results.h"
+#include "report/tools/check/shard.h"
+#include "report/tools/check/store_words.h"
+#include "report/tools/check/watched_project.h"
 #include "report/tools/pictures/room_pictures.h"
 #include "report/tools/plan/plan.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
 
+#include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace cli {
 namespace {
@@ -54,80 +62,103 @@ void print_timing(const report::ProjectPart& project) {
       times.near_s, times.judge_s, rays, rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
 }
 
-// Progress and Ctrl-C, pictures, and what --explain-cost prints.
-class CheckObserver : public check::Observer {
+// Pictures of rooms, which are drawn in the order of the projects: on software only the first are.
+// Projects wait for their turn.
+class Gallery {
  public:
-  CheckObserver(const CheckOptions& options, const RunContext& context)
-      : options_(options),
-        progress_(context.environment.stderr_is_terminal && !options.output.quiet) {
+  Gallery(const CheckOptions& options, const RunContext& context) {
     if (!options.pictures || !wants_pictures(options.output)) return;
     const calc::RadiositySettings& radiosity = options.settings.radiosity;
     pictures_.emplace(PictureSettings{options.output.images, radiosity.seed, radiosity.jobs,
                                       options.backend.gl_device, context.gl_fault,
                                       context.environment.program_folder},
                       [] { return !interrupted(); });
+    is_done_.resize(options.input.projects.size());
   }
 
-  Progress& progress() { return progress_; }
-  const std::string& cost_log() const { return cost_log_; }
-
-  void start_space(const std::string& id) override { progress_.start_space(id); }
-  bool go_on(const calc::SolveProgress& progress) override {
-    progress_.update(progress);
-    return !interrupted();
+  bool draws() const { return pictures_.has_value(); }
+  // Of the project of that number, which is not done. Those before it are in work, and wait for
+  // none after them.
+  void add_pictures(std::size_t project, const std::string& path, const calc::Space& space,
+                    const calc::PreparedScene& scene, report::SpacePart& part) {
+    {
+      std::unique_lock lock(mutex_);
+      turn_.wait(lock, [&] { return first_not_done_ >= project; });
+    }
+    pictures_->add_pictures(path, space, scene, part);
   }
-  bool is_stopped() const override { return interrupted(); }
-  // Of all projects.
+  void done(std::size_t project) {
+    if (!draws()) return;
+    {
+      const std::scoped_lock lock(mutex_);
+      is_done_[project] = true;
+      while (first_not_done_ < is_done_.size() && is_done_[first_not_done_]) ++first_not_done_;
+    }
+    turn_.notify_all();
+  }
+
+ private:
+  std::optional<PictureMaker> pictures_;
+  std::mutex mutex_;
+  std::condition_variable turn_;
+  std::vector<bool> is_done_;
+  std::size_t first_not_done_ = 0;
+};
+
+// Of one project: also its pictures, and what --explain-cost prints.
+class CheckObserver : public WatchedProject {
+ public:
+  // project: its number.
+  CheckObserver(const CheckOptions& options, Progress& progress, Gallery& gallery,
+                std::size_t project)
+      : WatchedProject(progress, options.input.projects[project]),
+        options_(options),
+        gallery_(gallery),
+        project_(project) {}
+  CheckObserver(const CheckObserver&) = delete;
+  CheckObserver& operator=(const CheckObserver&) = delete;
+  ~CheckObserver() override { gallery_.done(project_); }
+
+  // In the order of its spaces.
+  std::string cost_log(const report::ProjectPart& part) const {
+    std::string log;
+    for (const report::SpacePart& space : part.spaces) {
+      if (const auto own = cost_log_.find(space.id); own != cost_log_.end()) log += own->second;
+    }
+    return log;
+  }
   const calc::LookCounts& looks() const { return looks_; }
   void solved(const std::string& project_path, const std::string& space_id,
               const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
               const calc::SpaceSolution& solution) override {
+    const std::scoped_lock lock(mutex_);
     looks_.read += solution.looks.read;
     looks_.computed += solution.looks.computed;
     if (!options_.explain_cost) return;
-    cost_log_ +=
+    cost_log_[space_id] =
         explain_cost(project_path, space_id, scene, tasks, options_.settings.radiosity, solution);
   }
+  bool draws_rooms() const override { return gallery_.draws(); }
   void judged(const std::string& project_path, const calc::Space& space,
               const calc::PreparedScene& scene, report::SpacePart& part) override {
-    if (pictures_) pictures_->add_pictures(project_path, space, scene, part);
+    gallery_.add_pictures(project_, project_path, space, scene, part);
   }
 
  private:
   const CheckOptions& options_;
-  Progress progress_;
-  std::optional<PictureMaker> pictures_;
-  std::string cost_log_;
+  Gallery& gallery_;
+  const std::size_t project_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> cost_log_;  // by space
   calc::LookCounts looks_;
 };
 
-// Of projects as they were: neither pictures nor costs.
-class OldObserver : public check::Observer {
- public:
-  explicit OldObserver(Progress& progress) : progress_(progress) {}
-  void start_space(const std::string& id) override { progress_.start_space(id); }
-  bool go_on(const calc::SolveProgress& progress) override {
-    progress_.update(progress);
-    return !interrupted();
-  }
-  bool is_stopped() const override { return interrupted(); }
-
- private:
-  Progress& progress_;
+// What became of a project, until its turn comes.
+struct CheckedProject {
+  report::ProjectPart part;
+  std::string cost_log;
+  calc::LookCounts looks;
 };
-
-// To standard error alone: nothing of a store is in a result, nor does --strict count it.
-void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles) {
-  calc::Diagnostics diagnostics;
-  if (troubles.unusable > 0) {
-    diagnostics.report(calc::DiagnosticId::store_entry_unusable, {folder, 0, 0}, troubles.unusable,
-                       troubles.unusable_why);
-  }
-  if (!troubles.not_written.empty()) {
-    diagnostics.report(calc::DiagnosticId::store_not_written, {folder, 0, 0}, troubles.not_written);
-  }
-  print_diagnostics(diagnostics.all(), false);
-}
 
 std::string looks_line(const calc::LookCounts& looks, const CheckOptions& options) {
   const char* from = options.store.empty() ? "--against" : "store";
@@ -135,8 +166,41 @@ std::string looks_line(const calc::LookCounts& looks, const CheckOptions& option
                      looks.computed);
 }
 
-ExitCode told_of_interrupt() {
-  fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+// Spaces whose light, or that of some of their planes, is not in the store.
+class MissingUnits {
+ public:
+  void add(const report::ProjectPart& project) {
+    for (const report::SpacePart& space : project.spaces) {
+      check::Unit unit{project.path, space.id, {}, true, 0, 0.0};
+      for (const report::PlanePart& plane : space.planes) {
+        const bool is_missing =
+            plane.reason == calc::kNotInStore || plane.reason == calc::kTooLargeForStore;
+        if (is_missing) unit.planes.push_back(plane.id);
+        unit.is_whole_space = unit.is_whole_space && is_missing;
+      }
+      ++units_;
+      if (!unit.planes.empty()) names_.push_back(check::unit_name(unit));
+    }
+  }
+  void print(const std::string& store) const {
+    constexpr std::size_t kMostNamed = 100;
+    if (names_.empty()) return;
+    calc::Diagnostics diagnostics;
+    diagnostics.report(calc::DiagnosticId::store_lacks_units, {store, 0, 0}, names_.size(), units_,
+                       calc::list_names(names_, kMostNamed));
+    print_diagnostics(diagnostics.all(), true);
+  }
+
+ private:
+  std::size_t units_ = 0;
+  std::vector<std::string> names_;
+};
+
+// Images and pages are written while projects come.
+ExitCode told_of_interrupt(const OutputOptions& options) {
+  fmt::print(
+      stderr, "luxgate: interrupted; {}\n",
+      options.images || options.html_split ? "no report was written" : "nothing was written");
   return kInterrupted;
 }
 
@@ -174,91 +238,114 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
                                         {environment.git_dir, environment.git_work_tree}, files);
     if (!old_state) return kNotJudged;
   }
-  const auto packs = load_packs_or_print(options.input.rule_files, files);
-  if (!packs) return kNotJudged;
-  const calc::RadiositySettings& radiosity = options.settings.radiosity;
-  const check::BackendChoice backend =
-      check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
-        return first_look_work(check::plan_projects(options.input.projects, files, *packs,
-                                                    radiosity, options.settings.today));
-      });
-  const std::optional<check::OpenBackend> opened = open_or_complain(
-      backend, context.gl_fault, context.environment.program_folder, options.output.quiet);
-  if (!opened) return kNotJudged;
+  const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
+  if (!setup) return kNotJudged;
+  const check::Backend backend = setup->backend.backend;
+  const std::string& identity = setup->opened.identity;
+  const std::size_t at_once = setup->crew.most_begun;
 
   watch_for_interrupt();
-  const calc::Stages stages = opened->stages();
+  const calc::Stages stages = setup->opened.stages();
   std::optional<calc::EntryFolder> folder;
   std::optional<calc::MemoryStore> memory;
   std::optional<calc::LookStore> store;
   if (!options.store.empty()) {
     folder.emplace(options.store);
-    store.emplace(calc::LookStore{*folder, opened->identity});
+    store.emplace(calc::LookStore{*folder, identity, options.batch.is_stored_only});
   } else if (old_state) {  // what did not change is calculated once
     memory.emplace(kMostMemoryStoreBytes);
-    store.emplace(calc::LookStore{*memory, opened->identity});
+    store.emplace(calc::LookStore{*memory, identity});
   }
-  CheckObserver observer(options, context);
+  Progress progress(progress_style(options.output, context.environment),
+                    context.environment.stderr_columns);
+  progress.expect(options.input.projects.size());
+  const auto go_on = [] { return !interrupted(); };
   options.output.are_messages_printed = !options.output.quiet;
   WarningTally warnings(options.strict);
-  report::Document document;
-  document.provenance = provenance_of(options, backend.backend, opened->description);
+  const report::Provenance provenance = provenance_of(options, backend, setup->opened.description);
   if (old_state) {
-    OldObserver old_observer(observer.progress());
+    progress.expect(old_state->project_count());
     const auto check_one = [&](const std::string& path, const calc::FileReader& old_files,
                                const std::vector<rules::RulePack>& old_packs,
                                const std::string& shown_path) {
-      observer.progress().start_project(shown_path);
+      WatchedProject observer(progress, shown_path);
       report::ProjectPart part =
-          check_safely(path, {options.settings, old_files, old_packs, stages, old_observer, nullptr,
-                              store ? &*store : nullptr});
-      observer.progress().clear();
+          check_safely(path, {options.settings, old_files, old_packs, stages, observer, nullptr,
+                              store ? &*store : nullptr, at_once});
+      progress.done(shown_path, report::outcome_words(report::outcome_of(part)));
       return part;
     };
-    auto parts = old_state->check(check_one, [] { return !interrupted(); });
-    if (interrupted()) return told_of_interrupt();
+    auto parts = old_state->check(check_one, setup->crew, go_on);
+    progress.clear();
+    if (interrupted()) return told_of_interrupt(options.output);
     if (!parts) return kNotJudged;
-    baseline.emplace(report::Document{document.provenance, std::move(*parts), {}});
+    baseline.emplace(report::Document{provenance, std::move(*parts), {}});
   }
-  for (const std::string& path : options.input.projects) {
-    observer.progress().start_project(path);
-    document.projects.push_back(
-        check_safely(path, {options.settings, files, *packs, stages, observer,
-                            vertices ? &*vertices : nullptr, store ? &*store : nullptr}));
-    observer.progress().clear();
-    if (interrupted()) return told_of_interrupt();
-    report::ProjectPart& project = document.projects.back();
-    project.strict_warnings = warnings.add(project.diagnostics);
-    print_diagnostics(project.diagnostics, options.output.quiet);
-    if (options.settings.has_times && project.is_judged) print_timing(project);
-  }
-  complete_provenance(document, options.settings.today, backend.backend);
-  if (options.explain_cost) {
-    fmt::print(stderr, "{}{}{}", check::backend_line(backend), observer.cost_log(),
-               store ? looks_line(observer.looks(), options) : "");
-  }
-  if (baseline) {
-    document.revision = report::revise(
+  const auto revise = [&](const report::Document& document) {
+    report::Revision revision = report::revise(
         *baseline, document, old_state ? options.against : options.baseline, options.gate);
     if (old_state) {
-      report::Revision& revision = *document.revision;
       revision.commits = old_state->commits();
       const std::vector<std::string>& notes = old_state->notes();
       revision.notes.insert(revision.notes.begin(), notes.begin(), notes.end());
     }
+    return revision;
+  };
+  CheckedResults results(options, context.environment, provenance,
+                         baseline ? CheckedResults::Revise(revise) : nullptr);
+  Gallery gallery(options, context);
+  MissingUnits missing;
+  std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
+  std::string cost_log;
+  calc::LookCounts looks;
+  const auto work = [&](std::size_t p) {
+    CheckObserver observer(options, progress, gallery, p);
+    CheckedProject project;
+    project.part =
+        check_safely(options.input.projects[p],
+                     {options.settings, files, setup->packs, stages, observer,
+                      vertices ? &*vertices : nullptr, store ? &*store : nullptr, at_once});
+    project.cost_log = observer.cost_log(project.part);
+    project.looks = observer.looks();
+    checked[p] = std::move(project);
+  };
+  const auto deliver = [&](std::size_t p) {
+    if (interrupted()) return;
+    report::ProjectPart& project = checked[p]->part;
+    project.strict_warnings = warnings.add(project.diagnostics);
+    progress.aside([&] {
+      print_diagnostics(project.diagnostics, options.output.quiet);
+      if (options.settings.has_times && project.is_judged) print_timing(project);
+    });
+    progress.done(project.path, report::outcome_words(report::outcome_of(project)));
+    missing.add(project);
+    cost_log += checked[p]->cost_log;
+    looks.read += checked[p]->looks.read;
+    looks.computed += checked[p]->looks.computed;
+    results.add(std::move(project), files.new_paths());
+    checked[p].reset();
+  };
+  check::in_order(checked.size(), setup->crew, work, deliver, go_on);
+  progress.clear();
+  if (interrupted()) return told_of_interrupt(options.output);
+  if (options.explain_cost) {
+    fmt::print(stderr, "{}{}{}", check::backend_line(setup->backend), cost_log,
+               store ? looks_line(looks, options) : "");
   }
-  if (options.output.redact) report::redact(document);
-  const bool is_written =
-      write_results(options.output, context.environment, document, files.paths());
+  const bool is_written = results.finish(backend, files.paths());
   warnings.print(options.output.quiet);
+  if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
-  return is_written ? exit_code_of(report::gate_outcome(document)) : kNotJudged;
+  return is_written ? exit_code_of(results.outcome()) : kNotJudged;
 }
 
 Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
   Command command = check_syntax(*options);
-  command.run = [options](const RunContext& context) { return run_check(*options, context); };
+  command.run = [options](const RunContext& context) {
+    return options->batch.share.count > 0 ? run_shard(*options, context)
+                                          : run_check(*options, context);
+  };
   return command;
 }
 

@@ -17,7 +17,7 @@ constexpr const char* kExitCodes =
     "  2    usage, input or file error, a plane or project that could not be judged, or a\n"
     "       warning that --strict makes count\n"
     "  3    nothing failed, but a result's interval holds its limit: undecided\n"
-    "  130  interrupted; nothing was written\n"
+    "  130  interrupted; no report was written\n"
     "The worst of all projects counts; worst first: 2, 1, 3, 0.";
 
 std::vector<Option> document_options(CheckOptions& options) {
@@ -63,6 +63,69 @@ Option against_option(std::string& target) {
       {"--baseline"}};
 }
 
+constexpr std::uint64_t kMostShards = 1'000'000;
+
+// "3/16"
+ValueParser share_of_batch(BatchShare& target) {
+  return [&target](const std::string& text) -> std::string {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto number = parse_count(text.substr(0, slash));
+    const auto count = parse_count(slash < text.size() ? text.substr(slash + 1) : "");
+    if (!number || !count || *number < 1 || *number > *count || *count > kMostShards) {
+      return fmt::format(
+          "'{}' is no share of a batch; allowed are I/N with whole numbers, I from 1 to N and N up "
+          "to {}",
+          text, kMostShards);
+    }
+    target = {*number, *count};
+    return "";
+  };
+}
+
+std::vector<Option> batch_options(BatchOptions& batch) {
+  return {
+      {"--shard", "I/N",
+       "Calculate only share I of N of the light, from 1 to N, into --store, and judge nothing:\n"
+       "for as many machines. Shares are alike in predicted work. Then one run with\n"
+       "--stored-only reports. Exit code 0: all of the share is in the store",
+       share_of_batch(batch.share)},
+      {"--units", "FILE",
+       "With --shard: the list that 'luxgate plan --units --format json' wrote of the same\n"
+       "projects, so that each share reads its own projects only",
+       some_text(batch.units_file)},
+      {"--stored-only", "",
+       "Calculate nothing: take all light from --store. What is not there is named, and not\n"
+       "judged",
+       &batch.is_stored_only}};
+}
+
+// "" or which options cannot stand beside each other.
+std::string batch_contradiction(const CheckOptions& options) {
+  const BatchOptions& batch = options.batch;
+  const bool is_shard = batch.share.count > 0;
+  if (!batch.units_file.empty() && !is_shard) return "--units needs --shard";
+  if (!is_shard && !batch.is_stored_only) return "";
+  const char* name = is_shard ? "--shard" : "--stored-only";
+  const auto together = [name](const char* other) {
+    return fmt::format("{} and {} exclude each other", name, other);
+  };
+  if (options.store.empty()) return fmt::format("{} needs --store", name);
+  if (is_shard && batch.is_stored_only) return together("--stored-only");
+  if (!options.vpl_file.empty()) return together("--vpl");
+  if (!options.against.empty()) {
+    return together("--against") + "; --baseline compares with a result";
+  }
+  if (options.settings.radiosity.time_limit_s > 0.0) return together("--time-limit");
+  if (!is_shard) return "";
+  const OutputOptions& output = options.output;
+  if (!output.formats.empty() || !output.folder.empty() || output.images) {
+    return "--shard writes no report; leave --format, --output and --images to the run with "
+           "--stored-only";
+  }
+  if (!options.baseline.empty()) return together("--baseline");
+  return options.explain_cost ? together("--explain-cost") : "";
+}
+
 std::string complete(CheckOptions& options, const Environment& environment) {
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
@@ -81,6 +144,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   std::string problem = take_store(environment.store, options.store);
   if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
+  if (problem.empty()) problem = batch_contradiction(options);
   return problem.empty() ? project_contradiction(options.input) : problem;
 }
 
@@ -151,9 +215,10 @@ Command check_syntax(CheckOptions& options) {
         some_text(options.vpl_file),
         false,
         {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
-       store_option(options.store),
-       strict_option(options.strict),
-       quiet_option_with_count(options.output.quiet)});
+       store_option(options.store)});
+  add(command.options, batch_options(options.batch));
+  add(command.options,
+      {strict_option(options.strict), quiet_option_with_count(options.output.quiet)});
   command.footer = kExitCodes;
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);

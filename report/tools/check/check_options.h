@@ -7,10 +7,23 @@
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace cli {
+
+// Of a batch that several machines share: shard `number`, from 1, of `count`; 0: all of it.
+struct BatchShare {
+  std::uint64_t number = 0, count = 0;
+};
+
+// How a batch meets in its store.
+struct BatchOptions {
+  BatchShare share;
+  std::string units_file;       // that `luxgate plan --units` wrote; "" = planned again
+  bool is_stored_only = false;  // nothing is calculated
+};
 
 struct CheckOptions {
   ProjectOptions input;
@@ -26,6 +39,7 @@ struct CheckOptions {
   report::Gate gate;
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
   std::string store;     // folder of looks to be used again; "" = none
+  BatchOptions batch;
 };
 
 // --store, and with it: the folder that is meant, "" = none; gives what is wrong with it. variable:

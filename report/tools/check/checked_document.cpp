@@ -52,10 +52,10 @@ report::Provenance provenance_of(const CheckOptions& options, check::Backend bac
   return provenance;
 }
 
-void complete_provenance(report::Document& document, const std::string& today,
-                         check::Backend backend) {
-  if (hangs_on_the_day(document)) document.provenance.judged_on = today;
-  document.provenance.same_bits = report::same_bits_of(document, backend == check::Backend::gpu);
+void complete_provenance(report::Provenance& provenance, const report::Totals& totals,
+                         const std::string& today, check::Backend backend) {
+  if (totals.hangs_on_the_day) provenance.judged_on = today;
+  provenance.same_bits = report::same_bits_of(totals, backend == check::Backend::gpu);
 }
 
 }  // namespace cli

@@ -17,8 +17,8 @@ report::ProjectPart check_safely(const std::string& path, const check::Context& 
 report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,
                                  const std::string& description);
 
-// What is known once all projects are in it. today: YYYY-MM-DD, by which waivers were judged.
-void complete_provenance(report::Document& document, const std::string& today,
-                         check::Backend backend);
+// What is known once all projects are. today: YYYY-MM-DD, by which waivers were judged.
+void complete_provenance(report::Provenance& provenance, const report::Totals& totals,
+                         const std::string& today, check::Backend backend);
 
 }  // namespace cli

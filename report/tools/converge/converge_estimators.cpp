@@ -2,6 +2,7 @@
 
 #include "calc/radiosity/path_tracing.h"
 #include "calc/radiosity/phase_timer.h"
+#include "calc/radiosity/threads.h"
 #include "gpu/gl_gatherer.h"
 #include "gpu/gl_path_tracer.h"
 #include "gpu/gl_short_rays.h"
@@ -10,7 +11,6 @@
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -81,9 +81,8 @@ calc::RadiositySettings clamped_settings(const EstimatorContext& context, std::u
 }
 
 EstimatorRun run_paths(const EstimatorContext& context, std::uint64_t paths, std::uint64_t seed) {
-  tbb::task_arena arena(context.jobs > 0 ? context.jobs : tbb::task_arena::automatic);
   EstimatorRun run;
-  arena.execute([&] {
+  calc::on_threads(context.jobs, [&] {
     const double begin_s = calc::now_s();
     const calc::Tracer tracer(context.scene);
     run.times.build_s = calc::now_s() - begin_s;

@@ -110,9 +110,10 @@ class Run {
 
   void write(const std::string& path, const std::string& bytes) {
     const std::string identity = path_identity(path);
-    const bool is_input =
-        std::any_of(disk_.paths().begin(), disk_.paths().end(),
-                    [&](const std::string& file) { return path_identity(file) == identity; });
+    const std::set<std::string> inputs = disk_.paths();
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& file) {
+      return path_identity(file) == identity;
+    });
     std::string problem;
     if (is_input) {
       problem = fmt::format("'{}' was read as an input and is not overwritten", path);

@@ -5,6 +5,7 @@
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/tools/plan/units_list.h"
 #include "rules/verdict/outcome.h"
 
 #include <memory>
@@ -36,6 +37,12 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   }
   warnings.print(options.quiet);
   outcome = graver(outcome, warnings.outcome());
+  if (options.as_units) {
+    const std::vector<check::Unit> units = check::units_of(plans, options.radiosity);
+    return print_outcome({exit_code_of(outcome),
+                          options.as_json ? render_units_json(units) : render_units_text(units),
+                          {}});
+  }
   const std::string text = options.as_json ? render_plan_json(plans, options.radiosity, backend)
                                            : render_plan_text(plans, options.radiosity, backend);
   return print_outcome({exit_code_of(outcome), text, {}});
@@ -51,6 +58,11 @@ Command plan_syntax(PlanOptions& options) {
   add(command.options, backend_options(options.backend));
   add(command.options, {{"--format", "KIND", "text or json; default text",
                          choice<bool>(options.as_json, {{"text", false}, {"json", true}})},
+                        {"--units", "",
+                         "List what machines can calculate apart from each other, rooms or planes "
+                         "of large\n"
+                         "ones, with predicted costs: for 'luxgate check --shard'",
+                         &options.as_units},
                         strict_option(options.strict),
                         quiet_option_with_count(options.quiet)});
   command.footer =

@@ -16,6 +16,7 @@ struct PlanOptions {
   calc::RadiositySettings radiosity;
   check::BackendRequest backend;
   bool as_json = false;
+  bool as_units = false;  // as units that machines can share
   StrictWarnings strict;
   bool quiet = false;
   std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's

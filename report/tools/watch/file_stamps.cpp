@@ -33,6 +33,14 @@ calc::FileContent StampedReader::read(const std::string& path) const {
   return reader_.read(path);
 }
 
-void StampedReader::note(const std::string& path) const { stamps_.emplace(path, stamp_of(path)); }
+void StampedReader::note(const std::string& path) const {
+  const std::scoped_lock lock(mutex_);
+  stamps_.emplace(path, stamp_of(path));
+}
+
+FileStamps StampedReader::stamps() const {
+  const std::scoped_lock lock(mutex_);
+  return stamps_;
+}
 
 }  // namespace cli

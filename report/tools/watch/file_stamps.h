@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <string>
 
 namespace cli {
@@ -31,10 +32,11 @@ class StampedReader : public calc::FileReader {
   calc::FileContent read(const std::string& path) const override;
   // Of what is not read by this: a folder.
   void note(const std::string& path) const;
-  const FileStamps& stamps() const { return stamps_; }
+  FileStamps stamps() const;
 
  private:
   const calc::FileReader& reader_;
+  mutable std::mutex mutex_;  // several projects are read at the same time
   mutable FileStamps stamps_;
 };
 

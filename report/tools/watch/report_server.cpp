@@ -3,6 +3,13 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -28,16 +35,36 @@ constexpr const char* kPage = R"(<!DOCTYPE html>
 const frame = document.getElementById("report");
 let y = 0;
 frame.addEventListener("load", () => frame.contentWindow.scrollTo(0, y));
-new EventSource("news").onmessage = () => {{
+new EventSource("news?seen={1}").onmessage = () => {{
   y = frame.contentWindow.scrollY;
   frame.contentWindow.location.reload();
 }};
 </script></body></html>
 )";
 
+// Ends what this process has open with browsers at that port of its own. Who sends a request byte
+// by byte would otherwise keep a thread for as long as it likes.
+void cut_connections(int port) {
+  const long most = sysconf(_SC_OPEN_MAX);
+  constexpr long kMostLooked = 65536;
+  for (int socket = 0; socket < std::min(most, kMostLooked); ++socket) {
+    sockaddr_in name{};
+    socklen_t size = sizeof name;
+    if (getsockname(socket, reinterpret_cast<sockaddr*>(&name), &size) != 0) continue;
+    if (name.sin_family == AF_INET && ntohs(name.sin_port) == port) shutdown(socket, SHUT_RDWR);
+  }
+}
+
 std::string random_words() {
   std::random_device random;
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
+// Which report a page had: what it asks with. 0, which no report has, if that is no number.
+std::uint64_t version_in(const std::string& text) {
+  std::uint64_t version = 0;
+  std::from_chars(text.data(), text.data() + text.size(), version);
+  return version;
 }
 
 }  // namespace
@@ -51,6 +78,8 @@ struct ReportServer::Parts {
   std::string html;
   std::uint64_t version = 0;
   bool is_ending = false;
+  int port = 0;
+  std::atomic<bool> has_ended{false};
   std::thread thread;
 
   // Waits for another report than that of `seen`; false: the server ends.
@@ -80,28 +109,26 @@ struct ReportServer::Parts {
           response.status = 403;
           return httplib::Server::HandlerResponse::Handled;
         });
-    server.Get("/" + token + "/", [](const httplib::Request&, httplib::Response& response) {
+    server.Get("/" + token + "/", [this](const httplib::Request&, httplib::Response& response) {
       const std::string nonce = random_words();
       response.set_header("Content-Security-Policy",
                           fmt::format("default-src 'none'; style-src 'unsafe-inline'; script-src "
                                       "'nonce-{}'; connect-src 'self'; frame-src 'self'; "
                                       "frame-ancestors 'none'",
                                       nonce));
-      response.set_content(fmt::format(kPage, nonce), "text/html; charset=utf-8");
+      const std::lock_guard lock(mutex);
+      response.set_content(fmt::format(kPage, nonce, version), "text/html; charset=utf-8");
     });
     server.Get("/" + token + "/report",
                [this](const httplib::Request&, httplib::Response& response) {
                  const std::lock_guard lock(mutex);
                  response.set_content(html, "text/html; charset=utf-8");
                });
-    server.Get("/" + token + "/news", [this](const httplib::Request&, httplib::Response& response) {
-      std::uint64_t seen = 0;
-      {
-        const std::lock_guard lock(mutex);
-        seen = version;
-      }
+    server.Get("/" + token + "/news", [this](const httplib::Request& request,
+                                             httplib::Response& response) {
       response.set_chunked_content_provider(
-          "text/event-stream", [this, seen](std::size_t, httplib::DataSink& sink) mutable {
+          "text/event-stream", [this, seen = version_in(request.get_param_value("seen"))](
+                                   std::size_t, httplib::DataSink& sink) mutable {
             bool is_new = false;
             if (!wait_for_news(seen, is_new)) return false;
             const std::string event = is_new ? "data: report\n\n" : ": nothing new\n\n";
@@ -116,15 +143,18 @@ ReportServer::ReportServer() : parts_(std::make_unique<Parts>()) {}
 std::unique_ptr<ReportServer> ReportServer::start(std::string& problem) {
   std::unique_ptr<ReportServer> server(new ReportServer);
   Parts& parts = *server->parts_;
-  const int port = parts.server.bind_to_any_port(kHost);
-  if (port <= 0) {
+  parts.port = parts.server.bind_to_any_port(kHost);
+  if (parts.port <= 0) {
     problem = fmt::format("no port of {} can be had", kHost);
     return nullptr;
   }
-  parts.host = fmt::format("{}:{}", kHost, port);
+  parts.host = fmt::format("{}:{}", kHost, parts.port);
   parts.address = fmt::format("http://{}/{}/", parts.host, parts.token);
   parts.answer();
-  parts.thread = std::thread([&parts] { parts.server.listen_after_bind(); });
+  parts.thread = std::thread([&parts] {
+    parts.server.listen_after_bind();
+    parts.has_ended = true;
+  });
   // One that does not run yet cannot be stopped.
   constexpr int kMostWaits = 1000;
   for (int k = 0; k < kMostWaits && !parts.server.is_running(); ++k) {
@@ -141,6 +171,10 @@ ReportServer::~ReportServer() {
   }
   parts_->has_news.notify_all();
   parts_->server.stop();
+  while (!parts_->has_ended) {
+    cut_connections(parts_->port);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   parts_->thread.join();
 }
 

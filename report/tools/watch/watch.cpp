@@ -2,6 +2,7 @@
 
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
+#include "report/check/in_order.h"
 #include "report/check/plan.h"
 #include "report/formats/console.h"
 #include "report/html/html.h"
@@ -49,8 +50,10 @@ struct WatchOptions {
 
 class WatchObserver : public check::Observer {
  public:
-  WatchObserver(Progress& progress, InputWatch& watch) : progress_(progress), watch_(watch) {}
+  WatchObserver(Progress& progress, const std::string& path, InputWatch& watch)
+      : progress_(progress, path), watch_(watch) {}
 
+  void start_project(std::size_t spaces) override { progress_.start_project(spaces); }
   void start_space(const std::string& id) override { progress_.start_space(id); }
   bool go_on(const calc::SolveProgress& progress) override {
     progress_.update(progress);
@@ -59,7 +62,7 @@ class WatchObserver : public check::Observer {
   bool is_stopped() const override { return interrupted() || watch_.has_changed(); }
 
  private:
-  Progress& progress_;
+  ProjectProgress progress_;
   InputWatch& watch_;
 };
 
@@ -86,7 +89,8 @@ class Watch {
   Watch(const WatchOptions& options, const RunContext& context)
       : options_(options.check),
         context_(context),
-        progress_(context.environment.stderr_is_terminal) {
+        progress_style_(context.environment.stderr_is_terminal ? ProgressStyle::one_line
+                                                               : ProgressStyle::none) {
     options_.output.are_messages_printed = true;
   }
 
@@ -134,19 +138,28 @@ class Watch {
       is_good = false;
       return std::nullopt;
     }
-    WatchObserver observer(progress_, watch_);
     const calc::Stages stages = backend_->stages();
     memory_.clear_above(kMostStoreBytes / 2);
     report::Document document;
     document.provenance = provenance_of(options_, choice_.backend, backend_->description);
-    for (const std::string& path : options_.input.projects) {
-      progress_.start_project(path);
-      document.projects.push_back(check_safely(
-          path, {options_.settings, files, *packs, stages, observer, nullptr, &*store_}));
-      progress_.clear();
-      if (observer.is_stopped()) return std::nullopt;
-    }
-    complete_provenance(document, options_.settings.today, choice_.backend);
+    const std::vector<std::string>& paths = options_.input.projects;
+    Progress progress(progress_style_, context_.environment.stderr_columns);
+    progress.expect(paths.size());
+    const std::size_t at_once = check::most_at_once(options_.settings, choice_.backend);
+    const auto go_on = [this] { return !interrupted() && !watch_.has_changed(); };
+    document.projects.resize(paths.size());
+    const auto work = [&](std::size_t p) {
+      WatchObserver observer(progress, paths[p], watch_);
+      document.projects[p] = check_safely(paths[p], {options_.settings, files, *packs, stages,
+                                                     observer, nullptr, &*store_, at_once});
+    };
+    const auto deliver = [&](std::size_t p) { progress.done(paths[p]); };
+    check::in_order(paths.size(), {options_.settings.radiosity.jobs, at_once}, work, deliver,
+                    go_on);
+    progress.clear();
+    if (!go_on()) return std::nullopt;
+    complete_provenance(document.provenance, report::totals_of(document), options_.settings.today,
+                        choice_.backend);
     return document;
   }
 
@@ -194,7 +207,7 @@ class Watch {
     if (shown && !options_.output.lists_passes) {
       const bool is_coloured = use_color(options_.output.color, context_.environment);
       print_result(report::render_revision_text({}, of_now, is_coloured) +
-                   report::summary_words(of_now) + "\n");
+                   report::summary_words(report::totals_of(of_now)) + "\n");
     } else {
       write_results(options_.output, context_.environment, of_now, inputs);
     }
@@ -219,7 +232,7 @@ class Watch {
   CheckOptions options_;
   const check::Settings asked_settings_ = options_.settings;
   const RunContext& context_;
-  Progress progress_;
+  const ProgressStyle progress_style_;
   InputWatch watch_;
   std::unique_ptr<ReportServer> server_;
   calc::MemoryStore memory_{kMostStoreBytes};

@@ -31,7 +31,7 @@ TEST(Document, ProjectThatWasNotJudgedCountsOnce) {
 }
 
 TEST(Document, SummaryTellsProjectsFromRequirements) {
-  EXPECT_EQ(summary_words(sample_document()),
+  EXPECT_EQ(summary_words(totals_of(sample_document())),
             "6 requirements: 2 pass, 2 fail, 1 undecided, 1 not judged; 1 project not judged");
   EXPECT_EQ(summary_words({}), "0 requirements: nothing was asked");
 }
@@ -62,7 +62,7 @@ TEST(Document, OutcomeCountsAPlaneWithoutResult) {
   document = with_verdicts({});
   document.projects[0].spaces[0].planes[0].is_computed = false;
   EXPECT_EQ(outcome_of(document), rules::Outcome::not_judged);
-  EXPECT_EQ(summary_words(document), "0 requirements");
+  EXPECT_EQ(summary_words(totals_of(document)), "0 requirements");
 }
 
 TEST(Document, AProjectOfWhichNothingIsAskedChangesNothingInABatch) {
@@ -80,7 +80,7 @@ TEST(Document, AdviceDoesNotCount) {
   rules::Finding& advice = document.projects[0].spaces[0].planes[0].findings[1];
   advice.requirement.severity = rules::Severity::advice;
   EXPECT_EQ(outcome_of(document), rules::Outcome::pass);
-  EXPECT_EQ(summary_words(document), "1 requirement: 1 pass");
+  EXPECT_EQ(summary_words(totals_of(document)), "1 requirement: 1 pass");
   EXPECT_EQ(note_words(advice), "advice: does not count");
 }
 
@@ -89,7 +89,7 @@ TEST(Document, WaivedFindingsAreCountedApart) {
   std::vector<rules::Finding>& findings = document.projects[0].spaces[0].planes[0].findings;
   findings[0].is_waived = true;
   EXPECT_EQ(outcome_of(document), rules::Outcome::undecided);
-  EXPECT_EQ(summary_words(document), "2 requirements: 1 undecided, 1 waived");
+  EXPECT_EQ(summary_words(totals_of(document)), "2 requirements: 1 undecided, 1 waived");
   findings[1].is_waived = true;
   EXPECT_EQ(outcome_of(document), rules::Outcome::waived);
   EXPECT_STREQ(outcome_words(outcome_of(document)), "waived");

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -77,6 +78,38 @@ TEST_F(Write, FailureLeavesTheOldFileAndNothingElse) {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(error, "File too large");
+  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Write, PieceByPiece) {
+  const fs::path path = folder_ / "a.txt";
+  std::string expected;
+  EXPECT_EQ(write_file_atomically(path,
+                                  [&](Sink& sink) {
+                                    for (int size = 0; size < 200000; size += 9999) {
+                                      const std::string piece(static_cast<std::size_t>(size), 'x');
+                                      sink.write(piece + "\n");
+                                      expected += piece + "\n";
+                                    }
+                                    EXPECT_FALSE(fs::exists(path));
+                                  }),
+            "");
+  EXPECT_EQ(content(path), expected);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Write, WhatIsThrownBetweenPiecesLeavesTheOldFile) {
+  const fs::path path = folder_ / "a.txt";
+  ASSERT_EQ(write_file_atomically(path, "old"), "");
+  const auto throws = [](const auto& thrown) {
+    return [thrown](Sink& sink) {
+      sink.write(std::string(100000, 'x'));
+      throw thrown;
+    };
+  };
+  EXPECT_EQ(write_file_atomically(path, throws(WriteFailure("no room"))), "no room");
+  EXPECT_THROW(write_file_atomically(path, throws(std::logic_error("other"))), std::logic_error);
   EXPECT_EQ(content(path), "old");
   EXPECT_EQ(files(), 1U);
 }

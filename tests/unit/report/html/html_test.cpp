@@ -650,11 +650,11 @@ TEST(Html, RepeatabilityIsPromisedOnlyWhereItHolds) {
 
 TEST(SameBits, ARunThatTimeCutShortIsTheSameNowhere) {
   Document document = small_document();
-  EXPECT_EQ(same_bits_of(document, false), SameBits::any_processor);
-  EXPECT_EQ(same_bits_of(document, true), SameBits::same_device);
+  EXPECT_EQ(same_bits_of(totals_of(document), false), SameBits::any_processor);
+  EXPECT_EQ(same_bits_of(totals_of(document), true), SameBits::same_device);
   document.projects[0].spaces[0].planes[0].stop = calc::StopReason::time_limit;
-  EXPECT_EQ(same_bits_of(document, false), SameBits::nowhere);
-  EXPECT_EQ(same_bits_of(document, true), SameBits::nowhere);
+  EXPECT_EQ(same_bits_of(totals_of(document), false), SameBits::nowhere);
+  EXPECT_EQ(same_bits_of(totals_of(document), true), SameBits::nowhere);
 }
 
 TEST(Html, SameDocumentSameBytes) {

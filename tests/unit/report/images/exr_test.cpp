@@ -21,7 +21,7 @@ namespace {
 
 std::string rendered(const Document& document) {
   const ProjectPart& project = document.projects[0];
-  return render_exr(document, project, project.spaces[0], project.spaces[0].planes[0]);
+  return render_exr(document.provenance, project, project.spaces[0], project.spaces[0].planes[0]);
 }
 
 TEST(Exr, ReadsBackValuesAndAttributes) {

@@ -123,8 +123,8 @@ TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
     EXPECT_EQ(render_markdown(again), render_markdown(document));
     const ProjectPart &a = document.projects[0], &b = again.projects[0];
     EXPECT_EQ(render_heatmap_png(a.spaces[0].planes[0]), render_heatmap_png(b.spaces[0].planes[0]));
-    EXPECT_EQ(render_exr(document, a, a.spaces[0], a.spaces[0].planes[0]),
-              render_exr(again, b, b.spaces[0], b.spaces[0].planes[0]));
+    EXPECT_EQ(render_exr(document.provenance, a, a.spaces[0], a.spaces[0].planes[0]),
+              render_exr(again.provenance, b, b.spaces[0], b.spaces[0].planes[0]));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace report {
@@ -200,11 +201,29 @@ TEST(Redact, PathsInAnyText) {
 
 TEST(Redact, IsToldOnlyWhereItWasDone) {
   Document document = small_document();
-  EXPECT_EQ(redaction_words(document), "");
+  EXPECT_EQ(redaction_words(document.provenance), "");
   EXPECT_THAT(render_json(document), Not(HasSubstr("redacted")));
   redact(document);
-  EXPECT_THAT(redaction_words(document), HasSubstr("left out"));
+  EXPECT_THAT(redaction_words(document.provenance), HasSubstr("left out"));
   EXPECT_THAT(render_json(document), HasSubstr("\"redacted\": true"));
+}
+
+TEST(Redact, ProjectsOneByOneAreThoseOfTheWhole) {
+  Document whole = sample_document();
+  whole.projects.push_back(whole.projects[0]);
+  whole.projects[2].path = "/home/somebody/" + whole.projects[0].path;  // of the same name
+  whole.provenance.command_line = "luxgate check " + whole.projects[2].path;
+  whole.provenance.backend = "gpu (Some Device (x), software): a";
+  DocumentFrame frame = frame_of(whole);
+  const Redaction redaction(frame.paths);
+  redaction.redact(frame);
+  Document one_by_one{frame.provenance, whole.projects, {}};
+  for (std::size_t p = 0; p < whole.projects.size(); ++p) {
+    redaction.redact(one_by_one.projects[p], p);
+  }
+  redact(whole);
+  EXPECT_EQ(render_json(one_by_one), render_json(whole));
+  EXPECT_EQ(frame.paths, frame_of(whole).paths);
 }
 
 }  // namespace

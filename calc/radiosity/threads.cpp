@@ -1,0 +1,20 @@
+#include "calc/radiosity/threads.h"
+
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+namespace calc {
+
+void on_threads(int jobs, const std::function<void()>& run) {
+  const int wanted = jobs > 0 ? jobs : tbb::info::default_concurrency();
+  const bool is_among_them =
+      tbb::this_task_arena::current_thread_index() != tbb::task_arena::not_initialized &&
+      tbb::this_task_arena::max_concurrency() == wanted;
+  // A thread that waits for help must not take up another room meanwhile: that would hold up the
+  // first, and need the memory of both.
+  if (is_among_them) return tbb::this_task_arena::isolate([&run] { run(); });
+  tbb::task_arena arena(wanted);
+  arena.execute([&run] { run(); });
+}
+
+}  // namespace calc

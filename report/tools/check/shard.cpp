@@ -1,0 +1,161 @@
+#include "report/tools/check/shard.h"
+
+#include "calc/store/entry_folder.h"
+#include "report/check/check_project.h"
+#include "report/check/units.h"
+#include "report/shell/interrupt.h"
+#include "report/shell/print.h"
+#include "report/shell/progress.h"
+#include "report/tools/check/check_setup.h"
+#include "report/tools/check/store_words.h"
+#include "report/tools/check/watched_project.h"
+#include "report/tools/plan/units_list.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cli {
+namespace {
+
+// Counts looks, too.
+class ShardObserver : public WatchedProject {
+ public:
+  using WatchedProject::WatchedProject;
+
+  void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
+              const calc::PreparedScene& /*scene*/, const std::vector<calc::PlaneTask>& /*tasks*/,
+              const calc::SpaceSolution& solution) override {
+    const std::scoped_lock lock(mutex_);
+    looks_.read += solution.looks.read;
+    looks_.computed += solution.looks.computed;
+  }
+  const calc::LookCounts& looks() const { return looks_; }
+
+ private:
+  std::mutex mutex_;
+  calc::LookCounts looks_;
+};
+
+// As the file of --units lists them, or by a plan of all projects. Empty after an error, which has
+// been printed. What cannot be read has no units: who reports on all of them tells it.
+std::optional<std::vector<check::Unit>> all_units(const CheckOptions& options,
+                                                  const CheckSetup& setup,
+                                                  const calc::FileReader& files) {
+  const calc::RadiositySettings& radiosity = options.settings.radiosity;
+  if (options.batch.units_file.empty()) {
+    return units_of(check::plan_projects(options.input.projects, files, setup.packs, radiosity,
+                                         options.settings.today),
+                    radiosity);
+  }
+  std::string problem;
+  std::optional<std::vector<check::Unit>> units =
+      read_units(options.batch.units_file, files, problem);
+  if (units) {
+    const std::set<std::string> given(options.input.projects.begin(), options.input.projects.end());
+    for (const check::Unit& unit : *units) {
+      if (given.contains(unit.project)) continue;
+      problem = fmt::format("'{}' is not among the projects of this command", unit.project);
+      break;
+    }
+  }
+  if (problem.empty()) return units;
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::units_not_readable, {options.batch.units_file, 0, 0},
+                     problem);
+  print_diagnostics(diagnostics.all(), true);
+  return std::nullopt;
+}
+
+struct ProjectShare {
+  std::string path;
+  std::vector<check::Unit> units;
+};
+
+// Projects in the order of their first units.
+std::vector<ProjectShare> own_share(const std::vector<check::Unit>& units,
+                                    const BatchShare& share) {
+  const std::vector<std::size_t> shard = check::shards_of(units, share.count);
+  std::vector<ProjectShare> own;
+  std::map<std::string, std::size_t> place;
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    if (shard[u] + 1 != share.number) continue;
+    const auto [known, is_new] = place.try_emplace(units[u].project, own.size());
+    if (is_new) own.push_back({units[u].project, {}});
+    own[known->second].units.push_back(units[u]);
+  }
+  return own;
+}
+
+}  // namespace
+
+ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
+  const calc::DiskFileReader files;
+  CheckOptions options = asked;
+  options.settings.today = day_of(options.settings);
+  const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
+  if (!setup) return kNotJudged;
+  const auto units = all_units(options, *setup, files);
+  if (!units) return kNotJudged;
+  const std::vector<ProjectShare> own = own_share(*units, options.batch.share);
+
+  watch_for_interrupt();
+  const calc::Stages stages = setup->opened.stages();
+  calc::EntryFolder folder(options.store);
+  const calc::LookStore store{folder, setup->opened.identity};
+  Progress progress(progress_style(options.output, context.environment),
+                    context.environment.stderr_columns);
+  progress.expect(own.size());
+  std::vector<calc::Diagnostics> told(own.size());
+  calc::LookCounts looks;
+  std::mutex looks_mutex;
+  bool is_good = true;
+  std::size_t done = 0;
+  const auto work = [&](std::size_t p) {
+    ShardObserver observer(progress, own[p].path);
+    try {
+      told[p] = check::light_units(own[p].path, own[p].units,
+                                   {options.settings, files, setup->packs, stages, observer,
+                                    nullptr, &store, setup->crew.most_begun});
+    } catch (const calc::BackendFailure& failure) {
+      told[p].report(calc::DiagnosticId::backend_failed, {own[p].path, 0, 0}, failure.what());
+    } catch (const std::exception& error) {
+      told[p].report(calc::DiagnosticId::internal_error, {own[p].path, 0, 0}, error.what());
+    }
+    const std::scoped_lock lock(looks_mutex);
+    looks.read += observer.looks().read;
+    looks.computed += observer.looks().computed;
+  };
+  const auto deliver = [&](std::size_t p) {
+    if (interrupted()) return;
+    progress.aside([&] { print_diagnostics(told[p].all(), true); });
+    is_good = is_good && !told[p].has_errors();
+    done += told[p].has_errors() ? 0 : own[p].units.size();
+    progress.done(own[p].path);
+  };
+  check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
+  progress.clear();
+  const calc::StoreTroubles troubles = folder.troubles();
+  print_troubles(options.store, troubles);
+  if (interrupted()) {
+    fmt::print(stderr,
+               "luxgate: interrupted; what was finished is in the store, and the same command goes "
+               "on from there\n");
+    return kInterrupted;
+  }
+  if (!troubles.not_written.empty()) is_good = false;
+  if (!options.output.quiet) {
+    fmt::print(stderr, "luxgate: shard {}/{}: {} of {} units; {} looks computed, {} were there\n",
+               options.batch.share.number, options.batch.share.count, done, units->size(),
+               looks.computed, looks.read);
+  }
+  return is_good ? kAllMet : kNotJudged;
+}
+
+}  // namespace cli
