@@ -4,6 +4,8 @@ luxgate_test(cli_tests
     unit/report/build/build_test.cpp
     unit/report/check/backend_test.cpp
     unit/report/check/check_project_test.cpp
+    unit/report/check/in_order_test.cpp
+    unit/report/check/units_test.cpp
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
@@ -80,7 +82,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports)
+foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

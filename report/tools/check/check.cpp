@@ -29,10 +29,13 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -197,11 +200,24 @@ class MissingUnits {
 };
 
 // Images and pages are written while projects come.
-ExitCode told_of_interrupt(const OutputOptions& options) {
+ExitCode told_of_interrupt(const CheckOptions& options) {
+  const OutputOptions& output = options.output;
   fmt::print(
-      stderr, "luxgate: interrupted; {}\n",
-      options.images || options.html_split ? "no report was written" : "nothing was written");
+      stderr, "luxgate: interrupted; {}{}\n",
+      output.images || output.html_split ? "no report was written" : "nothing was written",
+      options.store.empty() ? "" : "; finished light is kept, and the same command goes on there");
   return kInterrupted;
+}
+
+// Nothing but a store of luxgate has been made there.
+void remove_resume_store(const std::string& folder) {
+  std::error_code failure;
+  if (!std::filesystem::exists(folder, failure)) return;  // nothing was kept
+  std::filesystem::remove_all(folder, failure);
+  if (!failure) return;
+  print_error(calc::DiagnosticId::output_not_possible,
+              fmt::format("cannot remove '{}', which is not needed any more: {}", folder,
+                          failure.message()));
 }
 
 }  // namespace
@@ -277,7 +293,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     };
     auto parts = old_state->check(check_one, setup->crew, go_on);
     progress.clear();
-    if (interrupted()) return told_of_interrupt(options.output);
+    if (interrupted()) return told_of_interrupt(options);
     if (!parts) return kNotJudged;
     baseline.emplace(report::Document{provenance, std::move(*parts), {}});
   }
@@ -327,7 +343,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   };
   check::in_order(checked.size(), setup->crew, work, deliver, go_on);
   progress.clear();
-  if (interrupted()) return told_of_interrupt(options.output);
+  if (interrupted()) return told_of_interrupt(options);
   if (options.explain_cost) {
     fmt::print(stderr, "{}{}{}", check::backend_line(setup->backend), cost_log,
                store ? looks_line(looks, options) : "");
@@ -336,6 +352,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   warnings.print(options.output.quiet);
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
+  if (is_written && options.batch.resumes) remove_resume_store(options.store);
   return is_written ? exit_code_of(results.outcome()) : kNotJudged;
 }
 

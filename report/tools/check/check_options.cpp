@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 namespace cli {
 namespace {
 
@@ -63,6 +65,9 @@ Option against_option(std::string& target) {
       {"--baseline"}};
 }
 
+// In the folder of the reports: the light of a run until these are written.
+constexpr const char* kResumeFolder = ".luxgate-resume";
+
 constexpr std::uint64_t kMostShards = 1'000'000;
 
 // "3/16"
@@ -96,7 +101,11 @@ std::vector<Option> batch_options(BatchOptions& batch) {
       {"--stored-only", "",
        "Calculate nothing: take all light from --store. What is not there is named, and not\n"
        "judged",
-       &batch.is_stored_only}};
+       &batch.is_stored_only},
+      {"--resume", "",
+       "Keep finished light in a folder of --output until the reports are written: a run that\n"
+       "was ended goes on there when the same command is given again. A --store does that, too",
+       &batch.resumes}};
 }
 
 // "" or which options cannot stand beside each other.
@@ -126,6 +135,22 @@ std::string batch_contradiction(const CheckOptions& options) {
   return options.explain_cost ? together("--explain-cost") : "";
 }
 
+// Where a store is used anyway it is all that --resume needs.
+std::string take_resume_store(CheckOptions& options) {
+  if (!options.batch.resumes) return "";
+  if (!options.store.empty()) {
+    options.batch.resumes = false;
+    return "";
+  }
+  if (options.output.folder.empty()) {
+    return "--resume needs --output FOLDER, where finished light is kept, or a --store";
+  }
+  if (!options.vpl_file.empty()) return "--resume and --vpl exclude each other";
+  options.store = (std::filesystem::path(options.output.folder) / kResumeFolder).string();
+  const std::string problem = calc::problem_with_store(options.store);
+  return problem.empty() ? "" : "--resume: " + problem;
+}
+
 std::string complete(CheckOptions& options, const Environment& environment) {
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
@@ -142,6 +167,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
     return fmt::format("--vpl is for one project; found {}", options.input.projects.size());
   }
   std::string problem = take_store(environment.store, options.store);
+  if (problem.empty()) problem = take_resume_store(options);
   if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
   if (problem.empty()) problem = batch_contradiction(options);

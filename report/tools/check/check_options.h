@@ -23,6 +23,7 @@ struct BatchOptions {
   BatchShare share;
   std::string units_file;       // that `luxgate plan --units` wrote; "" = planned again
   bool is_stored_only = false;  // nothing is calculated
+  bool resumes = false;         // the store is for this run alone, until its reports are written
 };
 
 struct CheckOptions {
