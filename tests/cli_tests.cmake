@@ -11,6 +11,7 @@ luxgate_test(cli_tests
     unit/report/tools/geometry/geometry_test.cpp
     unit/report/tools/geometry/rimless_test.cpp
     unit/report/tools/init/init_test.cpp
+    unit/report/tools/submit/job_script_test.cpp
     unit/report/result_file/contradiction_test.cpp
     unit/report/shell/command_line_test.cpp
     unit/report/shell/outputs_test.cpp
@@ -82,7 +83,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards)
+foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

@@ -1,0 +1,209 @@
+#include "report/tools/submit/job_script.h"
+
+#include "report/text/shell_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+using report::shell_quoted;
+
+constexpr double kShard_s = 180.0;
+constexpr double kFirstLooksOfWork = 4.0;  // a guess: most planes take two or three looks
+constexpr std::size_t kMostShards = 1000;  // Slurm's MaxArraySize is 1001 unless it is set
+
+const char* engine_name(Engine engine) {
+  switch (engine) {
+    case Engine::slurm:
+      return "slurm";
+    case Engine::parallel:
+      return "parallel";
+    case Engine::local:
+      return "local";
+  }
+  return "";
+}
+
+// A line each.
+std::string list(std::string_view name, const std::vector<std::string>& quoted) {
+  std::string text = fmt::format("{}=(\n", name);
+  for (const std::string& words : quoted) text += "  " + words + "\n";
+  return text + ")\n";
+}
+
+std::string head(const BatchJob& job) {
+  std::string text = fmt::format(
+      "#!/bin/bash\n"
+      "# A batch of luxgate with the engine '{}': units: {}, shards: {}.\n"
+      "# By prediction the first looks take {:.3g} s of one core; all of the work a few times "
+      "that.\n"
+      "#   bash job.sh            starts the shards, then the closing job\n",
+      engine_name(job.engine), job.units, job.shards, job.first_look_s);
+  if (job.engine == Engine::slurm) {
+    text += "#   bash job.sh wait       the same, and waits for the closing job\n";
+  }
+  return text +
+         "#   bash job.sh shard 3    calculates shard 3 into the store\n"
+         "#   bash job.sh close      reports from the store; its exit code is the batch's\n"
+         "# What was cut off is run again by the same command: what is in the store is only "
+         "read.\n";
+}
+
+std::string settings(const BatchJob& job) {
+  std::vector<std::string> projects;
+  for (const std::string& project : job.projects) projects.push_back(shell_quoted(project));
+  std::string text = fmt::format(
+      "set -u\n"
+      "cd -- {} || exit 2\n"
+      "luxgate={}\n"
+      "store={}\n"
+      "folder={}  # units.json, job.sh, logs\n"
+      "shards={}\n"
+      "jobs={}  # threads of a shard\n",
+      shell_quoted(job.working_folder), shell_quoted(job.program), shell_quoted(job.store),
+      shell_quoted(job.job_folder), job.shards, job.jobs);
+  if (!job.source_date_epoch.empty()) {
+    text += fmt::format("export SOURCE_DATE_EPOCH={}\n", shell_quoted(job.source_date_epoch));
+  }
+  return text + "\n" + list("projects", projects) + "# Of shards and of the closing job alike.\n" +
+         list("options", job.options) + "# Of the closing job alone.\n" +
+         list("report_options", job.report_options);
+}
+
+// What a shard and the closing job are, whatever starts them. On a cluster the closing job has as
+// many cores as a shard.
+std::string tasks(const BatchJob& job) {
+  return fmt::format(R"(
+shard() {{
+  exec "$luxgate" check "${{options[@]}}" --store "$store" --shard "$1/$shards" \
+    --units "$folder/units.json" --jobs "$jobs" -- "${{projects[@]}}"
+}}
+
+close() {{
+  exec "$luxgate" check "${{options[@]}}" "${{report_options[@]}}" --store "$store" --stored-only{} \
+    -- "${{projects[@]}}"
+}}
+)",
+                     job.engine == Engine::slurm ? " --jobs \"$jobs\"" : "");
+}
+
+// Partition, account, time limit and memory are Slurm's own variables: SBATCH_PARTITION, ...
+std::string send_to_slurm(const BatchJob& job) {
+  const std::string limit = job.at_once > 0 ? fmt::format("%{}", job.at_once) : "";
+  return fmt::format(R"(
+# Sends both, and says their numbers. SBATCH_PARTITION, SBATCH_ACCOUNT, SBATCH_TIMELIMIT say the rest.
+send() {{
+  needs sbatch
+  local logs=${{folder//%/%%}} common=(--parsable --requeue --cpus-per-task="$jobs"{}) array closing
+  array=$(sbatch "${{common[@]}}" --job-name=luxgate --array="1-$shards{}" --open-mode=append \
+    --output="$logs/shard-%a.log" "$folder/job.sh" shard) || exit 2
+  echo "shards: job $array" >&2
+  closing=$(sbatch "${{common[@]}}" --job-name=luxgate-close --dependency="afterany:${{array%%;*}}" \
+    --output="$logs/close.log" --error="$logs/close-messages.log" "$@" "$folder/job.sh" close)
+  local code=$?
+  if [ -z "$closing" ]; then exit 2; fi
+  echo "closing job: job $closing; results in $folder/close.log" >&2
+  return "$code"
+}}
+
+case "${{1:-send}}" in
+  send) send ;;
+  wait)
+    send --wait
+    code=$?
+    cat -- "$folder/close-messages.log" >&2
+    cat -- "$folder/close.log"
+    exit "$code" ;;
+  shard) shard "${{2:-$SLURM_ARRAY_TASK_ID}}" ;;
+  close) close ;;
+  *) echo "luxgate: error: send, wait, shard N or close is needed" >&2; exit 2 ;;
+esac
+)",
+                     job.needs_gpu ? " --gres=gpu:1" : "", limit);
+}
+
+std::string send_to_parallel(const BatchJob& job) {
+  std::string slots;
+  if (job.at_once > 0) {
+    slots = fmt::format(" --jobs {}", job.at_once);
+  } else if (job.jobs > 1) {
+    slots = R"( --jobs "$((100 / jobs))%")";
+  }
+  return fmt::format(R"(
+# Run again it does the shards again that failed. PARALLEL='--sshlogin a,b' takes other machines, too.
+send() {{
+  needs parallel
+  seq "$shards" | parallel --quote --joblog "$folder/joblog" --resume-failed{} \
+    bash "$folder/job.sh" shard {{}}
+  close
+}}
+)",
+                     slots);
+}
+
+std::string send_here(const BatchJob& job) {
+  const std::string at_once =
+      job.at_once > 0 ? std::to_string(job.at_once) : "$((($(nproc) + jobs - 1) / jobs))";
+  return fmt::format(R"(
+send() {{
+  local at_once={} i
+  trap 'kill $(jobs -p) 2>/dev/null; wait; exit 130' INT TERM
+  for ((i = 1; i <= shards; ++i)); do
+    while (($(jobs -pr | wc -l) >= at_once)); do wait -n; done
+    shard "$i" &
+  done
+  wait
+  close
+}}
+)",
+                     at_once);
+}
+
+constexpr std::string_view kNeeds = R"(
+needs() {
+  command -v "$1" >/dev/null && return
+  echo "luxgate: error: '$1' is not installed" >&2
+  exit 2
+}
+)";
+
+constexpr std::string_view kDispatch = R"(
+case "${1:-send}" in
+  send) send ;;
+  shard) shard "$2" ;;
+  close) close ;;
+  *) echo "luxgate: error: send, shard N or close is needed" >&2; exit 2 ;;
+esac
+)";
+
+}  // namespace
+
+std::string job_file(const BatchJob& job) { return job.job_folder + "/job.sh"; }
+std::string units_file(const BatchJob& job) { return job.job_folder + "/units.json"; }
+std::string job_log(const BatchJob& job) { return job.job_folder + "/joblog"; }
+
+std::size_t shards_for(std::size_t units, double first_look_s) {
+  const double wanted = std::ceil(first_look_s * kFirstLooksOfWork / kShard_s);
+  const auto most = static_cast<double>(std::clamp<std::size_t>(units, 1, kMostShards));
+  return static_cast<std::size_t>(std::clamp(wanted, 1.0, most));
+}
+
+std::string render_job_script(const BatchJob& job) {
+  const std::string common = head(job) + settings(job) + tasks(job);
+  switch (job.engine) {
+    case Engine::slurm:
+      return common + std::string(kNeeds) + send_to_slurm(job);
+    case Engine::parallel:
+      return common + std::string(kNeeds) + send_to_parallel(job) + std::string(kDispatch);
+    case Engine::local:
+      return common + send_here(job) + std::string(kDispatch);
+  }
+  return common;
+}
+
+}  // namespace cli

@@ -1,0 +1,40 @@
+#pragma once
+// The script of a batch: shards that calculate into one store, then one job that reports from it.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+enum class Engine { slurm, parallel, local };
+
+struct BatchJob {
+  Engine engine = Engine::local;
+  std::string program;         // luxgate itself
+  std::string working_folder;  // in which the names of files hold
+  std::string job_folder;      // absolute: units.json, job.sh and logs
+  std::string store;
+  std::vector<std::string> projects;
+  // One option each, quoted for a shell: "--seed 2". The first change results, the others reports.
+  std::vector<std::string> options, report_options;
+  std::string source_date_epoch;  // "" = not set
+  std::size_t units = 0, shards = 1;
+  double first_look_s = 0.0;  // predicted, of all units, of one core
+  int jobs = 1;               // threads of a shard
+  int at_once = 0;            // shards at a time; 0 = as many as there is room for
+  bool needs_gpu = false;
+};
+
+std::string job_file(const BatchJob& job);
+std::string units_file(const BatchJob& job);
+// GNU parallel's.
+std::string job_log(const BatchJob& job);
+
+// How many shards take about three minutes each. A first look is all that is predicted: taken for
+// a quarter of the work. Not more than there are units, nor than Slurm allows in one array.
+std::size_t shards_for(std::size_t units, double first_look_s);
+
+std::string render_job_script(const BatchJob& job);
+
+}  // namespace cli

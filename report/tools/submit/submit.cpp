@@ -1,0 +1,300 @@
+#include "report/tools/submit/submit.h"
+
+#include "calc/base/file_reader.h"
+#include "report/check/settings.h"
+#include "report/check/units.h"
+#include "report/formats/write.h"
+#include "report/shell/open_backend.h"
+#include "report/shell/option_values.h"
+#include "report/shell/outputs.h"
+#include "report/shell/print.h"
+#include "report/text/shell_words.h"
+#include "report/tools/check/check_options.h"
+#include "report/tools/plan/units_list.h"
+#include "report/tools/submit/job_script.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFooter =
+    "Shards calculate into the store, the closing job reports from it: with the bytes of one\n"
+    "machine. What is in the store is only read, so the same command once more completes what was\n"
+    "cut off; a shard of which all is there costs its reading. Store, job folder, projects and\n"
+    "luxgate must have the same paths on all machines. Where some have a GPU and some do not, say\n"
+    "--backend. A job folder is for one batch at a time.\n"
+    "All other options are those of 'check'; those of reports are for the closing job alone.\n"
+    "Exit codes: 0 no error, 2 an error; with --send, but for slurm without --wait, that of the\n"
+    "closing job.";
+
+struct SubmitOptions {
+  CheckOptions check;
+  std::optional<Engine> engine;
+  std::string job_folder;    // "" = beside the store
+  std::uint64_t shards = 0;  // 0 = by predicted seconds
+  int jobs = 1, at_once = 0;
+  bool sends = false, waits = false;
+  // Options of `check` as they were given, one each, quoted for a shell.
+  std::vector<std::string> words, report_words;
+  std::string source_date_epoch;
+};
+
+constexpr auto kNotOfBatches =
+    std::to_array<std::string_view>({"--against", "--explain-cost", "--jobs", "--shard",
+                                     "--stored-only", "--time-limit", "--units", "--vpl"});
+// All others say how a report looks.
+constexpr auto kOfShards = std::to_array<std::string_view>(
+    {"--backend", "--by-luminaire", "--clamp", "--confidence", "--gl-device", "--goal",
+     "--gpu-stages", "--max-paths", "--method", "--no-skip", "--quiet", "--replicates", "--rules",
+     "--seed", "--timestamp", "--tolerance", "--visibility"});
+
+template <std::size_t N>
+bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Of "-o,--output": the last.
+std::string long_name(const Option& option) {
+  return option.names.substr(option.names.find_last_of(',') + 1);
+}
+
+std::string as_written(const Option& option, const std::string& name, const std::string& value) {
+  if (option.may_have_value) {
+    return value.empty() ? name : name + "=" + report::shell_quoted(value);
+  }
+  if (option.value_name.empty()) return name;
+  const bool is_plain = !value.empty() && value.front() != '-';
+  return name + (is_plain ? " " : "=") + report::shell_quoted(value);
+}
+
+// The same option, which also writes down that it was given.
+Option recorded(Option option, std::vector<std::string>& words) {
+  const std::string name = long_name(option);
+  if (bool* const* flag = std::get_if<bool*>(&option.target)) {
+    option.target = [target = *flag, name, &words](const std::string&) -> std::string {
+      *target = true;
+      words.push_back(name);
+      return "";
+    };
+    return option;
+  }
+  option.target = [parser = std::get<ValueParser>(option.target), plain = option, name,
+                   &words](const std::string& text) -> std::string {
+    std::string problem = parser(text);
+    if (problem.empty()) words.push_back(as_written(plain, name, text));
+    return problem;
+  };
+  return option;
+}
+
+// --store is said by the script itself.
+std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option> all) {
+  std::vector<Option> kept;
+  for (Option& option : all) {
+    const std::string name = long_name(option);
+    if (is_among(kNotOfBatches, name)) continue;
+    std::erase_if(option.excludes,
+                  [](const std::string& other) { return is_among(kNotOfBatches, other); });
+    if (name == "--store") {
+      kept.push_back(std::move(option));
+    } else {
+      kept.push_back(recorded(std::move(option),
+                              is_among(kOfShards, name) ? options.words : options.report_words));
+    }
+  }
+  return kept;
+}
+
+ValueParser engine_parser(std::optional<Engine>& target) {
+  return [&target](const std::string& text) {
+    Engine engine = Engine::local;
+    std::string problem = choice<Engine>(
+        engine,
+        {{"slurm", Engine::slurm}, {"parallel", Engine::parallel}, {"local", Engine::local}})(text);
+    if (problem.empty()) target = engine;
+    return problem;
+  };
+}
+
+std::string without_end_slash(std::string path) {
+  while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+  return path;
+}
+
+std::string complete(SubmitOptions& options, const Environment& environment) {
+  if (!options.engine) return "--engine is needed: slurm, parallel or local";
+  if (options.check.store.empty() && environment.store.empty()) {
+    return "--store is needed: shards and the closing job meet there";
+  }
+  if (options.check.store == "off") return "--store: a batch needs one; 'off' is not allowed";
+  if (options.waits && !options.sends) return "--wait needs --send";
+  if (options.waits && options.engine != Engine::slurm) {
+    return "--wait is for --engine slurm; the others wait as it is";
+  }
+  options.source_date_epoch = environment.source_date_epoch;
+  if (options.job_folder.empty()) {
+    const std::string& store =
+        options.check.store.empty() ? environment.store : options.check.store;
+    options.job_folder = without_end_slash(store) + "-job";
+  }
+  return "";
+}
+
+ExitCode complain(const std::string& problem) {
+  print_error(calc::DiagnosticId::output_not_possible, problem);
+  return kNotJudged;
+}
+
+// Of the program that runs; as it was called if the system does not say it.
+std::string own_path() {
+  std::error_code error;
+  const fs::path path = fs::read_symlink("/proc/self/exe", error);
+  return error ? "luxgate" : path.string();
+}
+
+// What it says of files. "" or what is wrong.
+std::string write_job(const BatchJob& job, const std::vector<check::Unit>& units) {
+  std::error_code error;
+  fs::create_directories(job.job_folder, error);
+  if (error) {
+    return fmt::format("cannot make the folder '{}': {}", job.job_folder, error.message());
+  }
+  const std::pair<std::string, std::string> files[] = {{units_file(job), render_units_json(units)},
+                                                       {job_file(job), render_job_script(job)}};
+  for (const auto& [file, text] : files) {
+    const std::string problem = report::write_file_atomically(file, text);
+    if (!problem.empty()) return fmt::format("cannot write '{}': {}", file, problem);
+  }
+  fs::remove(job_log(job), error);  // of a batch before, of which no shard is done now
+  return error ? fmt::format("cannot delete '{}': {}", job_log(job), error.message()) : "";
+}
+
+// Returns only if it cannot.
+ExitCode become_script(const BatchJob& job, bool waits) {
+  std::fflush(stdout);
+  std::fflush(stderr);
+  const std::string file = job_file(job);
+  execlp("bash", "bash", file.c_str(), waits ? "wait" : "send", static_cast<char*>(nullptr));
+  return complain(fmt::format("cannot start bash: {}", std::strerror(errno)));
+}
+
+ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
+  const calc::DiskFileReader files;
+  const CheckOptions& check = options.check;
+  const calc::RadiositySettings& radiosity = check.settings.radiosity;
+  std::vector<std::string> inputs = check.input.projects;
+  inputs.insert(inputs.end(), check.input.rule_files.begin(), check.input.rule_files.end());
+  if (!check.baseline.empty()) inputs.push_back(check.baseline);
+  if (const std::string problem = check_outputs(check.output, inputs); !problem.empty()) {
+    return complain(problem);
+  }
+  const auto packs = load_packs_or_print(check.input.rule_files, files);
+  if (!packs) return kNotJudged;
+  const std::vector<check::ProjectPlan> plans = check::plan_projects(
+      check.input.projects, files, *packs, radiosity, check::day_of(check.settings));
+  bool is_planned = true;
+  for (const check::ProjectPlan& plan : plans) {
+    print_diagnostics(plan.diagnostics, true);  // the closing job tells warnings
+    is_planned = is_planned && plan.is_planned;
+  }
+  if (!is_planned) {
+    return complain("no job is made: mend what has errors, or leave it out of the batch");
+  }
+  const std::vector<check::Unit> units = check::units_of(plans, radiosity);
+
+  BatchJob job;
+  job.engine = *options.engine;
+  job.program = own_path();
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  if (error) return complain(fmt::format("no working folder: {}", error.message()));
+  job.working_folder = here.string();
+  job.job_folder = without_end_slash((here / options.job_folder).lexically_normal().string());
+  job.store = check.store;
+  job.projects = check.input.projects;
+  job.options = options.words;
+  job.report_options = options.report_words;
+  job.source_date_epoch = options.source_date_epoch;
+  job.units = units.size();
+  for (const check::Unit& unit : units) job.first_look_s += unit.first_look_s;
+  job.shards = options.shards == 0 ? shards_for(job.units, job.first_look_s)
+                                   : std::clamp<std::size_t>(job.units, 1, options.shards);
+  job.jobs = options.jobs;
+  job.at_once = options.at_once;
+  job.needs_gpu =
+      check::choose_backend(check.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
+        return first_look_work(plans);
+      }).backend == check::Backend::gpu;
+  if (const std::string problem = write_job(job, units); !problem.empty()) return complain(problem);
+  if (!check.output.quiet) {
+    fmt::print(stderr,
+               "luxgate: units: {}, shards: {}; by prediction {:.3g} s of one core for the first "
+               "looks; {}'bash {}'\n",
+               job.units, job.shards, job.first_look_s,
+               options.sends ? "" : "to start: ", report::shell_quoted(job_file(job)));
+  }
+  if (options.sends) return become_script(job, options.waits);
+  return print_outcome({kAllMet, render_job_script(job), {}});
+}
+
+}  // namespace
+
+Command submit_command() {
+  const auto options = std::make_shared<SubmitOptions>();
+  Command of_check = check_syntax(options->check);
+  Command command{"submit", "Write or send a batch for Slurm, GNU parallel or all cores here"};
+  command.places = std::move(of_check.places);
+  command.options = {
+      {"--engine", "NAME",
+       "slurm: an array of shards and a closing job after it; parallel: GNU parallel;\n"
+       "local: bash alone",
+       engine_parser(options->engine)},
+      {"--shards", "N",
+       "Into how many shards; at most one for each unit. Default: about three minutes each, where\n"
+       "the predicted first looks are taken for a quarter of the work",
+       whole_number(options->shards, 1, 1'000'000)},
+      {"--job-folder", "DIR",
+       "For script, list of units and logs; made if it is not there; default the store's name\n"
+       "with '-job' behind it",
+       some_text(options->job_folder)},
+      jobs_option(options->jobs),
+      {"--at-once", "N",
+       "At most so many shards at a time; default all that slurm has room for, else one for\n"
+       "each core",
+       whole_number(options->at_once, 1, 1'000'000)},
+      {"--send", "", "Start it, instead of printing the script", &options->sends},
+      {"--wait", "",
+       "With --send and slurm: wait for the closing job, print its results and end with its code",
+       &options->waits}};
+  command.options[3].help = "Threads of a shard, cores that it asks for; default 1";
+  add(command.options, options_of_check(*options, std::move(of_check.options)));
+  command.footer = kFooter;
+  command.complete = [options, rest = of_check.complete](const Environment& environment) {
+    const std::string problem = complete(*options, environment);
+    return problem.empty() ? rest(environment) : problem;
+  };
+  command.run = [options](const RunContext& context) { return run_submit(*options, context); };
+  return command;
+}
+
+}  // namespace cli

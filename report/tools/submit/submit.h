@@ -1,0 +1,10 @@
+#pragma once
+// `luxgate submit`: a batch as a script for an engine that has many cores or machines.
+
+#include "report/shell/command.h"
+
+namespace cli {
+
+Command submit_command();
+
+}  // namespace cli
