@@ -1,7 +1,9 @@
 """Slurm with one node for a test: its daemons, key and socket are private, and end with it."""
+import ctypes
 import os
 import pathlib
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
@@ -48,6 +50,12 @@ def why_not():
     return "" if os.geteuid() == 0 else "not root"
 
 
+def end_with_the_test():
+    """In a daemon, before it starts: however the test is killed, it ends, too."""
+    set_signal_of_parents_death = 1
+    ctypes.CDLL(None).prctl(set_signal_of_parents_death, signal.SIGTERM)
+
+
 def free_ports(count):
     sockets = [socket.socket() for _ in range(count)]
     for one in sockets:
@@ -82,7 +90,7 @@ class PrivateSlurm:
     def daemon(self, *command):
         with open(self.folder / f"{command[0]}.out", "wb") as out:
             self.daemons.append(subprocess.Popen(command, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
-                                                 stderr=subprocess.STDOUT, start_new_session=True))
+                                                 stderr=subprocess.STDOUT, start_new_session=True, preexec_fn=end_with_the_test))
 
     def start(self):
         munge = self.folder / "munge"
