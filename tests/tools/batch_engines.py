@@ -20,7 +20,7 @@ import time
 import private_slurm
 import small_designs
 
-PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+PROGRAM, WORK, EXAMPLES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 FORMATS = ["json", "csv", "html"]
 PATIENCE_S = 90
 problems = []
@@ -169,6 +169,26 @@ def cancelled(batch, slurm):
     batch.expect_same("slurm", case, batch.start(batch.submit("slurm", case, shards), slurm.environment), ", again")
 
 
+def by_hand(batch, engine, environment):
+    """The scripts in examples/batch."""
+    folder, commands = batch.folder / f"{engine} by hand", batch.folder / "commands"
+    folder.mkdir()
+    commands.mkdir(exist_ok=True)
+    if not (commands / "luxgate").exists():
+        (commands / "luxgate").symlink_to(PROGRAM)
+    environment = {**(environment or os.environ), "STORE": str(folder / "looks"), "WAIT": "1"}
+    environment["PATH"] = f"{commands}:{environment['PATH']}"
+    designs = [f"../{name}" for name in batch.designs]
+    one = subprocess.run([PROGRAM, "check", *designs, "--seed", "1", *formats(folder)], cwd=folder, capture_output=True, check=False)
+    run = subprocess.run(["bash", EXAMPLES / "batch" / f"{engine}.sh", *designs], cwd=folder, env=environment, capture_output=True,
+                         text=True, timeout=PATIENCE_S, check=False)
+    expect(run.returncode == one.returncode == 1, f"{engine} by hand: exit code {run.returncode}, expected 1: {run.stderr}")
+    for name in FORMATS:
+        written = folder / f"batch.{name}"
+        expect(written.exists() and written.read_bytes() == (folder / f"x.{name}").read_bytes(),
+               f"{engine} by hand: {name} is not that of one machine")
+
+
 def refused(batch):
     """What is wrong is said before anything is sent."""
     for words, message in [([], "--store is needed"), (["--store", "off"], "--store: a batch needs one"),
@@ -202,11 +222,14 @@ if len(engines) == 1:
 for engine, environment in engines:
     for work, batch in [(same_bytes, small), (killed, long)]:
         timed(f"{engine}, {work.__name__}", work, batch, engine, environment)
+    if engine == "parallel":
+        timed("parallel, by_hand", by_hand, small, engine, environment)
 with private_slurm.PrivateSlurm() as slurm:
     if slurm.problem:
         print(f"without Slurm: {slurm.problem}")
     else:
         timed("slurm, same_bytes", same_bytes, small, "slurm", slurm.environment)
+        timed("slurm, by_hand", by_hand, small, "slurm", slurm.environment)
         timed("slurm, cancelled", cancelled, long, slurm)
 print("\n".join(problems))
 if not problems and len(engines) == 1 and slurm.problem:
