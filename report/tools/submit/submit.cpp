@@ -60,13 +60,13 @@ struct SubmitOptions {
 };
 
 constexpr auto kNotOfBatches =
-    std::to_array<std::string_view>({"--against", "--explain-cost", "--jobs", "--shard",
+    std::to_array<std::string_view>({"--against", "--explain-cost", "--jobs", "--resume", "--shard",
                                      "--stored-only", "--time-limit", "--units", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
     {"--backend", "--by-luminaire", "--clamp", "--confidence", "--gl-device", "--goal",
      "--gpu-stages", "--max-paths", "--method", "--no-skip", "--quiet", "--replicates", "--rules",
-     "--seed", "--timestamp", "--tolerance", "--visibility"});
+     "--seed", "--set", "--timestamp", "--tolerance", "--visibility"});
 
 template <std::size_t N>
 bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {
