@@ -16,6 +16,7 @@
 #include "report/tools/selftest/selftest.h"
 #include "report/tools/store/store.h"
 #include "report/tools/submit/submit.h"
+#include "report/tools/sweep/sweep.h"
 #include "report/tools/validate/validate.h"
 #include "report/tools/vpl/vpl.h"
 #include "report/tools/watch/watch.h"
@@ -23,11 +24,12 @@
 namespace cli {
 
 std::vector<Command> all_commands() {
-  return {check_command(),    watch_command(),    report_command(),  plan_command(),
-          submit_command(),   validate_command(), vpl_command(),     converge_command(),
-          selftest_command(), compare_command(),  export_command(),  photometry_command(),
-          geometry_command(), rules_command(),    explain_command(), store_command(),
-          schema_command(),   init_command(),     devices_command(), version_command()};
+  return {check_command(),      watch_command(),    sweep_command(),    report_command(),
+          plan_command(),       submit_command(),   validate_command(), vpl_command(),
+          converge_command(),   selftest_command(), compare_command(),  export_command(),
+          photometry_command(), geometry_command(), rules_command(),    explain_command(),
+          store_command(),      schema_command(),   init_command(),     devices_command(),
+          version_command()};
 }
 
 }  // namespace cli

@@ -8,12 +8,16 @@
 
 namespace rules {
 
+const std::vector<calc::ElementRow>& rows_about_rules() {
+  static const std::vector<calc::ElementRow> kRows{require_element(), workplace_element(),
+                                                   workplace_grid_element(), deviation_element(),
+                                                   waiver_element()};
+  return kRows;
+}
+
 std::string project_schema() {
-  return calc::xml_schema({"'luxgate schema'",
-                           calc::kProjectMeaning,
-                           calc::kProjectRoot,
-                           {require_element(), workplace_element(), workplace_grid_element(),
-                            deviation_element(), waiver_element()}});
+  return calc::xml_schema(
+      {"'luxgate schema'", calc::kProjectMeaning, calc::kProjectRoot, rows_about_rules()});
 }
 
 }  // namespace rules

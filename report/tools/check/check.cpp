@@ -5,6 +5,7 @@
 #include "calc/store/memory_store.h"
 #include "report/check/check_project.h"
 #include "report/check/in_order.h"
+#include "report/check/set_values.h"
 #include "report/check/units.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
@@ -224,7 +225,8 @@ void remove_resume_store(const std::string& folder) {
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const calc::DiskFileReader disk;
-  const RecordingReader files(disk);
+  const RecordingReader recorded(disk);
+  const check::SetReader files(recorded, asked.input.projects, asked.set);
   CheckOptions options = asked;
   options.settings.today = day_of(options.settings);  // one for all, also over midnight
   std::optional<check::VertexSource> vertices;
@@ -242,6 +244,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
     return kNotJudged;
   }
+  if (!check_values_or_print(options.input, options.set, "set", recorded)) return kNotJudged;
   std::optional<report::Document> baseline;
   if (!options.baseline.empty()) {
     baseline = read_result_or_print(options.baseline, files);
@@ -338,7 +341,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     cost_log += checked[p]->cost_log;
     looks.read += checked[p]->looks.read;
     looks.computed += checked[p]->looks.computed;
-    results.add(std::move(project), files.new_paths());
+    results.add(std::move(project), recorded.new_paths());
     checked[p].reset();
   };
   check::in_order(checked.size(), setup->crew, work, deliver, go_on);
@@ -348,7 +351,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     fmt::print(stderr, "{}{}{}", check::backend_line(setup->backend), cost_log,
                store ? looks_line(looks, options) : "");
   }
-  const bool is_written = results.finish(backend, files.paths());
+  const bool is_written = results.finish(backend, recorded.paths());
   warnings.print(options.output.quiet);
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());

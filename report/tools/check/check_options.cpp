@@ -3,6 +3,7 @@
 #include "calc/store/entry_folder.h"
 #include "report/shell/gate_options.h"
 #include "report/shell/option_values.h"
+#include "report/shell/print.h"
 #include "report/text/shell_words.h"
 
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ Option against_option(std::string& target) {
       "fetched. --rules in the repository are those of then, others those of now",
       git_revision(target),
       false,
-      {"--baseline"}};
+      {"--baseline", "--set"}};
 }
 
 // In the folder of the reports: the light of a run until these are written.
@@ -89,11 +90,11 @@ ValueParser share_of_batch(BatchShare& target) {
 
 std::vector<Option> batch_options(BatchOptions& batch) {
   return {
-      {"--shard", "I/N",
-       "Calculate only share I of N of the light, from 1 to N, into --store, and judge nothing:\n"
-       "for as many machines. Shares are alike in predicted work. Then one run with\n"
-       "--stored-only reports. Exit code 0: all of the share is in the store",
-       share_of_batch(batch.share)},
+      shard_option(batch.share,
+                   "Calculate only share I of N of the light, from 1 to N, into --store, and judge "
+                   "nothing:\n"
+                   "for as many machines. Shares are alike in predicted work. Then one run with\n"
+                   "--stored-only reports. Exit code 0: all of the share is in the store"),
       {"--units", "FILE",
        "With --shard: the list that 'luxgate plan --units --format json' wrote of the same\n"
        "projects, so that each share reads its own projects only",
@@ -176,6 +177,35 @@ std::string complete(CheckOptions& options, const Environment& environment) {
 
 }  // namespace
 
+Option shard_option(BatchShare& share, const std::string& help) {
+  return {"--shard", "I/N", help, share_of_batch(share)};
+}
+
+Option set_option(std::vector<check::SetValue>& set) {
+  const auto parse = [&set](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    if (equals == text.npos || equals == 0) {
+      return fmt::format("'{}' is not PATH=VALUE, as linear.flux-lm=4000", text);
+    }
+    set.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    return "";
+  };
+  return {"--set", "PATH=VALUE",
+          "Check a variant: this attribute of the project has this value, whatever the file says;\n"
+          "the file stays as it is. PATH is ID.attribute (linear.flux-lm=4000), with the ids of\n"
+          "elements around it where one is not enough (room.desk.general.at-least=500), or\n"
+          "luxgate.attribute of the root. Every result names it in its command. Can be repeated",
+          parse, true};
+}
+
+bool check_values_or_print(const ProjectOptions& input, const std::vector<check::SetValue>& set,
+                           std::string_view option, const calc::FileReader& files) {
+  calc::Diagnostics diagnostics;
+  if (!set.empty()) check::check_values(input.projects, set, option, files, diagnostics);
+  print_diagnostics(diagnostics.all(), true);
+  return !diagnostics.has_errors();
+}
+
 Option store_option(std::string& store) {
   return {
       "--store", "DIR",
@@ -224,7 +254,7 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
 Command check_syntax(CheckOptions& options) {
   Command command{"check", "Calculate projects and judge their requirements"};
   command.places = {projects_place(options.input)};
-  command.options = {rules_of_projects(options.input)};
+  command.options = {rules_of_projects(options.input), set_option(options.set)};
   add(command.options, output_options(options.output));
   add(command.options, {baseline_option(options.baseline), against_option(options.against)});
   add(command.options, gate_options(options.gate));
@@ -253,14 +283,21 @@ Command check_syntax(CheckOptions& options) {
 }
 
 std::string reproducible_command(const CheckOptions& options) {
+  return "luxgate check" + reproducible_words(options);
+}
+
+std::string reproducible_words(const CheckOptions& options) {
   const check::Settings defaults;
   const check::Settings& used = options.settings;
-  std::string command = "luxgate check";
+  std::string command;
   for (const std::string& project : options.input.projects) {
     command += " " + report::shell_quoted(project);
   }
   for (const std::string& file : options.input.rule_files) {
     command += " --rules " + report::shell_quoted(file);
+  }
+  for (const check::SetValue& value : options.set) {
+    command += " --set " + report::shell_quoted(value.words());
   }
   const auto add = [&command](const char* name, const auto& value, const auto& default_value) {
     if (value != default_value) command += fmt::format(" {} {}", name, value);

@@ -1,6 +1,7 @@
 #pragma once
 // The options of `luxgate check`.
 
+#include "report/check/set_values.h"
 #include "report/check/settings.h"
 #include "report/document/revision.h"
 #include "report/shell/output_options.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cli {
@@ -28,6 +30,7 @@ struct BatchOptions {
 
 struct CheckOptions {
   ProjectOptions input;
+  std::vector<check::SetValue> set;  // in each of the projects
   OutputOptions output;
   check::Settings settings;
   check::BackendRequest backend;
@@ -48,6 +51,16 @@ struct CheckOptions {
 Option store_option(std::string& store);
 std::string take_store(const std::string& variable, std::string& store);
 
+// --set
+Option set_option(std::vector<check::SetValue>& set);
+// False after an error, which has been printed: a project cannot have these values. option: whose
+// they are, "set".
+bool check_values_or_print(const ProjectOptions& input, const std::vector<check::SetValue>& set,
+                           std::string_view option, const calc::FileReader& files);
+
+// --shard
+Option shard_option(BatchShare& share, const std::string& help);
+
 // Those of them that say how exactly is calculated.
 std::vector<Option> accuracy_options(check::Settings& settings);
 
@@ -58,5 +71,7 @@ Command check_syntax(CheckOptions& options);
 // for a shell. Options that do not (--jobs, --format, ...) are left out, so that reports do not
 // depend on them.
 std::string reproducible_command(const CheckOptions& options);
+// What of it follows "luxgate check".
+std::string reproducible_words(const CheckOptions& options);
 
 }  // namespace cli

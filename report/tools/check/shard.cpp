@@ -2,6 +2,7 @@
 
 #include "calc/store/entry_folder.h"
 #include "report/check/check_project.h"
+#include "report/check/set_values.h"
 #include "report/check/units.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/print.h"
@@ -96,7 +97,9 @@ std::vector<ProjectShare> own_share(const std::vector<check::Unit>& units,
 }  // namespace
 
 ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
-  const calc::DiskFileReader files;
+  const calc::DiskFileReader disk;
+  const check::SetReader files(disk, asked.input.projects, asked.set);
+  if (!check_values_or_print(asked.input, asked.set, "set", disk)) return kNotJudged;
   CheckOptions options = asked;
   options.settings.today = day_of(options.settings);
   const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);

@@ -1,0 +1,58 @@
+#pragma once
+// Attributes of a project file that are given another value than the file has: in its text, so that
+// whoever reads it sees a project like any other. Values are judged by that reader.
+//
+// A path is "ID.attribute": the attribute of the element of that id. Where several have the id,
+// those of the elements around it stand before it ("room.plane.id.attribute", any of them may be
+// left out), or the name of an element does ("plane.id.attribute"). An element without an id goes
+// by its name ("luxgate.maintenance-factor", "plane.require.at-least") or, of <dim> and <part>, by
+// its group, and of <zone> by its role.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace check {
+
+struct SetValue {
+  std::string path, value;
+
+  // "linear.flux-lm=4000"
+  std::string words() const { return path + "=" + value; }
+};
+
+// The text of a project file with these values, in UTF-8. Everything else stays, and so do the
+// numbers of lines. Empty after an error: a path that names nothing or several things, or what
+// cannot be set; or what parse_xml() refuses. option: as whose argument messages name a path,
+// "set". Values that are the file's own are written, too.
+std::optional<std::string> with_values(const std::string& bytes, const std::string& file,
+                                       const std::vector<SetValue>& values, std::string_view option,
+                                       calc::Diagnostics& diagnostics);
+
+// Reports why these projects cannot have these values. Projects that are not readable are no error
+// of this.
+void check_values(const std::vector<std::string>& projects, const std::vector<SetValue>& values,
+                  std::string_view option, const calc::FileReader& files,
+                  calc::Diagnostics& diagnostics);
+
+// Gives these projects with these values, and every other file as it is. A project that cannot have
+// them cannot be read. All arguments outlive it.
+class SetReader : public calc::FileReader {
+ public:
+  SetReader(const calc::FileReader& files, const std::vector<std::string>& projects,
+            const std::vector<SetValue>& values)
+      : files_(files), projects_(projects), values_(values) {}
+
+  calc::FileContent read(const std::string& path) const override;
+
+ private:
+  const calc::FileReader& files_;
+  const std::vector<std::string>& projects_;
+  const std::vector<SetValue>& values_;
+};
+
+}  // namespace check

@@ -1,0 +1,26 @@
+#pragma once
+// `luxgate sweep`: one project with many values.
+
+#include "report/shell/command.h"
+#include "report/shell/data_output.h"
+#include "report/tools/check/check_options.h"
+#include "report/tools/sweep/vary.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct SweepOptions {
+  CheckOptions check;  // of one project; `set` is of all variants
+  std::string project;
+  std::vector<Vary> vary;
+  std::vector<DataOutput> outputs;
+};
+
+Command sweep_command();
+
+// Prints and writes. The verdicts of variants do not decide the code.
+ExitCode run_sweep(const SweepOptions& options, const RunContext& context);
+
+}  // namespace cli

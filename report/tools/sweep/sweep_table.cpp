@@ -1,0 +1,195 @@
+#include "report/tools/sweep/sweep_table.h"
+
+#include "report/text/number_format.h"
+#include "report/text/shell_words.h"
+#include "rules/catalogue/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cli {
+namespace {
+
+// Relative to the limit; empty where there is no such thing.
+std::optional<calc::Estimate> margin_of(const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  const double limit = requirement.limit;
+  if (!std::isfinite(limit) || limit == 0.0) return std::nullopt;
+  const auto margin = [&](double value) {
+    return rules::margin(value, requirement.comparison, limit);
+  };
+  const double one = margin(finding.measured.low), other = margin(finding.measured.high);
+  return calc::Estimate{margin(finding.measured.value), std::min(one, other), std::max(one, other)};
+}
+
+std::string reason_of(const report::ProjectPart& part) {
+  for (const calc::Diagnostic& diagnostic : part.diagnostics) {
+    if (diagnostic.severity() == calc::Severity::error) return diagnostic.message;
+  }
+  for (const report::SpacePart& space : part.spaces) {
+    for (const report::PlanePart& plane : space.planes) {
+      if (!plane.is_computed) return fmt::format("plane '{}': {}", plane.id, plane.reason);
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.verdict == rules::Verdict::not_judged) {
+          return fmt::format("plane '{}': {}", plane.id, finding.reason);
+        }
+      }
+    }
+  }
+  return "not judged";
+}
+
+bool can_be_on_front(const SweepRow& row) {
+  return row.outcome == rules::Outcome::pass && row.margin && row.without_power == 0 &&
+         std::isfinite(row.margin->value);
+}
+
+}  // namespace
+
+SweepRow row_of(std::size_t variant, std::vector<std::string> values,
+                const report::ProjectPart& part) {
+  SweepRow row;
+  row.variant = variant;
+  row.values = std::move(values);
+  row.outcome = report::outcome_of(part);
+  for (const report::SpacePart& space : part.spaces) {
+    row.power_w += space.power.power_w;
+    row.without_power += space.power.without_power;
+    for (const report::PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        if (!rules::counts(rules::outcome_of(finding)) ||
+            finding.verdict == rules::Verdict::not_judged) {
+          continue;
+        }
+        const std::optional<calc::Estimate> margin = margin_of(finding);
+        if (!margin) continue;
+        if (!row.margin || margin->value < row.margin->value) {
+          row.plane = plane.id;
+          row.requirement = finding.requirement.id;
+        }
+        if (!row.margin) row.margin = margin;
+        row.margin->value = std::min(row.margin->value, margin->value);
+        row.margin->low = std::min(row.margin->low, margin->low);
+        row.margin->high = std::min(row.margin->high, margin->high);
+      }
+    }
+  }
+  if (row.outcome == rules::Outcome::not_judged) {
+    row.margin.reset();
+    row.plane.clear();
+    row.requirement.clear();
+    row.reason = reason_of(part);
+  }
+  return row;
+}
+
+void find_front(std::vector<SweepRow>& rows) {
+  std::vector<SweepRow*> candidates;
+  for (SweepRow& row : rows) {
+    row.pareto = ParetoPlace::off;
+    if (can_be_on_front(row)) candidates.push_back(&row);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const SweepRow* a, const SweepRow* b) { return a->power_w < b->power_w; });
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double best_value = kNone, best_low = kNone;  // of those that need less power
+  for (std::size_t begin = 0; begin < candidates.size();) {
+    std::size_t end = begin;
+    double value = kNone, low = kNone;  // of those that need as much
+    for (; end < candidates.size() && candidates[end]->power_w == candidates[begin]->power_w;
+         ++end) {
+      value = std::max(value, candidates[end]->margin->value);
+      low = std::max(low, candidates[end]->margin->low);
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      const calc::Estimate& margin = *candidates[i]->margin;
+      const bool is_beaten = best_value >= margin.value || value > margin.value;
+      // Its own interval beats nobody's with the same ends.
+      const bool is_surely_beaten = best_low >= margin.high || low > margin.high;
+      candidates[i]->pareto = !is_beaten          ? ParetoPlace::on
+                              : !is_surely_beaten ? ParetoPlace::perhaps
+                                                  : ParetoPlace::off;
+    }
+    best_value = std::max(best_value, value);
+    best_low = std::max(best_low, low);
+    begin = end;
+  }
+}
+
+void OutcomeCounts::add(rules::Outcome outcome) {
+  switch (outcome) {
+    case rules::Outcome::pass:
+      ++pass;
+      return;
+    case rules::Outcome::fail:
+      ++fail;
+      return;
+    case rules::Outcome::undecided:
+      ++undecided;
+      return;
+    case rules::Outcome::not_judged:
+      ++not_judged;
+      return;
+    default:
+      ++others;
+  }
+}
+
+std::string OutcomeCounts::words() const {
+  return fmt::format("{} pass, {} fail, {} undecided, {} not judged{}", pass, fail, undecided,
+                     not_judged,
+                     others > 0 ? fmt::format(", {} where nothing counts", others) : "");
+}
+
+OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows) {
+  OutcomeCounts counts;
+  for (const SweepRow& row : rows) counts.add(row.outcome);
+  return counts;
+}
+
+std::string margin_words(const SweepRow& row) {
+  if (!row.margin) return "–";
+  const calc::Estimate& margin = *row.margin;
+  const std::string value = report::format_margin(margin.value);
+  if (margin.low == margin.high) return value;
+  const auto end = [](double margin_end) {
+    return std::isfinite(margin_end) ? report::format_margin(margin_end) : std::string("open");
+  };
+  return fmt::format("{} ({} to {})", value, end(margin.low), end(margin.high));
+}
+
+std::string power_words(const SweepRow& row) {
+  if (row.outcome == rules::Outcome::not_judged && row.power_w == 0.0) return "–";
+  if (row.without_power == 0) return report::format_watts(row.power_w) + " W";
+  return fmt::format("{} W and {} not known", report::format_watts(row.power_w), row.without_power);
+}
+
+const char* pareto_words(ParetoPlace place) {
+  switch (place) {
+    case ParetoPlace::on:
+      return "on";
+    case ParetoPlace::perhaps:
+      return "perhaps";
+    case ParetoPlace::off:
+      break;
+  }
+  return "off";
+}
+
+std::string requirement_words(const SweepRow& row) {
+  return row.plane.empty() ? "–" : row.plane + ": " + row.requirement;
+}
+
+std::string check_command(const Sweep& sweep, const SweepRow& row) {
+  std::string command = "luxgate check" + sweep.check_words;
+  for (const check::SetValue& value : settings_of_variant(sweep.vary, row.values)) {
+    command += " --set " + report::shell_quoted(value.words());
+  }
+  return command;
+}
+
+}  // namespace cli

@@ -1,0 +1,77 @@
+#pragma once
+// What came out of a sweep, in no particular format.
+
+#include "calc/base/field.h"
+#include "report/document/document.h"
+#include "report/tools/sweep/vary.h"
+#include "rules/verdict/outcome.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// on: no other variant that passes needs less or as much power and has a larger or as large margin,
+// one of both strictly; by the values. perhaps: some does by its value, none with its whole
+// interval. off: all others, and variants that do not pass or of which power or margin is not
+// known.
+enum class ParetoPlace { off, perhaps, on };
+
+struct SweepRow {
+  std::size_t variant = 0;          // from 0
+  std::vector<std::string> values;  // of each path
+  rules::Outcome outcome = rules::Outcome::not_judged;
+  // Relative to the limit, > 0 is good: the smallest over all requirements that count, each end on
+  // its own: if all intervals hold this one does. Empty: something is not judged, or no requirement
+  // has a limit other than 0.
+  std::optional<calc::Estimate> margin;
+  std::string plane, requirement;  // whose value is the smallest
+  double power_w = 0.0;            // installed, of luminaires whose power is known
+  int without_power = 0;           // luminaires whose power is not
+  ParetoPlace pareto = ParetoPlace::off;
+  std::string reason;  // why it is not judged; "" = it is
+};
+
+struct Sweep {
+  std::string project;
+  std::vector<Vary> vary;
+  std::vector<check::SetValue> set;  // in all variants
+  report::Provenance provenance;
+  std::string check_words;  // options of `luxgate check` that check one of the variants alike
+  std::vector<SweepRow> rows;
+};
+
+// All but its place on the front, which find_front() knows.
+SweepRow row_of(std::size_t variant, std::vector<std::string> values,
+                const report::ProjectPart& part);
+void find_front(std::vector<SweepRow>& rows);
+
+// In this order in every count: pass, fail, undecided, not judged, and where nothing counts.
+struct OutcomeCounts {
+  std::size_t pass = 0, fail = 0, undecided = 0, not_judged = 0, others = 0;
+
+  void add(rules::Outcome outcome);
+  // "3 pass, 2 fail, 0 undecided, 0 not judged".
+  std::string words() const;
+};
+OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows);
+
+// "+3.2 % (+1.0 % to +5.0 %)", "–".
+std::string margin_words(const SweepRow& row);
+// "540.0 W", with what is not known.
+std::string power_words(const SweepRow& row);
+const char* pareto_words(ParetoPlace place);
+// "desk: Uo"
+std::string requirement_words(const SweepRow& row);
+// That gives the same numbers as the variant had.
+std::string check_command(const Sweep& sweep, const SweepRow& row);
+
+std::string render_sweep_text(const Sweep& sweep);
+std::string render_sweep_csv(const Sweep& sweep);
+std::string render_sweep_json(const Sweep& sweep);
+std::string render_sweep_html(const Sweep& sweep);
+
+}  // namespace cli
