@@ -6,6 +6,7 @@ luxgate_test(cli_tests
     unit/report/check/check_project_test.cpp
     unit/report/check/in_order_test.cpp
     unit/report/check/units_test.cpp
+    unit/report/check/set_values_test.cpp
     unit/report/shell/environment_test.cpp
     unit/report/shell/exit_code_test.cpp
     unit/report/tools/geometry/geometry_test.cpp
@@ -17,6 +18,7 @@ luxgate_test(cli_tests
     unit/report/shell/outputs_test.cpp
     unit/report/shell/warning_tally_test.cpp
     unit/report/tools/photometry/photometry_test.cpp
+    unit/report/tools/sweep/sweep_test.cpp
   LIBRARIES luxgate_cli nlohmann_json::nlohmann_json)
 
 add_executable(compare_csv tools/compare_csv.cpp)
@@ -83,7 +85,7 @@ luxgate_test(git_tests
     unit/report/git/moved_files_test.cpp
   LIBRARIES luxgate_cli)
 find_program(LUXGATE_PYTHON python3)
-foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines)
+foreach(script revision_gate revision_attacks revision_against ci_jobs watch streamed_reports batch_shards batch_engines sweep)
   if(LUXGATE_PYTHON)
     add_test(NAME cli.${script} COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/${script}.py
       $<TARGET_FILE:luxgate> ${CMAKE_CURRENT_BINARY_DIR}/${script} ${PROJECT_SOURCE_DIR}/examples)

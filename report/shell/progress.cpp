@@ -53,7 +53,7 @@ void Progress::expect(std::size_t projects) {
 
 std::string Progress::counts() const {
   if (projects_ <= 1) return {};
-  std::string words = fmt::format("{} of {} projects done", done_, projects_);
+  std::string words = fmt::format("{} of {} {} done", done_, projects_, what_);
   if (done_ == 0 || done_ >= projects_) return words;
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = static_cast<double>(projects_ - done_) / static_cast<double>(done_);

@@ -21,9 +21,9 @@ ProgressStyle progress_style(const OutputOptions& output, const Environment& env
 // Several projects may be in work at the same time: any thread may call.
 class Progress {
  public:
-  // columns: of the terminal; 0: not known.
-  explicit Progress(ProgressStyle style, int columns = 0)
-      : style_(style), columns_(columns), start_(Clock::now()) {}
+  // columns: of the terminal; 0: not known. what: is done, in the plural.
+  explicit Progress(ProgressStyle style, int columns = 0, std::string what = "projects")
+      : style_(style), columns_(columns), what_(std::move(what)), start_(Clock::now()) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress() { clear(); }
@@ -47,6 +47,7 @@ class Progress {
 
   const ProgressStyle style_;
   const int columns_;
+  const std::string what_;
   const Clock::time_point start_;
   std::mutex mutex_;
   Clock::time_point last_shown_{};

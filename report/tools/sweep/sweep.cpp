@@ -34,6 +34,8 @@ namespace {
 // Looks beyond half of it are forgotten together, so that there is room for new ones.
 constexpr std::size_t kMostSweepStoreBytes = std::size_t{1} << 30;
 
+constexpr std::size_t kMostLogged = 100;
+
 constexpr const char* kSweepFooter =
     "All combinations are checked, the last --vary fastest. What a change does not touch is taken\n"
     "from the store, or from memory without one: limits, dimming and maintenance factors trace no\n"
@@ -268,8 +270,11 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   const calc::LookStore store{entries, setup->opened.identity};
 
   const std::vector<std::size_t> own = own_variants(options);
-  Progress progress(progress_style(check.output, context.environment),
-                    context.environment.stderr_columns);
+  // A line for each of thousands would hide what else a log says.
+  const ProgressStyle style = progress_style(check.output, context.environment);
+  Progress progress(
+      style == ProgressStyle::log && own.size() > kMostLogged ? ProgressStyle::none : style,
+      context.environment.stderr_columns, "variants");
   progress.expect(own.size());
   Sweep sweep{options.project, options.vary, check.set, {}, "", {}};
   sweep.check_words = reproducible_words(check);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -135,28 +136,74 @@ std::string values_words(const Sweep& sweep, const SweepRow& row) {
   return words;
 }
 
+// Where powers stand. Variants of the same power stand side by side, in their order, where there is
+// room between one power and the next.
+class PowerScale {
+ public:
+  PowerScale(const std::vector<SweepRow>& rows, const report::PlotFrame& frame) : frame_(frame) {
+    for (const SweepRow& row : rows) {
+      if (row.margin) of_power_[row.power_w].push_back(row.variant);
+    }
+    if (is_empty()) return;
+    low_ = of_power_.begin()->first;
+    width_w_ = of_power_.rbegin()->first - low_;
+    const auto powers = static_cast<double>(of_power_.size());
+    edge_ = 0.5 / powers;
+    double least = frame.field_width() / powers;
+    for (auto one = of_power_.begin(), next = std::next(one); next != of_power_.end();
+         ++one, ++next) {
+      least = std::min(least, centre(next->first) - centre(one->first));
+    }
+    room_ = least < 14.0 ? 0.0 : 0.75 * least;
+  }
+
+  bool is_empty() const { return of_power_.empty(); }
+  double centre(double power_w) const {
+    return frame_.x(width_w_ > 0.0 ? edge_ + (1.0 - 2.0 * edge_) * (power_w - low_) / width_w_
+                                   : 0.5);
+  }
+  double place(const SweepRow& row) const {
+    const std::vector<std::size_t>& beside = of_power_.at(row.power_w);
+    const auto rank = static_cast<double>(
+        std::lower_bound(beside.begin(), beside.end(), row.variant) - beside.begin());
+    return centre(row.power_w) + room_ * ((rank + 0.5) / static_cast<double>(beside.size()) - 0.5);
+  }
+  // All powers where they are few, else round ones.
+  std::vector<double> ticks() const {
+    std::vector<double> ticks;
+    if (of_power_.size() <= 14) {
+      for (const auto& [power_w, variants] : of_power_) ticks.push_back(power_w);
+      return ticks;
+    }
+    const double decade = std::pow(10.0, std::floor(std::log10(width_w_ / 5.0)));
+    double step = 10.0 * decade;
+    for (const double round : {5.0, 2.0, 1.0}) {
+      if (width_w_ / (round * decade) <= 8.0) step = round * decade;
+    }
+    for (double tick = std::ceil(low_ / step); tick * step <= low_ + width_w_; ++tick) {
+      ticks.push_back(tick * step);
+    }
+    return ticks;
+  }
+
+ private:
+  const report::PlotFrame& frame_;
+  std::map<double, std::vector<std::size_t>> of_power_;  // variants, ascending
+  double low_ = 0.0, width_w_ = 0.0, edge_ = 0.0, room_ = 0.0;
+};
+
 std::string power_chart(const Sweep& sweep, const MarginScale& scale) {
   constexpr report::PlotFrame kFrame{1040, 420, 62, 16, 14, 46};
-  double low = 1e300, high = -1e300;
-  for (const SweepRow& row : sweep.rows) {
-    if (!row.margin) continue;
-    low = std::min(low, row.power_w);
-    high = std::max(high, row.power_w);
-  }
-  if (low > high) return "<p class=\"message\">No variant has a margin to draw.</p>\n";
-  const double width_w = high - low;
-  const auto x = [&](double power_w) {
-    return kFrame.x(width_w > 0.0 ? 0.03 + 0.94 * (power_w - low) / width_w : 0.5);
-  };
+  const PowerScale power(sweep.rows, kFrame);
+  if (power.is_empty()) return "<p class=\"message\">No variant has a margin to draw.</p>\n";
   std::string svg = fmt::format(
       "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Smallest margin over "
       "installed power of all variants\">\n",
       kFrame.width, kFrame.height);
   svg += margin_axis(kFrame, scale);
-  for (int tick = 0; tick <= (width_w > 0.0 ? 5 : 0); ++tick) {
-    const double power_w = low + 0.2 * tick * width_w;
-    svg += svg_text(x(power_w), kFrame.y_end() + 18, "middle",
-                    report::format_fixed(power_w, width_w > 20.0 ? 0 : 1)) +
+  for (const double power_w : power.ticks()) {
+    svg += svg_text(power.centre(power_w), kFrame.y_end() + 18, "middle",
+                    report::format_shortest(power_w)) +
            "\n";
   }
   svg += svg_text(0.5 * kFrame.width, kFrame.height - 6, "middle", "installed power, W") + "\n";
@@ -166,7 +213,7 @@ std::string power_chart(const Sweep& sweep, const MarginScale& scale) {
   for (const SweepRow& row : sweep.rows) {
     if (!row.margin) continue;
     if (row.pareto == ParetoPlace::on) front.push_back(&row);
-    const double at_x = x(row.power_w), at_y = kFrame.y(scale.share(row.margin->value));
+    const double at_x = power.place(row), at_y = kFrame.y(scale.share(row.margin->value));
     if (row.pareto == ParetoPlace::on) {
       rings += fmt::format(
           "<circle class=\"ring\" cx=\"{}\" cy=\"{}\" r=\"7.5\"><title>{}</title></circle>\n",
@@ -189,8 +236,8 @@ std::string power_chart(const Sweep& sweep, const MarginScale& scale) {
   std::string steps;
   for (const SweepRow* row : front) {
     const double at_y = kFrame.y(scale.share(row->margin->value));
-    steps += steps.empty() ? fmt::format("M{},{}", svg_number(x(row->power_w)), svg_number(at_y))
-                           : fmt::format("H{}V{}", svg_number(x(row->power_w)), svg_number(at_y));
+    steps += steps.empty() ? fmt::format("M{},{}", svg_number(power.place(*row)), svg_number(at_y))
+                           : fmt::format("H{}V{}", svg_number(power.place(*row)), svg_number(at_y));
   }
   if (front.size() > 1) svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", steps);
   return svg + bars + marks + rings + "</svg>\n";
@@ -228,10 +275,10 @@ std::string value_chart(const Sweep& sweep, std::size_t path, const MarginScale&
     if (row.margin) one.margins.push_back(row.margin->value);
   }
   const auto count = static_cast<double>(vary.values.size());
-  const double width = std::clamp(86.0 + 54.0 * count, 260.0, 1040.0);
+  const double width = std::clamp(86.0 + 42.0 * count, 260.0, 1040.0);
   const report::PlotFrame frame{width, 330, 62, 12, 30, 98};
   const double step = frame.field_width() / count;
-  const auto every = static_cast<std::size_t>(std::ceil(46.0 / step));
+  const auto every = static_cast<std::size_t>(std::ceil(40.0 / step));
   std::string svg = fmt::format(
       "<figure style=\"width:{0}px\"><svg class=\"chart\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
       "aria-label=\"{2}\">\n",
@@ -341,7 +388,8 @@ std::string render_sweep_html(const Sweep& sweep) {
   const MarginScale scale(sweep.rows);
   html +=
       "<h2>Margin over power</h2>\n<p class=\"quiet\">Each mark is a variant: its smallest "
-      "margin over all requirements, relative to the limit, and its installed power.</p>\n";
+      "margin over all requirements, relative to the limit, and its installed power. Variants of "
+      "the same power stand side by side, in their order.</p>\n";
   html += power_chart(sweep, scale) + chart_key();
   html +=
       "<h2>By value</h2>\n<p class=\"quiet\">For each value, over all values of the other "

@@ -1,0 +1,140 @@
+"""Variants of a project: --set and sweep say what a project says that was written with these values.
+
+    sweep.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
+"""
+import csv
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import small_designs
+
+PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+FAST = ["--max-paths", "4096"]
+problems = []
+
+
+def expect(is_so, words):
+    if not is_so:
+        problems.append(words)
+
+
+def run(*words, code=0):
+    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=WORK, check=False)
+    expect(done.returncode == code, f"{words}: exit code {done.returncode}, expected {code}: {done.stderr}")
+    return done
+
+
+def result(project, *words, code=0):
+    """A result as JSON, without what names the file and its bytes."""
+    text = run("check", project, *FAST, "--quiet", "--pictures", "off", "--format", "json", *words, code=code).stdout
+    return re.sub(r'"(sha256|command_line|path)": "[^"]*"', "", text), text
+
+
+def like_an_edited_file():
+    small_designs.write(WORK / "d/a.xml", far=False)
+    small_designs.write(WORK / "d/edited.xml", far=False, columns=4, limit=2000, flux=' flux-lm="1500"', mf="0.7")
+    values = ["--set", "L.columns=4", "--set", "desk.mean.at-least=2000", "--set", "spot.flux-lm=1500", "--set",
+              "luxgate.maintenance-factor=0.7"]
+    set_here, whole = result("d/a.xml", *values, code=1)
+    edited, _ = result("d/edited.xml", code=1)
+    # 'where' in front of the attribute that was added stays, what stands behind on the line may not.
+    without_columns = [re.sub(r'"column": \d+', "", text) for text in (set_here, edited)]
+    expect(without_columns[0] == without_columns[1].replace("edited.xml", "a.xml"), "--set says something else than the edited file")
+    command = json.loads(whole)["provenance"]["command_line"]
+    expect(command == "luxgate check d/a.xml " + " ".join(values) + " --max-paths 4096", f"the command is: {command}")
+    _, base = result("d/a.xml")
+    digest = [json.loads(text)["projects"][0]["inputs"][0]["sha256"] for text in (whole, base)]
+    expect(digest[0] != digest[1], "the digest of the project is the file's, though another one was judged")
+
+
+def swept():
+    """Every variant as --set has it; the same bytes for any jobs and any store; shards fill the store."""
+    small_designs.write(WORK / "d/a.xml", far=False)
+    vary = ["--vary", "spot.flux-lm=1000:1500:500", "--vary", "L.columns=2,4", "--vary", "luxgate.maintenance-factor=0.6,0.8"]
+    words = ["sweep", "d/a.xml", *vary, "--set", "desk.mean.at-least=190", "--set", "spot.power-w=20", *FAST]
+
+    def files(name, *more):
+        outputs = [word for kind in ("csv", "json", "html") for word in ("--format", f"{kind}={name}.{kind}")]
+        done = run(*words, *outputs, *more)
+        return [(WORK / f"{name}.{kind}").read_bytes() for kind in ("csv", "json", "html")] + [done.stdout], done.stderr
+
+    first, told = files("one", "--jobs", "1")
+    found = re.search(r"8 variants; (\d+) looks of planes computed, (\d+) taken from memory", told)
+    expect(found and 0 < int(found[1]) <= int(found[2]), f"maintenance factors share no looks: {told}")
+    expect(files("two", "--jobs", "2")[0] == first, "the bytes depend on --jobs")
+    for shard in ("1/3", "2/3", "3/3"):
+        run(*words, "--store", "store", "--shard", shard)
+    stored, told = files("stored", "--store", "store")
+    expect(stored == first, "the bytes depend on the store")
+    expect(" 0 looks of planes computed" in told, f"shards left something to compute: {told}")
+    rows = list(csv.DictReader(first[0].decode().splitlines()))
+    expect(len(rows) == 8 and {row["verdict"] for row in rows} == {"pass", "fail"}, f"{rows} are no sweep")
+    expect(any(row["front"] == "on" for row in rows), "nothing is on the front")
+    for row in rows:
+        values = [word for path in ("spot.flux-lm", "L.columns", "luxgate.maintenance-factor")
+                  for word in ("--set", f"{path}={row[path]}")]
+        _, text = result("d/a.xml", "--set", "desk.mean.at-least=190", "--set", "spot.power-w=20", *values,
+                         code=0 if row["verdict"] == "pass" else 1)
+        space = json.loads(text)["projects"][0]["spaces"][0]
+        finding = space["planes"][0]["findings"][0]
+        expect(finding["verdict"] == row["verdict"], f"variant {row['variant']}: {finding['verdict']} alone")
+        measured = finding["measured"]
+        for key, column in (("value", "margin"), ("low", "margin_low"), ("high", "margin_high")):
+            expect(abs((measured[key] - 190) / 190 - float(row[column])) < 1e-12, f"variant {row['variant']}: {column} differs")
+        expect(float(row["power_w"]) == 20 * 2 * int(row["L.columns"]), f"variant {row['variant']}: {row['power_w']} W")
+    # The table names a command for one of them.
+    alone = re.search(r"Variant \d+ alone: luxgate (.*)", first[3])
+    expect(alone and run(*alone[1].split(), "--quiet").returncode == 0, "the command of a variant does not give its verdict")
+
+
+def one_cannot_be():
+    """A variant that is no project is told; the others are judged."""
+    small_designs.write(WORK / "d/a.xml", far=False)
+    done = run("sweep", "d/a.xml", "--vary", "L.columns=2,0,x,3", *FAST, "--format", "json", code=2)
+    verdicts = [row["verdict"] for row in json.loads(done.stdout)["variants"]]
+    expect(verdicts == ["pass", "not-judged", "not-judged", "pass"], f"{verdicts}")
+    expect("attribute 'columns' of <luminaire-grid>: 0 is not allowed; expected a whole number from 1 (variant 2)" in done.stderr
+           and "'x' is not a whole number; expected a whole number from 1 (variant 3)" in done.stderr, done.stderr)
+
+
+def messages():
+    small_designs.write(WORK / "d/a.xml")
+    small_designs.write(WORK / "d/b.xml", far=False)
+    for words, expected in (
+            (["check", "d/a.xml", "--set", "spit.flux-lm=1"],
+             "d/a.xml: error[value-not-set]: --set spit.flux-lm: the project has no element 'spit'; it has L, dark, desk, far, least, "
+             "light, luxgate, mean, room, spot; did you mean 'spot'?\n"),
+            (["check", "d/b.xml", "d/a.xml", "--set", "far.margin=1"],
+             "d/b.xml: error[value-not-set]: --set far.margin: the project has no element 'far'; it has L, dark, desk, light, luxgate, "
+             "mean, room, spot\n"),
+            (["sweep", "d/a.xml", "--vary", "spot.photometry=a,b"],
+             "d/a.xml:3:1: error[value-not-set]: --vary spot.photometry: 'photometry' of <luminaire-type> cannot be set: it names a file; "
+             "vary the type that is used instead; allowed: flux-lm, power-w, maintenance-factor, llmf, lsf, lmf, rsmf, opening, "
+             "interpolation, lamp-set, variant or emitter\n"),
+            (["sweep", "d/a.xml", "--vary", "L.columns=2,3", "--format", "csv=d/a.xml"],
+             "error[output-not-possible]: 'd/a.xml' is an input or another output and is not overwritten\n")):
+        done = run(*words, code=2)
+        expect(done.stderr == expected and not done.stdout, f"{words}: {done.stderr}")
+    for words, expected in (
+            (["sweep", "d/a.xml"], "--vary is missing: what is to have several values?"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1:1000:1", "--vary", "c.d=1:1000:1"], "--vary: these are more than 100000 variants"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1:2:0"], "in '1:2:0', which is from:to:step, the step is 0"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1", "--shard", "1/2"], "--shard needs --store"),
+            (["check", "d/a.xml", "--set", "a.b"], "'a.b' is not PATH=VALUE, as linear.flux-lm=4000"),
+            (["check", "d/a.xml", "--against", "HEAD", "--set", "a.b=1"], "--against")):
+        done = run(*words, code=2)
+        expect(expected in done.stderr and not done.stdout, f"{words}: {done.stderr}")
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+like_an_edited_file()
+swept()
+one_cannot_be()
+messages()
+print("\n".join(problems))
+sys.exit(1 if problems else 0)
