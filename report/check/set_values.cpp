@@ -229,7 +229,8 @@ class TextChange {
 
   std::pair<std::size_t, std::size_t> declared_encoding() const {
     constexpr std::string_view kWord = "encoding";
-    if (!std::string_view(text_).substr(line_start_[0]).starts_with("<?xml")) return {0, 0};
+    const std::string_view content = std::string_view(text_).substr(line_start_[0]);
+    if (!content.starts_with("<?xml") || content.find_first_of(" \t\r\n", 5) != 5) return {0, 0};
     const std::size_t word = text_.find(kWord), end = text_.find("?>");
     if (word == text_.npos || word > end) return {0, 0};
     const std::size_t quote = text_.find_first_of("\"'", word);

@@ -7,8 +7,10 @@ import json
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 
 import small_designs
 
@@ -130,11 +132,27 @@ def messages():
         expect(expected in done.stderr and not done.stdout, f"{words}: {done.stderr}")
 
 
+def interrupted():
+    """Nothing is written, and the same command goes on from the store."""
+    small_designs.write(WORK / "d/a.xml", far=False)
+    words = ["sweep", "d/a.xml", "--vary", "spot.flux-lm=1000:3000:1", *FAST, "--store", "half"]
+    process = subprocess.Popen([PROGRAM, *words, "--format", "csv=half.csv"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               cwd=WORK)
+    end = time.monotonic() + 60
+    while time.monotonic() < end and not any((WORK / "half").rglob("*.*")) and process.poll() is None:
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    printed, told = process.communicate()
+    expect(process.returncode == 130 and not printed and not (WORK / "half.csv").exists()
+           and "interrupted; nothing was written, what was finished is in the store" in told, f"{process.returncode}: {told}")
+
+
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 like_an_edited_file()
 swept()
 one_cannot_be()
 messages()
+interrupted()
 print("\n".join(problems))
 sys.exit(1 if problems else 0)

@@ -24,6 +24,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -108,12 +109,17 @@ class VariantMessages {
       if (!told.insert(words).second) continue;
       const auto [place, is_new] = place_.try_emplace(words, messages_.size());
       if (is_new) messages_.push_back({diagnostic, variant, 0});
-      ++messages_[place->second].variants;
+      Message& message = messages_[place->second];
+      message.first = std::min(message.first, variant);
+      ++message.variants;
     }
   }
   void print(std::size_t variants, bool errors_only) const {
+    std::vector<Message> messages = messages_;
+    std::stable_sort(messages.begin(), messages.end(),
+                     [](const Message& a, const Message& b) { return a.first < b.first; });
     std::vector<calc::Diagnostic> list;
-    for (const Message& message : messages_) {
+    for (const Message& message : messages) {
       list.push_back(message.diagnostic);
       if (message.variants == variants) continue;
       list.back().message +=
@@ -169,14 +175,22 @@ std::vector<check::SetValue> all_settings(const SweepOptions& options,
   return all;
 }
 
-// Numbers of those that this run does.
+// Numbers of those that this run does, in the order in which it does them: neighbours stand far
+// from each other, since they need the same looks, and two at a time would both compute them.
 std::vector<std::size_t> own_variants(const SweepOptions& options) {
   const BatchShare& share = options.check.batch.share;
   std::vector<std::size_t> own;
   for (std::size_t v = 0; v < count_variants(options.vary); ++v) {
     if (share.count == 0 || v % share.count + 1 == share.number) own.push_back(v);
   }
-  return own;
+  if (own.empty()) return own;
+  constexpr double kGoldenShare = 0.618;
+  const std::size_t count = own.size();
+  auto stride = static_cast<std::size_t>(kGoldenShare * static_cast<double>(count)) + 1;
+  while (std::gcd(stride, count) != 1) ++stride;
+  std::vector<std::size_t> spread;
+  for (std::size_t i = 0; i < count; ++i) spread.push_back(own[i * stride % count]);
+  return spread;
 }
 
 std::string render_sweep(DataFormat kind, const Sweep& sweep) {
@@ -318,6 +332,8 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   }
   messages.print(own.size(), check.output.quiet);
   complete_provenance(sweep.provenance, totals, check.settings.today, setup->backend.backend);
+  std::sort(sweep.rows.begin(), sweep.rows.end(),
+            [](const SweepRow& a, const SweepRow& b) { return a.variant < b.variant; });
   find_front(sweep.rows);
   if (!check.output.quiet) {
     fmt::print(stderr, "luxgate: {} variants; {} looks of planes computed, {} taken from {}\n",
