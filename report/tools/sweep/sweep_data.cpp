@@ -35,7 +35,7 @@ SweepJson number_or_null(double value) {
   return std::isfinite(value) ? SweepJson(value) : SweepJson();
 }
 
-SweepJson json_of(const SweepRow& row, const Sweep& sweep) {
+SweepJson row_json(const SweepRow& row, const Sweep& sweep) {
   SweepJson values = SweepJson::object();
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) values[sweep.vary[v].path] = row.values[v];
   SweepJson json{{"variant", row.variant + 1},
@@ -91,7 +91,7 @@ std::string render_sweep_json(const Sweep& sweep) {
   for (const check::SetValue& one : sweep.set) {
     set.push_back({{"path", one.path}, {"value", one.value}});
   }
-  for (const SweepRow& row : sweep.rows) variants.push_back(json_of(row, sweep));
+  for (const SweepRow& row : sweep.rows) variants.push_back(row_json(row, sweep));
   const OutcomeCounts counts = count_outcomes(sweep.rows);
   return report::json_layout({{"format", "luxgate-sweep"},
                               {"format_version", 1},

@@ -175,11 +175,8 @@ class PowerScale {
       for (const auto& [power_w, variants] : of_power_) ticks.push_back(power_w);
       return ticks;
     }
-    const double decade = std::pow(10.0, std::floor(std::log10(width_w_ / 5.0)));
-    double step = 10.0 * decade;
-    for (const double round : {5.0, 2.0, 1.0}) {
-      if (width_w_ / (round * decade) <= 8.0) step = round * decade;
-    }
+    double step = 0.001;  // 1, 2 or 5, and zeros
+    for (int i = 0; width_w_ / step > 8.0; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
     for (double tick = std::ceil(low_ / step); tick * step <= low_ + width_w_; ++tick) {
       ticks.push_back(tick * step);
     }
@@ -391,6 +388,13 @@ std::string render_sweep_html(const Sweep& sweep) {
       "margin over all requirements, relative to the limit, and its installed power. Variants of "
       "the same power stand side by side, in their order.</p>\n";
   html += power_chart(sweep, scale) + chart_key();
+  const auto undrawn = std::count_if(sweep.rows.begin(), sweep.rows.end(),
+                                     [](const SweepRow& row) { return !row.margin; });
+  if (undrawn > 0) {
+    html += fmt::format(
+        "<p class=\"quiet\">{} variants have no margin, and are not in this picture.</p>\n",
+        undrawn);
+  }
   html +=
       "<h2>By value</h2>\n<p class=\"quiet\">For each value, over all values of the other "
       "paths: the range of smallest margins with its middle, and how many variants pass (✓), "

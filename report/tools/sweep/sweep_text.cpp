@@ -13,7 +13,7 @@ constexpr std::size_t kMostRowsOfText = 200;
 
 using TextCells = std::vector<std::string>;
 
-std::string aligned(const std::vector<TextCells>& table) {
+std::string aligned_rows(const std::vector<TextCells>& table) {
   std::vector<std::size_t> width(table.front().size());
   for (const TextCells& cells : table) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -60,7 +60,7 @@ std::string render_sweep_text(const Sweep& sweep) {
     cells.emplace_back(row.pareto == ParetoPlace::off ? "" : pareto_words(row.pareto));
     table.push_back(std::move(cells));
   }
-  std::string text = aligned(table);
+  std::string text = aligned_rows(table);
   if (left_out > 0) {
     text += fmt::format(
         "{} variants that are not on the front are not listed; --format csv=FILE has all\n",
