@@ -166,7 +166,8 @@ def cancelled(batch, slurm):
     expect(process.returncode == 2, f"slurm, cancelled: exit code {process.returncode}, expected 2: {messages}")
     wanted, named = units_of_shard(job, shards, shards), missing_units(messages)
     expect(wanted == named, f"slurm, cancelled: {sorted(named)} are named, {sorted(wanted)} are missing: {messages}")
-    batch.expect_same("slurm", case, batch.start(batch.submit("slurm", case, shards), slurm.environment), ", again")
+    store = batch.folder / f"slurm {case}" / "looks"
+    batch.expect_same("local", case, batch.start(batch.submit("local", case, shards, store=store), None), ", what Slurm left")
 
 
 def by_hand(batch, engine, environment):
@@ -213,7 +214,7 @@ random.seed(seed)
 print(f"LUXGATE_TEST_SEED={seed}")
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
-small, long = Batch("small", 12), Batch("long work", 4, "--goal", "accuracy", "--tolerance", "0.1%", "--max-paths", "16384")
+small, long = Batch("small", 8), Batch("long work", 4, "--goal", "accuracy", "--tolerance", "0.1%", "--max-paths", "16384")
 timed("refused", refused, small)
 timed("left out", left_out, small)
 engines = [("local", None)] + ([("parallel", None)] if shutil.which("parallel") else [])
@@ -228,8 +229,10 @@ with private_slurm.PrivateSlurm() as slurm:
     if slurm.problem:
         print(f"without Slurm: {slurm.problem}")
     else:
+        hand = threading.Thread(target=timed, args=("slurm, by_hand", by_hand, small, "slurm", slurm.environment))
+        hand.start()  # sbatch --wait looks every ten seconds
         timed("slurm, same_bytes", same_bytes, small, "slurm", slurm.environment)
-        timed("slurm, by_hand", by_hand, small, "slurm", slurm.environment)
+        hand.join()
         timed("slurm, cancelled", cancelled, long, slurm)
 print("\n".join(problems))
 if not problems and len(engines) == 1 and slurm.problem:

@@ -34,6 +34,7 @@ AccountingStorageType=accounting_storage/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SchedulerParameters=sched_interval=1,batch_sched_delay=1,sched_min_interval=100000
+SlurmdParameters=config_overrides
 ReturnToService=2
 SlurmdTimeout=20
 MinJobAge=300
@@ -100,7 +101,7 @@ class PrivateSlurm:
         key = munge / "key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
-        cpus = os.cpu_count()
+        cpus = max(16, os.cpu_count())  # for small shards: nothing has to wait
         (self.folder / "slurm.conf").write_text(CONFIG.format(host=self.host, ports=free_ports(2), folder=self.folder, cpus=cpus))
         self.daemon("munged", "--foreground", "--force", f"--socket={munge}/socket", f"--key-file={key}", f"--pid-file={munge}/pid",
                     f"--seed-file={munge}/seed", f"--log-file={munge}/log")
