@@ -205,7 +205,10 @@ def refused(batch):
 
 def timed(name, work, *arguments):
     begin = time.monotonic()
-    work(*arguments)
+    try:
+        work(*arguments)
+    except Exception as error:  # in a thread it would be lost
+        problems.append(f"{name}: {error!r}")
     print(f"{time.monotonic() - begin:5.1f} s  {name}", flush=True)
 
 
@@ -214,7 +217,7 @@ random.seed(seed)
 print(f"LUXGATE_TEST_SEED={seed}")
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
-small, long = Batch("small", 8), Batch("long work", 4, "--goal", "accuracy", "--tolerance", "0.1%", "--max-paths", "16384")
+small, long = Batch("small", 8), Batch("long work", 3, "--goal", "accuracy", "--tolerance", "0.1%", "--max-paths", "16384")
 timed("refused", refused, small)
 timed("left out", left_out, small)
 engines = [("local", None)] + ([("parallel", None)] if shutil.which("parallel") else [])
@@ -229,11 +232,15 @@ with private_slurm.PrivateSlurm() as slurm:
     if slurm.problem:
         print(f"without Slurm: {slurm.problem}")
     else:
-        hand = threading.Thread(target=timed, args=("slurm, by_hand", by_hand, small, "slurm", slurm.environment))
-        hand.start()  # sbatch --wait looks every ten seconds
-        timed("slurm, same_bytes", same_bytes, small, "slurm", slurm.environment)
-        hand.join()
-        timed("slurm, cancelled", cancelled, long, slurm)
+        # All at once: sbatch --wait looks every ten seconds.
+        threads = [threading.Thread(target=timed, args=arguments)
+                   for arguments in [("slurm, same_bytes", same_bytes, small, "slurm", slurm.environment),
+                                     ("slurm, by_hand", by_hand, small, "slurm", slurm.environment),
+                                     ("slurm, cancelled", cancelled, long, slurm)]]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
 print("\n".join(problems))
 if not problems and len(engines) == 1 and slurm.problem:
     print("skipped: neither GNU parallel nor Slurm can run here; bash alone was tried")
