@@ -137,8 +137,15 @@ class FileNames {
 std::string redacted_command(const std::string& command_line, const std::vector<std::string>& paths,
                              const std::vector<FileNames>& names) {
   std::string command;
+  bool is_set = false;
   for (const std::string& word : shell_words(command_line)) {
     std::string redacted = word.find('/') == std::string::npos ? word : last_name(word);
+    if (is_set) {  // "PATH=VALUE": what was set stays
+      const std::size_t value = std::min(word.find('='), word.size());
+      redacted = word.substr(0, value) +
+                 (names.empty() ? word.substr(value) : names.front().within(word.substr(value)));
+    }
+    is_set = word == "--set";
     for (std::size_t p = 0; p < names.size(); ++p) {
       if (word == paths[p]) redacted = names[p].of(word);
     }

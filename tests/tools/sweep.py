@@ -48,6 +48,9 @@ def like_an_edited_file():
     expect(without_columns[0] == without_columns[1].replace("edited.xml", "a.xml"), "--set says something else than the edited file")
     command = json.loads(whole)["provenance"]["command_line"]
     expect(command == "luxgate check d/a.xml " + " ".join(values) + " --max-paths 4096", f"the command is: {command}")
+    named = json.loads(result("d/a.xml", "--redact", "--set", "desk.mean.clause=brief 3/4, in /home/me/x.pdf")[1])["provenance"]
+    expect(named["command_line"] == "luxgate check a.xml --set 'desk.mean.clause=brief 3/4, in x.pdf' --max-paths 4096",
+           f"redacted the command is: {named['command_line']}")
     _, base = result("d/a.xml")
     digest = [json.loads(text)["projects"][0]["inputs"][0]["sha256"] for text in (whole, base)]
     expect(digest[0] != digest[1], "the digest of the project is the file's, though another one was judged")
