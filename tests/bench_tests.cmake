@@ -42,8 +42,11 @@ if(LUXGATE_PYTHON)
     $<TARGET_FILE:luxgate> ${CMAKE_SOURCE_DIR}/examples/05-failing-corridor/photometry/lambert_panel_600.ies 8)
   add_test(NAME bench_users_projects_run COMMAND ${LUXGATE_PYTHON}
     ${CMAKE_CURRENT_SOURCE_DIR}/bench/users_projects.py $<TARGET_FILE:luxgate> $<TARGET_FILE:luxgate> --quick)
+  # A cluster that is made up: does the simulation keep what must hold, and see when it does not?
+  add_test(NAME bench_simulate_cluster_is_right COMMAND ${LUXGATE_PYTHON} -B
+    ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulate_cluster.py --check)
 else()
-  foreach(name bench_report_cost_runs bench_users_projects_run)
+  foreach(name bench_report_cost_runs bench_users_projects_run bench_simulate_cluster_is_right)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
   endforeach()
