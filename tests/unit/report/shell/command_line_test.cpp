@@ -191,7 +191,7 @@ TEST(Options, GeometryTakesFilesUnitsAndAxis) {
 }
 
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
-  expect_usage_error({}, "no command: check, watch, sweep, report, plan, validate, vpl, converge,");
+  expect_usage_error({}, "no command: check, watch, sweep, report, plan, submit, validate, vpl,");
   expect_usage_error({"check"}, "projects");
   expect_usage_error({"chek", "a.xml"}, "did you mean 'check'?");
   expect_usage_error({"check", "a.xml", "--frmat", "csv"}, "--frmat");
