@@ -93,8 +93,8 @@ float linear_light(std::uint8_t component) {
 
 }  // namespace
 
-std::string render_exr(const Provenance& provenance, const ProjectPart& project, const SpacePart& space,
-                       const PlanePart& plane) {
+std::string render_exr(const Provenance& provenance, const ProjectPart& project,
+                       const SpacePart& space, const PlanePart& plane) {
   const int columns = plane.grid.columns, rows = plane.grid.rows;
   if (columns <= 0 || rows <= 0)
     throw std::runtime_error("cannot encode EXR: the plane has no cells");

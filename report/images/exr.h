@@ -16,8 +16,8 @@ namespace report {
 // ("planar", "cylindrical", ...), luxgate.unit and luxgate.version. The channels keep their names
 // where the unit is "", of ratings and ratios. Values are rounded to float. Needs has_cells(). Same
 // input, same bytes. Throws std::runtime_error when the library refuses.
-std::string render_exr(const Provenance& provenance, const ProjectPart& project, const SpacePart& space,
-                       const PlanePart& plane);
+std::string render_exr(const Provenance& provenance, const ProjectPart& project,
+                       const SpacePart& space, const PlanePart& plane);
 
 // A picture of a room: channels illuminance_lx and valid as above, width * height values from the
 // top row on, below 0 = nothing there. title: "seen from above a corner", in luxgate.picture.

@@ -3,6 +3,7 @@
 #include "report/formats/write.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
+#include "report/shell/outputs.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,23 @@ std::string data_output_problem(const std::vector<DataOutput>& outputs) {
   const auto to_stdout = std::count_if(
       outputs.begin(), outputs.end(), [](const DataOutput& output) { return output.file.empty(); });
   return to_stdout > 1 ? kOnlyOneToStdout : "";
+}
+
+void check_data_outputs(const std::vector<DataOutput>& outputs, const std::set<std::string>& inputs,
+                        calc::Diagnostics& diagnostics) {
+  std::set<std::string> taken;
+  for (const std::string& input : inputs) taken.insert(path_identity(input));
+  for (const DataOutput& output : outputs) {
+    if (output.file.empty()) continue;
+    std::string problem = writability(output.file);
+    if (!taken.insert(path_identity(output.file)).second) {
+      problem =
+          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
+    }
+    if (!problem.empty()) {
+      diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
+    }
+  }
 }
 
 std::string write_data_outputs(const std::vector<DataOutput>& outputs,

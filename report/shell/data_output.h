@@ -5,6 +5,7 @@
 #include "report/shell/command.h"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ Option data_format_option(std::vector<DataOutput>& target, const std::string& he
                           bool has_markdown = false);
 // "" unless several kinds would go to standard output.
 std::string data_output_problem(const std::vector<DataOutput>& outputs);
+
+// Reports every file that cannot be written, or is an input or another output. inputs: files.
+void check_data_outputs(const std::vector<DataOutput>& outputs, const std::set<std::string>& inputs,
+                        calc::Diagnostics& diagnostics);
 
 // Writes the files, each whole or not at all; a file that cannot be written is reported, and the
 // others are written all the same. What is for standard output comes back: text, unless another

@@ -2,6 +2,7 @@
 // What something came to: a requirement, a room, a project, a whole batch. The one order of gravity
 // is here: exit codes, banners, headlines and summaries read it.
 
+#include "calc/base/names.h"
 #include "rules/catalogue/aggregate.h"
 #include "rules/catalogue/compare.h"
 #include "rules/verdict/judge.h"
@@ -57,3 +58,19 @@ constexpr int gravity_rank(Verdict verdict) {
 }
 
 }  // namespace rules
+
+namespace calc {
+
+template <>
+struct EnumNames<rules::Outcome> {
+  static constexpr EnumName<rules::Outcome> list[] = {
+      {rules::Outcome::not_judged, "not-judged"},
+      {rules::Outcome::warned, "warned"},
+      {rules::Outcome::fail, "fail"},
+      {rules::Outcome::undecided, "undecided"},
+      {rules::Outcome::pass, "pass"},
+      {rules::Outcome::waived, "waived"},
+      {rules::Outcome::nothing_asked, "nothing-asked"}};
+};
+
+}  // namespace calc

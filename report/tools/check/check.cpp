@@ -131,14 +131,12 @@ class CheckObserver : public WatchedProject {
     }
     return log;
   }
-  const calc::LookCounts& looks() const { return looks_; }
   void solved(const std::string& project_path, const std::string& space_id,
               const calc::PreparedScene& scene, const std::vector<calc::PlaneTask>& tasks,
               const calc::SpaceSolution& solution) override {
-    const std::scoped_lock lock(mutex_);
-    looks_.read += solution.looks.read;
-    looks_.computed += solution.looks.computed;
+    WatchedProject::solved(project_path, space_id, scene, tasks, solution);
     if (!options_.explain_cost) return;
+    const std::scoped_lock lock(mutex_);
     cost_log_[space_id] =
         explain_cost(project_path, space_id, scene, tasks, options_.settings.radiosity, solution);
   }
@@ -154,7 +152,6 @@ class CheckObserver : public WatchedProject {
   const std::size_t project_;
   std::mutex mutex_;
   std::map<std::string, std::string> cost_log_;  // by space
-  calc::LookCounts looks_;
 };
 
 // What became of a project, until its turn comes.
@@ -210,15 +207,15 @@ ExitCode told_of_interrupt(const CheckOptions& options) {
   return kInterrupted;
 }
 
-// Nothing but a store of luxgate has been made there.
-void remove_resume_store(const std::string& folder) {
+// Nothing but a store of luxgate has been made there. False: it stays, which has been printed.
+bool remove_resume_store(const std::string& folder) {
   std::error_code failure;
-  if (!std::filesystem::exists(folder, failure)) return;  // nothing was kept
   std::filesystem::remove_all(folder, failure);
-  if (!failure) return;
+  if (!failure) return true;
   print_error(calc::DiagnosticId::output_not_possible,
               fmt::format("cannot remove '{}', which is not needed any more: {}", folder,
                           failure.message()));
+  return false;
 }
 
 }  // namespace
@@ -324,6 +321,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
         check_safely(options.input.projects[p],
                      {options.settings, files, setup->packs, stages, observer,
                       vertices ? &*vertices : nullptr, store ? &*store : nullptr, at_once});
+    tell_set_values(options.set, project.part);
     project.cost_log = observer.cost_log(project.part);
     project.looks = observer.looks();
     checked[p] = std::move(project);
@@ -351,11 +349,11 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     fmt::print(stderr, "{}{}{}", check::backend_line(setup->backend), cost_log,
                store ? looks_line(looks, options) : "");
   }
-  const bool is_written = results.finish(backend, recorded.paths());
+  bool is_written = results.finish(backend, recorded.paths());
   warnings.print(options.output.quiet);
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
-  if (is_written && options.batch.resumes) remove_resume_store(options.store);
+  if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
   return is_written ? exit_code_of(results.outcome()) : kNotJudged;
 }
 

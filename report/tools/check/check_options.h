@@ -5,6 +5,7 @@
 #include "report/check/settings.h"
 #include "report/document/revision.h"
 #include "report/shell/output_options.h"
+#include "report/shell/set_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 
@@ -50,13 +51,6 @@ struct CheckOptions {
 // LUXGATE_STORE.
 Option store_option(std::string& store);
 std::string take_store(const std::string& variable, std::string& store);
-
-// --set
-Option set_option(std::vector<check::SetValue>& set);
-// False after an error, which has been printed: a project cannot have these values. option: whose
-// they are, "set".
-bool check_values_or_print(const ProjectOptions& input, const std::vector<check::SetValue>& set,
-                           std::string_view option, const calc::FileReader& files);
 
 // --shard
 Option shard_option(BatchShare& share, const std::string& help);

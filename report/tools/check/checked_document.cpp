@@ -4,6 +4,8 @@
 #include "report/document/program_version.h"
 #include "report/document/same_bits.h"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 namespace cli {
@@ -29,6 +31,15 @@ report::ProjectPart check_safely(const std::string& path, const check::Context& 
   } catch (const std::exception& error) {
     return failed_project(path, calc::DiagnosticId::internal_error, error.what());
   }
+}
+
+void tell_set_values(const std::vector<check::SetValue>& set, report::ProjectPart& part) {
+  if (set.empty()) return;
+  std::vector<std::string> words;
+  for (const check::SetValue& value : set) words.push_back(value.words());
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::values_set, {part.path, 0, 0}, fmt::join(words, ", "));
+  part.diagnostics.insert(part.diagnostics.begin(), diagnostics.all().front());
 }
 
 report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,

@@ -7,11 +7,15 @@
 #include "report/tools/check/check_options.h"
 
 #include <string>
+#include <vector>
 
 namespace cli {
 
 // Whatever goes wrong in one project must not stop the batch: then it is not judged and says why.
 report::ProjectPart check_safely(const std::string& path, const check::Context& context);
+
+// So that no format shows verdicts of a project that its file is not, and keeps silent about it.
+void tell_set_values(const std::vector<check::SetValue>& set, report::ProjectPart& part);
 
 // description: of the backend.
 report::Provenance provenance_of(const CheckOptions& options, check::Backend backend,

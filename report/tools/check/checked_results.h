@@ -29,7 +29,8 @@ class CheckedResults {
 
   // In the order of the options. inputs: files that were read since the call before, at least.
   void add(report::ProjectPart project, const std::set<std::string>& inputs);
-  // Once, after the last project. inputs: all that were read. False: something could not be written, which has been printed.
+  // Once, after the last project. inputs: all that were read. False: something could not be
+  // written, which has been printed.
   bool finish(check::Backend backend, const std::set<std::string>& inputs);
   // After finish(): what the exit code tells.
   rules::Outcome outcome() const { return outcome_; }

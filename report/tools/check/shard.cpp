@@ -25,25 +25,6 @@
 namespace cli {
 namespace {
 
-// Counts looks, too.
-class ShardObserver : public WatchedProject {
- public:
-  using WatchedProject::WatchedProject;
-
-  void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
-              const calc::PreparedScene& /*scene*/, const std::vector<calc::PlaneTask>& /*tasks*/,
-              const calc::SpaceSolution& solution) override {
-    const std::scoped_lock lock(mutex_);
-    looks_.read += solution.looks.read;
-    looks_.computed += solution.looks.computed;
-  }
-  const calc::LookCounts& looks() const { return looks_; }
-
- private:
-  std::mutex mutex_;
-  calc::LookCounts looks_;
-};
-
 // As the file of --units lists them, or by a plan of all projects. Empty after an error, which has
 // been printed. What cannot be read has no units: who reports on all of them tells it.
 std::optional<std::vector<check::Unit>> all_units(const CheckOptions& options,
@@ -121,7 +102,7 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   bool is_good = true;
   std::size_t done = 0;
   const auto work = [&](std::size_t p) {
-    ShardObserver observer(progress, own[p].path);
+    WatchedProject observer(progress, own[p].path);
     try {
       told[p] = check::light_units(own[p].path, own[p].units,
                                    {options.settings, files, setup->packs, stages, observer,

@@ -1,12 +1,15 @@
 #pragma once
-// Progress and Ctrl-C of one project of a batch.
+// Progress, Ctrl-C and counts of looks of one project of a batch.
 
+#include "calc/radiosity/solve.h"
 #include "report/check/observer.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/progress.h"
 
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -21,9 +24,20 @@ class WatchedProject : public check::Observer {
     return !interrupted();
   }
   bool is_stopped() const override { return interrupted(); }
+  void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
+              const calc::PreparedScene& /*scene*/, const std::vector<calc::PlaneTask>& /*tasks*/,
+              const calc::SpaceSolution& solution) override {
+    const std::scoped_lock lock(mutex_);
+    looks_.read += solution.looks.read;
+    looks_.computed += solution.looks.computed;
+  }
+  // Once the project is done.
+  const calc::LookCounts& looks() const { return looks_; }
 
  private:
   ProjectProgress progress_;
+  std::mutex mutex_;  // spaces are solved at the same time
+  calc::LookCounts looks_;
 };
 
 }  // namespace cli

@@ -4,7 +4,6 @@
 #include "report/result_file/read_json.h"
 #include "report/revision/matching.h"
 #include "report/revision/revise.h"
-#include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/tools/compare/compare_pairs.h"
 #include "report/tools/compare/comparison.h"
@@ -349,20 +348,6 @@ std::string render(DataFormat kind, const report::Comparison& comparison, std::s
   return report::render_comparison_text(comparison, worst);
 }
 
-bool check_files(const CompareOptions& options, calc::Diagnostics& diagnostics) {
-  std::set<std::string> taken = {path_identity(options.a), path_identity(options.b)};
-  for (const DataOutput& output : options.outputs) {
-    if (output.file.empty()) continue;
-    std::string problem = writability(output.file);
-    if (!taken.insert(path_identity(output.file)).second) {
-      problem =
-          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
-    }
-    if (!problem.empty()) diagnostics.report(DiagnosticId::output_not_possible, {}, problem);
-  }
-  return !diagnostics.has_errors();
-}
-
 }  // namespace
 
 CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader& disk) {
@@ -370,7 +355,8 @@ CommandOutcome run_compare(const CompareOptions& options, const calc::FileReader
   CommandOutcome outcome;
   outcome.code = kNotJudged;
   std::optional<report::Comparison> comparison;
-  if (check_files(options, diagnostics)) {
+  check_data_outputs(options.outputs, {options.a, options.b}, diagnostics);
+  if (!diagnostics.has_errors()) {
     comparison = Comparer(options, disk, diagnostics).compare();
   }
   if (comparison) {

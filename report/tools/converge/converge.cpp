@@ -9,7 +9,6 @@
 #include "report/document/program_version.h"
 #include "report/shell/chosen_space.h"
 #include "report/shell/interrupt.h"
-#include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/number_format.h"
 #include "report/tools/converge/converge_measure.h"
@@ -93,25 +92,6 @@ bool load(const ConvergeOptions& options, const calc::FileReader& files, Subject
     subject.tasks.push_back({subject.planes[p]->id, &subject.grids[p]});
   }
   return true;
-}
-
-// Says why if there is an output that cannot be.
-bool check_files(const ConvergeOptions& options, const std::set<std::string>& inputs,
-                 calc::Diagnostics& diagnostics) {
-  std::set<std::string> taken;
-  for (const std::string& input : inputs) taken.insert(path_identity(input));
-  for (const DataOutput& output : options.outputs) {
-    if (output.file.empty()) continue;
-    std::string problem = writability(output.file);
-    if (!taken.insert(path_identity(output.file)).second) {
-      problem =
-          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
-    }
-    if (!problem.empty()) {
-      diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
-    }
-  }
-  return !diagnostics.has_errors();
 }
 
 std::uint64_t reference_paths(const ConvergeOptions& options) {
@@ -269,7 +249,8 @@ CommandOutcome converge(const ConvergeOptions& options, const RecordingReader& f
   const bool has_file = options.reference != "own";
   std::set<std::string> inputs = files.paths();
   if (has_file) inputs.insert(options.reference);
-  if (!check_files(options, inputs, diagnostics)) return {kNotJudged, "", {}};
+  check_data_outputs(options.outputs, inputs, diagnostics);
+  if (diagnostics.has_errors()) return {kNotJudged, "", {}};
   announce("reference");
   const double begin_s = calc::now_s();
   const Reference reference = find_reference(options, context, files, diagnostics);

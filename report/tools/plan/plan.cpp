@@ -1,6 +1,7 @@
 #include "report/tools/plan/plan.h"
 
 #include "calc/base/file_reader.h"
+#include "report/check/set_values.h"
 #include "report/check/settings.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
@@ -16,7 +17,9 @@ namespace {
 using rules::Outcome;
 
 ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
-  const calc::DiskFileReader files;
+  const calc::DiskFileReader disk;
+  const check::SetReader files(disk, options.input.projects, options.set);
+  if (!check_values_or_print(options.input, options.set, "set", disk)) return kNotJudged;
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
@@ -53,7 +56,7 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
 Command plan_syntax(PlanOptions& options) {
   Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
   command.places = {projects_place(options.input)};
-  command.options = {rules_of_projects(options.input)};
+  command.options = {rules_of_projects(options.input), set_option(options.set)};
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
   add(command.options, {{"--format", "KIND", "text or json; default text",

@@ -3,6 +3,7 @@
 
 #include "report/check/plan.h"
 #include "report/shell/command.h"
+#include "report/shell/set_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
 
@@ -13,6 +14,7 @@ namespace cli {
 
 struct PlanOptions {
   ProjectOptions input;
+  std::vector<check::SetValue> set;
   calc::RadiositySettings radiosity;
   check::BackendRequest backend;
   bool as_json = false;

@@ -1,6 +1,7 @@
 #include "report/tools/submit/submit.h"
 
 #include "calc/base/file_reader.h"
+#include "report/check/set_values.h"
 #include "report/check/settings.h"
 #include "report/check/units.h"
 #include "report/formats/write.h"
@@ -199,8 +200,10 @@ ExitCode become_script(const BatchJob& job, bool waits) {
 }
 
 ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
-  const calc::DiskFileReader files;
+  const calc::DiskFileReader disk;
   const CheckOptions& check = options.check;
+  const check::SetReader files(disk, check.input.projects, check.set);
+  if (!check_values_or_print(check.input, check.set, "set", disk)) return kNotJudged;
   const calc::RadiositySettings& radiosity = check.settings.radiosity;
   std::vector<std::string> inputs = check.input.projects;
   inputs.insert(inputs.end(), check.input.rule_files.begin(), check.input.rule_files.end());

@@ -6,7 +6,6 @@
 #include "report/check/set_values.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/option_values.h"
-#include "report/shell/outputs.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/text/shell_words.h"
@@ -41,7 +40,8 @@ constexpr const char* kSweepFooter =
     "All combinations are checked, the last --vary fastest. What a change does not touch is taken\n"
     "from the store, or from memory without one: limits, dimming and maintenance factors trace no\n"
     "ray. A margin is (value - limit) / limit, turned for upper limits, so that above 0 is good;\n"
-    "that of a variant is the smallest over all requirements that count. Power is installed "
+    "that of a variant is the smallest over all requirements that count. Limits of 0, aggregates\n"
+    "and classes have none: the verdict knows them, 'N without' counts them. Power is installed\n"
     "power.\n"
     "On the front ('on') is a variant that passes if no other one that passes has a margin as\n"
     "large with less power, or a larger one with as much; 'perhaps' if others have, but none with\n"
@@ -74,24 +74,6 @@ class KeptFiles : public calc::FileReader {
   const calc::FileReader& files_;
   mutable std::mutex mutex_;
   mutable std::map<std::string, calc::FileContent> contents_;
-};
-
-class VariantObserver : public WatchedProject {
- public:
-  using WatchedProject::WatchedProject;
-
-  void solved(const std::string& /*project_path*/, const std::string& /*space_id*/,
-              const calc::PreparedScene& /*scene*/, const std::vector<calc::PlaneTask>& /*tasks*/,
-              const calc::SpaceSolution& solution) override {
-    const std::scoped_lock lock(mutex_);
-    looks_.read += solution.looks.read;
-    looks_.computed += solution.looks.computed;
-  }
-  const calc::LookCounts& looks() const { return looks_; }
-
- private:
-  std::mutex mutex_;
-  calc::LookCounts looks_;
 };
 
 struct DoneVariant {
@@ -140,20 +122,8 @@ class VariantMessages {
 };
 
 bool can_write_sweep(const SweepOptions& options, const std::set<std::string>& inputs) {
-  std::set<std::string> taken;
-  for (const std::string& input : inputs) taken.insert(path_identity(input));
   calc::Diagnostics diagnostics;
-  for (const DataOutput& output : options.outputs) {
-    if (output.file.empty()) continue;
-    std::string problem = writability(output.file);
-    if (!taken.insert(path_identity(output.file)).second) {
-      problem =
-          fmt::format("'{}' is an input or another output and is not overwritten", output.file);
-    }
-    if (!problem.empty()) {
-      diagnostics.report(calc::DiagnosticId::output_not_possible, {}, problem);
-    }
-  }
+  check_data_outputs(options.outputs, inputs, diagnostics);
   print_diagnostics(diagnostics.all(), true);
   return !diagnostics.has_errors();
 }
@@ -300,7 +270,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   std::vector<std::optional<DoneVariant>> done(own.size());
   const auto name_of = [&](std::size_t i) { return fmt::format("variant {}", own[i] + 1); };
   const auto work = [&](std::size_t i) {
-    VariantObserver observer(progress, name_of(i));
+    WatchedProject observer(progress, name_of(i));
     const std::vector<check::SetValue> values =
         all_settings(options, values_of_variant(options.vary, own[i]));
     const check::SetReader variant(files, check.input.projects, values);

@@ -14,23 +14,6 @@ namespace {
 
 using SweepJson = nlohmann::ordered_json;
 
-const char* outcome_key(rules::Outcome outcome) {
-  switch (outcome) {
-    case rules::Outcome::pass:
-      return "pass";
-    case rules::Outcome::fail:
-      return "fail";
-    case rules::Outcome::undecided:
-      return "undecided";
-    case rules::Outcome::waived:
-      return "waived";
-    case rules::Outcome::nothing_asked:
-      return "nothing-asked";
-    default:
-      return "not-judged";
-  }
-}
-
 SweepJson number_or_null(double value) {
   return std::isfinite(value) ? SweepJson(value) : SweepJson();
 }
@@ -40,7 +23,7 @@ SweepJson row_json(const SweepRow& row, const Sweep& sweep) {
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) values[sweep.vary[v].path] = row.values[v];
   SweepJson json{{"variant", row.variant + 1},
                  {"values", std::move(values)},
-                 {"verdict", outcome_key(row.outcome)},
+                 {"verdict", calc::name_of(row.outcome)},
                  {"margin", nullptr}};
   if (row.margin) {
     json["margin"] = {{"value", number_or_null(row.margin->value)},
@@ -49,8 +32,11 @@ SweepJson row_json(const SweepRow& row, const Sweep& sweep) {
                       {"plane", row.plane},
                       {"requirement", row.requirement}};
   }
+  json["without_margin"] = row.without_margin;
   json["power_w"] = row.power_w;
   json["luminaires_without_power"] = row.without_power;
+  json["warnings"] = row.warnings;
+  json["rows_in_part"] = row.rows_in_part;
   json["front"] = pareto_words(row.pareto);
   if (!row.reason.empty()) json["reason"] = row.reason;
   return json;
@@ -62,12 +48,12 @@ std::string render_sweep_csv(const Sweep& sweep) {
   std::string csv = "variant";
   for (const Vary& vary : sweep.vary) csv += "," + report::csv_field(vary.path);
   csv +=
-      ",verdict,margin,margin_low,margin_high,plane,requirement,power_w,luminaires_without_power,"
-      "front,reason\r\n";
+      ",verdict,margin,margin_low,margin_high,plane,requirement,without_margin,power_w,"
+      "luminaires_without_power,warnings,rows_in_part,front,reason\r\n";
   for (const SweepRow& row : sweep.rows) {
     csv += std::to_string(row.variant + 1);
     for (const std::string& value : row.values) csv += "," + report::csv_field(value);
-    csv += fmt::format(",{}", outcome_key(row.outcome));
+    csv += fmt::format(",{}", calc::name_of(row.outcome));
     if (row.margin) {
       csv += fmt::format(",{},{},{}", report::format_shortest(row.margin->value),
                          report::format_shortest(row.margin->low),
@@ -75,9 +61,10 @@ std::string render_sweep_csv(const Sweep& sweep) {
     } else {
       csv += ",,,";
     }
-    csv += fmt::format(",{},{},{},{},{},{}\r\n", report::csv_field(row.plane),
-                       report::csv_field(row.requirement), report::format_shortest(row.power_w),
-                       row.without_power, pareto_words(row.pareto), report::csv_field(row.reason));
+    csv += fmt::format(",{},{},{},{},{},{},{},{},{}\r\n", report::csv_field(row.plane),
+                       report::csv_field(row.requirement), row.without_margin,
+                       report::format_shortest(row.power_w), row.without_power, row.warnings,
+                       row.rows_in_part, pareto_words(row.pareto), report::csv_field(row.reason));
   }
   return csv;
 }
@@ -116,6 +103,7 @@ std::string render_sweep_json(const Sweep& sweep) {
                                 {"undecided", counts.undecided},
                                 {"not_judged", counts.not_judged},
                                 {"others", counts.others}}},
+                              {"notes", sweep_notes(sweep)},
                               {"variants", std::move(variants)}});
 }
 

@@ -1,3 +1,4 @@
+#include "calc/base/names.h"
 #include "calc/base/utf8.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_style.h"
@@ -15,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -47,22 +49,15 @@ constexpr const char* kSweepStyle = R"css(
 td.command code { font-size: .78rem; overflow-wrap: anywhere; }
 )css";
 
-const char* tone_of(rules::Outcome outcome) {
-  switch (outcome) {
-    case rules::Outcome::pass:
-      return "pass";
-    case rules::Outcome::fail:
-      return "fail";
-    case rules::Outcome::undecided:
-      return "undecided";
-    default:
-      return "not-judged";
-  }
+std::string_view tone_of(rules::Outcome outcome) {
+  const bool is_verdict = outcome == rules::Outcome::pass || outcome == rules::Outcome::fail ||
+                          outcome == rules::Outcome::undecided;
+  return calc::name_of(is_verdict ? outcome : rules::Outcome::not_judged);
 }
 
 // A shape for each outcome: a disc, a cross, a diamond, a square.
 std::string mark(rules::Outcome outcome, double x, double y) {
-  const std::string tone = tone_of(outcome);
+  const std::string_view tone = tone_of(outcome);
   const std::string at_x = svg_number(x), at_y = svg_number(y);
   switch (outcome) {
     case rules::Outcome::pass:
@@ -375,6 +370,9 @@ std::string render_sweep_html(const Sweep& sweep) {
   html += fmt::format("<h1>{}</h1>\n<p class=\"quiet\">{}<br/><code>{}</code></p>\n",
                       escape_html(title), escape_html(sweep.project),
                       escape_html(sweep.provenance.command_line));
+  for (const std::string& note : sweep_notes(sweep)) {
+    html += "<p class=\"message\">" + escape_html(note) + "</p>\n";
+  }
   std::vector<const SweepRow*> front, all;
   for (const SweepRow& row : sweep.rows) {
     if (row.pareto == ParetoPlace::on) front.push_back(&row);

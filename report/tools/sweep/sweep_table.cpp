@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace cli {
@@ -43,6 +46,24 @@ std::string reason_of(const report::ProjectPart& part) {
   return "not judged";
 }
 
+// That the rows do not hang on the v-th path: those of equal other values are equal.
+bool has_no_effect(const Sweep& sweep, std::size_t v) {
+  if (sweep.vary[v].values.size() < 2 || sweep.rows.empty()) return false;
+  std::map<std::vector<std::string>, const SweepRow*> first;  // by the other values
+  return std::all_of(sweep.rows.begin(), sweep.rows.end(), [&](const SweepRow& row) {
+    std::vector<std::string> others = row.values;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(v));
+    const SweepRow& other = *first.try_emplace(std::move(others), &row).first->second;
+    const auto ends = [](const SweepRow& one) {
+      return one.margin ? std::array{one.margin->value, one.margin->low, one.margin->high}
+                        : std::array<double, 3>{};
+    };
+    return row.outcome == other.outcome && row.margin.has_value() == other.margin.has_value() &&
+           ends(row) == ends(other) && row.power_w == other.power_w &&
+           row.without_power == other.without_power;
+  });
+}
+
 bool can_be_on_front(const SweepRow& row) {
   return row.outcome == rules::Outcome::pass && row.margin && row.without_power == 0 &&
          std::isfinite(row.margin->value);
@@ -56,6 +77,10 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
   row.variant = variant;
   row.values = std::move(values);
   row.outcome = report::outcome_of(part);
+  report::Totals totals;
+  totals.add(part);
+  row.warnings = totals.warnings.all;
+  row.rows_in_part = totals.rows_in_part;
   for (const report::SpacePart& space : part.spaces) {
     row.power_w += space.power.power_w;
     row.without_power += space.power.without_power;
@@ -66,7 +91,10 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
           continue;
         }
         const std::optional<calc::Estimate> margin = margin_of(finding);
-        if (!margin) continue;
+        if (!margin) {
+          ++row.without_margin;
+          continue;
+        }
         if (!row.margin || margin->value < row.margin->value) {
           row.plane = plane.id;
           row.requirement = finding.requirement.id;
@@ -77,6 +105,9 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
         row.margin->high = std::min(row.margin->high, margin->high);
       }
     }
+  }
+  for (const rules::AggregateFinding& aggregate : part.aggregates) {
+    row.without_margin += rules::counts(rules::outcome_of(aggregate)) ? 1 : 0;
   }
   if (row.outcome == rules::Outcome::not_judged) {
     row.margin.reset();
@@ -152,14 +183,16 @@ OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows) {
 }
 
 std::string margin_words(const SweepRow& row) {
-  if (!row.margin) return "–";
+  const std::string without =
+      row.without_margin > 0 ? fmt::format(", {} without", row.without_margin) : "";
+  if (!row.margin) return "–" + without;
   const calc::Estimate& margin = *row.margin;
   const std::string value = report::format_margin(margin.value);
-  if (margin.low == margin.high) return value;
+  if (margin.low == margin.high) return value + without;
   const auto end = [](double margin_end) {
     return std::isfinite(margin_end) ? report::format_margin(margin_end) : std::string("open");
   };
-  return fmt::format("{} ({} to {})", value, end(margin.low), end(margin.high));
+  return fmt::format("{} ({} to {}){}", value, end(margin.low), end(margin.high), without);
 }
 
 std::string power_words(const SweepRow& row) {
@@ -182,6 +215,32 @@ const char* pareto_words(ParetoPlace place) {
 
 std::string requirement_words(const SweepRow& row) {
   return row.plane.empty() ? "–" : row.plane + ": " + row.requirement;
+}
+
+std::vector<std::string> sweep_notes(const Sweep& sweep) {
+  std::vector<std::string> notes;
+  for (std::size_t v = 0; v < sweep.vary.size(); ++v) {
+    if (!has_no_effect(sweep, v)) continue;
+    notes.push_back(fmt::format(
+        "'{}' changes no verdict, margin or power: is it overridden where it would count?",
+        sweep.vary[v].path));
+  }
+  const auto count = [&](int SweepRow::*member) {
+    return std::count_if(sweep.rows.begin(), sweep.rows.end(),
+                         [&](const SweepRow& row) { return row.*member > 0; });
+  };
+  if (const auto variants = count(&SweepRow::warnings); variants > 0) {
+    notes.push_back(fmt::format(
+        "variants with warnings, which are on standard error and in a check of each: {}",
+        variants));
+  }
+  if (const auto variants = count(&SweepRow::rows_in_part); variants > 0) {
+    notes.push_back(fmt::format(
+        "variants in which a row of a standard is asked in part only: {}; a pass is of what was "
+        "asked",
+        variants));
+  }
+  return notes;
 }
 
 std::string check_command(const Sweep& sweep, const SweepRow& row) {

@@ -29,8 +29,13 @@ struct SweepRow {
   // has a limit other than 0.
   std::optional<calc::Estimate> margin;
   std::string plane, requirement;  // whose value is the smallest
-  double power_w = 0.0;            // installed, of luminaires whose power is known
-  int without_power = 0;           // luminaires whose power is not
+  // What counts and has no such number: limits of 0, aggregates and classes. Nothing of it is in
+  // the margin.
+  int without_margin = 0;
+  double power_w = 0.0;   // installed, of luminaires whose power is known
+  int without_power = 0;  // luminaires whose power is not
+  // What a check of it has to say besides; told whole by that check.
+  int warnings = 0, rows_in_part = 0;
   ParetoPlace pareto = ParetoPlace::off;
   std::string reason;  // why it is not judged; "" = it is
 };
@@ -59,13 +64,16 @@ struct OutcomeCounts {
 };
 OutcomeCounts count_outcomes(const std::vector<SweepRow>& rows);
 
-// "+3.2 % (+1.0 % to +5.0 %)", "–".
+// "+3.2 % (+1.0 % to +5.0 %)", "–"; with how many results have none.
 std::string margin_words(const SweepRow& row);
 // "540.0 W", with what is not known.
 std::string power_words(const SweepRow& row);
 const char* pareto_words(ParetoPlace place);
 // "desk: Uo"
 std::string requirement_words(const SweepRow& row);
+// What every format has to say of all variants: paths whose values change nothing, warnings, rows
+// of standards that are asked in part only. rows: all variants.
+std::vector<std::string> sweep_notes(const Sweep& sweep);
 // That gives the same numbers as the variant had.
 std::string check_command(const Sweep& sweep, const SweepRow& row);
 

@@ -67,6 +67,7 @@ std::string render_sweep_text(const Sweep& sweep) {
         left_out);
   }
   text += fmt::format("{} variants: {}\n", sweep.rows.size(), count_outcomes(sweep.rows).words());
+  for (const std::string& note : sweep_notes(sweep)) text += report::printable(note) + "\n";
   if (example != nullptr) {
     text += fmt::format("Variant {} alone: {}\n", example->variant + 1,
                         report::printable(check_command(sweep, *example)));

@@ -143,6 +143,21 @@ TEST(RowOf, HasTheSmallestMarginEndByEnd) {
   EXPECT_EQ(cli::requirement_words(row), "desk: a");
   EXPECT_EQ(row.outcome, rules::Outcome::undecided);
   EXPECT_EQ(row.power_w, 70);
+  EXPECT_EQ(row.without_margin, 1);  // a limit of 0
+}
+
+// The margin is not about them: they are counted beside it.
+TEST(RowOf, CountsAggregatesThatCount) {
+  report::ProjectPart part =
+      part_with({finding("a", rules::Comparison::at_least, 1, {2, 2, 2}, rules::Verdict::pass)});
+  rules::AggregateFinding aggregate;
+  aggregate.verdict = rules::Verdict::fail;
+  part.aggregates = {aggregate, aggregate};
+  part.aggregates[1].severity = rules::Severity::advice;
+  const cli::SweepRow row = cli::row_of(0, {}, part);
+  EXPECT_EQ(row.outcome, rules::Outcome::fail);
+  EXPECT_EQ(row.without_margin, 1);
+  EXPECT_EQ(cli::margin_words(row), "+100.0 %, 1 without");
 }
 
 TEST(RowOf, HasNoMarginWhereSomethingIsNotJudged) {
@@ -154,6 +169,21 @@ TEST(RowOf, HasNoMarginWhereSomethingIsNotJudged) {
   EXPECT_FALSE(row.margin);
   EXPECT_EQ(row.outcome, rules::Outcome::not_judged);
   EXPECT_EQ(row.reason, "plane 'desk': because");
+}
+
+TEST(SweepNotes, NameAPathWithoutEffect) {
+  cli::Sweep sweep;
+  sweep.vary = {{"a.b", {"1", "2"}}, {"c.d", {"x", "y"}}};
+  for (std::size_t v = 0; v < 4; ++v) {
+    sweep.rows.push_back(row(10, exactly(v % 2 == 0 ? 0.1 : 0.2)));
+    sweep.rows.back().values = cli::values_of_variant(sweep.vary, v);
+  }
+  EXPECT_THAT(cli::sweep_notes(sweep), ElementsAre(testing::HasSubstr("'a.b' changes no")));
+  sweep.rows[2].margin->high = 0.3;
+  sweep.rows[1].rows_in_part = 1;
+  sweep.rows[3].warnings = 2;
+  EXPECT_THAT(cli::sweep_notes(sweep),
+              ElementsAre(testing::HasSubstr("each: 1"), testing::HasSubstr("in part only: 1")));
 }
 
 TEST(SweepHtml, EscapesWhatComesFromFiles) {
