@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -56,6 +57,23 @@ TEST(InOrder, NoMoreAreBegunThanAskedFor) {
       60, {4, kMost}, work, [&](std::size_t) { --begun; }, kAlways);
   EXPECT_LE(most, static_cast<int>(kMost));
   EXPECT_GE(most, 1);
+}
+
+// That would hold up the first piece until the second is done.
+TEST(InOrder, AThreadThatWaitsForItsPieceTakesUpNoOther) {
+  // On few cores no thread would ever be without work.
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+  thread_local int pieces = 0;
+  std::atomic<int> most{0};
+  const auto work = [&](std::size_t /*i*/) {
+    if (++pieces > most) most = pieces;
+    tbb::parallel_for(0, 16,
+                      [](int) { std::this_thread::sleep_for(std::chrono::microseconds(20)); });
+    --pieces;
+  };
+  in_order(
+      300, {4, 16}, work, [](std::size_t) {}, kAlways);
+  EXPECT_EQ(most, 1);
 }
 
 TEST(InOrder, WhatWasBegunIsFinishedOnceItStops) {

@@ -135,7 +135,8 @@ TEST(RowOf, HasTheSmallestMarginEndByEnd) {
       cli::row_of(3, {"1"},
                   part_with({finding("a", least, 100, {110, 105, 120}, pass),
                              finding("b", most, 200, {176, 170, 202}, undecided),
-                             finding("none", most, 0, {0, 0, 0}, pass)}));
+                             finding("none", most, 0, {0, 0, 0}, pass),
+                             finding("far", least, 100, {150, 140, 160}, pass)}));
   ASSERT_TRUE(row.margin);
   EXPECT_DOUBLE_EQ(row.margin->value, 0.10);  // of a; b has 0.12, -0.01 to 0.15
   EXPECT_DOUBLE_EQ(row.margin->low, -0.01);
