@@ -46,6 +46,7 @@ luxgate_test(scene_tests
     unit/calc/project/spaces_xml_test.cpp
     unit/calc/project/workplace_xml_test.cpp
     unit/calc/scene/zone_shapes_test.cpp
+    unit/calc/base/diagnostics_test.cpp
     unit/calc/base/utf8_test.cpp
     unit/calc/base/xml_document_test.cpp
   LIBRARIES calc_model)

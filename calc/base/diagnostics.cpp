@@ -44,7 +44,7 @@ Severity diagnostic_severity(DiagnosticId id) { return entry(id).severity; }
 std::string_view diagnostic_template(DiagnosticId id) { return entry(id).text; }
 
 std::string format_diagnostic(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.where.file;
+  std::string text = printable_path(diagnostic.where.file);
   if (diagnostic.where.line > 0) text += fmt::format(":{}", diagnostic.where.line);
   if (diagnostic.where.column > 0) text += fmt::format(":{}", diagnostic.where.column);
   if (!text.empty()) text += ": ";
@@ -67,15 +67,32 @@ void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
 }
 
 void Diagnostics::add(const Diagnostics& others) {
-  all_.insert(all_.end(), others.all_.begin(), others.all_.end());
-  error_count_ += others.error_count_;
+  for (const Diagnostic& other : others.all_) {
+    if (other.id != DiagnosticId::messages_left_out && take(other.id, 1)) all_.push_back(other);
+  }
+  for (const auto& [id, found] : others.of_id_) {
+    if (found.left_out > 0) take(id, found.count - kMostMessagesOfAnId);
+  }
 }
 
 void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string message) {
-  if (diagnostic_severity(id) == Severity::error) ++error_count_;
   // Messages quote files, which may hold anything.
-  message = without_control_characters(message);
-  all_.push_back(Diagnostic{id, where, std::move(message)});
+  all_.push_back(Diagnostic{id, where, printable(shorten_utf8(message, kLongestMessage))});
+}
+
+bool Diagnostics::take(DiagnosticId id, std::size_t count) {
+  if (diagnostic_severity(id) == Severity::error) error_count_ += count;
+  OfAnId& found = of_id_[id];
+  found.count += count;
+  if (found.count <= kMostMessagesOfAnId) return true;
+  if (found.left_out == 0) {
+    found.left_out = all_.size();
+    all_.push_back({DiagnosticId::messages_left_out, {}, ""});
+  }
+  all_[found.left_out].message =
+      fmt::format(fmt::runtime(diagnostic_template(DiagnosticId::messages_left_out)),
+                  found.count - kMostMessagesOfAnId, diagnostic_name(id), kMostMessagesOfAnId);
+  return false;
 }
 
 }  // namespace calc

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,16 +52,24 @@ struct Diagnostic {
   Severity severity() const { return diagnostic_severity(id); }
 };
 
-// "file:12:5: error[unknown-attribute]: message"; unknown line or column is left out.
+// "file:12:5: error[unknown-attribute]: message"; unknown line or column is left out. One line, and
+// no command for a CI runner, whatever the name of the file.
 std::string format_diagnostic(const Diagnostic& diagnostic);
 
-// Collects diagnostics in the order they were found. Not thread-safe: readers run on one thread.
+// Of one id, so that a file of a million mistakes does not fill memory and logs.
+inline constexpr std::size_t kMostMessagesOfAnId = 1000;
+// In characters.
+inline constexpr std::size_t kLongestMessage = 4000;
+
+// Collects diagnostics in the order they were found: of each id the first kMostMessagesOfAnId, and
+// one that counts the others. Not thread-safe: readers run on one thread.
 class Diagnostics {
  public:
   // Arguments fill the template's {} in order; a count that does not match is our own mistake and
   // throws fmt::format_error, which the tests of each message would show.
   template <class... Args>
   void report(DiagnosticId id, const SourceLocation& where, const Args&... args) {
+    if (!take(id, 1)) return;  // not even written
     add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
   }
 
@@ -68,7 +77,7 @@ class Diagnostics {
   void add(const Diagnostics& others);
 
   bool has_errors() const { return error_count_ > 0; }
-  std::size_t error_count() const { return error_count_; }
+  std::size_t error_count() const { return error_count_; }  // also of those left out
   const std::vector<Diagnostic>& all() const { return all_; }
 
   // Messages about `file` from the `first` one on go into the order of its lines; those of a line
@@ -77,8 +86,15 @@ class Diagnostics {
 
  private:
   void add(DiagnosticId id, const SourceLocation& where, std::string message);
+  // Counts them. Whether there is room for one more of the id.
+  bool take(DiagnosticId id, std::size_t count);
 
+  struct OfAnId {
+    std::size_t count = 0;     // found
+    std::size_t left_out = 0;  // place of the message that counts those left out; 0 = there is none
+  };
   std::vector<Diagnostic> all_;
+  std::map<DiagnosticId, OfAnId> of_id_;
   std::size_t error_count_ = 0;
 };
 

@@ -2,13 +2,16 @@
 // Reading files behind an interface, so that loaders can be tested without a disk.
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace calc {
 
 // What a read gave: the bytes, or a reason in words ("No such file or directory").
 struct FileContent {
   std::string bytes;
-  std::string error;  // empty = success
+  std::string error;        // empty = success
+  bool is_outside = false;  // the error: a link leads out of the folder that it had to lie in
 
   bool ok() const { return error.empty(); }
 };
@@ -16,13 +19,23 @@ struct FileContent {
 class FileReader {
  public:
   virtual ~FileReader() = default;
-  virtual FileContent read(const std::string& path) const = 0;
+  FileContent read(const std::string& path) const { return read_within("", path); }
+  // Of a path that a file names which somebody else may have written: it must lie in this folder or
+  // below it, links followed; "" = anywhere. Readers of their own files only need not ask.
+  virtual FileContent read_within(const std::string& folder, const std::string& path) const = 0;
 };
 
-// Reads regular files from disk; folders, devices and files over 512 MiB are refused with a reason.
+// Reads regular files from disk; folders, devices, pipes and files over 512 MiB are refused with a
+// reason.
 class DiskFileReader : public FileReader {
  public:
-  FileContent read(const std::string& path) const override;
+  // allowed: folders that links may lead into besides.
+  explicit DiskFileReader(std::vector<std::string> allowed = {}) : allowed_(std::move(allowed)) {}
+
+  FileContent read_within(const std::string& folder, const std::string& path) const override;
+
+ private:
+  std::vector<std::string> allowed_;
 };
 
 }  // namespace calc

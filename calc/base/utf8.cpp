@@ -1,11 +1,20 @@
 #include "calc/base/utf8.h"
 
+#include <algorithm>
+
 namespace calc {
 namespace {
 
 constexpr std::string_view kUtf8ByteOrderMark = "\xEF\xBB\xBF";
 
 char byte_of(char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); }
+
+// Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
+// the two code points XML does not allow.
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
+}
 
 }  // namespace
 
@@ -51,18 +60,26 @@ std::string utf8_from_code_point(char32_t code) {
   return {byte_of(0xF0u | (code >> 18u)), tail(12), tail(6), tail(0)};
 }
 
-std::string without_control_characters(std::string_view text) {
+std::string printable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool is_two_bytes = byte == 0xC2 && i + 1 < text.size() &&
-                              static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
-                              static_cast<unsigned char>(text[i + 1]) <= 0x9F;
-    result += byte < 0x20 || byte == 0x7F || is_two_bytes ? ' ' : text[i];
-    if (is_two_bytes) ++i;
+  while (!text.empty()) {
+    const Utf8Character point = first_character(text);
+    if (point.length == 0) {
+      result += "\xEF\xBF\xBD";  // U+FFFD
+    } else if (is_control(point.code)) {
+      result += ' ';
+    } else {
+      if (point.code == '[' && result.ends_with("##")) result += ' ';
+      result += text.substr(0, point.length);
+    }
+    text.remove_prefix(std::max<std::size_t>(point.length, 1));
   }
   return result;
+}
+
+std::string printable_path(std::string_view path) {
+  return path.starts_with(':') ? "./" + printable(path) : printable(path);
 }
 
 std::string shorten_utf8(std::string_view text, std::size_t characters) {

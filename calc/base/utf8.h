@@ -32,9 +32,13 @@ std::optional<std::size_t> first_invalid_utf8(std::string_view text);
 // code: up to 0x10FFFF.
 std::string utf8_from_code_point(char32_t code);
 
-// The text with a blank for each control character (line ends, tabs, terminal escapes, U+0080 to
-// U+009F). Bytes that are not UTF-8 stay.
-std::string without_control_characters(std::string_view text);
+// Names from files made safe to show: they may hold anything. The text as valid UTF-8 on one line:
+// broken sequences become U+FFFD, control characters (line ends, tabs, terminal escapes, what turns
+// the direction of writing) a blank. "##[", which CI runners take for a command anywhere in a line,
+// gets a blank.
+std::string printable(std::string_view text);
+// Of a path that begins a line: none begins with "::", which is a command, too.
+std::string printable_path(std::string_view path);
 
 // At most `characters` characters, "..." for the rest.
 std::string shorten_utf8(std::string_view text, std::size_t characters);

@@ -390,7 +390,7 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
 }
 
 std::string project_title(const ProjectPart& project, bool colour) {
-  std::string title = printable(project.path);
+  std::string title = printable_path(project.path);
   if (!project.name.empty()) title += ": " + printable(project.name);
   return colour ? kBold + title + kReset + "\n" : title + "\n";
 }
@@ -513,7 +513,7 @@ void TextWriter::finish(const DocumentEnd& end, Sink& sink) {
   std::string summary = summary_words(t_, end.totals);
   if (options_.colour) summary = outcome_colour(end.totals.outcome) + summary + kReset;
   text += summary + "\n";
-  if (const std::string words = redaction_words(end.provenance, t_); !words.empty())
+  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
     text += words + "\n";
   sink.write(text);
 }

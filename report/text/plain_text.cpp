@@ -8,15 +8,6 @@
 namespace report {
 namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
-// Also U+2028/2029 and the bidirectional controls, which could make a line read differently, and
-// the two code points XML does not allow.
-bool is_control(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x202A && c <= 0x202E) ||
-         (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
-}
-
 struct Range {
   char32_t first, last;
 };
@@ -46,23 +37,6 @@ std::size_t width_of(char32_t c) {
 }
 
 }  // namespace
-
-std::string printable(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  while (!text.empty()) {
-    const calc::Utf8Character point = calc::first_character(text);
-    if (point.length == 0) {
-      result += kReplacement;
-    } else if (is_control(point.code)) {
-      result += ' ';
-    } else {
-      result += text.substr(0, point.length);
-    }
-    text.remove_prefix(std::max<std::size_t>(point.length, 1));
-  }
-  return result;
-}
 
 std::size_t display_width(std::string_view utf8) {
   std::size_t width = 0;

@@ -1,6 +1,7 @@
 #pragma once
-// Names from files made safe to show: they may hold anything, also terminal escapes or bytes of
-// another encoding.
+// Names from files made safe to show, and how much room they take.
+
+#include "calc/base/utf8.h"
 
 #include <cstddef>
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace report {
 
-// The text as valid UTF-8 on one line: broken sequences become U+FFFD, control characters a blank.
-std::string printable(std::string_view text);
+using calc::printable;
+using calc::printable_path;
 
 // Columns a terminal needs for valid UTF-8: 0 for combining marks, 2 for East Asian wide characters
 // and emoji, else 1.

@@ -388,6 +388,17 @@ std::string redaction_words(const Provenance& provenance, const Texts& t) {
   return provenance.is_redacted ? t[Text::paths_left_out] : "";
 }
 
+std::string policy_words(const Provenance& provenance, const Texts& t) {
+  if (provenance.policy.empty()) return "";
+  return t.say<Text::judged_by_policy>(printable(provenance.policy), provenance.policy_sha256);
+}
+
+std::string provenance_remarks(const Provenance& provenance, const Texts& t) {
+  const std::string policy = policy_words(provenance, t),
+                    redaction = redaction_words(provenance, t);
+  return policy + (policy.empty() || redaction.empty() ? "" : " ") + redaction;
+}
+
 std::string looks_words(const Texts& t, const PlanePart& plane) {
   const std::size_t taken = plane.counters.active_points.size();
   return taken == 0 ? "" : t.say<Text::looks_of_planned>(taken, plane.looks_planned);

@@ -128,7 +128,7 @@ std::string render_plan_text(const std::vector<check::ProjectPlan>& projects,
                              const check::BackendChoice& backend) {
   std::string text;
   for (const check::ProjectPlan& project : projects) {
-    text += report::printable(project.path);
+    text += report::printable_path(project.path);
     if (!project.name.empty()) text += ": " + report::printable(project.name);
     text += "\n";
     if (project.spaces.empty() && !project.is_planned) text += "  not planned: see the errors\n";
@@ -158,8 +158,8 @@ std::string explain_cost(const std::string& path, const std::string& space_id,
   const calc::Prediction predicted = calc::predict(plan.workload, paths, settings, plan.threads);
 
   std::string text =
-      fmt::format("{}, {}: cost", report::printable(path), report::printable(space_id)) + "\n" +
-      fmt::format("  {:<22}{:>16}{:>16}{:>16}\n", "", "predicted", "true", "true/predicted");
+      fmt::format("{}, {}: cost", report::printable_path(path), report::printable(space_id)) +
+      "\n" + fmt::format("  {:<22}{:>16}{:>16}{:>16}\n", "", "predicted", "true", "true/predicted");
   const auto counts = [&](const char* label, double p, double t) {
     if (p > 0.0 || t > 0.0) text += comparison_row(label, count_text(p), count_text(t), t / p);
   };
