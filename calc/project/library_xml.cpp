@@ -96,6 +96,7 @@ void add_emitters(const Project& project, const std::vector<PlacedWeb>& light, d
     emitter.id += "/" + light[i].emitter;
     emitter.web = light[i].web;
     emitter.power_w = emitter.file_power_w = 0.0;
+    emitter.price.reset();
     emitter.emitters.clear();
     emitter.is_further_emitter = true;
     further.push_back(std::move(emitter));
@@ -114,6 +115,7 @@ std::vector<LuminaireType> read_luminaire_type(ProjectContext& context, ElementR
                    reader.choice_or("interpolation", kInterpolationType.words, 0) == 1};
   const std::optional<double> flux_lm = reader.optional_number("flux-lm", kPositive);
   const std::optional<double> power_w = reader.optional_number("power-w", kPositive);
+  type.price = reader.optional_number("price", kNonNegative);
   const std::size_t errors = reader.diagnostics().error_count();
   const PhotometryOptions options = read_photometry_options(reader);
   if (type.photometry_file.empty() || reader.diagnostics().error_count() != errors) return {type};

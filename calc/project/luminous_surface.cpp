@@ -74,6 +74,7 @@ void add_luminous_surface(ProjectContext& context, ElementReader& reader,
   LuminaireType type;
   type.maintenance = read_maintenance_factor(context, reader);
   type.power_w = reader.optional_number("power-w", kPositive).value_or(0.0);
+  type.price = reader.optional_number("price", kNonNegative);
   type.where = reader.where();
   Luminaire luminaire;
   if (reader.has("group")) {

@@ -248,6 +248,9 @@ const ElementRow kLuminaireTypeElement{
         {"flux-lm", &kPositiveType, optional,
          "Luminous flux of the luminaire, instead of the file's."},
         {"power-w", &kPositiveType, optional, "Input power, instead of the file's."},
+        {"price", &kNonNegativeType, optional,
+         "Of one luminaire, in the project's own currency, for 'luxgate sweep'. No light and no "
+         "verdict hangs on it."},
         {"maintenance-factor", &kPositiveFractionType, optional,
          "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, the "
          "product counts); 1 if nothing is given."},
@@ -312,6 +315,8 @@ const ElementRow kBoxElement{
 const std::vector<AttributeRow> kLuminousAttributes{
     kGroupAttribute,
     {"power-w", &kPositiveType, optional, "Of a surface that sends light: its input power."},
+    {"price", &kNonNegativeType, optional,
+     "Of a surface that sends light, in the project's own currency, for 'luxgate sweep'."},
     {"maintenance-factor", &kPositiveFractionType, optional,
      "Of a surface that sends light; the project's if not given."}};
 
@@ -333,7 +338,8 @@ const ElementRow kQuadElement{
          "luminance is that divided by pi, in cd/m2. It reflects as its material says."},
         kLuminousAttributes[0],
         kLuminousAttributes[1],
-        kLuminousAttributes[2]}};
+        kLuminousAttributes[2],
+        kLuminousAttributes[3]}};
 
 const ElementRow kPolygonElement{.type = "polygon",
                                  .attributes = {kIdAttribute,

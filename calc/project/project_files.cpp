@@ -53,7 +53,12 @@ std::string ProjectFiles::full_path(const std::string& key) const {
 
 std::optional<std::string> ProjectFiles::read(const std::string& key, const std::string& as_named,
                                               const SourceLocation& named_at) {
-  FileContent content = reader_.read(full_path(key));
+  const std::string folder = full_path("");
+  FileContent content = reader_.read_within(folder.empty() ? "." : folder, full_path(key));
+  if (content.is_outside) {
+    diagnostics_.report(DiagnosticId::file_link_outside, named_at, full_path(key));
+    return std::nullopt;
+  }
   if (!content.ok()) {
     diagnostics_.report(DiagnosticId::file_not_readable, named_at, full_path(key), content.error);
     return std::nullopt;

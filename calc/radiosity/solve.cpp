@@ -189,7 +189,7 @@ class Solver {
         ++missing;
       }
     }
-    solution_.looks.computed += missing;
+    if (!is_store_all()) solution_.looks.computed += missing;  // else they stay missing
     return missing;
   }
 

@@ -73,6 +73,8 @@ struct LuminaireType {
   SourceLocation where;
   std::vector<TypeEmitter> emitters = {};  // all of a luminaire that has several, else none
   bool is_further_emitter = false;         // of the type before it
+  // Of one luminaire, in the project's own currency; empty = not stated. No light hangs on it.
+  std::optional<double> price = {};
 
   bool counts_as_luminaire() const { return !is_further_emitter; }
 };

@@ -7,6 +7,7 @@
 #include "calc/base/names.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/installed_power.h"
+#include "calc/scene/installed_price.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/document/revision.h"
@@ -54,6 +55,8 @@ struct Provenance {
   int numbers_version = 0;  // calc::kNumbersVersion of the program that calculated
   SameBits same_bits = SameBits::any_processor;
   bool is_redacted = false;  // see redact()
+  // The owner's policy that it was judged by: its name and the hash of its file; "" = none.
+  std::string policy = {}, policy_sha256 = {};
   // Options of the method that are not as by default: "--method instant-radiosity --clamp 10".
   std::string method = {};
 };
@@ -202,6 +205,7 @@ struct RoomPictures {
 struct SpacePart {
   std::string id, was, name;  // was: its id in earlier revisions; "" = the same
   calc::InstalledPower power;
+  calc::InstalledPrice price;           // for sweeps: nothing is judged by it, and no result has it
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
   std::size_t triangles = 0;

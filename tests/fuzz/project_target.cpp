@@ -55,7 +55,7 @@ class SmallFiles : public calc::FileReader {
  public:
   std::string project;
 
-  calc::FileContent read(const std::string& path) const override {
+  calc::FileContent read_within(const std::string&, const std::string& path) const override {
     if (path == "d/p.xml") return {project, {}};
     const auto found = std::find_if(kinds_.begin(), kinds_.end(),
                                     [&](const auto& kind) { return path.ends_with(kind.first); });

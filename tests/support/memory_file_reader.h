@@ -17,7 +17,7 @@ class MemoryFileReader : public FileReader {
 
   void add(const std::string& path, std::string bytes) { bytes_of_path_[path] = std::move(bytes); }
 
-  FileContent read(const std::string& path) const override {
+  FileContent read_within(const std::string&, const std::string& path) const override {
     ++reads_[path];
     const auto found = bytes_of_path_.find(path);
     if (found == bytes_of_path_.end()) return {{}, "No such file or directory"};

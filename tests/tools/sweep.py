@@ -73,6 +73,26 @@ def like_an_edited_file():
     expect(digest[0] != digest[1], "the digest of the project is the file's, though another one was judged")
 
 
+def in_store_only(words, whole, is_whole):
+    """Nothing is calculated; what is not in the store is named, and all else as it would be."""
+    before = sorted((WORK / "store").rglob("*"))
+    done = run(*words, "--store", "store", "--stored-only", "--format", "csv=only.csv", "--format", "json=only.json", code=0 if is_whole else 2)
+    expect(" 0 looks of planes computed" in done.stderr, f"--stored-only has calculated: {done.stderr}")
+    expect(sorted((WORK / "store").rglob("*")) == before, "--stored-only has changed the store")
+    if is_whole:
+        expect([(WORK / f"only.{kind}").read_bytes() for kind in ("csv", "json")] == whole[:2], "the bytes depend on --stored-only")
+        expect("error" not in done.stderr, done.stderr)
+        return
+    rows, all_rows = (list(csv.DictReader(data.decode().splitlines())) for data in ((WORK / "only.csv").read_bytes(), whole[0]))
+    missing = [row["variant"] for row in rows if row["verdict"] == "not-judged"]
+    expect(0 < len(missing) < len(rows), f"{len(missing)} variants are missing")
+    expect(f"store: error[store-lacks-variants]: {len(missing)} of the 8 variants have light that is not in the store: "
+           f"{', '.join(missing)}; 'luxgate sweep --shard' calculates it" in done.stderr, f"missing {missing}: {done.stderr}")
+    for row, other in zip(rows, all_rows):
+        expect({**row, "front": ""} == {**other, "front": ""} if row["variant"] not in missing
+               else row["reason"] == "plane 'desk' cannot be judged: its light is not in the store" and row["margin"] == "", f"{row} beside {other}")
+
+
 def swept():
     """Every variant as --set has it; the same bytes for any jobs and any store; shards fill the store."""
     small_designs.write(WORK / "d/a.xml", far=False)
@@ -89,8 +109,11 @@ def swept():
     found = re.search(r"8 variants; (\d+) looks of planes computed, (\d+) taken from memory", told)
     expect(found and 0 < int(found[1]) <= int(found[2]), f"maintenance factors share no looks: {told}")
     expect(files("two", "--jobs", "2")[0] == first, "the bytes depend on --jobs")
-    for shard in ("1/4", "2/4", "3/4", "4/4"):
+    for shard in ("1/4", "2/4", "3/4"):
         run(*words, "--store", "store", "--shard", shard)
+    in_store_only(words, first, is_whole=False)
+    run(*words, "--store", "store", "--shard", "4/4")
+    in_store_only(words, first, is_whole=True)
     stored, told = files("stored", "--store", "store")
     expect(stored == first, "the bytes depend on the store")
     expect(" 0 looks of planes computed" in told, f"shards left something to compute: {told}")
@@ -107,11 +130,57 @@ def swept():
         expect(finding["verdict"] == row["verdict"], f"variant {row['variant']}: {finding['verdict']} alone")
         measured = finding["measured"]
         for key, column in (("value", "margin"), ("low", "margin_low"), ("high", "margin_high")):
-            expect(abs((measured[key] - 190) / 190 - float(row[column])) < 1e-12, f"variant {row['variant']}: {column} differs")
+            margin = (measured[key] - 190) / 190  # of which a sweep says twelve digits
+            expect(abs(margin - float(row[column])) < 1e-11 * max(1, abs(margin)), f"variant {row['variant']}: {column} differs")
         expect(float(row["power_w"]) == 20 * 2 * int(row["L.columns"]), f"variant {row['variant']}: {row['power_w']} W")
     # The table names a command for one of them.
     alone = re.search(r"Variant \d+ alone: luxgate (.*)", first[3])
     expect(alone and run(*alone[1].split(), "--quiet").returncode == 0, "the command of a variant does not give its verdict")
+
+
+def shards_share_no_light():
+    """Each with a store of its own: together they compute what one run does, in any order of --vary, and none does nothing."""
+    small_designs.write(WORK / "d/a.xml", far=False)
+    vary = [["--vary", words] for words in ("spot.flux-lm=1000:1500:500", "luxgate.maintenance-factor=0.6,0.7,0.8", "L.columns=2,4")]
+
+    def looks(*words):
+        found = re.search(r"(\d+) variants; (\d+) looks of planes computed", run(*words, "--jobs", "1").stderr)
+        return int(found[1]), int(found[2])
+
+    for name, order in (("a", (0, 1, 2)), ("b", (1, 0, 2)), ("c", (2, 0, 1))):
+        words = ["sweep", "d/a.xml", *(word for v in order for word in vary[v]), *FAST]
+        whole = looks(*words)
+        for count in (2, 4):
+            shares = [looks(*words, "--store", f"apart-{name}{count}-{k}", "--shard", f"{k}/{count}") for k in range(1, count + 1)]
+            expect([share[0] for share in shares] == [12 // count] * count, f"{name}: shards of {count} are not alike: {shares}")
+            expect(sum(share[1] for share in shares) == whole[1], f"{name}: {count} shards compute {shares}, one run {whole}")
+
+
+def prices():
+    """A price changes no light; the front is of it where that is asked, and every format says so."""
+    small_designs.write(WORK / "d/a.xml", far=False)
+    words = ["sweep", "d/a.xml", "--vary", "spot.price=30,10.1,20", "--vary", "L.columns=2,4", *FAST, "--store", "prices"]
+    done = run("sweep", "d/a.xml", "--vary", "L.columns=2,4", *FAST, "--store", "prices", "--format", "csv")
+    expect(all(row["price"] == "" and int(row["luminaires_without_price"]) == 2 * int(row["L.columns"])
+               for row in csv.DictReader(done.stdout.splitlines())), f"prices that nobody stated: {done.stdout}")
+    done = run(*words, "--front", "price", *(word for kind in ("csv", "json", "html") for word in ("--format", f"{kind}=price.{kind}")))
+    expect(" 0 looks of planes computed" in done.stderr, f"a price has changed light: {done.stderr}")
+    rows = list(csv.DictReader((WORK / "price.csv").read_text().splitlines()))
+    for row in rows:
+        expect(float(row["price"]) == round(float(row["spot.price"]) * 2 * int(row["L.columns"]), 6) and row["luminaires_without_price"] == "0",
+               f"{row} has another price")
+    expect([row["front"] for row in rows] == ["off", "off", "on", "on", "off", "off"] and {row["front_of"] for row in rows} == {"price"},
+           f"another front: {rows}")
+    data = json.loads((WORK / "price.json").read_text())
+    expect(data["front_of"] == "price" and "--front price" in data["provenance"]["command"]
+           and [row["price"] for row in data["variants"]] == [float(row["price"]) for row in rows], f"{data}")
+    expect("On the front of margin and price" in (WORK / "price.html").read_text(), "HTML does not say what the front is of")
+    text = run(*words).stdout
+    expect("front of power" in text and "40.4" in text and text.count("  on\n") == 6, f"the usual front is not of power: {text}")
+    done = run("sweep", "d/a.xml", "--vary", "L.columns=2,4", *FAST, "--front", "price", "--store", "prices")
+    expect("variants that pass and cannot be on the front, since the price of luminaires is not known: 2" in done.stdout, done.stdout)
+    told = run(*words, "--front", "cost", code=2).stderr
+    expect("--front: 'cost': power or price is needed" in told, f"--front cost: {told}")
 
 
 def one_cannot_be():
@@ -136,7 +205,7 @@ def messages():
              "mean, room, spot\n"),
             (["sweep", "d/a.xml", "--vary", "spot.photometry=a,b"],
              "d/a.xml:3:1: error[value-not-set]: --vary spot.photometry: 'photometry' of <luminaire-type> cannot be set: it names a file; "
-             "vary the type that is used instead; allowed: flux-lm, power-w, maintenance-factor, llmf, lsf, lmf, rsmf, opening, "
+             "vary the type that is used instead; allowed: flux-lm, power-w, price, maintenance-factor, llmf, lsf, lmf, rsmf, opening, "
              "interpolation, lamp-set, variant or emitter\n"),
             (["sweep", "d/a.xml", "--vary", "L.columns=2,3", "--format", "csv=d/a.xml"],
              "error[output-not-possible]: 'd/a.xml' is an input or another output and is not overwritten\n")):
@@ -147,6 +216,12 @@ def messages():
             (["sweep", "d/a.xml", "--vary", "a.b=1:1000:1", "--vary", "c.d=1:1000:1"], "--vary: these are more than 100000 variants"),
             (["sweep", "d/a.xml", "--vary", "a.b=1:2:0"], "in '1:2:0', which is from:to:step, the step is 0"),
             (["sweep", "d/a.xml", "--vary", "a.b=1", "--shard", "1/2"], "--shard needs --store"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1", "--stored-only"], "--stored-only needs --store"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1", "--stored-only", "--store", "s", "--shard", "1/2"],
+             "--shard and --stored-only exclude each other"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1", "--stored-only", "--store", "s", "--time-limit", "9"],
+             "--stored-only and --time-limit exclude each other"),
+            (["sweep", "d/a.xml", "--vary", "a.b=1", "--format", "csv", "--store", "s", "--shard", "1/2"], "leave --format to the run with --stored-only"),
             (["check", "d/a.xml", "--set", "a.b"], "'a.b' is not PATH=VALUE, as linear.flux-lm=4000"),
             (["check", "d/a.xml", "--against", "HEAD", "--set", "a.b=1"], "--against")):
         done = run(*words, code=2)
@@ -173,6 +248,8 @@ WORK.mkdir(parents=True)
 told_everywhere()
 like_an_edited_file()
 swept()
+shards_share_no_light()
+prices()
 one_cannot_be()
 messages()
 interrupted()

@@ -2,6 +2,7 @@
 
 #include "report/result_file/result_schema.h"
 #include "report/shell/print.h"
+#include "report/tools/sweep/sweep_table.h"
 #include "rules/binding/project_schema.h"
 
 #include <memory>
@@ -9,13 +10,23 @@
 namespace cli {
 
 Command schema_command() {
-  const auto of_results = std::make_shared<bool>(false);
+  struct Asked {
+    bool results = false, sweeps = false;
+  };
+  const auto asked = std::make_shared<Asked>();
   Command command{"schema", "Print the XML schema of project files"};
   command.options = {
-      {"--result", "", "Print the JSON schema of 'check --format json' instead", of_results.get()}};
-  command.run = [of_results](const RunContext&) {
-    return print_outcome(
-        {kAllMet, *of_results ? report::result_schema() : rules::project_schema(), {}});
+      {"--result", "", "Print the JSON schema of 'check --format json' instead", &asked->results},
+      {"--sweep", "", "Print the JSON schema of 'sweep --format json' instead", &asked->sweeps}};
+  command.complete = [asked](const Environment&) -> std::string {
+    return asked->results && asked->sweeps ? "--result and --sweep exclude each other" : "";
+  };
+  command.run = [asked](const RunContext&) {
+    return print_outcome({kAllMet,
+                          asked->results  ? report::result_schema()
+                          : asked->sweeps ? sweep_schema()
+                                          : rules::project_schema(),
+                          {}});
   };
   return command;
 }

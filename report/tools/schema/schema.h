@@ -1,5 +1,5 @@
 #pragma once
-// `luxgate schema`: the schemas of project files and of results.
+// `luxgate schema`: the schemas of project files, of results and of sweeps.
 
 #include "report/shell/command.h"
 

@@ -1,6 +1,8 @@
 #include "report/tools/sweep/sweep.h"
 
+#include "calc/base/text.h"
 #include "calc/store/entry_folder.h"
+#include "calc/store/entry_store.h"
 #include "calc/store/memory_store.h"
 #include "report/check/in_order.h"
 #include "report/check/set_values.h"
@@ -14,7 +16,7 @@
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/store_words.h"
 #include "report/tools/check/watched_project.h"
-#include "report/tools/sweep/sweep_table.h"
+#include "report/tools/sweep/sweep_shards.h"
 
 #include <fmt/format.h>
 
@@ -41,15 +43,18 @@ constexpr const char* kSweepFooter =
     "from the store, or from memory without one: limits, dimming and maintenance factors trace no\n"
     "ray. A margin is (value - limit) / limit, turned for upper limits, so that above 0 is good;\n"
     "that of a variant is the smallest over all requirements that count. Limits of 0, aggregates\n"
-    "and classes have none: the verdict knows them, 'N without' counts them. Power is installed\n"
-    "power.\n"
+    "and classes have none: the verdict knows them, 'N without' counts them. Power and price are\n"
+    "of all installed luminaires; 'price' of <luminaire-type> is that of one, in any currency.\n"
     "On the front ('on') is a variant that passes if no other one that passes has a margin as\n"
     "large with less power, or a larger one with as much; 'perhaps' if others have, but none with\n"
     "its whole interval: --goal accuracy makes intervals narrow. Variants with the same power and\n"
-    "margin are on it together.\n"
+    "margin are on it together. With --front price it is the same of the price. Where the power "
+    "or\n"
+    "price of a luminaire is not known, its variant is not on the front, and a line says so.\n"
     "Exit codes:\n"
     "  0    done: every variant was judged, whatever its verdict\n"
-    "  2    usage, input or file error, or a variant that could not be judged\n"
+    "  2    usage, input or file error, or a variant that could not be judged (with\n"
+    "       --stored-only: whose light is not in the store)\n"
     "  130  interrupted; what was finished is in the --store";
 
 // Every file is read once, so that all variants are of the same files.
@@ -57,11 +62,12 @@ class KeptFiles : public calc::FileReader {
  public:
   explicit KeptFiles(const calc::FileReader& files) : files_(files) {}
 
-  calc::FileContent read(const std::string& path) const override {
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
     const std::scoped_lock lock(mutex_);
     const auto known = contents_.find(path);
-    return known != contents_.end() ? known->second
-                                    : contents_.emplace(path, files_.read(path)).first->second;
+    return known != contents_.end()
+               ? known->second
+               : contents_.emplace(path, files_.read_within(folder, path)).first->second;
   }
   std::set<std::string> paths() const {
     const std::scoped_lock lock(mutex_);
@@ -121,6 +127,25 @@ class VariantMessages {
   std::map<std::string, std::size_t> place_;
 };
 
+bool lacks_any_light(const report::ProjectPart& part) {
+  return std::any_of(part.spaces.begin(), part.spaces.end(), [](const report::SpacePart& space) {
+    return std::any_of(space.planes.begin(), space.planes.end(),
+                       [](const report::PlanePart& plane) { return lacks_light(plane); });
+  });
+}
+
+void print_lacking(const std::string& store, std::vector<std::size_t> lacking,
+                   std::size_t variants) {
+  if (lacking.empty()) return;
+  std::sort(lacking.begin(), lacking.end());
+  std::vector<std::string> names;
+  for (const std::size_t variant : lacking) names.push_back(std::to_string(variant + 1));
+  calc::Diagnostics diagnostics;
+  diagnostics.report(calc::DiagnosticId::store_lacks_variants, {store, 0, 0}, names.size(),
+                     variants, calc::list_names(names, kMostLackingNamed));
+  print_diagnostics(diagnostics.all(), true);
+}
+
 bool can_write_sweep(const SweepOptions& options, const std::set<std::string>& inputs) {
   calc::Diagnostics diagnostics;
   check_data_outputs(options.outputs, inputs, diagnostics);
@@ -134,6 +159,9 @@ std::string sweep_words(const SweepOptions& options) {
     words += " --vary " +
              report::shell_quoted(fmt::format("{}={}", vary.path, fmt::join(vary.values, ",")));
   }
+  if (options.front_of != SweepOptions{}.front_of) {
+    words += fmt::format(" --front {}", calc::name_of(options.front_of));
+  }
   return words;
 }
 
@@ -145,22 +173,40 @@ std::vector<check::SetValue> all_settings(const SweepOptions& options,
   return all;
 }
 
-// Numbers of those that this run does, in the order in which it does them: neighbours stand far
-// from each other, since they need the same looks, and two at a time would both compute them.
-std::vector<std::size_t> own_variants(const SweepOptions& options) {
-  const BatchShare& share = options.check.batch.share;
-  std::vector<std::size_t> own;
-  for (std::size_t v = 0; v < count_variants(options.vary); ++v) {
-    if (share.count == 0 || v % share.count + 1 == share.number) own.push_back(v);
+// Has nothing, and knows what it was asked for.
+class AskedStore : public calc::EntryStore {
+ public:
+  std::optional<std::string> read(std::string_view key, std::size_t /*most_bytes*/) override {
+    const std::scoped_lock lock(mutex_);
+    keys_.emplace(key);
+    return std::nullopt;
   }
+  void write(std::string_view /*key*/, std::string_view /*bytes*/) override {}
+  void refuse(std::string_view /*key*/, std::string_view /*why*/) override {}
+
+  std::set<std::string> keys() const { return keys_; }
+
+ private:
+  std::mutex mutex_;  // spaces ask at the same time
+  std::set<std::string> keys_;
+};
+
+class StoppedByInterrupt : public check::Observer {
+ public:
+  bool is_stopped() const override { return interrupted(); }
+};
+
+// In the order in which they are done: neighbours stand far from each other, since they need the
+// same looks, and two at a time would both compute them.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& own) {
   if (own.empty()) return own;
   constexpr double kGoldenShare = 0.618;
   const std::size_t count = own.size();
   auto stride = static_cast<std::size_t>(kGoldenShare * static_cast<double>(count)) + 1;
   while (std::gcd(stride, count) != 1) ++stride;
-  std::vector<std::size_t> spread;
-  for (std::size_t i = 0; i < count; ++i) spread.push_back(own[i * stride % count]);
-  return spread;
+  std::vector<std::size_t> in_order;
+  for (std::size_t i = 0; i < count; ++i) in_order.push_back(own[i * stride % count]);
+  return in_order;
 }
 
 std::string render_sweep(DataFormat kind, const Sweep& sweep) {
@@ -201,14 +247,19 @@ std::string complete_sweep(SweepOptions& options, const Environment& environment
   if (std::string problem = take_store(environment.store, check.store); !problem.empty()) {
     return problem;
   }
-  if (check.batch.share.count > 0) {
-    if (check.store.empty()) return "--shard needs --store";
-    if (!options.outputs.empty()) {
-      return "--shard writes no table; leave --format to the run that follows all shards";
+  const bool is_shard = check.batch.share.count > 0;
+  if (is_shard || check.batch.is_stored_only) {
+    const char* name = is_shard ? "--shard" : "--stored-only";
+    if (check.store.empty()) return fmt::format("{} needs --store", name);
+    if (is_shard && check.batch.is_stored_only) {
+      return "--shard and --stored-only exclude each other";
     }
     if (check.settings.radiosity.time_limit_s > 0.0) {
-      return "--shard and --time-limit exclude each other";
+      return fmt::format("{} and --time-limit exclude each other", name);
     }
+  }
+  if (is_shard && !options.outputs.empty()) {
+    return "--shard writes no table; leave --format to the run with --stored-only";
   }
   return complete_work(check.settings.radiosity, check.backend);
 }
@@ -217,8 +268,12 @@ Option vary_option(std::vector<Vary>& vary) {
   const auto parse = [&vary](const std::string& text) -> std::string {
     std::string problem;
     std::optional<Vary> one = parse_vary(text, problem);
-    if (one) vary.push_back(*std::move(one));
-    return problem;
+    if (!one) return problem;
+    for (const std::string& value : one->values) {
+      if (problem = check::value_problem(value); !problem.empty()) return problem;
+    }
+    vary.push_back(*std::move(one));
+    return "";
   };
   return {"--vary", "PATH=LIST",
           "Values that an attribute of the project takes, one after the other: a,b,c or\n"
@@ -230,7 +285,8 @@ Option vary_option(std::vector<Vary>& vary) {
 }  // namespace
 
 ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
-  const calc::DiskFileReader disk;
+  watch_for_interrupt();
+  const calc::DiskFileReader disk(asked.check.input.allowed);
   const KeptFiles files(disk);
   SweepOptions options = asked;
   CheckOptions& check = options.check;
@@ -245,39 +301,55 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   const std::optional<CheckSetup> setup = set_up_or_print(check, context, first_files);
   if (!setup) return kNotJudged;
 
-  watch_for_interrupt();
   const calc::Stages stages = setup->opened.stages();
   calc::MemoryStore memory(kMostSweepStoreBytes);
   std::optional<calc::EntryFolder> folder;
   if (!check.store.empty()) folder.emplace(check.store);
   calc::EntryStore& entries = folder ? static_cast<calc::EntryStore&>(*folder) : memory;
-  const calc::LookStore store{entries, setup->opened.identity};
+  const calc::LookStore store{entries, setup->opened.identity, check.batch.is_stored_only};
 
-  const std::vector<std::size_t> own = own_variants(options);
+  const auto check_variant = [&](std::size_t v, check::Observer& observer,
+                                 const calc::LookStore& looks_of) {
+    const std::vector<check::SetValue> values =
+        all_settings(options, values_of_variant(options.vary, v));
+    const check::SetReader variant(files, check.input.projects, values);
+    return check_safely(options.project, {check.settings, variant, setup->packs, stages, observer,
+                                          nullptr, &looks_of, setup->crew.most_begun});
+  };
+  // Without a ray: a store that is all there is has nothing.
+  const auto keys_of = [&](std::size_t v) {
+    AskedStore asked_keys;
+    StoppedByInterrupt observer;
+    if (!interrupted()) check_variant(v, observer, {asked_keys, setup->opened.identity, true});
+    return asked_keys.keys();
+  };
+  std::vector<std::size_t> own(count_variants(options.vary));
+  std::iota(own.begin(), own.end(), std::size_t{0});
+  const BatchShare& share = check.batch.share;
+  if (share.count > 0) {
+    own = variants_of_shard(options.vary, paths_of_light(options.vary, keys_of), share);
+  }
+  own = spread(own);
   // A line for each of thousands would hide what else a log says.
   const ProgressStyle style = progress_style(check.output, context.environment);
   Progress progress(
       style == ProgressStyle::log && own.size() > kMostLogged ? ProgressStyle::none : style,
       context.environment.stderr_columns, "variants");
   progress.expect(own.size());
-  Sweep sweep{options.project, options.vary, check.set, {}, "", {}};
+  Sweep sweep{options.project, options.vary, check.set, {}, "", {}, options.front_of};
   sweep.check_words = reproducible_words(check);
   sweep.provenance = provenance_of(check, setup->backend.backend, setup->opened.description);
   sweep.provenance.command_line = sweep_words(options);
   report::Totals totals;
   calc::LookCounts looks;
   VariantMessages messages;
+  std::vector<std::size_t> lacking;  // variants whose light is not in the store
   std::vector<std::optional<DoneVariant>> done(own.size());
   const auto name_of = [&](std::size_t i) { return fmt::format("variant {}", own[i] + 1); };
   const auto work = [&](std::size_t i) {
     WatchedProject observer(progress, name_of(i));
-    const std::vector<check::SetValue> values =
-        all_settings(options, values_of_variant(options.vary, own[i]));
-    const check::SetReader variant(files, check.input.projects, values);
     DoneVariant result;
-    result.part =
-        check_safely(options.project, {check.settings, variant, setup->packs, stages, observer,
-                                       nullptr, &store, setup->crew.most_begun});
+    result.part = check_variant(own[i], observer, store);
     result.looks = observer.looks();
     done[i] = std::move(result);
   };
@@ -289,6 +361,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
     totals.add(part);
     looks.read += done[i]->looks.read;
     looks.computed += done[i]->looks.computed;
+    if (check.batch.is_stored_only && lacks_any_light(part)) lacking.push_back(own[i]);
     sweep.rows.push_back(row_of(own[i], values_of_variant(options.vary, own[i]), part));
     done[i].reset();
     memory.clear_above(kMostSweepStoreBytes / 2);
@@ -296,23 +369,24 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
   progress.clear();
   if (interrupted()) {
-    fmt::print(stderr, "luxgate: interrupted; nothing was written{}\n",
-               folder ? ", what was finished is in the store" : "");
+    tell("luxgate: interrupted; nothing was written{}\n",
+         folder ? ", what was finished is in the store" : "");
     return kInterrupted;
   }
   messages.print(own.size(), check.output.quiet);
+  print_lacking(check.store, std::move(lacking), own.size());
   complete_provenance(sweep.provenance, totals, check.settings.today, setup->backend.backend);
   std::sort(sweep.rows.begin(), sweep.rows.end(),
             [](const SweepRow& a, const SweepRow& b) { return a.variant < b.variant; });
-  find_front(sweep.rows);
+  find_front(sweep.rows, sweep.front_of);
   if (!check.output.quiet) {
-    fmt::print(stderr, "luxgate: {} variants; {} looks of planes computed, {} taken from {}\n",
-               own.size(), looks.computed, looks.read, folder ? "the store" : "memory");
-    if (folder) print_troubles(check.store, folder->troubles());
+    tell("luxgate: {} variants; {} looks of planes computed, {} taken from {}\n", own.size(),
+         looks.computed, looks.read, folder ? "the store" : "memory");
+    if (folder && share.count == 0) print_troubles(check.store, folder->troubles());
   }
-  if (check.batch.share.count > 0) {
-    const bool is_written = folder->troubles().not_written.empty();
-    return is_written && count_outcomes(sweep.rows).not_judged == 0 ? kAllMet : kNotJudged;
+  if (share.count > 0) {
+    const bool is_kept = is_light_kept_or_print(check.store, folder->troubles());
+    return is_kept && count_outcomes(sweep.rows).not_judged == 0 ? kAllMet : kNotJudged;
   }
   std::set<std::string> read = files.paths();
   read.insert(inputs.begin(), inputs.end());
@@ -326,7 +400,13 @@ Command sweep_command() {
   Command command{"sweep", "Check variants of one project and compare them"};
   command.places = {project_place(options->project)};
   command.options = {
-      vary_option(options->vary), set_option(check.set), rules_of_projects(check.input),
+      vary_option(options->vary),
+      set_option(check.set),
+      rules_option(check.input.rule_files),
+      allow_option(check.input.allowed),
+      {"--front", "NAME",
+       "What a larger margin is held against: power or price, of all luminaires; default power",
+       choice<FrontOf>(options->front_of, {{"power", FrontOf::power}, {"price", FrontOf::price}})},
       data_format_option(options->outputs,
                          "text, csv, json or html, into a file or to standard output; default "
                          "text. Can be repeated")};
@@ -335,12 +415,14 @@ Command sweep_command() {
   add(command.options, backend_options(check.backend));
   add(command.options,
       {store_option(check.store),
-       shard_option(check.batch.share,
-                    "Calculate only every N-th variant, from the I-th on, into --store, and write "
-                    "no\n"
-                    "table: for as many machines. Then the same command without --shard finds all\n"
-                    "light there"),
-       quiet_option(check.output.quiet)});
+       shard_option(
+           check.batch.share,
+
+           "Calculate only share I of N of the variants, from 1 to N, into --store, and write no\n"
+           "table: for as many machines. Variants that need the same light are in one share: more\n"
+           "shares than different lights are of no use. Then the same command with --stored-only\n"
+           "reports"),
+       stored_only_option(check.batch.is_stored_only), quiet_option(check.output.quiet)});
   command.footer = kSweepFooter;
   command.complete = [options](const Environment& environment) {
     return complete_sweep(*options, environment);

@@ -4,6 +4,7 @@
 #include "report/shell/command.h"
 #include "report/shell/data_output.h"
 #include "report/tools/check/check_options.h"
+#include "report/tools/sweep/sweep_table.h"
 #include "report/tools/sweep/vary.h"
 
 #include <string>
@@ -16,6 +17,7 @@ struct SweepOptions {
   std::string project;
   std::vector<Vary> vary;
   std::vector<DataOutput> outputs;
+  FrontOf front_of = FrontOf::power;
 };
 
 Command sweep_command();

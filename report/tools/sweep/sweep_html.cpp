@@ -131,87 +131,110 @@ std::string values_words(const Sweep& sweep, const SweepRow& row) {
   return words;
 }
 
-// Where powers stand. Variants of the same power stand side by side, in their order, where there is
-// room between one power and the next.
-class PowerScale {
+std::string_view cost_name(const Sweep& sweep) { return calc::name_of(sweep.front_of); }
+
+std::string_view installed_words(FrontOf front_of) {
+  return front_of == FrontOf::price ? "price" : "installed power";
+}
+
+// Sums of which a part is not known are no place in a picture.
+bool is_drawn(const Sweep& sweep, const SweepRow& row) {
+  return row.margin && cost_of(row, sweep.front_of);
+}
+
+double drawn_cost(const Sweep& sweep, const SweepRow& row) {
+  return cost_of(row, sweep.front_of).value();
+}
+
+// Where powers or prices stand. Variants of the same cost stand side by side, in their order, where
+// there is room between one cost and the next.
+class CostScale {
  public:
-  PowerScale(const std::vector<SweepRow>& rows, const report::PlotFrame& frame) : frame_(frame) {
-    for (const SweepRow& row : rows) {
-      if (row.margin) of_power_[row.power_w].push_back(row.variant);
+  CostScale(const Sweep& sweep, const report::PlotFrame& frame) : sweep_(sweep), frame_(frame) {
+    for (const SweepRow& row : sweep.rows) {
+      if (is_drawn(sweep, row)) of_cost_[drawn_cost(sweep, row)].push_back(row.variant);
     }
     if (is_empty()) return;
-    low_ = of_power_.begin()->first;
-    width_w_ = of_power_.rbegin()->first - low_;
-    const auto powers = static_cast<double>(of_power_.size());
-    edge_ = 0.5 / powers;
-    double least = frame.field_width() / powers;
-    for (auto one = of_power_.begin(), next = std::next(one); next != of_power_.end();
+    low_ = of_cost_.begin()->first;
+    width_ = of_cost_.rbegin()->first - low_;
+    const auto costs = static_cast<double>(of_cost_.size());
+    edge_ = 0.5 / costs;
+    double least = frame.field_width() / costs;
+    for (auto one = of_cost_.begin(), next = std::next(one); next != of_cost_.end();
          ++one, ++next) {
       least = std::min(least, centre(next->first) - centre(one->first));
     }
     room_ = least < 14.0 ? 0.0 : 0.75 * least;
   }
 
-  bool is_empty() const { return of_power_.empty(); }
-  double centre(double power_w) const {
-    return frame_.x(width_w_ > 0.0 ? edge_ + (1.0 - 2.0 * edge_) * (power_w - low_) / width_w_
-                                   : 0.5);
+  bool is_empty() const { return of_cost_.empty(); }
+  double centre(double cost) const {
+    return frame_.x(width_ > 0.0 ? edge_ + (1.0 - 2.0 * edge_) * (cost - low_) / width_ : 0.5);
   }
   double place(const SweepRow& row) const {
-    const std::vector<std::size_t>& beside = of_power_.at(row.power_w);
+    const double cost = drawn_cost(sweep_, row);
+    const std::vector<std::size_t>& beside = of_cost_.at(cost);
     const auto rank = static_cast<double>(
         std::lower_bound(beside.begin(), beside.end(), row.variant) - beside.begin());
-    return centre(row.power_w) + room_ * ((rank + 0.5) / static_cast<double>(beside.size()) - 0.5);
+    return centre(cost) + room_ * ((rank + 0.5) / static_cast<double>(beside.size()) - 0.5);
   }
-  // All powers where they are few, else round ones.
+  // All costs where they are few, else round ones.
   std::vector<double> ticks() const {
     std::vector<double> ticks;
-    if (of_power_.size() <= 14) {
-      for (const auto& [power_w, variants] : of_power_) ticks.push_back(power_w);
+    if (of_cost_.size() <= 14) {
+      for (const auto& [cost, variants] : of_cost_) ticks.push_back(cost);
       return ticks;
     }
     double step = 0.001;  // 1, 2 or 5, and zeros
-    for (int i = 0; width_w_ / step > 8.0; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
-    for (double tick = std::ceil(low_ / step); tick * step <= low_ + width_w_; ++tick) {
+    for (int i = 0; width_ / step > 8.0; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
+    for (double tick = std::ceil(low_ / step); tick * step <= low_ + width_; ++tick) {
       ticks.push_back(tick * step);
     }
     return ticks;
   }
 
  private:
+  const Sweep& sweep_;
   const report::PlotFrame& frame_;
-  std::map<double, std::vector<std::size_t>> of_power_;  // variants, ascending
-  double low_ = 0.0, width_w_ = 0.0, edge_ = 0.0, room_ = 0.0;
+  std::map<double, std::vector<std::size_t>> of_cost_;  // variants, ascending
+  double low_ = 0.0, width_ = 0.0, edge_ = 0.0, room_ = 0.0;
 };
 
-std::string power_chart(const Sweep& sweep, const MarginScale& scale) {
+std::string cost_chart(const Sweep& sweep, const MarginScale& scale) {
   constexpr report::PlotFrame kFrame{1040, 420, 62, 16, 14, 46};
-  const PowerScale power(sweep.rows, kFrame);
-  if (power.is_empty()) return "<p class=\"message\">No variant has a margin to draw.</p>\n";
+  const CostScale cost(sweep, kFrame);
+  if (cost.is_empty()) {
+    return fmt::format("<p class=\"message\">No variant has a margin and a known {} to draw.</p>\n",
+                       cost_name(sweep));
+  }
   std::string svg = fmt::format(
       "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Smallest margin over "
-      "installed power of all variants\">\n",
-      kFrame.width, kFrame.height);
+      "{} of all variants\">\n",
+      kFrame.width, kFrame.height, installed_words(sweep.front_of));
   svg += margin_axis(kFrame, scale);
-  for (const double power_w : power.ticks()) {
-    svg += svg_text(power.centre(power_w), kFrame.y_end() + 18, "middle",
-                    report::format_shortest(power_w)) +
-           "\n";
+  for (const double tick : cost.ticks()) {
+    svg +=
+        svg_text(cost.centre(tick), kFrame.y_end() + 18, "middle", report::format_shortest(tick)) +
+        "\n";
   }
-  svg += svg_text(0.5 * kFrame.width, kFrame.height - 6, "middle", "installed power, W") + "\n";
+  svg += svg_text(0.5 * kFrame.width, kFrame.height - 6, "middle",
+                  sweep.front_of == FrontOf::price ? "price" : "installed power, W") +
+         "\n";
   std::vector<const SweepRow*> front;
   std::string bars, marks, rings;
   std::set<std::tuple<std::string, std::string, rules::Outcome>> drawn;
   for (const SweepRow& row : sweep.rows) {
-    if (!row.margin) continue;
+    if (!is_drawn(sweep, row)) continue;
     if (row.pareto == ParetoPlace::on) front.push_back(&row);
-    const double at_x = power.place(row), at_y = kFrame.y(scale.share(row.margin->value));
+    const double at_x = cost.place(row), at_y = kFrame.y(scale.share(row.margin->value));
     if (row.pareto == ParetoPlace::on) {
       rings += fmt::format(
           "<circle class=\"ring\" cx=\"{}\" cy=\"{}\" r=\"7.5\"><title>{}</title></circle>\n",
           svg_number(at_x), svg_number(at_y),
-          escape_html(fmt::format("{}: {}, {}", values_words(sweep, row), power_words(row),
-                                  margin_words(row))));
+          escape_html(
+              fmt::format("{}: {}, {}", values_words(sweep, row),
+                          sweep.front_of == FrontOf::price ? price_words(row) : power_words(row),
+                          margin_words(row))));
     }
     if (!drawn.emplace(report::format_fixed(at_x, 0), report::format_fixed(at_y, 0), row.outcome)
              .second) {
@@ -222,20 +245,21 @@ std::string power_chart(const Sweep& sweep, const MarginScale& scale) {
                         svg_number(kFrame.y(scale.share(row.margin->high))));
     marks += mark(row.outcome, at_x, at_y) + "\n";
   }
-  std::stable_sort(front.begin(), front.end(), [](const SweepRow* a, const SweepRow* b) {
-    return std::pair(a->power_w, a->margin->value) < std::pair(b->power_w, b->margin->value);
+  std::stable_sort(front.begin(), front.end(), [&](const SweepRow* a, const SweepRow* b) {
+    return std::pair(drawn_cost(sweep, *a), a->margin->value) <
+           std::pair(drawn_cost(sweep, *b), b->margin->value);
   });
   std::string steps;
   for (const SweepRow* row : front) {
     const double at_y = kFrame.y(scale.share(row->margin->value));
-    steps += steps.empty() ? fmt::format("M{},{}", svg_number(power.place(*row)), svg_number(at_y))
-                           : fmt::format("H{}V{}", svg_number(power.place(*row)), svg_number(at_y));
+    steps += steps.empty() ? fmt::format("M{},{}", svg_number(cost.place(*row)), svg_number(at_y))
+                           : fmt::format("H{}V{}", svg_number(cost.place(*row)), svg_number(at_y));
   }
   if (front.size() > 1) svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", steps);
   return svg + bars + marks + rings + "</svg>\n";
 }
 
-std::string chart_key() {
+std::string chart_key(FrontOf front_of) {
   const auto item = [](const std::string& shape, std::string_view words) {
     return fmt::format(
         "<li><svg class=\"chart\" viewBox=\"0 0 16 16\" aria-hidden=\"true\">{}</svg>{}</li>",
@@ -248,7 +272,9 @@ std::string chart_key() {
   }
   return html +
          item("<circle class=\"ring\" cx=\"8\" cy=\"8\" r=\"6\"/>",
-              "on the front: none that passes needs less power for as large a margin") +
+              front_of == FrontOf::price
+                  ? "on the front: none that passes has a lower price for as large a margin"
+                  : "on the front: none that passes needs less power for as large a margin") +
          item("<path class=\"m bar pass\" d=\"M8,1V15\"/>", "interval of the margin") + "</ul>\n";
 }
 
@@ -336,7 +362,10 @@ std::string rows_table(const Sweep& sweep, const std::vector<const SweepRow*>& r
   html +=
       "<th>verdict</th><th class=\"num\">smallest margin</th><th>of</th><th "
       "class=\"num\">power</th>";
-  html += with_command ? "<th>this one alone</th>" : "<th>front</th>";
+  const bool with_price = has_prices(sweep);
+  if (with_price) html += "<th class=\"num\">price</th>";
+  html += with_command ? "<th>this one alone</th>"
+                       : fmt::format("<th>front of {}</th>", cost_name(sweep));
   html += "</tr></thead><tbody>\n";
   for (const SweepRow* row : rows) {
     html += fmt::format("<tr><td class=\"num\">{}</td>", row->variant + 1);
@@ -346,11 +375,14 @@ std::string rows_table(const Sweep& sweep, const std::vector<const SweepRow*>& r
                         escape_html(report::with_minus(margin_words(*row))),
                         escape_html(row->reason.empty() ? requirement_words(*row) : row->reason),
                         escape_html(power_words(*row)));
+    if (with_price) {
+      html += fmt::format("<td class=\"num\">{}</td>", escape_html(price_words(*row)));
+    }
     html += with_command
                 ? "<td class=\"command\"><code>" + escape_html(check_command(sweep, *row)) +
                       "</code></td></tr>\n"
                 : fmt::format("<td>{}</td></tr>\n",
-                              row->pareto == ParetoPlace::off ? "" : pareto_words(row->pareto));
+                              row->pareto == ParetoPlace::off ? "" : calc::name_of(row->pareto));
   }
   return report::scroll_box("variants", html + "</tbody></table>\n");
 }
@@ -378,29 +410,33 @@ std::string render_sweep_html(const Sweep& sweep) {
     if (row.pareto == ParetoPlace::on) front.push_back(&row);
     if (all.size() < kMostRowsOfPage) all.push_back(&row);
   }
-  std::stable_sort(front.begin(), front.end(),
-                   [](const SweepRow* a, const SweepRow* b) { return a->power_w < b->power_w; });
+  std::stable_sort(front.begin(), front.end(), [&](const SweepRow* a, const SweepRow* b) {
+    return drawn_cost(sweep, *a) < drawn_cost(sweep, *b);
+  });
   const MarginScale scale(sweep.rows);
-  html +=
-      "<h2>Margin over power</h2>\n<p class=\"quiet\">Each mark is a variant: its smallest "
-      "margin over all requirements, relative to the limit, and its installed power. Variants of "
-      "the same power stand side by side, in their order.</p>\n";
-  html += power_chart(sweep, scale) + chart_key();
+  html += fmt::format(
+      "<h2>Margin over {0}</h2>\n<p class=\"quiet\">Each mark is a variant: its smallest "
+      "margin over all requirements, relative to the limit, and its {1}. Variants of the same {0} "
+      "stand side by side, in their order.</p>\n",
+      cost_name(sweep), installed_words(sweep.front_of));
+  html += cost_chart(sweep, scale) + chart_key(sweep.front_of);
   const auto undrawn = std::count_if(sweep.rows.begin(), sweep.rows.end(),
-                                     [](const SweepRow& row) { return !row.margin; });
+                                     [&](const SweepRow& row) { return !is_drawn(sweep, row); });
   if (undrawn > 0) {
     html += fmt::format(
-        "<p class=\"quiet\">{} variants have no margin, and are not in this picture.</p>\n",
-        undrawn);
+        "<p class=\"quiet\">{} variants have no margin or no known {}, and are not in this "
+        "picture.</p>\n",
+        undrawn, cost_name(sweep));
   }
   html +=
       "<h2>By value</h2>\n<p class=\"quiet\">For each value, over all values of the other "
       "paths: the range of smallest margins with its middle, and how many variants pass (✓), "
       "fail (✗), are undecided (?) or not judged (–).</p>\n<div class=\"multiples\">\n";
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) html += value_chart(sweep, v, scale);
-  html += "</div>\n<h2>On the front</h2>\n";
+  html += fmt::format("</div>\n<h2>On the front of margin and {}</h2>\n", cost_name(sweep));
   if (front.empty()) {
-    html += "<p class=\"message\">No variant passes with a known power and margin.</p>\n";
+    html += fmt::format("<p class=\"message\">No variant passes with a known {} and margin.</p>\n",
+                        cost_name(sweep));
   } else {
     const std::size_t more = front.size() - std::min(front.size(), kMostRowsOfFront);
     front.resize(std::min(front.size(), kMostRowsOfFront));

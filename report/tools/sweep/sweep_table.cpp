@@ -1,5 +1,6 @@
 #include "report/tools/sweep/sweep_table.h"
 
+#include "calc/base/text.h"
 #include "report/text/number_format.h"
 #include "report/text/shell_words.h"
 #include "rules/catalogue/compare.h"
@@ -12,10 +13,17 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace cli {
 namespace {
+
+// Sums have noise in their last digits: nobody wants to read it in a price, and it would make one
+// of two equal prices, or margins, the lower one.
+double without_noise(double sum) {
+  return calc::parse_number(fmt::format("{:.12g}", sum)).value_or(sum);
+}
 
 // Relative to the limit; empty where there is no such thing.
 std::optional<calc::Estimate> margin_of(const rules::Finding& finding) {
@@ -23,7 +31,7 @@ std::optional<calc::Estimate> margin_of(const rules::Finding& finding) {
   const double limit = requirement.limit;
   if (!std::isfinite(limit) || limit == 0.0) return std::nullopt;
   const auto margin = [&](double value) {
-    return rules::margin(value, requirement.comparison, limit);
+    return without_noise(rules::margin(value, requirement.comparison, limit));
   };
   const double one = margin(finding.measured.low), other = margin(finding.measured.high);
   return calc::Estimate{margin(finding.measured.value), std::min(one, other), std::max(one, other)};
@@ -60,13 +68,13 @@ bool has_no_effect(const Sweep& sweep, std::size_t v) {
     };
     return row.outcome == other.outcome && row.margin.has_value() == other.margin.has_value() &&
            ends(row) == ends(other) && row.power_w == other.power_w &&
-           row.without_power == other.without_power;
+           row.without_power == other.without_power && row.price == other.price &&
+           row.without_price == other.without_price;
   });
 }
 
-bool can_be_on_front(const SweepRow& row) {
-  return row.outcome == rules::Outcome::pass && row.margin && row.without_power == 0 &&
-         std::isfinite(row.margin->value);
+bool passes_with_margin(const SweepRow& row) {
+  return row.outcome == rules::Outcome::pass && row.margin && std::isfinite(row.margin->value);
 }
 
 }  // namespace
@@ -81,11 +89,16 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
   totals.add(part);
   row.warnings = totals.warnings.all;
   row.rows_in_part = totals.rows_in_part;
+  calc::InstalledPrice price;
   for (const report::SpacePart& space : part.spaces) {
     row.power_w += space.power.power_w;
     row.without_power += space.power.without_power;
+    price.price += space.price.price;
+    price.luminaires += space.price.luminaires;
+    price.without_price += space.price.without_price;
     for (const report::PlanePart& plane : space.planes) {
       for (const rules::Finding& finding : plane.findings) {
+        row.waived += finding.is_waived ? 1 : 0;
         if (!rules::counts(rules::outcome_of(finding)) ||
             finding.verdict == rules::Verdict::not_judged) {
           continue;
@@ -94,6 +107,9 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
         if (!margin) {
           ++row.without_margin;
           continue;
+        }
+        if (finding.verdict == rules::Verdict::pass && margin->value < 0.0) {
+          ++row.passed_beyond_limit;
         }
         if (!row.margin || margin->value < row.margin->value) {
           row.plane = plane.id;
@@ -106,6 +122,9 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
       }
     }
   }
+  row.power_w = without_noise(row.power_w);
+  row.without_price = price.without_price;
+  if (price.without_price < price.luminaires) row.price = without_noise(price.price);
   for (const rules::AggregateFinding& aggregate : part.aggregates) {
     row.without_margin += rules::counts(rules::outcome_of(aggregate)) ? 1 : 0;
   }
@@ -118,21 +137,38 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
   return row;
 }
 
-void find_front(std::vector<SweepRow>& rows) {
+std::optional<double> cost_of(const SweepRow& row, FrontOf front_of) {
+  if (front_of == FrontOf::price) return row.without_price == 0 ? row.price : std::nullopt;
+  return row.without_power == 0 ? std::optional(row.power_w) : std::nullopt;
+}
+
+bool has_prices(const Sweep& sweep) {
+  return std::any_of(sweep.rows.begin(), sweep.rows.end(),
+                     [](const SweepRow& row) { return row.price.has_value(); });
+}
+
+void find_front(std::vector<SweepRow>& rows, FrontOf front_of) {
   std::vector<SweepRow*> candidates;
   for (SweepRow& row : rows) {
     row.pareto = ParetoPlace::off;
-    if (can_be_on_front(row)) candidates.push_back(&row);
+    if (passes_with_margin(row) && cost_of(row, front_of)) candidates.push_back(&row);
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const SweepRow* a, const SweepRow* b) { return a->power_w < b->power_w; });
+  const auto cost = [&](std::size_t i) { return *cost_of(*candidates[i], front_of); };
+  std::stable_sort(candidates.begin(), candidates.end(), [&](const SweepRow* a, const SweepRow* b) {
+    return *cost_of(*a, front_of) < *cost_of(*b, front_of);
+  });
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  double best_value = kNone, best_low = kNone;  // of those that need less power
+  double best_value = kNone, best_low = kNone;  // of those that cost less
+  // The same numbers are of the same light, which has no doubt of its own.
+  using Ends = std::array<double, 3>;
+  const auto ends_of = [](const SweepRow& row) {
+    return Ends{row.margin->value, row.margin->low, row.margin->high};
+  };
+  std::set<Ends> cheaper;
   for (std::size_t begin = 0; begin < candidates.size();) {
     std::size_t end = begin;
-    double value = kNone, low = kNone;  // of those that need as much
-    for (; end < candidates.size() && candidates[end]->power_w == candidates[begin]->power_w;
-         ++end) {
+    double value = kNone, low = kNone;  // of those that cost as much
+    for (; end < candidates.size() && cost(end) == cost(begin); ++end) {
       value = std::max(value, candidates[end]->margin->value);
       low = std::max(low, candidates[end]->margin->low);
     }
@@ -140,11 +176,13 @@ void find_front(std::vector<SweepRow>& rows) {
       const calc::Estimate& margin = *candidates[i]->margin;
       const bool is_beaten = best_value >= margin.value || value > margin.value;
       // Its own interval beats nobody's with the same ends.
-      const bool is_surely_beaten = best_low >= margin.high || low > margin.high;
+      const bool is_surely_beaten =
+          best_low >= margin.high || low > margin.high || cheaper.contains(ends_of(*candidates[i]));
       candidates[i]->pareto = !is_beaten          ? ParetoPlace::on
                               : !is_surely_beaten ? ParetoPlace::perhaps
                                                   : ParetoPlace::off;
     }
+    for (std::size_t i = begin; i < end; ++i) cheaper.insert(ends_of(*candidates[i]));
     best_value = std::max(best_value, value);
     best_low = std::max(best_low, low);
     begin = end;
@@ -201,16 +239,10 @@ std::string power_words(const SweepRow& row) {
   return fmt::format("{} W and {} not known", report::format_watts(row.power_w), row.without_power);
 }
 
-const char* pareto_words(ParetoPlace place) {
-  switch (place) {
-    case ParetoPlace::on:
-      return "on";
-    case ParetoPlace::perhaps:
-      return "perhaps";
-    case ParetoPlace::off:
-      break;
-  }
-  return "off";
+std::string price_words(const SweepRow& row) {
+  if (!row.price) return row.without_price > 0 ? "not known" : "–";
+  const std::string sum = report::format_shortest(*row.price);
+  return row.without_price == 0 ? sum : fmt::format("{} and {} not known", sum, row.without_price);
 }
 
 std::string requirement_words(const SweepRow& row) {
@@ -222,8 +254,18 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
   for (std::size_t v = 0; v < sweep.vary.size(); ++v) {
     if (!has_no_effect(sweep, v)) continue;
     notes.push_back(fmt::format(
-        "'{}' changes no verdict, margin or power: is it overridden where it would count?",
+        "'{}' changes no verdict, margin, power or price: is it overridden where it would count?",
         sweep.vary[v].path));
+  }
+  const auto without_cost =
+      std::count_if(sweep.rows.begin(), sweep.rows.end(), [&](const SweepRow& row) {
+        return passes_with_margin(row) && !cost_of(row, sweep.front_of);
+      });
+  if (without_cost > 0) {
+    notes.push_back(fmt::format(
+        "variants that pass and cannot be on the front, since the {} of luminaires is not known: "
+        "{}",
+        calc::name_of(sweep.front_of), without_cost));
   }
   const auto count = [&](int SweepRow::*member) {
     return std::count_if(sweep.rows.begin(), sweep.rows.end(),
@@ -238,6 +280,16 @@ std::vector<std::string> sweep_notes(const Sweep& sweep) {
     notes.push_back(fmt::format(
         "variants in which a row of a standard is asked in part only: {}; a pass is of what was "
         "asked",
+        variants));
+  }
+  if (const auto variants = count(&SweepRow::waived); variants > 0) {
+    notes.push_back(fmt::format(
+        "variants in which something is waived, and so not in the margin: {}", variants));
+  }
+  if (const auto variants = count(&SweepRow::passed_beyond_limit); variants > 0) {
+    notes.push_back(fmt::format(
+        "variants in which a value beyond its limit passes, by a tolerance or rounding that its "
+        "rule pack states: {}",
         variants));
   }
   return notes;

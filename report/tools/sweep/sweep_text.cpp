@@ -39,9 +39,12 @@ std::string render_sweep_text(const Sweep& sweep) {
   std::vector<TextCells> table(1);
   table[0].emplace_back("no.");
   for (const Vary& vary : sweep.vary) table[0].push_back(report::printable(vary.path));
-  for (const char* word : {"verdict", "smallest margin", "of", "power", "front"}) {
+  for (const char* word : {"verdict", "smallest margin", "of", "power"}) {
     table[0].emplace_back(word);
   }
+  const bool with_price = has_prices(sweep);
+  if (with_price) table[0].emplace_back("price");
+  table[0].push_back(fmt::format("front of {}", calc::name_of(sweep.front_of)));
   std::size_t left_out = 0;
   const SweepRow* example = nullptr;
   for (const SweepRow& row : sweep.rows) {
@@ -57,7 +60,8 @@ std::string render_sweep_text(const Sweep& sweep) {
     cells.push_back(margin_words(row));
     cells.push_back(report::printable(row.reason.empty() ? requirement_words(row) : row.reason));
     cells.push_back(power_words(row));
-    cells.emplace_back(row.pareto == ParetoPlace::off ? "" : pareto_words(row.pareto));
+    if (with_price) cells.push_back(price_words(row));
+    cells.emplace_back(row.pareto == ParetoPlace::off ? "" : calc::name_of(row.pareto));
     table.push_back(std::move(cells));
   }
   std::string text = aligned_rows(table);

@@ -1,6 +1,7 @@
 #include "calc/project/project_xml.h"
 
 #include "calc/base/file_hash.h"
+#include "calc/scene/installed_price.h"
 #include "tests/unit/calc/project/project_xml_support.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,28 @@ TEST(ProjectXml, OtherLightNeedsItsOwnPower) {
   EXPECT_EQ(power_with(""), 12.0);
   EXPECT_EQ(power_with("flux-lm='8000'"), 0.0);
   EXPECT_EQ(power_with("flux-lm='8000' power-w='30'"), 30.0);
+}
+
+// What is not stated is no price of 0.
+TEST(ProjectXml, SumsThePricesOfLuminaires) {
+  const Loaded loaded = load(
+      "<luxgate version='1'><material id='m' reflectance='0.7'/>"
+      "<luminaire-type id='a' photometry='spot.ies' price='89.9'/>"
+      "<luminaire-type id='b' photometry='spot.ies'/>"
+      "<luminaire-type id='c' photometry='spot.ies' price='0'/>"
+      "<luminaire id='1' type='a' position='0 0 3'/><luminaire id='2' type='a' position='1 0 3'/>"
+      "<luminaire id='3' type='b' position='2 0 3'/><luminaire id='4' type='c' position='3 0 3'/>"
+      "<quad id='5' origin='0 0 3' u='0 1 0' v='1 0 0' material='m' luminous-exitance='800' "
+      "price='700'/><plane id='p' origin='0 0 0' u='1 0 0' v='0 1 0'/></luxgate>");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  const InstalledPrice sum = installed_price(*loaded.project, loaded.project->spaces.at(0));
+  EXPECT_DOUBLE_EQ(sum.price, 2 * 89.9 + 700);
+  EXPECT_EQ(sum.luminaires, 5);
+  EXPECT_EQ(sum.without_price, 1);
+  EXPECT_NE(load(in_project("<luminaire-type id='t' photometry='spot.ies' price='-1'/>"))
+                .messages.find("attribute 'price' of <luminaire-type>: -1 is not allowed; expected "
+                               "a number from 0 to 1e9"),
+            std::string::npos);
 }
 
 TEST(ProjectXml, MaintenanceIsOneIfNotGiven) {

@@ -5,6 +5,7 @@
 #include "calc/photometry/read/photometry_file.h"
 #include "calc/project/project_xml.h"
 #include "calc/scene/installed_power.h"
+#include "calc/scene/installed_price.h"
 #include "calc/scene/luminaire_sums.h"
 #include "tests/support/gldf_samples.h"
 #include "tests/support/memory_file_reader.h"
@@ -291,8 +292,10 @@ TEST(GldfTogether, OverridesAreOfTheWholeLuminaire) {
   const LuminaireType& type = other.luminaire_types[0];
   EXPECT_NEAR(luminaire_flux_lm(other, type), 1000.0, 1e-9);
   EXPECT_EQ(installed_power(other, other.spaces[0]).without_power, 1);
-  const Project stated = project_with("flux-lm='1000' power-w='25'", luminaire);
+  const Project stated = project_with("flux-lm='1000' power-w='25' price='80'", luminaire);
   EXPECT_EQ(installed_power(stated, stated.spaces[0]).power_w, 25.0);
+  EXPECT_EQ(installed_price(stated, stated.spaces[0]).price, 80.0);  // once, as the power
+  EXPECT_EQ(installed_price(stated, stated.spaces[0]).without_price, 0);
   // Down and up give their light in opposite directions.
   const double down_cd = luminaire_intensity_cd(other, type, {0, 0, -1});
   EXPECT_NEAR(down_cd, luminaire_intensity_cd(other, type, {0, 0, 1}), 1e-9 * down_cd);

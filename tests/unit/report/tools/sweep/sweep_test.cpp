@@ -1,10 +1,16 @@
+#include "report/tools/sweep/sweep_shards.h"
 #include "report/tools/sweep/sweep_table.h"
 #include "report/tools/sweep/vary.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -59,6 +65,50 @@ TEST(Variants, AreAllCombinationsTheLastPathFastest) {
   EXPECT_THAT(cli::values_of_variant(vary, 5), ElementsAre("2", "z"));
 }
 
+const std::vector<cli::Vary> kLightAmidLimits{
+    {"r.limit", {"1", "2"}}, {"t.flux", {"5", "6", "7"}}, {"t.price", {"8", "9"}}};
+
+TEST(Shards, KeepVariantsOfOneLightTogether) {
+  const auto shard = [](std::uint64_t number, std::uint64_t count) {
+    return cli::variants_of_shard(kLightAmidLimits, {false, true, false}, {number, count});
+  };
+  EXPECT_THAT(shard(1, 3), ElementsAre(0, 1, 6, 7));
+  EXPECT_THAT(shard(2, 3), ElementsAre(2, 3, 8, 9));
+  EXPECT_THAT(shard(3, 3), ElementsAre(4, 5, 10, 11));
+  EXPECT_THAT(shard(2, 2), ElementsAre(4, 5, 10, 11));  // three lights: two and one
+  EXPECT_THAT(shard(1, 4), ElementsAre(0, 1, 6, 7));
+  EXPECT_EQ(shard(1, 4).size() + shard(2, 4).size() + shard(3, 4).size() + shard(4, 4).size(), 12u);
+  // Of two paths the first one's values stay together: 6 lights in thirds.
+  EXPECT_THAT(cli::variants_of_shard(kLightAmidLimits, {true, true, false}, {1, 3}),
+              ElementsAre(0, 1, 2, 3));
+  EXPECT_EQ(cli::variants_of_shard(kLightAmidLimits, {false, false, false}, {1, 2}).size(), 12u);
+}
+
+TEST(Shards, KnowLightByWhatIsAskedOfAStore) {
+  std::size_t asked = 0;
+  const auto keys_of = [&](std::size_t variant) {
+    ++asked;
+    return std::set<std::string>{"plane", cli::values_of_variant(kLightAmidLimits, variant)[1]};
+  };
+  EXPECT_THAT(cli::paths_of_light(kLightAmidLimits, keys_of), ElementsAre(false, true, false));
+  EXPECT_EQ(asked, 4u);
+  // One value alone, in between; and of many values a few are asked for.
+  const auto middle = [&](std::size_t variant) {
+    ++asked;
+    return std::set<std::string>{variant == 1 ? "a" : "b"};
+  };
+  EXPECT_THAT(cli::paths_of_light({{"a.b", {"1", "2", "3"}}}, middle), ElementsAre(true));
+  asked = 0;
+  const std::vector<cli::Vary> many{{"a.b", std::vector<std::string>(1000, "x")}};
+  EXPECT_THAT(cli::paths_of_light(many,
+                                  [&](std::size_t) {
+                                    ++asked;
+                                    return std::set<std::string>{};
+                                  }),
+              ElementsAre(false));
+  EXPECT_EQ(asked, 9u);
+}
+
 cli::SweepRow row(double power_w, const calc::Estimate& margin,
                   rules::Outcome outcome = rules::Outcome::pass) {
   cli::SweepRow row;
@@ -68,8 +118,9 @@ cli::SweepRow row(double power_w, const calc::Estimate& margin,
   return row;
 }
 
-std::vector<ParetoPlace> front_of(std::vector<cli::SweepRow> rows) {
-  cli::find_front(rows);
+std::vector<ParetoPlace> front_of(std::vector<cli::SweepRow> rows,
+                                  cli::FrontOf front_of = cli::FrontOf::power) {
+  cli::find_front(rows, front_of);
   std::vector<ParetoPlace> places;
   for (const cli::SweepRow& one : rows) places.push_back(one.pareto);
   return places;
@@ -93,6 +144,14 @@ TEST(Front, KnowsIntervals) {
               ElementsAre(on, perhaps, off, perhaps));
 }
 
+// Only the watts are others.
+TEST(Front, KnowsTheSameLight) {
+  using enum ParetoPlace;
+  const calc::Estimate light{0.1, 0.05, 0.15};
+  EXPECT_THAT(front_of({row(100, light), row(120, light), row(100, light)}),
+              ElementsAre(on, off, on));
+}
+
 TEST(Front, HoldsOnlyWhatPassesWithKnownPower) {
   using enum ParetoPlace;
   cli::SweepRow unknown_power = row(1, exactly(1));
@@ -103,6 +162,26 @@ TEST(Front, HoldsOnlyWhatPassesWithKnownPower) {
                         row(1, exactly(-0.1), rules::Outcome::fail), unknown_power, no_margin,
                         row(500, exactly(0.01))}),
               ElementsAre(off, off, off, off, on));
+}
+
+cli::SweepRow priced(double power_w, std::optional<double> price, double margin,
+                     int without_price = 0) {
+  cli::SweepRow one = row(power_w, exactly(margin));
+  one.price = price;
+  one.without_price = without_price;
+  return one;
+}
+
+TEST(Front, IsOfThePriceWhereThatIsAsked) {
+  using enum ParetoPlace;
+  const std::vector<cli::SweepRow> rows{priced(100, 50, 0.1), priced(200, 40, 0.1),
+                                        priced(300, 60, 0.3), priced(50, 10, 0.5, 1),
+                                        priced(50, std::nullopt, 0.5, 2)};
+  EXPECT_THAT(front_of(rows, cli::FrontOf::price), ElementsAre(off, on, on, off, off));
+  EXPECT_THAT(front_of(rows, cli::FrontOf::power), ElementsAre(off, off, off, on, on));
+  // Luminaires that cost nothing have a price.
+  EXPECT_THAT(front_of({priced(1, 0, 0.1), priced(1, 1, 0.1)}, cli::FrontOf::price),
+              ElementsAre(on, off));
 }
 
 rules::Finding finding(const std::string& id, rules::Comparison comparison, double limit,
@@ -147,6 +226,32 @@ TEST(RowOf, HasTheSmallestMarginEndByEnd) {
   EXPECT_EQ(row.without_margin, 1);  // a limit of 0
 }
 
+TEST(RowOf, SumsPricesOfThoseThatStateOne) {
+  report::ProjectPart part = part_with({});
+  const auto row_with = [&](double price, int luminaires, int without_price) {
+    part.spaces[0].price = {price, luminaires, without_price};
+    return cli::row_of(0, {}, part);
+  };
+  const cli::SweepRow some = row_with(30.5, 4, 1);
+  EXPECT_EQ(some.price, 30.5);
+  EXPECT_EQ(some.without_price, 1);
+  EXPECT_EQ(cli::price_words(some), "30.5 and 1 not known");
+  EXPECT_FALSE(cli::cost_of(some, cli::FrontOf::price));
+  const cli::SweepRow all = row_with(0.1 + 0.1 + 0.1, 3, 0);  // not 0.30000000000000004
+  EXPECT_EQ(all.price, 0.3);
+  EXPECT_EQ(cli::price_words(all), "0.3");
+  EXPECT_EQ(cli::cost_of(all, cli::FrontOf::price), 0.3);
+  const cli::SweepRow none = row_with(0, 3, 3);
+  EXPECT_FALSE(none.price);
+  EXPECT_EQ(none.without_price, 3);
+  EXPECT_EQ(cli::price_words(none), "not known");
+  part.spaces.push_back(part.spaces[0]);
+  part.spaces[1].price = {2, 2, 1};
+  const cli::SweepRow both = row_with(1, 1, 0);
+  EXPECT_EQ(both.price, 3);
+  EXPECT_EQ(both.without_price, 1);
+}
+
 // The margin is not about them: they are counted beside it.
 TEST(RowOf, CountsAggregatesThatCount) {
   report::ProjectPart part =
@@ -187,6 +292,78 @@ TEST(SweepNotes, NameAPathWithoutEffect) {
               ElementsAre(testing::HasSubstr("each: 1"), testing::HasSubstr("in part only: 1")));
 }
 
+cli::Sweep sweep_of(const std::vector<cli::SweepRow>& rows,
+                    cli::FrontOf front_of = cli::FrontOf::power) {
+  cli::Sweep sweep;
+  sweep.vary = {{"a.b", {}}};
+  sweep.front_of = front_of;
+  sweep.rows = rows;
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    sweep.vary[0].values.push_back(std::to_string(v));
+    sweep.rows[v].variant = v;
+    sweep.rows[v].values = {std::to_string(v)};
+  }
+  cli::find_front(sweep.rows, sweep.front_of);
+  return sweep;
+}
+
+TEST(SweepNotes, SayWhatCannotBeOnTheFront) {
+  const std::vector<cli::SweepRow> rows{priced(10, 5, 0.1), priced(20, 5, 0.2, 1)};
+  EXPECT_THAT(cli::sweep_notes(sweep_of(rows)), ElementsAre());
+  EXPECT_THAT(cli::sweep_notes(sweep_of(rows, cli::FrontOf::price)),
+              ElementsAre("variants that pass and cannot be on the front, since the price of "
+                          "luminaires is not known: 1"));
+}
+
+// Only a price parts these.
+TEST(SweepNotes, KnowThatAPriceIsAnEffect) {
+  EXPECT_THAT(cli::sweep_notes(sweep_of({priced(10, 5, 0.1), priced(10, 6, 0.1)})), ElementsAre());
+  EXPECT_THAT(cli::sweep_notes(sweep_of({priced(10, 5, 0.1), priced(10, 5, 0.1)})),
+              ElementsAre(testing::HasSubstr("'a.b' changes no verdict, margin, power or price")));
+}
+
+TEST(SweepFormats, HaveAColumnOfPricesWhereThereAreAny) {
+  using testing::HasSubstr, testing::Not;
+  const cli::Sweep without = sweep_of({priced(10, std::nullopt, 0.1, 2)});
+  EXPECT_THAT(cli::render_sweep_text(without), Not(HasSubstr("price")));
+  EXPECT_THAT(cli::render_sweep_html(without), Not(HasSubstr(">price</th>")));
+  EXPECT_THAT(cli::render_sweep_csv(without), HasSubstr(",10,0,,2,0,0,0,0,on,power,"));
+  EXPECT_THAT(cli::render_sweep_json(without), HasSubstr("\"price\": null"));
+  const cli::Sweep with =
+      sweep_of({priced(10, 12.5, 0.1), priced(10, 7, 0.2, 2)}, cli::FrontOf::price);
+  EXPECT_THAT(cli::render_sweep_text(with), HasSubstr("  price              front of price\n"));
+  EXPECT_THAT(cli::render_sweep_text(with), HasSubstr("7 and 2 not known"));
+  EXPECT_THAT(cli::render_sweep_html(with), HasSubstr("<td class=\"num\">7 and 2 not known</td>"));
+  EXPECT_THAT(cli::render_sweep_html(with), HasSubstr(">12.5</text>"));
+  EXPECT_THAT(cli::render_sweep_html(with),
+              HasSubstr("1 variants have no margin or no known price"));
+  EXPECT_THAT(cli::render_sweep_csv(with), HasSubstr(",10,0,12.5,0,0,0,0,0,on,price,"));
+  EXPECT_THAT(cli::render_sweep_json(with), HasSubstr("\"price\": 12.5"));
+  EXPECT_THAT(cli::render_sweep_json(with), HasSubstr("\"luminaires_without_price\": 2"));
+}
+
+TEST(SweepFormats, SayWhatTheFrontIsOf) {
+  using testing::HasSubstr;
+  for (const auto& [front_of, name] :
+       {std::pair(cli::FrontOf::power, std::string("power")), {cli::FrontOf::price, "price"}}) {
+    const cli::Sweep sweep = sweep_of({priced(10, 12.5, 0.1)}, front_of);
+    EXPECT_THAT(cli::render_sweep_text(sweep), HasSubstr("front of " + name));
+    EXPECT_THAT(cli::render_sweep_csv(sweep), HasSubstr(",on," + name + ","));
+    EXPECT_THAT(cli::render_sweep_json(sweep), HasSubstr("\"front_of\": \"" + name + "\""));
+    const std::string html = cli::render_sweep_html(sweep);
+    for (const char* words : {"On the front of margin and ", "Margin over ", "<th>front of "}) {
+      EXPECT_THAT(html, HasSubstr(words + name));
+    }
+  }
+}
+
+// The published file is written by the program: 'luxgate schema --sweep > sweep.schema.json'.
+TEST(SweepSchema, IsThePublishedFile) {
+  std::ifstream file(LUXGATE_SWEEP_SCHEMA, std::ios::binary);
+  const std::string published((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_EQ(cli::sweep_schema(), published);
+}
+
 TEST(SweepHtml, EscapesWhatComesFromFiles) {
   cli::Sweep sweep;
   sweep.project = "<p>&.xml";
@@ -196,7 +373,7 @@ TEST(SweepHtml, EscapesWhatComesFromFiles) {
     sweep.rows.back().values = {value};
     sweep.rows.back().plane = "<x>";
   }
-  cli::find_front(sweep.rows);
+  cli::find_front(sweep.rows, sweep.front_of);
   const std::string html = cli::render_sweep_html(sweep);
   for (const char* raw : {"<script", "<p>&", "a<b", "<x>"}) {
     EXPECT_EQ(html.find(raw), std::string::npos) << raw;
