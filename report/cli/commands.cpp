@@ -10,6 +10,7 @@
 #include "report/tools/init/init.h"
 #include "report/tools/photometry/photometry.h"
 #include "report/tools/plan/plan.h"
+#include "report/tools/policy/policy.h"
 #include "report/tools/report/report.h"
 #include "report/tools/rules/rules.h"
 #include "report/tools/schema/schema.h"
@@ -27,9 +28,9 @@ std::vector<Command> all_commands() {
   return {check_command(),      watch_command(),    sweep_command(),    report_command(),
           plan_command(),       submit_command(),   validate_command(), vpl_command(),
           converge_command(),   selftest_command(), compare_command(),  export_command(),
-          photometry_command(), geometry_command(), rules_command(),    explain_command(),
-          store_command(),      schema_command(),   init_command(),     devices_command(),
-          version_command()};
+          photometry_command(), geometry_command(), rules_command(),    policy_command(),
+          explain_command(),    store_command(),    schema_command(),   init_command(),
+          devices_command(),    version_command()};
 }
 
 }  // namespace cli

@@ -45,7 +45,7 @@ int run_program(int argc, const char* const* argv) {
     const std::vector<Command> commands = all_commands();
     const ParsedLine parsed = parse_command_line(commands, argc, argv, environment);
     if (parsed.command == nullptr) {
-      fmt::print(stderr, "{}", parsed.err);
+      tell("{}", parsed.err);
       return print_result(parsed.out) ? parsed.exit_code : kNotJudged;
     }
     return run(*parsed.command, environment);

@@ -142,7 +142,7 @@ class GithubWriter : public FormatWriter {
       }
     }
     text += "luxgate: " + printable(summary_words(end.totals)) + "\n";
-    if (const std::string words = redaction_words(end.provenance); !words.empty())
+    if (const std::string words = provenance_remarks(end.provenance); !words.empty())
       text += "luxgate: " + words + "\n";
     sink.write(text);
   }

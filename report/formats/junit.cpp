@@ -194,7 +194,7 @@ void JunitWriter::add(const ProjectPart& project) {
     notes += std::string(outcome_words(outcome)) + "\n";
   }
   for (const std::string& note : ci_notes(project)) notes += note + "\n";
-  const std::string words = redaction_words(frame_.provenance);
+  const std::string words = provenance_remarks(frame_.provenance);
   if (!words.empty() && suites_.is_empty()) notes += words + "\n";
   if (!notes.empty()) suite.append_child("system-out").text() = notes.c_str();
   suites_.write(suite_text(xml));

@@ -178,7 +178,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
     text += fmt::format("\n<details>\n<summary>{}</summary>\n\n{}\n</details>\n",
                         t_.say<Text::passed>(passed_.count()), passed_.text());
   }
-  if (const std::string words = redaction_words(end.provenance, t_); !words.empty())
+  if (const std::string words = provenance_remarks(end.provenance, t_); !words.empty())
     text += "\n" + words + "\n";
   sink.write(text);
 }

@@ -270,7 +270,9 @@ void SarifWriter::finish(const DocumentEnd& end, Sink& sink) {
               {"columnKind", "utf16CodeUnits"},
               {"results", json_gap()}};
   if (const std::string words = redaction_words(end.provenance); !words.empty())
-    run["properties"] = {{"redacted", words}};
+    run["properties"]["redacted"] = words;
+  if (const std::string words = policy_words(end.provenance); !words.empty())
+    run["properties"]["policy"] = words;
   const std::vector<std::string> pieces =
       json_layout_around_gaps({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                                {"version", "2.1.0"},

@@ -231,6 +231,11 @@ std::string html_provenance(const Texts& t, const Provenance& provenance) {
   rows += fact(t[Text::most_paths],
                t.say<Text::per_plane_and_replicate>(format_count(provenance.max_paths)));
   rows += fact(t[Text::replicates], fmt::format("{}", provenance.replicates));
+  if (!provenance.policy.empty()) {
+    rows +=
+        fact(t[Text::policy], fmt::format("{}<br><code>{}</code>", escape_html(provenance.policy),
+                                          escape_html(provenance.policy_sha256)));
+  }
   const std::string redacted = redaction_words(provenance, t);
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"

@@ -85,6 +85,11 @@ void describe(auto& v, Is<Provenance> auto& p) {
            .presence = only_if(!p.judged_on.empty())});
   v.field("timestamp", p.timestamp,
           {.words = "Only if asked for.", .presence = only_if(!p.timestamp.empty())});
+  v.field("policy", p.policy,
+          {.words = "Name of the owner's policy that it was judged by; there if there is one.",
+           .presence = only_if(!p.policy.empty())});
+  v.field("policy_sha256", p.policy_sha256,
+          {.words = "Of the file of that policy.", .presence = only_if(!p.policy.empty())});
   v.field("redacted", p.is_redacted,
           {.words = "There if folders of files and names of graphics devices were left out.",
            .presence = only_if(p.is_redacted),

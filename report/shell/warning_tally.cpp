@@ -15,6 +15,7 @@ namespace {
 constexpr calc::DiagnosticId kAllIds[] = {
 #define LUXGATE_DIAGNOSTIC(id, severity, text) calc::DiagnosticId::id,
 #include "calc/base/diagnostics.def"
+#include "report/shell/print.h"
 #undef LUXGATE_DIAGNOSTIC
 };
 
@@ -65,7 +66,8 @@ std::string add_id(const std::string& name, StrictWarnings& target) {
 }  // namespace
 
 bool StrictWarnings::has(calc::DiagnosticId id) const {
-  return all || std::find(ids.begin(), ids.end(), id) != ids.end();
+  return all || id == calc::DiagnosticId::policy_not_met ||
+         std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 Option strict_option(StrictWarnings& target) {
@@ -119,14 +121,16 @@ std::string WarningTally::words(bool quiet) const {
                     count, count == 1 ? "" : "s", names(others_), count == 1 ? "it" : "them");
   }
   if (const std::size_t count = sum(counting_); count > 0) {
-    text += fmt::format("luxgate: exit code {}: {} because of --strict: {}\n",
-                        static_cast<int>(exit_code_of(outcome())),
-                        count == 1 ? "1 warning counts" : fmt::format("{} warnings count", count),
-                        names(counting_));
+    text += fmt::format(
+        "luxgate: exit code {}: {} because of {}: {}\n", static_cast<int>(exit_code_of(outcome())),
+        count == 1 ? "1 warning counts" : fmt::format("{} warnings count", count),
+        counting_.contains(calc::DiagnosticId::policy_not_met) ? "the policy or --strict"
+                                                               : "--strict",
+        names(counting_));
   }
   return text;
 }
 
-void WarningTally::print(bool quiet) const { fmt::print(stderr, "{}", words(quiet)); }
+void WarningTally::print(bool quiet) const { tell("{}", words(quiet)); }
 
 }  // namespace cli

@@ -17,6 +17,7 @@ struct StrictWarnings {
   bool all = false;
   std::vector<calc::DiagnosticId> ids = {};
 
+  // A policy that is not met always counts.
   bool has(calc::DiagnosticId id) const;
 };
 

@@ -1,0 +1,204 @@
+#include "report/policy/judge_policy.h"
+
+#include "calc/base/day.h"
+#include "calc/base/text.h"
+#include "calc/scene/waiver.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace report {
+namespace {
+
+constexpr std::size_t kMostNamed = 8;
+
+bool counts(const rules::Finding& finding) {
+  return finding.requirement.severity != rules::Severity::advice;
+}
+
+class PolicyJudge {
+ public:
+  PolicyJudge(const Policy& policy, std::string_view today, const ProjectPart& project)
+      : policy_(policy), today_(today), project_(project) {}
+
+  calc::Diagnostics judge() {
+    for (const SpacePart& space : project_.spaces) {
+      judge_signatures(space);
+      if (policy_.asks_every_space) judge_questions(space);
+    }
+    for (const PolicyRow& row : policy_.rows) judge_row(row);
+    for (const PolicyBound& bound : policy_.bounds) judge_bound(bound);
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void fail(const calc::SourceLocation& where, const std::string& words) {
+    diagnostics_.report(calc::DiagnosticId::policy_not_met, where, words);
+  }
+  void fail(const std::string& words) { fail({project_.path, 0, 0}, words); }
+
+  // what: "the waiver of 'average' of plane 'desk'".
+  void judge_permit(const std::optional<PolicyPermit>& permit, const calc::Waiver& by,
+                    const calc::SourceLocation& where, const std::string& what) {
+    const calc::SourceLocation& place = by.where.line > 0 ? by.where : where;
+    if (!permit) {
+      fail(place, fmt::format("{} is not allowed, to nobody", what));
+      return;
+    }
+    const std::vector<std::string>& names = permit->by;
+    if (!names.empty() && std::find(names.begin(), names.end(), by.owner) == names.end()) {
+      fail(place, fmt::format("{} is by '{}'; allowed: {}", what, by.owner,
+                              calc::list_names(names, kMostNamed)));
+    }
+    if (!permit->most_days) return;
+    const int days = calc::days_between(today_, by.until);
+    if (days > *permit->most_days) {
+      fail(place, fmt::format("{} ends on {}, in {} days; allowed: {} days", what, by.until, days,
+                              *permit->most_days));
+    }
+  }
+
+  void judge_signatures(const SpacePart& space) {
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) judge_finding(plane, finding);
+    }
+    for (const rules::RowCoverage& row : space.coverage) {
+      for (const rules::RoleCoverage& role : row.roles) {
+        for (const rules::LeftOutZone& zone : role.left_out) {
+          if (zone.has_ended) continue;
+          judge_permit(policy_.left_out, zone.by, {project_.path, 0, 0},
+                       fmt::format("leaving out zone '{}' of {} in space '{}'", zone.zone,
+                                   row.clause, space.id));
+        }
+      }
+    }
+  }
+
+  void judge_finding(const PlanePart& plane, const rules::Finding& finding) {
+    const rules::Requirement& asked = finding.requirement;
+    const std::string name = fmt::format("requirement '{}' of plane '{}'", asked.id, plane.id);
+    if (finding.is_waived && asked.waiver) {
+      judge_permit(policy_.waivers, *asked.waiver, asked.where, "the waiver of " + name);
+    }
+    for (const rules::Deviation& deviation : asked.deviations) {
+      if (!deviation.is_accepted || !deviation.stated) continue;
+      judge_permit(policy_.deviations, *deviation.stated, asked.where,
+                   fmt::format("the deviation in {} of {}", calc::name_of(deviation.aspect), name));
+    }
+    if (asked.origin.level.steps < 0 && !policy_.allows_lowered_levels) {
+      fail(asked.where, fmt::format("{} asks its row below what it requires, {}", name,
+                                    rules::level_words(asked.origin.level)));
+    }
+  }
+
+  void judge_questions(const SpacePart& space) {
+    const bool is_asked =
+        std::any_of(space.planes.begin(), space.planes.end(), [](const PlanePart& plane) {
+          return std::any_of(plane.findings.begin(), plane.findings.end(), counts);
+        });
+    if (!is_asked) fail(fmt::format("nothing is asked of space '{}'", space.id));
+  }
+
+  void judge_row(const PolicyRow& row) {
+    int spaces = 0;
+    for (const SpacePart& space : project_.spaces) {
+      if (!row.spaces.has(space.id, space.name)) continue;
+      ++spaces;
+      judge_row_in(row, space);
+    }
+    if (spaces < row.at_least) {
+      fail(fmt::format("{} spaces are like '{}', of which {} {} is wanted; at least {} are needed",
+                       spaces, row.spaces.pattern, row.pack, row.row, row.at_least));
+    }
+  }
+
+  // All that is asked of the row there, and nothing of it left.
+  void judge_row_in(const PolicyRow& row, const SpacePart& space) {
+    std::vector<rules::RequirementName> asked;
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        const rules::RuleOrigin& origin = finding.requirement.origin;
+        if (counts(finding) && origin.pack == row.pack && origin.row == row.row) {
+          asked.push_back({plane.id, finding.requirement.id});
+        }
+      }
+    }
+    const std::string name = fmt::format("{} {} of space '{}'", row.pack, row.row, space.id);
+    if (asked.empty()) {
+      fail(name + " is not asked");
+      return;
+    }
+    const auto is_of = [&](const rules::RequirementName& one) {
+      return std::any_of(asked.begin(), asked.end(), [&](const rules::RequirementName& other) {
+        return one.plane_id == other.plane_id && one.id == other.id;
+      });
+    };
+    // Several workplaces may ask for it, each of its own zones.
+    bool is_known = false;
+    for (const rules::RowCoverage& part : space.coverage) {
+      const bool is_of_row =
+          std::any_of(part.roles.begin(), part.roles.end(), [&](const rules::RoleCoverage& role) {
+            return std::any_of(role.of.begin(), role.of.end(), is_of);
+          });
+      if (!is_of_row) continue;
+      is_known = true;
+      if (!part.is_whole()) fail(name + " is asked in part");
+    }
+    if (!is_known) fail(name + ": whether all of it is asked is not known");
+  }
+
+  void judge_bound(const PolicyBound& bound) {
+    const auto compare = [&](double value, const std::string& of) {
+      const std::string_view what = calc::name_of(bound.of);
+      if (bound.at_least && !(value >= *bound.at_least)) {
+        fail(fmt::format("{} of {} is {:.9g}; at least {} is allowed", what, of, value,
+                         *bound.at_least));
+      }
+      if (bound.at_most && !(value <= *bound.at_most)) {
+        fail(fmt::format("{} of {} is {:.9g}; at most {} is allowed", what, of, value,
+                         *bound.at_most));
+      }
+    };
+    if (bound.of == PolicyBoundOf::reflectance) {
+      for (const MaterialRow& material : project_.materials) {
+        compare(material.reflectance, fmt::format("material '{}'", material.id));
+      }
+      return;
+    }
+    for (const LuminaireRow& luminaire : project_.luminaires) {
+      const std::string name = fmt::format("luminaire type '{}'", luminaire.type_id);
+      if (bound.of == PolicyBoundOf::maintenance_factor) {
+        compare(luminaire.maintenance_factor, name);
+      } else if (luminaire.file_flux_lm > 0.0) {
+        // Two roundings of the same flux are no other flux.
+        const double ratio = luminaire.flux_lm / luminaire.file_flux_lm;
+        constexpr double kSameFlux = 1e-9;
+        compare(std::abs(ratio - 1.0) < kSameFlux ? 1.0 : ratio, name);
+      } else {
+        fail(fmt::format("flux-ratio of {} is not known: its file states no flux", name));
+      }
+    }
+  }
+
+  const Policy& policy_;
+  const std::string_view today_;
+  const ProjectPart& project_;
+  calc::Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+void judge_policy(const Policy& policy, std::string_view today, ProjectPart& project) {
+  if (!project.is_judged) return;
+  const calc::Diagnostics found = PolicyJudge(policy, today, project).judge();
+  project.diagnostics.insert(project.diagnostics.end(), found.all().begin(), found.all().end());
+}
+
+}  // namespace report

@@ -1,0 +1,327 @@
+#include "report/policy/policy.h"
+
+#include "calc/base/element_table.h"
+#include "calc/base/file_hash.h"
+#include "calc/base/text.h"
+#include "calc/base/xml_document.h"
+#include "calc/base/xml_reader.h"
+#include "calc/base/xml_schema.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace report {
+namespace {
+
+using enum calc::Presence;
+using calc::AttributeRow;
+using calc::DiagnosticId;
+using calc::ElementReader;
+using calc::ElementRow;
+using calc::kAnyText;
+using calc::NumberRange;
+using calc::ValueType;
+using calc::XmlElement;
+
+constexpr std::string_view kRoot = "luxgate-policy";
+constexpr NumberRange kLevel{0.5, 1.0, true, "a number between 0.5 and 1"};
+constexpr NumberRange kFactor{0.0, 100.0, false, "a number from 0 to 100"};
+
+const ValueType kTextType{.name = "text", .base = &kAnyText, .least = 1};
+const ValueType kIdType{.name = "id", .base = &kAnyText, .pattern = R"(\s*[A-Za-z0-9_.:\-]+\s*)"};
+const ValueType kIdsType{.name = "ids", .item = &kIdType, .least = 1};
+const ValueType kYesNoType{.name = "yesNo", .base = &kAnyText, .words = {"yes", "no"}};
+const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
+const ValueType kCountType{"xs:positiveInteger"};
+const ValueType kLevelType{.name = "level", .base = &calc::kAnyDouble, .range = kLevel};
+const ValueType kShareType{
+    .name = "share", .base = &calc::kAnyDouble, .range = calc::kPositiveFraction};
+const ValueType kFactorType{.name = "factor", .base = &calc::kAnyDouble, .range = kFactor};
+const ValueType kBoundOfType{
+    .name = "boundOf", .base = &kAnyText, .words = calc::names_of<PolicyBoundOf>()};
+
+const ElementRow kPermitElement{
+    .type = "permit",
+    .meaning = "Who may live with this. Without the element nobody may.",
+    .attributes = {{"by", &kAnyText, optional,
+                    "Names, with ';' between them, as they stand in the project.", "anybody"},
+                   {"most-days", &kCountType, optional,
+                    "From the day of judging to the last day that is stated.", "any number"}}};
+
+const ElementRow kRowElement{
+    .type = "asked",
+    .meaning = "A row of a rule pack that these spaces must be asked as a whole.",
+    .attributes = {
+        {"pack", &kIdType, required, "With its edition: en12464-1:2021."},
+        {"row", &kTextType, required},
+        {"spaces", &kTextType, optional,
+         "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
+        {"at-least", &kCountType, optional, "So many spaces must be like the pattern.", "1"}}};
+
+const ElementRow kBoundElement{
+    .type = "bound",
+    .meaning = "What is believed: of each luminaire type or material that is used.",
+    .attributes = {{"of", &kBoundOfType, required,
+                    "flux-ratio: the project's lumens to those of the photometry file."},
+                   {"at-least", &kFactorType},
+                   {"at-most", &kFactorType}}};
+
+const ElementRow kAccuracyElement{
+    .type = "accuracy",
+    .meaning = "How loosely nobody may calculate.",
+    .attributes = {{"confidence", &kLevelType, optional, "At least, see --confidence."},
+                   {"tolerance", &kShareType, optional, "At most, see --tolerance."},
+                   {"replicates", &kCountType, optional, "At least, see --replicates."},
+                   {"max-paths", &kCountType, optional, "At least, see --max-paths."}}};
+
+const ElementRow kProjectElement{
+    .type = "project",
+    .meaning = "A project that must be in the batch.",
+    .attributes = {{"path", &kTextType, required, "Or its end: designs/office.xml."}}};
+
+const ElementRow kFatalElement{.type = "fatalWarnings",
+                               .meaning = "Warnings that count like errors, as with --strict.",
+                               .attributes = {{"ids", &kIdsType, required}}};
+
+const ElementRow kFormatElement{.type = "format",
+                                .meaning = "A format that must be written, see --format.",
+                                .attributes = {{"kind", &kIdType, required}}};
+
+const ElementRow kPolicyElement{
+    .type = "policy",
+    .attributes = {{"version", &kVersionType, required},
+                   {"name", &kTextType, required, "As reports call it."},
+                   {"asks-every-space", &kYesNoType, optional,
+                    "Each space must be asked something that counts.", "yes"},
+                   {"lowered-levels", &kYesNoType, optional,
+                    "Rows may be asked below what they require (level=\"-1\").", "no"}},
+    .children = {{"waivers", &kPermitElement},
+                 {"deviations", &kPermitElement},
+                 {"left-out", &kPermitElement},
+                 {"asked", &kRowElement},
+                 {"bound", &kBoundElement},
+                 {"accuracy", &kAccuracyElement},
+                 {"project", &kProjectElement},
+                 {"fatal-warnings", &kFatalElement},
+                 {"format", &kFormatElement}}};
+
+const calc::ChildRow kRootRow{.name = kRoot, .row = &kPolicyElement};
+
+// Elements that there may be one of.
+constexpr std::array kSingle{std::pair{std::string_view("waivers"), &Policy::waivers},
+                             std::pair{std::string_view("deviations"), &Policy::deviations},
+                             std::pair{std::string_view("left-out"), &Policy::left_out}};
+
+std::vector<std::string> names_in(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(';'), text.size());
+    if (const std::string_view name = calc::trim(text.substr(0, end)); !name.empty()) {
+      names.emplace_back(name);
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return names;
+}
+
+PolicyPermit read_permit(ElementReader& reader) {
+  reader.allow(kPermitElement);
+  PolicyPermit permit;
+  if (reader.has("by")) {
+    permit.by = names_in(reader.text("by"));
+    if (permit.by.empty()) {
+      reader.report(DiagnosticId::empty_attribute, reader.where("by"), "by", reader.element().name);
+    }
+  }
+  if (reader.has("most-days")) permit.most_days = reader.integer("most-days", 1);
+  return permit;
+}
+
+PolicyRow read_row(ElementReader& reader) {
+  reader.allow(kRowElement);
+  PolicyRow row;
+  row.where = reader.where();
+  row.pack = reader.id("pack");
+  row.row = reader.text("row");
+  row.spaces.pattern = reader.text_or("spaces", "*");
+  if (reader.has("at-least")) row.at_least = reader.integer("at-least", 1);
+  if (row.pack.find(':') == std::string::npos && reader.has("pack")) {
+    reader.report(
+        DiagnosticId::policy_not_usable, reader.where("pack"),
+        fmt::format("'{}' names no edition; a pack is id:edition, as en12464-1:2021", row.pack));
+  }
+  return row;
+}
+
+PolicyBound read_bound(ElementReader& reader) {
+  reader.allow(kBoundElement);
+  PolicyBound bound;
+  bound.of = reader.value<PolicyBoundOf>("of");
+  bound.at_least = reader.optional_number("at-least", kFactor);
+  bound.at_most = reader.optional_number("at-most", kFactor);
+  if (!reader.has("at-least") && !reader.has("at-most")) {
+    reader.report(DiagnosticId::missing_form, reader.where(), "bound", "'at-least' or 'at-most'");
+  }
+  return bound;
+}
+
+void read_accuracy(ElementReader& reader, Policy& policy) {
+  reader.allow(kAccuracyElement);
+  policy.confidence = reader.optional_number("confidence", kLevel);
+  policy.tolerance = reader.optional_number("tolerance", calc::kPositiveFraction);
+  if (reader.has("replicates")) policy.replicates = reader.integer("replicates", 1);
+  if (reader.has("max-paths")) {
+    policy.max_paths = static_cast<std::uint64_t>(reader.integer("max-paths", 1));
+  }
+}
+
+void read_fatal(ElementReader& reader, Policy& policy) {
+  reader.allow(kFatalElement);
+  const std::string ids = reader.text("ids");
+  for (const std::string_view name : calc::split_words(ids)) {
+    const auto id = calc::diagnostic_from_name(name);
+    if (id && calc::diagnostic_severity(*id) == calc::Severity::warning) {
+      policy.fatal_warnings.push_back(*id);
+    } else {
+      reader.report(DiagnosticId::policy_not_usable, reader.where("ids"),
+                    fmt::format("'{}' is not the id of a warning", name));
+    }
+  }
+}
+
+void read_format(ElementReader& reader, const std::vector<std::string_view>& formats,
+                 Policy& policy) {
+  reader.allow(kFormatElement);
+  const std::string kind = reader.id("kind");
+  if (!reader.has("kind")) return;
+  if (std::find(formats.begin(), formats.end(), kind) == formats.end()) {
+    reader.report(
+        DiagnosticId::policy_not_usable, reader.where("kind"),
+        fmt::format("there is no format '{}'; allowed: {}", kind, calc::join_choices(formats)));
+  }
+  policy.formats.push_back(kind);
+}
+
+void read_child(const XmlElement& child, const std::vector<std::string_view>& formats,
+                calc::Diagnostics& diagnostics, std::vector<std::string_view>& once,
+                Policy& policy) {
+  ElementReader reader(child, diagnostics);
+  const std::string_view name = child.name;
+  const bool is_first = std::find(once.begin(), once.end(), name) == once.end();
+  bool is_single = name == "accuracy";
+  for (const auto& [permit, member] : kSingle) {
+    if (name != permit) continue;
+    is_single = true;
+    policy.*member = read_permit(reader);
+  }
+  if (name == "asked") policy.rows.push_back(read_row(reader));
+  if (name == "bound") policy.bounds.push_back(read_bound(reader));
+  if (name == "accuracy") read_accuracy(reader, policy);
+  if (name == "fatal-warnings") read_fatal(reader, policy);
+  if (name == "format") read_format(reader, formats, policy);
+  if (name == "project") {
+    reader.allow(kProjectElement);
+    policy.projects.push_back(reader.text("path"));
+  }
+  if (is_single && !is_first) {
+    reader.report(DiagnosticId::policy_not_usable, child.where,
+                  fmt::format("<{}> stands there twice", name));
+  }
+  once.push_back(name);
+}
+
+std::string permit_text(std::string_view what, const std::optional<PolicyPermit>& permit) {
+  if (!permit) return fmt::format("{}: nobody\n", what);
+  std::string text =
+      fmt::format("{}: {}", what,
+                  permit->by.empty() ? "anybody" : fmt::format("{}", fmt::join(permit->by, ", ")));
+  if (permit->most_days) text += fmt::format(", for at most {} days", *permit->most_days);
+  return text + "\n";
+}
+
+std::string bound_text(const PolicyBound& bound) {
+  std::string text = fmt::format("{}:", calc::name_of(bound.of));
+  if (bound.at_least) text += fmt::format(" at least {}", *bound.at_least);
+  if (bound.at_least && bound.at_most) text += " and";
+  if (bound.at_most) text += fmt::format(" at most {}", *bound.at_most);
+  return text + "\n";
+}
+
+}  // namespace
+
+bool PolicySpaces::has(const std::string& id, const std::string& name) const {
+  return fnmatch(pattern.c_str(), id.c_str(), 0) == 0 ||
+         fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+std::optional<Policy> parse_policy(const std::string& bytes, const std::string& file,
+                                   const std::vector<std::string_view>& formats,
+                                   calc::Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const std::optional<XmlElement> root = calc::parse_xml(bytes, file, diagnostics);
+  if (!root) return std::nullopt;
+  if (root->name != kRoot) {
+    diagnostics.report(DiagnosticId::wrong_root_element, root->where, root->name, kRoot);
+    return std::nullopt;
+  }
+  Policy policy;
+  policy.file = file;
+  policy.sha256 = calc::sha256_hex(bytes);
+  ElementReader reader(*root, diagnostics);
+  reader.allow(kPolicyElement);
+  reader.choice("version", kVersionType.words);
+  policy.name = reader.text("name");
+  policy.asks_every_space = reader.choice_or("asks-every-space", kYesNoType.words, 0) == 0;
+  policy.allows_lowered_levels = reader.choice_or("lowered-levels", kYesNoType.words, 1) == 0;
+  std::vector<std::string_view> once;
+  for (const XmlElement& child : root->children) {
+    read_child(child, formats, diagnostics, once, policy);
+  }
+  if (diagnostics.error_count() > errors_before) return std::nullopt;
+  return policy;
+}
+
+std::string explain_policy(const Policy& policy) {
+  std::string text = fmt::format("{}\nsha256 {}\n\n", policy.name, policy.sha256);
+  text += permit_text("may waive what fails", policy.waivers);
+  text += permit_text("may state a deviation from a standard", policy.deviations);
+  text += permit_text("may leave out a zone of a row", policy.left_out);
+  text += fmt::format("rows {} asked below what they require\n",
+                      policy.allows_lowered_levels ? "may be" : "may not be");
+  text += fmt::format("spaces {} asked something\n",
+                      policy.asks_every_space ? "must be" : "need not be");
+  for (const std::string& project : policy.projects) {
+    text += fmt::format("must be in the batch: {}\n", project);
+  }
+  for (const PolicyRow& row : policy.rows) {
+    text += fmt::format("must be asked as a whole: {} {}, in spaces like '{}', at least {}\n",
+                        row.pack, row.row, row.spaces.pattern, row.at_least);
+  }
+  for (const PolicyBound& bound : policy.bounds) text += bound_text(bound);
+  if (policy.confidence) text += fmt::format("confidence: at least {}\n", *policy.confidence);
+  if (policy.tolerance) text += fmt::format("tolerance: at most {}\n", *policy.tolerance);
+  if (policy.replicates) text += fmt::format("replicates: at least {}\n", *policy.replicates);
+  if (policy.max_paths) text += fmt::format("max-paths: at least {}\n", *policy.max_paths);
+  for (const calc::DiagnosticId id : policy.fatal_warnings) {
+    text += fmt::format("a warning that counts like an error: {}\n", calc::diagnostic_name(id));
+  }
+  for (const std::string& format : policy.formats) {
+    text += fmt::format("must be written: {}\n", format);
+  }
+  return text;
+}
+
+std::string policy_schema() {
+  return calc::xml_schema({"'luxgate policy schema'",
+                           "What the owner of a gate wants of every project, whatever the project "
+                           "says itself: a file that luxgate check --policy reads.",
+                           kRootRow});
+}
+
+}  // namespace report

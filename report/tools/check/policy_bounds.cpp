@@ -1,0 +1,71 @@
+#include "report/tools/check/policy_bounds.h"
+
+#include "report/shell/print.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cli {
+namespace {
+
+// Whether `path` is it, or ends with it behind a '/'.
+bool is_named(const std::string& path, const std::string& end) {
+  const std::string full = std::filesystem::path(path).lexically_normal().string();
+  const std::string name = std::filesystem::path(end).lexically_normal().string();
+  return full == name || full.ends_with("/" + name);
+}
+
+bool is_written(const OutputOptions& output, std::string_view kind) {
+  const report::Format* standard = stdout_format(output);
+  if (standard != nullptr && standard->name == kind) return true;
+  const std::vector<OutputFormat> files = planned_files(output);
+  return std::any_of(files.begin(), files.end(),
+                     [kind](const OutputFormat& file) { return file.format->name == kind; });
+}
+
+}  // namespace
+
+bool is_allowed_or_print(const report::Policy& policy, const CheckOptions& options) {
+  calc::Diagnostics diagnostics;
+  const auto forbid = [&](const std::string& words) {
+    diagnostics.report(calc::DiagnosticId::policy_forbids, {}, policy.name, words);
+  };
+  const check::Settings& settings = options.settings;
+  if (policy.confidence && settings.confidence < *policy.confidence) {
+    forbid(fmt::format("--confidence {}; at least {} is allowed", settings.confidence,
+                       *policy.confidence));
+  }
+  if (policy.tolerance && settings.tolerance > *policy.tolerance) {
+    forbid(fmt::format("--tolerance {}; at most {} is allowed", settings.tolerance,
+                       *policy.tolerance));
+  }
+  if (policy.replicates && settings.radiosity.replicates < *policy.replicates) {
+    forbid(fmt::format("--replicates {}; at least {} is allowed", settings.radiosity.replicates,
+                       *policy.replicates));
+  }
+  if (policy.max_paths && settings.radiosity.max_paths < *policy.max_paths) {
+    forbid(fmt::format("--max-paths {}; at least {} is allowed", settings.radiosity.max_paths,
+                       *policy.max_paths));
+  }
+  const std::vector<std::string>& given = options.input.projects;
+  for (const std::string& project : policy.projects) {
+    if (std::any_of(given.begin(), given.end(),
+                    [&](const std::string& path) { return is_named(path, project); })) {
+      continue;
+    }
+    forbid(fmt::format("'{}' is not among the projects, and must be", project));
+  }
+  for (const std::string& format : policy.formats) {
+    if (!is_written(options.output, format)) {
+      forbid(fmt::format("'--format {}' is missing, and must be written", format));
+    }
+  }
+  print_diagnostics(diagnostics.all(), true);
+  return !diagnostics.has_errors();
+}
+
+}  // namespace cli

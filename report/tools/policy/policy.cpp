@@ -1,0 +1,43 @@
+#include "report/tools/policy/policy.h"
+
+#include "calc/base/file_reader.h"
+#include "report/policy/policy.h"
+#include "report/shell/policy_option.h"
+#include "report/shell/print.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+Command policy_command() {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  const auto file = std::make_shared<std::string>();
+  Command check{"check", "Find errors in policies"};
+  check.places = {{"files", "FILE", "Policies", files.get()}};
+  check.run = [files](const RunContext&) {
+    const calc::DiskFileReader disk;
+    ExitCode code = kAllMet;
+    for (const std::string& one : *files) {
+      if (!read_policy_or_print(one, disk)) code = kNotJudged;
+    }
+    return code;
+  };
+  Command explain{"explain", "Say in words what a policy wants"};
+  explain.places = {{"file", "FILE", "A policy", file.get()}};
+  explain.run = [file](const RunContext&) {
+    const auto policy = read_policy_or_print(*file, calc::DiskFileReader());
+    if (!policy) return kNotJudged;
+    return print_outcome({kAllMet, report::explain_policy(*policy), {}});
+  };
+  Command schema{"schema", "Print the XML schema of policies"};
+  schema.run = [](const RunContext&) {
+    return print_outcome({kAllMet, report::policy_schema(), {}});
+  };
+  Command command{"policy", "Check and explain policies: what the owner of a gate wants"};
+  command.actions = {std::move(check), std::move(explain), std::move(schema)};
+  return command;
+}
+
+}  // namespace cli

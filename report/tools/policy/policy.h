@@ -1,0 +1,10 @@
+#pragma once
+// `luxgate policy`: files of --policy.
+
+#include "report/shell/command.h"
+
+namespace cli {
+
+Command policy_command();
+
+}  // namespace cli
