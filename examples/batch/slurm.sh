@@ -19,8 +19,21 @@ exec luxgate check --jobs 1 --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX"
 JOB
 )
 
-sbatch --dependency="afterany:${array%%;*}" --output="$store-close.log" ${WAIT:+--wait} /dev/stdin \
-  "${options[@]}" "${reports[@]}" --store "$store" --stored-only -- "$@" <<'JOB'
+# The verdict is what the closing job writes itself: Slurm's code is 0 or 1 where it was cancelled, too.
+rm -f -- "$store-close.code"
+closing=$(sbatch --parsable --dependency="afterany:${array%%;*}" --output="$store-close.log" /dev/stdin \
+  "$store-close.code" "${options[@]}" "${reports[@]}" --store "$store" --stored-only -- "$@" <<'JOB'
 #!/bin/bash
-exec luxgate check "$@"
+luxgate check "${@:2}"
+code=$?
+echo "$code" >"$1"
+exit "$code"
 JOB
+)
+echo "shards: job $array; closing job: job $closing"
+
+# WAIT=1 waits for it, and ends with its exit code.
+if [ -n "${WAIT:-}" ]; then
+  while [ -n "$(squeue --noheader --jobs="${closing%%;*}" 2>/dev/null)" ]; do sleep 2; done
+  exit "$(cat -- "$store-close.code" || echo 2)"
+fi

@@ -299,6 +299,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
+  part.price = calc::installed_price(loaded.project, space);
   const std::string& day = context.settings.today;
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
   part.coverage = rules::row_coverage(space, judged, context.packs, day);

@@ -29,9 +29,10 @@ constexpr std::size_t kMostNamed = 8;
 constexpr std::array<std::string_view, 2> kNaming{"id", "was"};
 // Only files that lie there are read, so that nobody reads others by an option.
 constexpr std::array<std::string_view, 2> kFiles{"file", "photometry"};
-// Who lives with what: it must stand in the file, signed.
-constexpr std::array<std::string_view, 6> kWaivers{"waived-because", "waived-by", "waived-until",
-                                                   "because",        "by",        "until"};
+// Who lives with what, and why: it must stand in the file, signed. These elements say it with all
+// of their attributes.
+constexpr std::array<std::string_view, 3> kSignedElements{"waiver", "deviation", "without"};
+constexpr std::array<std::string_view, 2> kSignatures{"waived-by", "waived-until"};
 
 template <class List>
 bool is_among(const List& list, std::string_view name) {
@@ -39,11 +40,14 @@ bool is_among(const List& list, std::string_view name) {
 }
 
 // "" or why no option sets it.
-std::string_view refusal(std::string_view attribute) {
+std::string_view refusal(std::string_view element, std::string_view attribute) {
+  if (is_among(kSignedElements, element)) return "what somebody has signed must stand in the file";
   if (is_among(kNaming, attribute)) return "it says which element this is";
   if (attribute == "version") return "it says how the file is to be read";
   if (is_among(kFiles, attribute)) return "it names a file; vary the type that is used instead";
-  if (is_among(kWaivers, attribute)) return "a waiver must stand in the file";
+  if (attribute.ends_with("because") || is_among(kSignatures, attribute)) {
+    return "what somebody has signed must stand in the file";
+  }
   return "";
 }
 
@@ -268,15 +272,6 @@ class TextChange {
   std::vector<Edit> edits_;
 };
 
-// What is wrong with a value whatever it is for.
-std::string value_problem(const std::string& value) {
-  if (calc::first_invalid_utf8(value)) return "the value is not UTF-8";
-  if (calc::without_control_characters(value) != value) {
-    return "the value holds a control character";
-  }
-  return "";
-}
-
 // Finds what paths mean in one project.
 class Resolver {
  public:
@@ -307,7 +302,8 @@ class Resolver {
     }
     calc::Names allowed;
     for (const calc::AttributeRow& row : place.row->attributes) {
-      if (refusal(row.name).empty() && row.name != key_attribute(place.element->name)) {
+      if (refusal(place.element->name, row.name).empty() &&
+          row.name != key_attribute(place.element->name)) {
         allowed.push_back(row.name);
       }
     }
@@ -316,7 +312,7 @@ class Resolver {
     std::string why = is_known ? fmt::format("'{}' of {} cannot be set", attribute, tag(place))
                                : fmt::format("{} has no attribute '{}'", tag(place), attribute);
     if (is_known) {
-      const std::string_view reason = refusal(attribute);
+      const std::string_view reason = refusal(place.element->name, attribute);
       why += fmt::format(": {}", reason.empty() ? "it says which element this is" : reason);
     }
     fail(place.element->where, path,
@@ -327,8 +323,8 @@ class Resolver {
   }
 
   void fail(const calc::SourceLocation& where, const std::string& path, const std::string& why) {
-    diagnostics_.report(calc::DiagnosticId::value_not_set, where, option_,
-                        calc::without_control_characters(path), why);
+    diagnostics_.report(calc::DiagnosticId::value_not_set, where, option_, calc::printable(path),
+                        why);
   }
 
  private:
@@ -343,24 +339,28 @@ class Resolver {
     std::string hint = calc::suggestion(words, choices);
     if (hint.empty() && dot != words.npos) hint = calc::suggestion(words.substr(dot + 1), choices);
     fail({file_}, path,
-         fmt::format("the project has no element '{}'; it has {}{}",
-                     calc::without_control_characters(words),
+         fmt::format("the project has no element '{}'; it has {}{}", calc::printable(words),
                      calc::list_names(names, 3 * kMostNamed), hint));
   }
 
   std::string several(std::string_view words, const std::vector<const Place*>& found) const {
     std::vector<std::string> names;
-    std::set<std::string> paths;
-    for (const Place* place : found) paths.insert(places_.path_of(*place));
     for (const Place* place : found) {
-      // Where the ids around it are the same, too, its own name tells it from the others.
-      const std::string name = paths.size() == found.size()
-                                   ? places_.path_of(*place)
-                                   : place->element->name + "." + std::string(place->key);
-      names.push_back(fmt::format("{} (line {})", name, place->element->where.line));
+      names.push_back(fmt::format("{} (line {})", own_path(*place), place->element->where.line));
     }
     return fmt::format("'{}' means {} elements: {}; one path must mean one", words, found.size(),
                        calc::list_names(names, kMostNamed));
+  }
+
+  // That means this one alone, where there is one.
+  std::string own_path(const Place& place) const {
+    const std::string by_ids = places_.path_of(place), &name = place.element->name;
+    const std::string by_name = name + "." + std::string(place.key);
+    for (const std::string& path : {by_ids, by_name, name + "." + by_ids}) {
+      const std::vector<const Place*> meant = places_.find(path);
+      if (meant.size() == 1 && meant.front() == &place) return path;
+    }
+    return by_name;
   }
 
   const Places& places_;
@@ -416,6 +416,14 @@ std::optional<XmlElement> parsed(const std::string& bytes, const std::string& fi
 
 }  // namespace
 
+std::string value_problem(const std::string& value) {
+  if (calc::first_invalid_utf8(value)) return "the value is not UTF-8";
+  if (calc::printable(value) != value) {
+    return "the value holds a control character or '##['";
+  }
+  return "";
+}
+
 std::optional<std::string> with_values(const std::string& bytes, const std::string& file,
                                        const std::vector<SetValue>& values, std::string_view option,
                                        calc::Diagnostics& diagnostics) {
@@ -439,9 +447,9 @@ void check_values(const std::vector<std::string>& projects, const std::vector<Se
   }
 }
 
-calc::FileContent SetReader::read(const std::string& path) const {
-  calc::FileContent content = files_.read(path);
-  if (!content.ok() || values_.empty() || !is_among(projects_, path)) return content;
+calc::FileContent SetReader::read_within(const std::string& folder, const std::string& path) const {
+  calc::FileContent content = files_.read_within(folder, path);
+  if (!content.ok() || values_.empty() || !projects_.contains(path)) return content;
   calc::Diagnostics unreadable, diagnostics;
   std::string text;
   const auto root = parsed(content.bytes, path, text, unreadable);

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace check {
@@ -24,6 +25,9 @@ struct SetValue {
   // "linear.flux-lm=4000"
   std::string words() const { return path + "=" + value; }
 };
+
+// What is wrong with a value whatever it is for; "" = nothing.
+std::string value_problem(const std::string& value);
 
 // The text of a project file with these values, in UTF-8. Everything else stays, and so do the
 // numbers of lines. Empty after an error: a path that names nothing or several things, or what
@@ -40,18 +44,18 @@ void check_values(const std::vector<std::string>& projects, const std::vector<Se
                   calc::Diagnostics& diagnostics);
 
 // Gives these projects with these values, and every other file as it is. A project that cannot have
-// them cannot be read. All arguments outlive it.
+// them cannot be read. `files` and `values` outlive it.
 class SetReader : public calc::FileReader {
  public:
   SetReader(const calc::FileReader& files, const std::vector<std::string>& projects,
             const std::vector<SetValue>& values)
-      : files_(files), projects_(projects), values_(values) {}
+      : files_(files), projects_(projects.begin(), projects.end()), values_(values) {}
 
-  calc::FileContent read(const std::string& path) const override;
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override;
 
  private:
   const calc::FileReader& files_;
-  const std::vector<std::string>& projects_;
+  const std::unordered_set<std::string> projects_;  // there may be 100,000
   const std::vector<SetValue>& values_;
 };
 

@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
-#include <queue>
-#include <utility>
 
 namespace check {
 namespace {
@@ -68,20 +65,17 @@ std::string unit_name(const Unit& unit) {
 }
 
 std::vector<std::size_t> shards_of(const std::vector<Unit>& units, std::size_t count) {
-  std::vector<std::size_t> order(units.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return units[a].first_look_s > units[b].first_look_s;
-  });
-  using Load = std::pair<double, std::size_t>;  // seconds so far, shard
-  std::priority_queue<Load, std::vector<Load>, std::greater<>> least;
-  for (std::size_t s = 0; s < count; ++s) least.emplace(0.0, s);
-  std::vector<std::size_t> shard(units.size());
-  for (const std::size_t u : order) {
-    const auto [seconds, s] = least.top();
-    least.pop();
-    shard[u] = s;
-    least.emplace(seconds + units[u].first_look_s, s);
+  double sum_s = 0.0;
+  for (const Unit& unit : units) sum_s += unit.first_look_s;
+  const bool is_known = sum_s > 0.0;
+  const double all_s = is_known ? sum_s : static_cast<double>(units.size());
+  double before_s = 0.0;
+  std::vector<std::size_t> shard;
+  for (const Unit& unit : units) {
+    const double own_s = is_known ? unit.first_look_s : 1.0;
+    const double place = (before_s + 0.5 * own_s) / all_s * static_cast<double>(count);
+    shard.push_back(std::min(static_cast<std::size_t>(place), count - 1));
+    before_s += own_s;
   }
   return shard;
 }

@@ -33,9 +33,10 @@ std::vector<Unit> units_of(const std::vector<ProjectPlan>& projects,
 // "projects/a.xml: meeting", with planes "projects/a.xml: hall (desk1, desk2)".
 std::string unit_name(const Unit& unit);
 
-// Which of `count` >= 1 shards each unit belongs to, 0 .. count-1: the costliest first, each to the
-// shard that has least so far, so that no shard has much more than another. Equal lists of units
-// give equal shards.
+// Which of `count` >= 1 shards each unit belongs to, 0 .. count-1. The list is cut where the sum of
+// predicted seconds says, so that rooms of a project stay together: a shard reads few projects.
+// None has more than an equal share and half of its first and of its last unit. Equal lists of
+// units give equal shards.
 std::vector<std::size_t> shards_of(const std::vector<Unit>& units, std::size_t count);
 
 }  // namespace check

@@ -1,5 +1,6 @@
 #include "report/shell/command_line.h"
 
+#include "calc/base/utf8.h"
 #include "report/document/program_version.h"
 #include "report/shell/option_values.h"
 
@@ -74,7 +75,8 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Added>& a
 
 ParsedLine usage_error(const std::string& message, const std::string& help_command) {
   return {nullptr, kNotJudged, "",
-          fmt::format("luxgate: error: {}\nSee '{} --help'.\n", message, help_command)};
+          fmt::format("luxgate: error: {}\nSee '{} --help'.\n", calc::printable(message),
+                      help_command)};
 }
 
 // CLI11 would only say that a subcommand is required. "" = `first` is a command or an option.

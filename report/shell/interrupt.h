@@ -3,7 +3,8 @@
 
 namespace cli {
 
-// After this the first SIGINT or SIGTERM only sets a flag; a second one ends the program at once.
+// After this the first SIGINT or SIGTERM sets a flag, and 0.9 s later the program ends with 130 if
+// it has not ended by itself; a second one ends it at once.
 void watch_for_interrupt();
 bool interrupted();
 

@@ -172,6 +172,13 @@ Option rules_option(std::vector<std::string>& target) {
           one_more(target), true};
 }
 
+Option allow_option(std::vector<std::string>& target) {
+  return {"--allow", "DIR",
+          "Read files there, too, where symbolic links in a project's folder lead: a library of\n"
+          "photometry. Links that lead elsewhere are errors. May be repeated",
+          one_more(target), true};
+}
+
 Option seed_option(std::uint64_t& target) {
   return {"--seed", "N", "Seed of the random numbers; default 1",
           whole_number(target, 0, UINT64_MAX)};

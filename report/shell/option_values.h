@@ -48,6 +48,8 @@ std::string day_of_moment(const std::string& moment);
 // Options that several commands have, with the same words.
 // --rules: packs besides those delivered, or folders of them.
 Option rules_option(std::vector<std::string>& target);
+// --allow: folders that symbolic links in a project's folder may lead into.
+Option allow_option(std::vector<std::string>& target);
 Option seed_option(std::uint64_t& target);
 // never_changes: "a result", "the file".
 Option jobs_option(int& target, const std::string& never_changes = "a result");

@@ -1,15 +1,18 @@
 #include "report/shell/print.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 
 namespace cli {
 
+void tell_text(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::clearerr(stderr);
+}
+
 void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only) {
   for (const calc::Diagnostic& diagnostic : diagnostics) {
     if (errors_only && diagnostic.severity() != calc::Severity::error) continue;
-    fmt::print(stderr, "{}\n", calc::format_diagnostic(diagnostic));
+    tell("{}\n", calc::format_diagnostic(diagnostic));
   }
 }
 

@@ -4,10 +4,21 @@
 #include "calc/base/diagnostics.h"
 #include "report/shell/exit_code.h"
 
+#include <fmt/format.h>
+
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cli {
+
+// To standard error. Where that is closed or full, what cannot be said changes no result.
+void tell_text(std::string_view text);
+template <class... Args>
+void tell(fmt::format_string<Args...> format, Args&&... args) {
+  tell_text(fmt::format(format, std::forward<Args>(args)...));
+}
 
 void print_diagnostics(const std::vector<calc::Diagnostic>& diagnostics, bool errors_only);
 void print_error(calc::DiagnosticId id, const std::string& a, const std::string& b = "");

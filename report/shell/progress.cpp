@@ -1,5 +1,6 @@
 #include "report/shell/progress.h"
 
+#include "report/shell/print.h"
 #include "report/text/plain_text.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ void Progress::update(const std::string& place, const calc::SolveProgress& solve
                               solve.planes, solve.paths_per_replicate),
                   columns_);
   shown_width_ = report::display_width(line);
-  fmt::print(stderr, "{}", line);
+  tell("{}", line);
   std::fflush(stderr);
 }
 
@@ -84,8 +85,8 @@ void Progress::done(const std::string& path, const std::string& verdict) {
   remove_line();
   if (style_ != ProgressStyle::log || projects_ <= 1) return;
   if (Clock::now() - start_ < kQuietFor) return;
-  fmt::print(stderr, "luxgate: {}: {}{}{}\n", counts(), report::printable(path),
-             verdict.empty() ? "" : ": ", verdict);
+  tell("luxgate: {}: {}{}{}\n", counts(), report::printable(path), verdict.empty() ? "" : ": ",
+       verdict);
 }
 
 void Progress::aside(const std::function<void()>& print) {
@@ -101,7 +102,7 @@ void Progress::clear() {
 
 void Progress::remove_line() {
   if (shown_width_ == 0) return;
-  fmt::print(stderr, "\r{:{}}\r", "", shown_width_);
+  tell("\r{:{}}\r", "", shown_width_);
   std::fflush(stderr);
   shown_width_ = 0;
 }

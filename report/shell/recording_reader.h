@@ -14,12 +14,12 @@ class RecordingReader : public calc::FileReader {
  public:
   explicit RecordingReader(const calc::FileReader& reader) : reader_(reader) {}
 
-  calc::FileContent read(const std::string& path) const override {
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
     {
       const std::scoped_lock lock(mutex_);
       if (paths_.insert(path).second) new_paths_.insert(path);
     }
-    return reader_.read(path);
+    return reader_.read_within(folder, path);
   }
 
   // As they were asked for, also those that could not be read.

@@ -4,7 +4,7 @@
 #include "calc/base/file_reader.h"
 #include "report/check/set_values.h"
 #include "report/shell/command.h"
-#include "report/shell/work_options.h"
+#include "report/shell/project_options.h"
 
 #include <string_view>
 #include <vector>

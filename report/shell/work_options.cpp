@@ -1,12 +1,10 @@
 #include "report/shell/work_options.h"
 
-#include "calc/base/diagnostics.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -74,27 +72,6 @@ std::string method_name(calc::Method method) {
 }
 
 }  // namespace
-
-Place projects_place(ProjectOptions& options) {
-  return {"projects", "PROJECT.xml", "Project files", &options.projects};
-}
-
-Option rules_of_projects(ProjectOptions& options) { return rules_option(options.rule_files); }
-
-std::string project_contradiction(const ProjectOptions& options) {
-  for (const std::string& project : options.projects) {  // "--strict ID" is easily written
-    if (!calc::diagnostic_from_name(project)) continue;
-    return fmt::format("'{0}' is the id of a message, no project; write --strict={0}", project);
-  }
-  for (std::size_t i = 0; i < options.projects.size(); ++i) {
-    const auto normal = std::filesystem::path(options.projects[i]).lexically_normal();
-    for (std::size_t k = 0; k < i; ++k) {
-      if (std::filesystem::path(options.projects[k]).lexically_normal() != normal) continue;
-      return fmt::format("project '{}' is given twice", options.projects[i]);
-    }
-  }
-  return "";
-}
 
 std::vector<Option> work_options(calc::RadiositySettings& settings) {
   return {{"--replicates", "N", "Independent repetitions behind each interval, 4 to 64; default 16",

@@ -10,16 +10,6 @@
 
 namespace cli {
 
-// The projects, and --rules.
-struct ProjectOptions {
-  std::vector<std::string> projects;
-  std::vector<std::string> rule_files;
-};
-Place projects_place(ProjectOptions& options);
-Option rules_of_projects(ProjectOptions& options);
-// "" unless a project is given twice, or is an id that was meant for --strict.
-std::string project_contradiction(const ProjectOptions& options);
-
 std::vector<Option> work_options(calc::RadiositySettings& settings);
 std::vector<Option> backend_options(check::BackendRequest& request);
 // What only all of them together show; "" = nothing is wrong. Lowers the first look to the most

@@ -12,8 +12,6 @@ SLURM_S = 1.2            # a task, an array of 100 empty ones: design note SCALE
 TUNED_S = 0.002          # Slurm's high_throughput.shtml: "500 simple batch jobs per second" on a sustained basis
 MOST_TASKS = 1000        # report/tools/submit/job_script.cpp, for Slurm's MaxArraySize of 1001
 SHARD_S, LOOKS_OF_WORK = 180.0, 4.0  # the same file
-ARGUMENT_BYTES, SCRIPT_BYTES = 2 << 20, 4 << 20  # Linux with a stack of 8 MiB (getconf ARG_MAX); Slurm's max_script_size
-PATH_BYTES = 38          # of a project's path on the command line, as in designs/building-012/room-012345.xml
 
 # Assumed, not measured: a file server for the whole cluster.
 CALLS_PER_S, BYTES_PER_S, CALL_S, NODE_CORES = 20_000, 1e9, 0.3e-3, 32
@@ -45,22 +43,22 @@ class Run:
 
 
 def shards_of(predicted, count):
-    """As report/check/units.cpp: the costliest first, each to the shard that has least; the first of equals."""
+    """As report/check/units.cpp: the list is cut where the predicted sum says, so that rooms of a project stay together."""
+    total, before, shard = sum(predicted), 0.0, []
+    for seconds in predicted:
+        shard.append(min(count - 1, int((before + seconds / 2) / total * count)))
+        before += seconds
+    return shard
+
+
+def shards_by_size(predicted, count):
+    """As it was before, better balanced: the costliest first, each to the shard that has least; the first of equals."""
     least = [(0.0, s) for s in range(count)]
     shard = [0] * len(predicted)
     for u in sorted(range(len(predicted)), key=lambda u: -predicted[u]):
         seconds, s = least[0]
         shard[u] = s
         heapq.heapreplace(least, (seconds + predicted[u], s))
-    return shard
-
-
-def shards_in_order(predicted, count):
-    """Units stay in the order of the list, which is cut where the predicted sum says: rooms of a project stay together."""
-    total, before, shard = sum(predicted), 0.0, []
-    for seconds in predicted:
-        shard.append(min(count - 1, int((before + seconds / 2) / total * count)))
-        before += seconds
     return shard
 
 

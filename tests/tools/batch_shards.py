@@ -127,6 +127,7 @@ def bad_words():
             ([*good, "--shard", "1/2"], 2, "--shard needs --store"),
             ([*good, "--stored-only"], 2, "--stored-only needs --store"),
             ([*good, "--resume"], 2, "--resume needs --output"),
+            ([*good, "--resume", "--output", "o", "--stored-only"], 2, "exclude each other"),
             ([*good, "--units", "units.json"], 2, "--units needs --shard"),
             ([*good, "--store", "s", "--shard", "0/2"], 2, "is no share of a batch"),
             ([*good, "--store", "s", "--shard", "3/2"], 2, "is no share of a batch"),
@@ -146,9 +147,23 @@ def bad_words():
         expect(run.returncode == 2 and said in run.stderr, f"{change}: {run.returncode}, {run.stderr}")
 
 
+def listed():
+    """Projects of a list are those of the line, behind these, whatever made it."""
+    (WORK / "list.txt").write_text("\r\n".join(PROJECTS[2:]))
+    for name, words, given in [("list", [*PROJECTS[:2], "--files-from", "list.txt"], ""),
+                               ("standard-input", ["--files-from", "-"], "".join(f"{project}\0" for project in PROJECTS))]:
+        run = subprocess.run([PROGRAM, "check", *words, "--pictures", "off", "--store", "store-1", "--stored-only", "--format", "json"], cwd=WORK,
+                             input=given, capture_output=True, text=True, check=False)
+        expect(run.returncode == CODE and run.stdout == ONE["json"].decode(), f"{name}: {run.returncode}, another result: {run.stderr}")
+    for text, said in [("", "it names no project"), (f"{PROJECTS[0]}\n./{PROJECTS[0]}\n", "is given twice")]:
+        run = subprocess.run([PROGRAM, "validate", "--files-from", "-"], cwd=WORK, input=text, capture_output=True, text=True, check=False)
+        expect(run.returncode == 2 and said in run.stderr, f"{said}: {run.returncode}, {run.stderr}")
+
+
 def unwritable():
     """The light of a shard that cannot be kept is no success."""
     run = luxgate("check", PROJECTS[0], "--store", "/dev/full/store", "--shard", "1/1")
+    expect("error[output-not-possible]" in run.stderr and " of 1 units" not in run.stderr, f"a store that cannot be: {run.stderr}")
     expect(run.returncode == 2, f"a store that cannot be: {run.returncode}, {run.stderr}")
 
 
@@ -194,6 +209,7 @@ any_split()
 what_is_missing()
 killed()
 bad_words()
+listed()
 unwritable()
 resumed()
 print("\n".join(problems))

@@ -43,9 +43,10 @@ class RuleReader : public calc::FileReader {
       std::function<const git::GitTreeReader*(const std::string& path)> repository_of)
       : repository_of_(std::move(repository_of)) {}
 
-  calc::FileContent read(const std::string& path) const override {
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
     const git::GitTreeReader* repository = repository_of_(path);
-    return repository != nullptr ? repository->read(path) : disk_.read(path);
+    return repository != nullptr ? repository->read_within(folder, path)
+                                 : disk_.read_within(folder, path);
   }
 
  private:

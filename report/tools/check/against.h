@@ -5,7 +5,7 @@
 #include "report/check/in_order.h"
 #include "report/document/document.h"
 #include "report/git/git_tree_reader.h"
-#include "report/shell/work_options.h"
+#include "report/shell/project_options.h"
 #include "rules/pack/rule_pack.h"
 
 #include <cstddef>

@@ -1,15 +1,18 @@
 #include "report/tools/check/check.h"
 
 #include "calc/base/text.h"
+#include "calc/base/utf8.h"
 #include "calc/store/entry_folder.h"
 #include "calc/store/memory_store.h"
 #include "report/check/check_project.h"
 #include "report/check/in_order.h"
 #include "report/check/set_values.h"
 #include "report/check/units.h"
+#include "report/policy/judge_policy.h"
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/outputs.h"
+#include "report/shell/policy_option.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
 #include "report/shell/recording_reader.h"
@@ -19,6 +22,7 @@
 #include "report/tools/check/check_setup.h"
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/checked_results.h"
+#include "report/tools/check/policy_bounds.h"
 #include "report/tools/check/shard.h"
 #include "report/tools/check/store_words.h"
 #include "report/tools/check/watched_project.h"
@@ -57,13 +61,13 @@ void print_timing(const report::ProjectPart& project) {
   const report::PhaseTimes& times = project.times;
   const double rays_s =
       times.direct_s + times.connect_s + times.near_s;  // light paths trace others
-  fmt::print(
-      stderr,
+  tell(
       "{}: {:.3f} s: load {:.3f}, prepare {:.3f}, direct {:.3f}, light paths {:.3f}, "
       "{}connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
-      project.path, times.total_s, times.load_s, times.prepare_s, times.direct_s, times.pool_s,
-      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "", times.connect_s,
-      times.near_s, times.judge_s, rays, rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
+      calc::printable_path(project.path), times.total_s, times.load_s, times.prepare_s, times.direct_s,
+      times.pool_s, times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "",
+      times.connect_s, times.near_s, times.judge_s, rays,
+      rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
 }
 
 // Pictures of rooms, which are drawn in the order of the projects: on software only the first are.
@@ -174,8 +178,7 @@ class MissingUnits {
     for (const report::SpacePart& space : project.spaces) {
       check::Unit unit{project.path, space.id, {}, true, 0, 0.0};
       for (const report::PlanePart& plane : space.planes) {
-        const bool is_missing =
-            plane.reason == calc::kNotInStore || plane.reason == calc::kTooLargeForStore;
+        const bool is_missing = lacks_light(plane);
         if (is_missing) unit.planes.push_back(plane.id);
         unit.is_whole_space = unit.is_whole_space && is_missing;
       }
@@ -184,11 +187,10 @@ class MissingUnits {
     }
   }
   void print(const std::string& store) const {
-    constexpr std::size_t kMostNamed = 100;
     if (names_.empty()) return;
     calc::Diagnostics diagnostics;
     diagnostics.report(calc::DiagnosticId::store_lacks_units, {store, 0, 0}, names_.size(), units_,
-                       calc::list_names(names_, kMostNamed));
+                       calc::list_names(names_, kMostLackingNamed));
     print_diagnostics(diagnostics.all(), true);
   }
 
@@ -200,10 +202,9 @@ class MissingUnits {
 // Images and pages are written while projects come.
 ExitCode told_of_interrupt(const CheckOptions& options) {
   const OutputOptions& output = options.output;
-  fmt::print(
-      stderr, "luxgate: interrupted; {}{}\n",
-      output.images || output.html_split ? "no report was written" : "nothing was written",
-      options.store.empty() ? "" : "; finished light is kept, and the same command goes on there");
+  tell("luxgate: interrupted; {}{}\n",
+       output.images || output.html_split ? "no report was written" : "nothing was written",
+       options.store.empty() ? "" : "; finished light is kept, and the same command goes on there");
   return kInterrupted;
 }
 
@@ -221,7 +222,8 @@ bool remove_resume_store(const std::string& folder) {
 }  // namespace
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
-  const calc::DiskFileReader disk;
+  watch_for_interrupt();
+  const calc::DiskFileReader disk(asked.input.allowed);
   const RecordingReader recorded(disk);
   const check::SetReader files(recorded, asked.input.projects, asked.set);
   CheckOptions options = asked;
@@ -237,11 +239,19 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   std::vector<std::string> inputs = options.input.projects;
   inputs.insert(inputs.end(), options.input.rule_files.begin(), options.input.rule_files.end());
   if (!options.baseline.empty()) inputs.push_back(options.baseline);
+  if (!options.policy.empty()) inputs.push_back(options.policy);
   if (const std::string problem = check_outputs(options.output, inputs); !problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, problem);
     return kNotJudged;
   }
   if (!check_values_or_print(options.input, options.set, "set", recorded)) return kNotJudged;
+  std::optional<report::Policy> policy;
+  if (!options.policy.empty()) {
+    policy = read_policy_or_print(options.policy, files);
+    if (!policy || !is_allowed_or_print(*policy, options)) return kNotJudged;
+    const std::vector<calc::DiagnosticId>& fatal = policy->fatal_warnings;
+    options.strict.ids.insert(options.strict.ids.end(), fatal.begin(), fatal.end());
+  }
   std::optional<report::Document> baseline;
   if (!options.baseline.empty()) {
     baseline = read_result_or_print(options.baseline, files);
@@ -260,7 +270,6 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const std::string& identity = setup->opened.identity;
   const std::size_t at_once = setup->crew.most_begun;
 
-  watch_for_interrupt();
   const calc::Stages stages = setup->opened.stages();
   std::optional<calc::EntryFolder> folder;
   std::optional<calc::MemoryStore> memory;
@@ -278,7 +287,11 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   const auto go_on = [] { return !interrupted(); };
   options.output.are_messages_printed = !options.output.quiet;
   WarningTally warnings(options.strict);
-  const report::Provenance provenance = provenance_of(options, backend, setup->opened.description);
+  report::Provenance provenance = provenance_of(options, backend, setup->opened.description);
+  if (policy) {
+    provenance.policy = policy->name;
+    provenance.policy_sha256 = policy->sha256;
+  }
   if (old_state) {
     progress.expect(old_state->project_count());
     const auto check_one = [&](const std::string& path, const calc::FileReader& old_files,
@@ -322,6 +335,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
                      {options.settings, files, setup->packs, stages, observer,
                       vertices ? &*vertices : nullptr, store ? &*store : nullptr, at_once});
     tell_set_values(options.set, project.part);
+    if (policy) report::judge_policy(*policy, options.settings.today, project.part);
     project.cost_log = observer.cost_log(project.part);
     project.looks = observer.looks();
     checked[p] = std::move(project);
@@ -346,8 +360,8 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   progress.clear();
   if (interrupted()) return told_of_interrupt(options);
   if (options.explain_cost) {
-    fmt::print(stderr, "{}{}{}", check::backend_line(setup->backend), cost_log,
-               store ? looks_line(looks, options) : "");
+    tell("{}{}{}", check::backend_line(setup->backend), cost_log,
+         store ? looks_line(looks, options) : "");
   }
   bool is_written = results.finish(backend, recorded.paths());
   warnings.print(options.output.quiet);

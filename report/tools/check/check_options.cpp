@@ -3,6 +3,7 @@
 #include "calc/store/entry_folder.h"
 #include "report/shell/gate_options.h"
 #include "report/shell/option_values.h"
+#include "report/shell/policy_option.h"
 #include "report/shell/print.h"
 #include "report/text/shell_words.h"
 
@@ -99,10 +100,7 @@ std::vector<Option> batch_options(BatchOptions& batch) {
        "With --shard: the list that 'luxgate plan --units --format json' wrote of the same\n"
        "projects, so that each share reads its own projects only",
        some_text(batch.units_file)},
-      {"--stored-only", "",
-       "Calculate nothing: take all light from --store. What is not there is named, and not\n"
-       "judged",
-       &batch.is_stored_only},
+      stored_only_option(batch.is_stored_only),
       {"--resume", "",
        "Keep finished light in a folder of --output until the reports are written: a run that\n"
        "was ended goes on there when the same command is given again. A --store does that, too",
@@ -139,6 +137,7 @@ std::string batch_contradiction(const CheckOptions& options) {
 // Where a store is used anyway it is all that --resume needs.
 std::string take_resume_store(CheckOptions& options) {
   if (!options.batch.resumes) return "";
+  if (options.batch.is_stored_only) return "--resume and --stored-only exclude each other";
   if (!options.store.empty()) {
     options.batch.resumes = false;
     return "";
@@ -153,6 +152,7 @@ std::string take_resume_store(CheckOptions& options) {
 }
 
 std::string complete(CheckOptions& options, const Environment& environment) {
+  if (std::string problem = complete_projects(options.input); !problem.empty()) return problem;
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
     if (!problem.empty()) return problem;
@@ -171,14 +171,20 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   if (problem.empty()) problem = take_resume_store(options);
   if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
-  if (problem.empty()) problem = batch_contradiction(options);
-  return problem.empty() ? project_contradiction(options.input) : problem;
+  return problem.empty() ? batch_contradiction(options) : problem;
 }
 
 }  // namespace
 
 Option shard_option(BatchShare& share, const std::string& help) {
   return {"--shard", "I/N", help, share_of_batch(share)};
+}
+
+Option stored_only_option(bool& is_stored_only) {
+  return {"--stored-only", "",
+          "Calculate nothing: take all light from --store. What is not there is named, and not\n"
+          "judged",
+          &is_stored_only};
 }
 
 Option store_option(std::string& store) {
@@ -229,10 +235,12 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
 Command check_syntax(CheckOptions& options) {
   Command command{"check", "Calculate projects and judge their requirements"};
   command.places = {projects_place(options.input)};
-  command.options = {rules_of_projects(options.input), set_option(options.set)};
+  command.options = project_options(options.input);
+  add(command.options, {set_option(options.set)});
   add(command.options, output_options(options.output));
   add(command.options, {baseline_option(options.baseline), against_option(options.against)});
   add(command.options, gate_options(options.gate));
+  add(command.options, {policy_option(options.policy)});
   add(command.options, document_options(options));
   add(command.options, accuracy_options(options.settings));
   add(command.options, work_options(options.settings.radiosity));
@@ -271,6 +279,7 @@ std::string reproducible_words(const CheckOptions& options) {
   for (const std::string& file : options.input.rule_files) {
     command += " --rules " + report::shell_quoted(file);
   }
+  if (!options.policy.empty()) command += " --policy " + report::shell_quoted(options.policy);
   for (const check::SetValue& value : options.set) {
     command += " --set " + report::shell_quoted(value.words());
   }

@@ -39,6 +39,7 @@ struct CheckOptions {
   bool pictures = true;   // of rooms, in HTML and with --images, where OpenGL can draw
   bool explain_cost = false;
   StrictWarnings strict;
+  std::string policy;    // the owner's, a file; "" = none
   std::string baseline;  // a result file; "" = none
   std::string against;   // a git revision to compare with instead; "" = none
   report::Gate gate;
@@ -54,6 +55,8 @@ std::string take_store(const std::string& variable, std::string& store);
 
 // --shard
 Option shard_option(BatchShare& share, const std::string& help);
+// --stored-only
+Option stored_only_option(bool& is_stored_only);
 
 // Those of them that say how exactly is calculated.
 std::vector<Option> accuracy_options(check::Settings& settings);

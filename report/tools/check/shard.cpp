@@ -26,15 +26,19 @@ namespace cli {
 namespace {
 
 // As the file of --units lists them, or by a plan of all projects. Empty after an error, which has
-// been printed. What cannot be read has no units: who reports on all of them tells it.
+// been printed. What cannot be read has no units: that is told, but ends no shard, as the others
+// go on and the closing job judges it.
 std::optional<std::vector<check::Unit>> all_units(const CheckOptions& options,
                                                   const CheckSetup& setup,
                                                   const calc::FileReader& files) {
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   if (options.batch.units_file.empty()) {
-    return units_of(check::plan_projects(options.input.projects, files, setup.packs, radiosity,
-                                         options.settings.today),
-                    radiosity);
+    const std::vector<check::ProjectPlan> plans = check::plan_projects(
+        options.input.projects, files, setup.packs, radiosity, options.settings.today);
+    for (const check::ProjectPlan& plan : plans) {
+      if (!plan.is_planned) print_diagnostics(plan.diagnostics, true);
+    }
+    return units_of(plans, radiosity);
   }
   std::string problem;
   std::optional<std::vector<check::Unit>> units =
@@ -78,7 +82,8 @@ std::vector<ProjectShare> own_share(const std::vector<check::Unit>& units,
 }  // namespace
 
 ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
-  const calc::DiskFileReader disk;
+  watch_for_interrupt();
+  const calc::DiskFileReader disk(asked.input.allowed);
   const check::SetReader files(disk, asked.input.projects, asked.set);
   if (!check_values_or_print(asked.input, asked.set, "set", disk)) return kNotJudged;
   CheckOptions options = asked;
@@ -89,7 +94,6 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   if (!units) return kNotJudged;
   const std::vector<ProjectShare> own = own_share(*units, options.batch.share);
 
-  watch_for_interrupt();
   const calc::Stages stages = setup->opened.stages();
   calc::EntryFolder folder(options.store);
   const calc::LookStore store{folder, setup->opened.identity};
@@ -125,21 +129,22 @@ ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
   };
   check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
   progress.clear();
-  const calc::StoreTroubles troubles = folder.troubles();
+  calc::StoreTroubles troubles = folder.troubles();
+  const bool is_kept = is_light_kept_or_print(options.store, troubles);
+  troubles.not_written.clear();
   print_troubles(options.store, troubles);
   if (interrupted()) {
-    fmt::print(stderr,
-               "luxgate: interrupted; what was finished is in the store, and the same command goes "
-               "on from there\n");
+    tell(
+        "luxgate: interrupted; what was finished is in the store, and the same command goes "
+        "on from there\n");
     return kInterrupted;
   }
-  if (!troubles.not_written.empty()) is_good = false;
-  if (!options.output.quiet) {
-    fmt::print(stderr, "luxgate: shard {}/{}: {} of {} units; {} looks computed, {} were there\n",
-               options.batch.share.number, options.batch.share.count, done, units->size(),
-               looks.computed, looks.read);
+  if (!options.output.quiet && is_kept) {
+    tell("luxgate: shard {}/{}: {} of {} units; {} looks computed, {} were there\n",
+         options.batch.share.number, options.batch.share.count, done, units->size(), looks.computed,
+         looks.read);
   }
-  return is_good ? kAllMet : kNotJudged;
+  return is_good && is_kept ? kAllMet : kNotJudged;
 }
 
 }  // namespace cli

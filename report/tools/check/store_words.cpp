@@ -1,8 +1,15 @@
 #include "report/tools/check/store_words.h"
 
+#include "calc/radiosity/solve.h"
 #include "report/shell/print.h"
 
+#include <fmt/format.h>
+
 namespace cli {
+
+bool lacks_light(const report::PlanePart& plane) {
+  return plane.reason == calc::kNotInStore || plane.reason == calc::kTooLargeForStore;
+}
 
 void print_troubles(const std::string& folder, const calc::StoreTroubles& troubles) {
   calc::Diagnostics diagnostics;
@@ -14,6 +21,14 @@ void print_troubles(const std::string& folder, const calc::StoreTroubles& troubl
     diagnostics.report(calc::DiagnosticId::store_not_written, {folder, 0, 0}, troubles.not_written);
   }
   print_diagnostics(diagnostics.all(), false);
+}
+
+bool is_light_kept_or_print(const std::string& folder, const calc::StoreTroubles& troubles) {
+  if (troubles.not_written.empty()) return true;
+  print_error(calc::DiagnosticId::output_not_possible,
+              fmt::format("light is not in the store '{}', as it cannot be written: {}", folder,
+                          troubles.not_written));
+  return false;
 }
 
 }  // namespace cli

@@ -17,7 +17,7 @@ namespace {
 using rules::Outcome;
 
 ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
-  const calc::DiskFileReader disk;
+  const calc::DiskFileReader disk(options.input.allowed);
   const check::SetReader files(disk, options.input.projects, options.set);
   if (!check_values_or_print(options.input, options.set, "set", disk)) return kNotJudged;
   const auto packs = load_packs_or_print(options.input.rule_files, files);
@@ -56,7 +56,8 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
 Command plan_syntax(PlanOptions& options) {
   Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
   command.places = {projects_place(options.input)};
-  command.options = {rules_of_projects(options.input), set_option(options.set)};
+  command.options = project_options(options.input);
+  add(command.options, {set_option(options.set)});
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
   add(command.options, {{"--format", "KIND", "text or json; default text",
@@ -73,7 +74,7 @@ Command plan_syntax(PlanOptions& options) {
   command.complete = [&options](const Environment& environment) {
     std::string problem = take_source_date(environment.source_date_epoch, options.date);
     if (problem.empty()) problem = complete_work(options.radiosity, options.backend);
-    return problem.empty() ? project_contradiction(options.input) : problem;
+    return problem.empty() ? complete_projects(options.input) : problem;
   };
   return command;
 }

@@ -3,6 +3,7 @@
 
 #include "report/check/plan.h"
 #include "report/shell/command.h"
+#include "report/shell/project_options.h"
 #include "report/shell/set_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"

@@ -86,6 +86,7 @@ std::optional<std::vector<check::Unit>> read_units(const std::string& file,
           fmt::format("its format is not '{}' {}", kFormat, kFormatVersion));
     }
     std::vector<check::Unit> units;
+    if (!json.at("units").is_array()) throw std::invalid_argument("its units are no list");
     for (const Json& unit : json.at("units")) units.push_back(unit_of(unit));
     return units;
   } catch (const std::exception& error) {

@@ -13,21 +13,28 @@ struct BatchJob {
   Engine engine = Engine::local;
   std::string program;         // luxgate itself
   std::string working_folder;  // in which the names of files hold
-  std::string job_folder;      // absolute: units.json, job.sh and logs
+  std::string job_folder;      // absolute: units.json, projects.txt, job.sh and logs
   std::string store;
-  std::vector<std::string> projects;
   // One option each, quoted for a shell: "--seed 2". The first change results, the others reports.
   std::vector<std::string> options, report_options;
   std::string source_date_epoch;  // "" = not set
   std::size_t units = 0, shards = 1;
   double first_look_s = 0.0;  // predicted, of all units, of one core
   int jobs = 1;               // threads of a shard
+  int closing_jobs = 0;       // threads of the closing job; 0 = one for each core of its machine
   int at_once = 0;            // shards at a time; 0 = as many as there is room for
   bool needs_gpu = false;
 };
 
+// Two batches never share a folder, whoever sends them, and the same batch finds its own again: the
+// name of the folder below that of --job-folder, from all that says what is done. job: with the
+// latter as its folder.
+std::string batch_id(const BatchJob& job, const std::string& units, const std::string& projects);
+
 std::string job_file(const BatchJob& job);
 std::string units_file(const BatchJob& job);
+// For --files-from: no limit of a command line or of a script holds for it.
+std::string projects_file(const BatchJob& job);
 // GNU parallel's.
 std::string job_log(const BatchJob& job);
 

@@ -1,6 +1,7 @@
 #include "report/tools/submit/submit.h"
 
 #include "calc/base/file_reader.h"
+#include "calc/base/utf8.h"
 #include "report/check/set_values.h"
 #include "report/check/settings.h"
 #include "report/check/units.h"
@@ -43,7 +44,7 @@ constexpr const char* kFooter =
     "machine. What is in the store is only read, so the same command once more completes what was\n"
     "cut off; a shard of which all is there costs its reading. Store, job folder, projects and\n"
     "luxgate must have the same paths on all machines. Where some have a GPU and some do not, say\n"
-    "--backend. A job folder is for one batch at a time.\n"
+    "--backend. Each batch has a folder of its own in the job folder; it may be deleted later.\n"
     "All other options are those of 'check'; those of reports are for the closing job alone.\n"
     "Exit codes: 0 no error, 2 an error; with --send, but for slurm without --wait, that of the\n"
     "closing job.";
@@ -54,6 +55,7 @@ struct SubmitOptions {
   std::string job_folder;    // "" = beside the store
   std::uint64_t shards = 0;  // 0 = by predicted seconds
   int jobs = 1, at_once = 0;
+  int closing_jobs = 0;  // 0 = the engine's default
   bool sends = false, waits = false;
   // Options of `check` as they were given, one each, quoted for a shell.
   std::vector<std::string> words, report_words;
@@ -65,7 +67,7 @@ constexpr auto kNotOfBatches =
                                      "--stored-only", "--time-limit", "--units", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
-    {"--backend", "--by-luminaire", "--clamp", "--confidence", "--gl-device", "--goal",
+    {"--allow", "--backend", "--by-luminaire", "--clamp", "--confidence", "--gl-device", "--goal",
      "--gpu-stages", "--max-paths", "--method", "--no-skip", "--quiet", "--replicates", "--rules",
      "--seed", "--set", "--timestamp", "--tolerance", "--visibility"});
 
@@ -108,7 +110,9 @@ Option recorded(Option option, std::vector<std::string>& words) {
   return option;
 }
 
-// --store is said by the script itself.
+// The script says them itself.
+constexpr auto kOfScript = std::to_array<std::string_view>({"--files-from", "--store"});
+
 std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option> all) {
   std::vector<Option> kept;
   for (Option& option : all) {
@@ -116,7 +120,7 @@ std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option>
     if (is_among(kNotOfBatches, name)) continue;
     std::erase_if(option.excludes,
                   [](const std::string& other) { return is_among(kNotOfBatches, other); });
-    if (name == "--store") {
+    if (is_among(kOfScript, name)) {
       kept.push_back(std::move(option));
     } else {
       kept.push_back(recorded(std::move(option),
@@ -144,18 +148,15 @@ std::string without_end_slash(std::string path) {
 
 std::string complete(SubmitOptions& options, const Environment& environment) {
   if (!options.engine) return "--engine is needed: slurm, parallel or local";
-  if (options.check.store.empty() && environment.store.empty()) {
-    return "--store is needed: shards and the closing job meet there";
-  }
-  if (options.check.store == "off") return "--store: a batch needs one; 'off' is not allowed";
+  const std::string& store = options.check.store.empty() ? environment.store : options.check.store;
+  if (store.empty()) return "--store is needed: shards and the closing job meet there";
+  if (store == "off") return "--store: a batch needs one; 'off' is not allowed";
   if (options.waits && !options.sends) return "--wait needs --send";
   if (options.waits && options.engine != Engine::slurm) {
     return "--wait is for --engine slurm; the others wait as it is";
   }
   options.source_date_epoch = environment.source_date_epoch;
   if (options.job_folder.empty()) {
-    const std::string& store =
-        options.check.store.empty() ? environment.store : options.check.store;
     options.job_folder = without_end_slash(store) + "-job";
   }
   return "";
@@ -173,14 +174,35 @@ std::string own_path() {
   return error ? "luxgate" : path.string();
 }
 
+// "" or why an engine or the list of units cannot have these names.
+std::string path_problem(const BatchJob& job, const std::vector<std::string>& projects) {
+  const auto refused = [&job](const char* who, const char* sign) {
+    return fmt::format("{} cannot have '{}' in the name of the job folder, '{}'", who, sign,
+                       job.job_folder);
+  };
+  if (job.engine == Engine::slurm && job.job_folder.find('\\') != std::string::npos) {
+    return refused("Slurm", "\\");
+  }
+  if (job.engine == Engine::parallel && job.job_folder.find('{') != std::string::npos) {
+    return refused("GNU parallel", "{");
+  }
+  for (const std::string& project : projects) {
+    if (calc::first_invalid_utf8(project)) {
+      return fmt::format("the name of the project '{}' is not UTF-8", calc::printable(project));
+    }
+  }
+  return "";
+}
+
 // What it says of files. "" or what is wrong.
-std::string write_job(const BatchJob& job, const std::vector<check::Unit>& units) {
+std::string write_job(const BatchJob& job, const std::string& units, const std::string& projects) {
   std::error_code error;
   fs::create_directories(job.job_folder, error);
   if (error) {
     return fmt::format("cannot make the folder '{}': {}", job.job_folder, error.message());
   }
-  const std::pair<std::string, std::string> files[] = {{units_file(job), render_units_json(units)},
+  const std::pair<std::string, std::string> files[] = {{units_file(job), units},
+                                                       {projects_file(job), projects},
                                                        {job_file(job), render_job_script(job)}};
   for (const auto& [file, text] : files) {
     const std::string problem = report::write_file_atomically(file, text);
@@ -200,7 +222,7 @@ ExitCode become_script(const BatchJob& job, bool waits) {
 }
 
 ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
-  const calc::DiskFileReader disk;
+  const calc::DiskFileReader disk(options.check.input.allowed);
   const CheckOptions& check = options.check;
   const check::SetReader files(disk, check.input.projects, check.set);
   if (!check_values_or_print(check.input, check.set, "set", disk)) return kNotJudged;
@@ -234,7 +256,6 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.working_folder = here.string();
   job.job_folder = without_end_slash((here / options.job_folder).lexically_normal().string());
   job.store = check.store;
-  job.projects = check.input.projects;
   job.options = options.words;
   job.report_options = options.report_words;
   job.source_date_epoch = options.source_date_epoch;
@@ -243,18 +264,25 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   job.shards = options.shards == 0 ? shards_for(job.units, job.first_look_s)
                                    : std::clamp<std::size_t>(job.units, 1, options.shards);
   job.jobs = options.jobs;
+  job.closing_jobs = options.closing_jobs;
+  if (job.closing_jobs == 0 && job.engine == Engine::slurm) job.closing_jobs = job.jobs;
   job.at_once = options.at_once;
   job.needs_gpu =
       check::choose_backend(check.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
         return first_look_work(plans);
       }).backend == check::Backend::gpu;
-  if (const std::string problem = write_job(job, units); !problem.empty()) return complain(problem);
+  const std::string units_text = render_units_json(units);
+  const std::string projects = render_project_list(check.input.projects);
+  job.job_folder += "/" + batch_id(job, units_text, projects);
+  std::string problem = path_problem(job, check.input.projects);
+  if (problem.empty()) problem = write_job(job, units_text, projects);
+  if (!problem.empty()) return complain(problem);
   if (!check.output.quiet) {
-    fmt::print(stderr,
-               "luxgate: units: {}, shards: {}; by prediction {:.3g} s of one core for the first "
-               "looks; {}'bash {}'\n",
-               job.units, job.shards, job.first_look_s,
-               options.sends ? "" : "to start: ", report::shell_quoted(job_file(job)));
+    tell(
+        "luxgate: units: {}, shards: {}; by prediction {:.3g} s of one core for the first "
+        "looks; {}'bash {}'\n",
+        job.units, job.shards, job.first_look_s,
+        options.sends ? "" : "to start: ", report::shell_quoted(job_file(job)));
   }
   if (options.sends) return become_script(job, options.waits);
   return print_outcome({kAllMet, render_job_script(job), {}});
@@ -277,10 +305,14 @@ Command submit_command() {
        "the predicted first looks are taken for a quarter of the work",
        whole_number(options->shards, 1, 1'000'000)},
       {"--job-folder", "DIR",
-       "For script, list of units and logs; made if it is not there; default the store's name\n"
-       "with '-job' behind it",
+       "For script, lists of projects and units, and logs; made if it is not there; default the\n"
+       "store's name with '-job' behind it",
        some_text(options->job_folder)},
       jobs_option(options->jobs),
+      {"--closing-jobs", "N",
+       "Threads of the closing job, which mostly wait for the store; with slurm the cores that it\n"
+       "asks for. Default: as many as a shard for slurm, else one per core",
+       whole_number(options->closing_jobs, 1, 1024)},
       {"--at-once", "N",
        "At most so many shards at a time; default all that slurm has room for, else one for\n"
        "each core",

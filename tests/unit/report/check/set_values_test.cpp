@@ -151,7 +151,7 @@ TEST(SetValues, SaysWhatIsWrongWithAPath) {
   expect_error(
       "spot.flux-lx",
       "p.xml:4:3: error[value-not-set]: --set spot.flux-lx: <luminaire-type> has no "
-      "attribute 'flux-lx'; allowed: flux-lm, power-w, maintenance-factor, llmf, lsf, lmf, "
+      "attribute 'flux-lx'; allowed: flux-lm, power-w, price, maintenance-factor, llmf, lsf, lmf, "
       "rsmf, opening, interpolation, lamp-set, variant or emitter; did you mean 'flux-lm'?");
   expect_error(
       "material.light.id",
@@ -160,10 +160,10 @@ TEST(SetValues, SaysWhatIsWrongWithAPath) {
   expect_error("mean.at-least",
                "p.xml:8:35: error[value-not-set]: --set mean.at-least: 'mean' means 2 elements: "
                "room.desk.mean (line 8), room.far.mean (line 9); one path must mean one");
-  expect_error(
-      "light.height",
-      "p.xml:3:3: error[value-not-set]: --set light.height: 'light' means 2 elements: light "
-      "(line 3), room.light (line 10); one path must mean one");
+  expect_error("light.height",
+               "p.xml:3:3: error[value-not-set]: --set light.height: 'light' means 2 elements: "
+               "material.light "
+               "(line 3), room.light (line 10); one path must mean one");
 }
 
 TEST(SetValues, NeverSetsIdsFilesAndWaivers) {
@@ -171,6 +171,24 @@ TEST(SetValues, NeverSetsIdsFilesAndWaivers) {
                            "desk.mean.waived-by", "two words.group"}) {
     EXPECT_EQ(changed(kProject, {{path, "1"}}).text, std::nullopt) << path;
   }
+}
+
+// Nobody moves to another check, by an option, what somebody has signed for one.
+TEST(SetValues, NeverSetsWhatSomebodyHasSigned) {
+  const std::string signed_words = R"( because="b" by="A" until="2030-01-01"/>)";
+  const std::string project = R"(<luxgate version="1"><room id="r" size="1 1 1">
+<plane id="p" height="0.1"><require id="q" pack="x" row="1" level="-1" level-because="z">
+<waiver checks="a")" + signed_words +
+                              R"(<deviation in="grid")" + signed_words + R"(</require></plane>
+<workplace id="w"><without role="wall")" +
+                              signed_words + "</workplace></room></luxgate>";
+  for (const char* path : {"waiver.checks", "waiver.by", "deviation.in", "deviation.until",
+                           "w.wall.role", "without.because", "q.level-because"}) {
+    const Changed result = changed(project, {{path, "1"}});
+    EXPECT_EQ(result.text, std::nullopt) << path;
+    EXPECT_NE(result.messages.find("cannot be set"), std::string::npos) << result.messages;
+  }
+  EXPECT_TRUE(changed(project, {{"q.level", "0"}}).text);
 }
 
 TEST(SetValues, RefusesOneAttributeTwiceAndControlCharacters) {
@@ -185,7 +203,7 @@ TEST(SetValues, RefusesOneAttributeTwiceAndControlCharacters) {
 
 class FilesOfTest : public calc::FileReader {
  public:
-  calc::FileContent read(const std::string& path) const override {
+  calc::FileContent read_within(const std::string&, const std::string& path) const override {
     const auto found = contents.find(path);
     return found == contents.end() ? calc::FileContent{"", "none"}
                                    : calc::FileContent{found->second, ""};

@@ -72,7 +72,7 @@ TEST(Options, StrictTakesIdsBehindAnEqualsSignOnly) {
 TEST(Options, StrictRefusesWhatIsNoWarning) {
   expect_usage_error({"check", "a.xml", "--strict=light-leave-room"},
                      "no warning has the id 'light-leave-room'; did you mean 'light-leaves-room'?");
-  expect_usage_error({"check", "a.xml", "--strict=all-of-them"}, "there are mesh-bent-faces, ");
+  expect_usage_error({"check", "a.xml", "--strict=all-of-them"}, "there are messages-left-out, ");
   expect_usage_error({"check", "a.xml", "--strict", "light-leaves-room"},
                      "write --strict=light-leaves-room");
   expect_usage_error({"check", "a.xml", "--strict=unknown-attribute"}, "is an error");
@@ -192,7 +192,7 @@ TEST(Options, GeometryTakesFilesUnitsAndAxis) {
 
 TEST(Options, ErrorsOfCli11BecomeExitCodeTwo) {
   expect_usage_error({}, "no command: check, watch, sweep, report, plan, submit, validate, vpl,");
-  expect_usage_error({"check"}, "projects");
+  expect_usage_error({"check"}, "no project: PROJECT.xml or --files-from is needed");
   expect_usage_error({"chek", "a.xml"}, "did you mean 'check'?");
   expect_usage_error({"check", "a.xml", "--frmat", "csv"}, "--frmat");
   expect_usage_error({"check", "a.xml", "--seed"}, "--seed");

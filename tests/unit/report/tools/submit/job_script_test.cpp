@@ -15,7 +15,6 @@ cli::BatchJob small_job(cli::Engine engine) {
   job.working_folder = "/campus of 2026";
   job.job_folder = "/campus of 2026/looks-job";
   job.store = "looks";
-  job.projects = {"a.xml", "it's $HOME.xml"};
   job.options = {"--seed 7"};
   job.report_options = {"--format csv=out.csv"};
   job.units = 5;
@@ -29,7 +28,7 @@ TEST(JobScript, QuotesEveryPath) {
     const std::string script = cli::render_job_script(small_job(engine));
     EXPECT_THAT(script, HasSubstr("cd -- '/campus of 2026' || exit 2\n"));
     EXPECT_THAT(script, HasSubstr("folder='/campus of 2026/looks-job'"));
-    EXPECT_THAT(script, HasSubstr("projects=(\n  a.xml\n  'it'\\''s $HOME.xml'\n)\n"));
+    EXPECT_THAT(script, HasSubstr("--files-from \"$folder/projects.txt\""));
   }
 }
 
@@ -39,6 +38,19 @@ TEST(JobScript, GivesReportOptionsToTheClosingJobAlone) {
   EXPECT_THAT(script, HasSubstr("\nreport_options=(\n  --format csv=out.csv\n)\n"));
   EXPECT_THAT(script, HasSubstr("check \"${options[@]}\" --store \"$store\" --shard"));
   EXPECT_THAT(script, HasSubstr("check \"${options[@]}\" \"${report_options[@]}\" --store"));
+}
+
+TEST(JobScript, GivesTheClosingJobItsOwnThreads) {
+  cli::BatchJob job = small_job(cli::Engine::slurm);
+  job.jobs = 2;
+  job.closing_jobs = 16;
+  const std::string script = cli::render_job_script(job);
+  EXPECT_THAT(script, HasSubstr("\njobs=2  #"));
+  EXPECT_THAT(script, HasSubstr("\nclosing_jobs=16  #"));
+  EXPECT_THAT(script, HasSubstr("--cpus-per-task=\"$jobs\" --job-name=luxgate --array"));
+  EXPECT_THAT(script, HasSubstr("--cpus-per-task=\"$closing_jobs\" --job-name=luxgate-close"));
+  EXPECT_THAT(cli::render_job_script(small_job(cli::Engine::local)),
+              HasSubstr("\nclosing_jobs=$(nproc)  #"));
 }
 
 TEST(JobScript, ClosesAfterTheArrayHoweverItEnded) {
@@ -58,6 +70,24 @@ TEST(JobScript, ParallelGoesOnWhereItStopped) {
   const std::string script = cli::render_job_script(small_job(cli::Engine::parallel));
   EXPECT_THAT(script, HasSubstr("--joblog \"$folder/joblog\" --resume-failed"));
   EXPECT_THAT(script, Not(HasSubstr("sbatch")));
+}
+
+// Slurm ends with 0 or 1 where the closing job never ran: what it says of it is no verdict.
+TEST(JobScript, TakesNoVerdictFromSlurm) {
+  const std::string script = cli::render_job_script(small_job(cli::Engine::slurm));
+  EXPECT_THAT(script, Not(HasSubstr("--wait")));
+  EXPECT_THAT(script, HasSubstr("rm -f -- \"$folder/close-code\" \"$folder/close.log\""));
+  EXPECT_THAT(script, HasSubstr("exit \"$(cat -- \"$folder/close-code\")\""));
+}
+
+TEST(JobScript, HasAFolderOfItsOwn) {
+  const cli::BatchJob job = small_job(cli::Engine::local);
+  const std::string id = cli::batch_id(job, "units", "a.xml\n");
+  EXPECT_EQ(id.size(), 12u);
+  EXPECT_EQ(cli::batch_id(job, "units", "a.xml\n"), id);
+  EXPECT_NE(cli::batch_id(job, "units", "b.xml\n"), id);
+  EXPECT_NE(cli::batch_id(job, "unit", "sa.xml\n"), id);
+  EXPECT_NE(cli::batch_id(small_job(cli::Engine::slurm), "units", "a.xml\n"), id);
 }
 
 TEST(JobScript, SaysADateOnlyIfThereIsOne) {

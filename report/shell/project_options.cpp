@@ -1,0 +1,123 @@
+#include "report/shell/project_options.h"
+
+#include "calc/base/diagnostics.h"
+#include "report/shell/option_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+namespace cli {
+namespace {
+
+constexpr std::size_t kLargestListBytes = std::size_t{256} << 20;
+
+struct FileCloser {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+// Pipes, too: a list is mostly made by another program. "" or why it cannot be read.
+std::string read_list(const std::string& path, std::string& bytes) {
+  const std::unique_ptr<std::FILE, FileCloser> file(path == "-" ? stdin
+                                                                : std::fopen(path.c_str(), "rb"));
+  if (!file) return std::strerror(errno);
+  std::array<char, 65536> part{};
+  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
+    bytes.append(part.data(), got);
+    if (bytes.size() > kLargestListBytes) return "it is larger than 256 MiB";
+  }
+  return std::ferror(file.get()) != 0 ? std::strerror(errno) : "";
+}
+
+std::string add_listed(ProjectOptions& options) {
+  const std::string name =
+      options.list_file == "-" ? "standard input" : fmt::format("'{}'", options.list_file);
+  std::string bytes;
+  std::string problem = read_list(options.list_file, bytes);
+  if (!problem.empty()) return fmt::format("--files-from: cannot read {}: {}", name, problem);
+  std::vector<std::string> listed = parse_project_list(bytes, problem);
+  if (!problem.empty()) return fmt::format("--files-from: {}: {}", name, problem);
+  std::move(listed.begin(), listed.end(), std::back_inserter(options.projects));
+  return "";
+}
+
+}  // namespace
+
+Place projects_place(ProjectOptions& options) {
+  return {"projects", "PROJECT.xml", "Project files", &options.projects, false};
+}
+
+std::vector<Option> project_options(ProjectOptions& options) {
+  return {{"--files-from", "FILE",
+           "Take more projects from a list, a path a line, or ended by a byte 0 each as 'find\n"
+           "-print0' writes them; '-' is standard input. For more than a command line holds",
+           some_text(options.list_file)},
+          rules_option(options.rule_files),
+          allow_option(options.allowed)};
+}
+
+std::string complete_projects(ProjectOptions& options) {
+  if (!options.list_file.empty()) {
+    if (std::string problem = add_listed(options); !problem.empty()) return problem;
+  }
+  if (options.projects.empty()) return "no project: PROJECT.xml or --files-from is needed";
+  std::unordered_set<std::string> known;
+  for (const std::string& project : options.projects) {
+    if (calc::diagnostic_from_name(project)) {  // "--strict ID" is easily written
+      return fmt::format("'{0}' is the id of a message, no project; write --strict={0}", project);
+    }
+    if (!known.insert(std::filesystem::path(project).lexically_normal().string()).second) {
+      return fmt::format("project '{}' is given twice", project);
+    }
+  }
+  return "";
+}
+
+std::string render_project_list(const std::vector<std::string>& projects) {
+  const bool has_breaks =
+      std::any_of(projects.begin(), projects.end(), [](const std::string& project) {
+        return project.find_first_of("\r\n") != std::string::npos;
+      });
+  std::string text;
+  for (const std::string& project : projects) {
+    text += project;
+    text += has_breaks ? '\0' : '\n';
+  }
+  return text;
+}
+
+std::vector<std::string> parse_project_list(const std::string& bytes, std::string& problem) {
+  std::string_view rest = bytes;
+  if (rest.starts_with("\xff\xfe") || rest.starts_with("\xfe\xff")) {
+    problem = "it is UTF-16; UTF-8 is allowed";
+    return {};
+  }
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (rest.starts_with(kMark)) rest.remove_prefix(kMark.size());
+  const bool has_zeros = rest.find('\0') != std::string_view::npos;
+  const char end_of_path = has_zeros ? '\0' : '\n';
+  std::vector<std::string> projects;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(end_of_path), rest.size());
+    std::string_view path = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!has_zeros && path.ends_with('\r')) path.remove_suffix(1);
+    if (!path.empty()) projects.emplace_back(path);
+  }
+  if (projects.empty()) problem = "it names no project";
+  return projects;
+}
+
+}  // namespace cli

@@ -1,0 +1,33 @@
+#pragma once
+// The projects that a command is about, and the packs that they are judged by.
+
+#include "report/shell/command.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// The projects, --files-from, --rules and --allow.
+struct ProjectOptions {
+  std::vector<std::string> projects;
+  std::string list_file;  // of more projects, "-" = standard input; "" = none
+  std::vector<std::string> rule_files;
+  std::vector<std::string> allowed;  // folders that links in those of projects may lead into
+};
+Place projects_place(ProjectOptions& options);
+// --files-from, --rules and --allow
+std::vector<Option> project_options(ProjectOptions& options);
+
+// Adds the projects of the list behind the others. "", or why not, or what is wrong with all: none
+// is given, one is given twice, or is an id that was meant for --strict.
+std::string complete_projects(ProjectOptions& options);
+
+// A list that --files-from reads: a path a line. Where a path has a line break in it, each path has
+// a byte 0 behind it instead.
+std::string render_project_list(const std::vector<std::string>& projects);
+// The paths of such a list; empty lines are left out, and so is what Windows puts at the ends of
+// lines and files. Empty: `problem` says what is wrong.
+std::vector<std::string> parse_project_list(const std::string& bytes, std::string& problem);
+
+}  // namespace cli
