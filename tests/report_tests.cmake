@@ -54,9 +54,13 @@ if(EXISTS /usr/lib/python3/dist-packages/jsonschema)
   add_test(NAME result_schema COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
     -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/result_schema
     -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_result_schema.cmake)
+  add_test(NAME sweep_schema COMMAND ${CMAKE_COMMAND} -DLUXGATE=$<TARGET_FILE:luxgate>
+    -DEXAMPLES=${PROJECT_SOURCE_DIR}/examples -DWORK=${CMAKE_CURRENT_BINARY_DIR}/sweep_schema
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_sweep_schema.cmake)
 else()
   add_test(NAME result_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-jsonschema is not installed")
-  set_tests_properties(result_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
+  add_test(NAME sweep_schema COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3-jsonschema is not installed")
+  set_tests_properties(result_schema sweep_schema PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:")
 endif()
 
 # Formats of CI systems against schemas that this tree does not have.

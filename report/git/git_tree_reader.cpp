@@ -282,7 +282,7 @@ std::unique_ptr<GitTreeReader> GitTreeReader::open(const std::string& file,
 GitTreeReader::GitTreeReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GitTreeReader::~GitTreeReader() = default;
 
-calc::FileContent GitTreeReader::read(const std::string& path) const {
+calc::FileContent GitTreeReader::read_within(const std::string&, const std::string& path) const {
   const std::scoped_lock lock(state_->mutex);
   const std::optional<std::string> inside = path_in_repository(path);
   if (!inside) return state_->failed("it lies outside of the git repository");

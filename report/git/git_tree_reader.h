@@ -30,8 +30,9 @@ class GitTreeReader : public calc::FileReader {
   GitTreeReader& operator=(const GitTreeReader&) = delete;
 
   // Paths are those of the work tree, relative to the current folder or absolute. Any number of
-  // threads may read at once, while nothing else is asked.
-  calc::FileContent read(const std::string& path) const override;
+  // threads may read at once, while nothing else is asked. Links never leave the repository: all of
+  // it may be read, whatever the folder.
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override;
   // Whether there is something of this name, of any kind.
   bool has(const std::string& path) const;
   // What a folder holds, names alone, in order; empty where there is no such folder.

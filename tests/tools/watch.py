@@ -145,7 +145,7 @@ if listener.is_alive() or "asks more" not in get(url + "report")[1]:
 run.end("served", 1)
 
 # What cannot be.
-for arguments, word in ((("none.xml", "--baseline", "x.json"), "--baseline"), ((), "projects is required")):
+for arguments, word in ((("none.xml", "--baseline", "x.json"), "--baseline"), ((), "no project: PROJECT.xml or --files-from is needed")):
     done = subprocess.run([PROGRAM, "watch", *arguments], capture_output=True, text=True, cwd=WORK)
     if done.returncode != 2 or word not in done.stderr:
         problems.append(f"{arguments}: {done.returncode} {done.stderr}")

@@ -9,6 +9,7 @@
 #include "report/document/program_version.h"
 #include "report/shell/chosen_space.h"
 #include "report/shell/interrupt.h"
+#include "report/shell/print.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/number_format.h"
 #include "report/tools/converge/converge_measure.h"
@@ -236,7 +237,7 @@ CommandOutcome converge(const ConvergeOptions& options, const RecordingReader& f
                         const Environment& environment, gpu::Fault gl_fault,
                         calc::Diagnostics& diagnostics) {
   const auto announce = [&](const std::string& what) {
-    if (environment.stderr_is_terminal) fmt::print(stderr, "luxgate: {}\n", what);
+    if (environment.stderr_is_terminal) tell("luxgate: {}\n", what);
   };
   Subject subject;
   report::ConvergeDocument document;
@@ -279,8 +280,7 @@ CommandOutcome run_converge(const ConvergeOptions& options, const calc::FileRead
   const RecordingReader files(disk);
   calc::Diagnostics diagnostics;
   CommandOutcome outcome = converge(options, files, environment, gl_fault, diagnostics);
-  if (outcome.code == kInterrupted)
-    fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+  if (outcome.code == kInterrupted) tell("luxgate: interrupted; nothing was written\n");
   outcome.diagnostics = diagnostics.all();
   return outcome;
 }
@@ -290,8 +290,8 @@ Command converge_command() {
   Command command = converge_syntax(*options);
   command.run = [options](const RunContext& context) {
     watch_for_interrupt();
-    return print_outcome(
-        run_converge(*options, calc::DiskFileReader(), context.environment, context.gl_fault));
+    return print_outcome(run_converge(*options, calc::DiskFileReader(options->allowed),
+                                      context.environment, context.gl_fault));
   };
   return command;
 }

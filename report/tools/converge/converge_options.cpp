@@ -94,6 +94,7 @@ Command converge_syntax(ConvergeOptions& options) {
       {"--plane", "ID", "Only this plane; may be repeated; default all of the space",
        one_more(options.planes), true},
       rules_option(options.rule_files),
+      allow_option(options.allowed),
       {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
       {"--gl-device", "N",
        "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"

@@ -15,6 +15,7 @@ struct ConvergeOptions {
   std::string space;                    // "" = the only one
   std::vector<std::string> planes;      // ids; empty = all of the space
   std::vector<std::string> rule_files;  // packs besides those delivered, folders too
+  std::vector<std::string> allowed;     // see --allow
   std::vector<std::string> methods{"core", "instant-radiosity"};
   std::string reference = "own";                   // or a CSV file
   std::uint64_t reference_paths = 0;               // of each of its 64 replicates; 0 = 2 max_paths

@@ -157,7 +157,7 @@ Command export_command() {
   const auto options = std::make_shared<ExportOptions>();
   Command command = export_syntax(*options);
   command.run = [options](const RunContext&) {
-    return print_outcome(run_export(*options, calc::DiskFileReader()));
+    return print_outcome(run_export(*options, calc::DiskFileReader(options->allowed)));
   };
   return command;
 }

@@ -24,7 +24,8 @@ Command export_syntax(ExportOptions& options) {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
       space_option(options.space),
-      rules_option(options.rule_files)};
+      rules_option(options.rule_files),
+      allow_option(options.allowed)};
   command.footer =
       "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
       "their\n"

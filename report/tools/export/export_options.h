@@ -13,6 +13,7 @@ struct ExportOptions {
   std::string project, folder;
   std::string space;                    // "" = the only one
   std::vector<std::string> rule_files;  // packs besides those delivered, folders too
+  std::vector<std::string> allowed;     // see --allow
   bool overwrites = false;
 };
 

@@ -185,7 +185,7 @@ Command photometry_command() {
   command.run = [options](const RunContext& context) {
     const PhotometryRun result = run_photometry(*options, calc::DiskFileReader(),
                                                 use_color(options->color, context.environment));
-    fmt::print(stderr, "{}", result.err);
+    tell("{}", result.err);
     return print_result(result.out) ? result.exit_code : kNotJudged;
   };
   return command;

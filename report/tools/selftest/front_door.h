@@ -16,7 +16,7 @@ namespace cli::selftest {
 class TextFiles : public calc::FileReader {
  public:
   explicit TextFiles(std::map<std::string, std::string> files) : files_(std::move(files)) {}
-  calc::FileContent read(const std::string& path) const override;
+  calc::FileContent read_within(const std::string&, const std::string& path) const override;
 
  private:
   std::map<std::string, std::string> files_;

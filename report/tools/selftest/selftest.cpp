@@ -5,6 +5,7 @@
 #include "report/document/program_version.h"
 #include "report/formats/write.h"
 #include "report/shell/interrupt.h"
+#include "report/shell/print.h"
 #include "report/tools/selftest/report.h"
 
 #include <fmt/format.h>
@@ -43,13 +44,13 @@ class Announcer {
   bool operator()(const std::string& what) const {
     if (interrupted()) return false;
     if (is_on_) {
-      fmt::print(stderr, "\r\x1b[K{}", what);
+      tell("\r\x1b[K{}", what);
       std::fflush(stderr);
     }
     return true;
   }
   void clear() const {
-    if (is_on_) fmt::print(stderr, "\r\x1b[K");
+    if (is_on_) tell("\r\x1b[K");
   }
 
  private:
@@ -85,7 +86,7 @@ std::vector<selftest::JudgedCase> run_cases(std::vector<SelftestCase> cases,
 }
 
 CommandOutcome interrupted_outcome() {
-  fmt::print(stderr, "luxgate: interrupted; nothing was written\n");
+  tell("luxgate: interrupted; nothing was written\n");
   return {kInterrupted, "", {}};
 }
 

@@ -1,13 +1,14 @@
 #include "report/tools/validate/validate.h"
 
 #include "calc/base/file_reader.h"
+#include "calc/base/utf8.h"
 #include "report/check/check_project.h"
 #include "report/check/settings.h"
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/shell/project_options.h"
 #include "report/shell/warning_tally.h"
-#include "report/shell/work_options.h"
 #include "rules/verdict/outcome.h"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ struct ValidateOptions {
 
 ExitCode run_validate(const ValidateOptions& options) {
   const std::string day = check::day_or_today(day_of_moment(options.date));
-  const calc::DiskFileReader files;
+  const calc::DiskFileReader files(options.input.allowed);
   const auto packs = load_packs_or_print(options.input.rule_files, files);
   if (!packs) return kNotJudged;
   Outcome outcome = Outcome::nothing_asked;
@@ -40,8 +41,9 @@ ExitCode run_validate(const ValidateOptions& options) {
     if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
     if (!part.is_judged || options.quiet) continue;
     const int count = count_warnings(part).all;
-    fmt::print("{}: no error{}\n", path,
-               count == 0 ? "" : fmt::format(", {} warning{}", count, count == 1 ? "" : "s"));
+    print_result(
+        fmt::format("{}: no error{}\n", calc::printable_path(path),
+                    count == 0 ? "" : fmt::format(", {} warning{}", count, count == 1 ? "" : "s")));
   }
   warnings.print(options.quiet);
   outcome = graver(outcome, warnings.outcome());
@@ -54,13 +56,13 @@ Command validate_command() {
   const auto options = std::make_shared<ValidateOptions>();
   Command command{"validate", "Check projects for errors without calculating"};
   command.places = {projects_place(options->input)};
-  command.options = {rules_of_projects(options->input), strict_option(options->strict),
-                     quiet_option_with_count(options->quiet)};
+  command.options = project_options(options->input);
+  add(command.options, {strict_option(options->strict), quiet_option_with_count(options->quiet)});
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
   command.complete = [options](const Environment& environment) {
     const std::string problem = take_source_date(environment.source_date_epoch, options->date);
-    return problem.empty() ? project_contradiction(options->input) : problem;
+    return problem.empty() ? complete_projects(options->input) : problem;
   };
   command.run = [options](const RunContext&) { return run_validate(*options); };
   return command;

@@ -172,7 +172,7 @@ Command vpl_command() {
   Command command = vpl_syntax(*options);
   command.run = [options](const RunContext& context) {
     return print_outcome(
-        run_vpl(*options, calc::DiskFileReader(), context.environment, context.gl_fault));
+        run_vpl(*options, calc::DiskFileReader(options->allowed), context.environment, context.gl_fault));
   };
   return command;
 }

@@ -50,6 +50,7 @@ Command vpl_syntax(VplOptions& options) {
        "Independent repetitions, 1 to 64; 'check --vpl' needs 4 for its intervals; default 16",
        whole_number(settings.replicates, 1, 64)},
       seed_option(settings.seed),
+      allow_option(options.allowed),
       space_option(options.space),
       jobs_option(settings.jobs, "the file")};
   command.footer = "Exit codes: 0 written, 2 an error.";

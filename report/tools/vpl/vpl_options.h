@@ -15,6 +15,7 @@ struct VplOptions {
   std::string view;    // a picture of them, .png or .exr; "" = none
   int gl_device = -1;  // that draws it, as of `luxgate devices`; -1 = the first that is usable
   std::string space;   // "" = the only one
+  std::vector<std::string> allowed;                      // see --allow
   calc::RadiositySettings radiosity = first_settings();  // max_paths: what is traced
 
   static calc::RadiositySettings first_settings() {

@@ -28,9 +28,10 @@ FileStamps changed_since(const FileStamps& stamps) {
   return changed;
 }
 
-calc::FileContent StampedReader::read(const std::string& path) const {
+calc::FileContent StampedReader::read_within(const std::string& folder,
+                                             const std::string& path) const {
   note(path);
-  return reader_.read(path);
+  return reader_.read_within(folder, path);
 }
 
 void StampedReader::note(const std::string& path) const {

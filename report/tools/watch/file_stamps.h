@@ -29,7 +29,7 @@ class StampedReader : public calc::FileReader {
  public:
   explicit StampedReader(const calc::FileReader& reader) : reader_(reader) {}
 
-  calc::FileContent read(const std::string& path) const override;
+  calc::FileContent read_within(const std::string& folder, const std::string& path) const override;
   // Of what is not read by this: a folder.
   void note(const std::string& path) const;
   FileStamps stamps() const;

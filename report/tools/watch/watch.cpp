@@ -102,7 +102,7 @@ class Watch {
         print_error(calc::DiagnosticId::output_not_possible, problem);
         return kNotJudged;
       }
-      fmt::print(stderr, "luxgate: the report is at {}\n", server_->address());
+      tell("luxgate: the report is at {}\n", server_->address());
     }
     watch_for_interrupt();
     FileStamps changed;
@@ -116,7 +116,7 @@ class Watch {
  private:
   // False: nothing can be checked on this machine, whatever the files hold.
   bool check(const FileStamps& changed) {
-    const calc::DiskFileReader disk;
+    const calc::DiskFileReader disk(options_.input.allowed);
     const StampedReader stamped(disk);
     const RecordingReader files(stamped);
     for (const std::string& path : options_.input.rule_files) stamped.note(path);
@@ -221,7 +221,7 @@ class Watch {
     const std::optional<double> took_s = seconds_since_save(changed);
     const std::string took =
         took_s ? fmt::format("{:.2f} s after the save; ", *took_s) : std::string();
-    fmt::print(stderr, "luxgate: {}waiting for changes, Ctrl-C ends\n\n", took);
+    tell("luxgate: {}waiting for changes, Ctrl-C ends\n\n", took);
   }
 
   static bool is_judged(const report::Document& document) {
@@ -252,7 +252,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
       !problem.empty()) {
     return problem;
   }
-  return project_contradiction(options.input);
+  return complete_projects(options.input);
 }
 
 }  // namespace
@@ -263,13 +263,14 @@ Command watch_command() {
   check.pictures = false;
   Command command{"watch", "Check projects again whenever one of their files changes"};
   command.places = {projects_place(check.input)};
-  command.options = {rules_of_projects(check.input),
-                     {"--serve", "",
-                      "Show the report in a browser, too, and keep it up to date: on this machine\n"
-                      "alone, at an address that nobody can guess",
-                      &options->serves},
-                     passes_option(check.output.lists_passes),
-                     color_option(check.output.color)};
+  command.options = project_options(check.input);
+  add(command.options,
+      {{"--serve", "",
+        "Show the report in a browser, too, and keep it up to date: on this machine\n"
+        "alone, at an address that nobody can guess",
+        &options->serves},
+       passes_option(check.output.lists_passes),
+       color_option(check.output.color)});
   add(command.options, accuracy_options(check.settings));
   add(command.options, work_options(check.settings.radiosity));
   add(command.options, backend_options(check.backend));
