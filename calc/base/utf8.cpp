@@ -16,6 +16,15 @@ bool is_control(char32_t c) {
          (c >= 0x2066 && c <= 0x2069) || c == 0x2028 || c == 0x2029 || c == 0xFFFE || c == 0xFFFF;
 }
 
+// "##", "##vso", "##teamcity": with a '[' behind it a CI runner takes it for a command.
+bool ends_with_command(std::string_view text) {
+  const std::size_t end = text.size();
+  std::size_t begin = end;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  while (begin > 0 && is_letter(text[begin - 1])) --begin;
+  return text.substr(0, begin).ends_with("##");
+}
+
 }  // namespace
 
 std::string_view without_byte_order_mark(std::string_view bytes) {
@@ -70,7 +79,7 @@ std::string printable(std::string_view text) {
     } else if (is_control(point.code)) {
       result += ' ';
     } else {
-      if (point.code == '[' && result.ends_with("##")) result += ' ';
+      if (point.code == '[' && ends_with_command(result)) result += ' ';
       result += text.substr(0, point.length);
     }
     text.remove_prefix(std::max<std::size_t>(point.length, 1));

@@ -34,8 +34,8 @@ std::string utf8_from_code_point(char32_t code);
 
 // Names from files made safe to show: they may hold anything. The text as valid UTF-8 on one line:
 // broken sequences become U+FFFD, control characters (line ends, tabs, terminal escapes, what turns
-// the direction of writing) a blank. "##[", which CI runners take for a command anywhere in a line,
-// gets a blank.
+// the direction of writing) a blank. "##[", "##vso[" and "##teamcity[", which CI runners take for
+// commands anywhere in a line, get a blank.
 std::string printable(std::string_view text);
 // Of a path that begins a line: none begins with "::", which is a command, too.
 std::string printable_path(std::string_view path);

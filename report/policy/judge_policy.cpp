@@ -176,13 +176,19 @@ class PolicyJudge {
       const std::string name = fmt::format("luminaire type '{}'", luminaire.type_id);
       if (bound.of == PolicyBoundOf::maintenance_factor) {
         compare(luminaire.maintenance_factor, name);
-      } else if (luminaire.file_flux_lm > 0.0) {
-        // Two roundings of the same flux are no other flux.
-        const double ratio = luminaire.flux_lm / luminaire.file_flux_lm;
-        constexpr double kSameFlux = 1e-9;
-        compare(std::abs(ratio - 1.0) < kSameFlux ? 1.0 : ratio, name);
+        continue;
+      }
+      const bool is_flux = bound.of == PolicyBoundOf::flux_ratio;
+      const double own = is_flux ? luminaire.flux_lm : luminaire.power_w;
+      const double of_file = is_flux ? luminaire.file_flux_lm : luminaire.file_power_w;
+      if (of_file > 0.0) {
+        // Two roundings of the same number are no other number.
+        constexpr double kSame = 1e-9;
+        const double ratio = own / of_file;
+        compare(std::abs(ratio - 1.0) < kSame ? 1.0 : ratio, name);
       } else {
-        fail(fmt::format("flux-ratio of {} is not known: its file states no flux", name));
+        fail(fmt::format("{} of {} is not known: its file does not state it",
+                         calc::name_of(bound.of), name));
       }
     }
   }

@@ -68,7 +68,8 @@ const ElementRow kBoundElement{
     .type = "bound",
     .meaning = "What is believed: of each luminaire type or material that is used.",
     .attributes = {{"of", &kBoundOfType, required,
-                    "flux-ratio: the project's lumens to those of the photometry file."},
+                    "flux-ratio, power-ratio: the project's lumens and watts to those of the "
+                    "photometry file."},
                    {"at-least", &kFactorType},
                    {"at-most", &kFactorType}}};
 

@@ -39,6 +39,7 @@ enum class PolicyBoundOf {
   maintenance_factor,  // of a luminaire type
   reflectance,         // of a material
   flux_ratio,          // of a luminaire type: the project's flux to that of the photometry file
+  power_ratio,         // likewise its power
 };
 
 struct PolicyBound {
@@ -84,7 +85,8 @@ struct EnumNames<report::PolicyBoundOf> {
   static constexpr EnumName<report::PolicyBoundOf> list[] = {
       {report::PolicyBoundOf::maintenance_factor, "maintenance-factor"},
       {report::PolicyBoundOf::reflectance, "reflectance"},
-      {report::PolicyBoundOf::flux_ratio, "flux-ratio"}};
+      {report::PolicyBoundOf::flux_ratio, "flux-ratio"},
+      {report::PolicyBoundOf::power_ratio, "power-ratio"}};
 };
 
 }  // namespace calc

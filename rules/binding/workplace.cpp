@@ -331,7 +331,20 @@ class WorkplaceMaker {
     if (zone != nullptr && zone->left_out) return leave_out(name, rule, *zone, part);
     const auto wall = rule.area == ZoneArea::walls ? part : std::nullopt;
     ZonePlane made = make_zone_plane({pack_, row_, workplace_, space_}, rule, zone, wall);
-    if (!made.not_made.empty()) return leave_unmade(name, made.not_made);
+    if (!made.not_made.empty()) {
+      // A surface goes away within the standard's margin alone, never within the project's own.
+      if (zone != nullptr && zone->margin_m) {
+        ZoneText usual = *zone;
+        usual.margin_m.reset();
+        if (make_zone_plane({pack_, row_, workplace_, space_}, rule, &usual, wall)
+                .not_made.empty()) {
+          diagnostics_.report(DiagnosticId::zone_vanishes, zone->where, workplace_.id, name,
+                              made.not_made, name, name);
+          return;
+        }
+      }
+      return leave_unmade(name, made.not_made);
+    }
     if (!made.problem.empty()) {
       const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;
       diagnostics_.report(

@@ -154,7 +154,7 @@ def ended():
             (folder / "x.json").unlink(missing_ok=True)
 
 
-NAMES = ["a\n::error::b.xml", "::error::c.xml", "##[set-output name=x]d.xml", "e\r::warning::f.xml", "\x1b[31mg.xml", "%0A::error::h.xml"]
+NAMES = ["a\n::error::b.xml", "::error::c.xml", "##[set-output name=x]d.xml", "##vso[task.complete result=Succeeded;]i.xml", "e\r::warning::f.xml", "\x1b[31mg.xml", "%0A::error::h.xml"]
 
 
 def orders():
@@ -167,12 +167,12 @@ def orders():
     for words in (["check", "--timing", "--explain-cost", "--pictures", "off"], ["check", "--pictures", "off", "--format", "markdown"], ["validate"], ["plan"], ["plan", "--units"]):
         run = luxgate(*words, "--", *every, cwd=folder, code=[2], name=f"orders, {words}")
         for line in (run.stdout + b"\n" + run.stderr).replace(b"\r", b"\n").split(b"\n"):
-            expect(not line.lstrip().startswith(b"::") and b"##[" not in line and b"\x1b" not in line, f"orders, {words}: {line}")
+            expect(not line.lstrip().startswith(b"::") and b"##[" not in line and b"##vso[" not in line and b"\x1b" not in line, f"orders, {words}: {line}")
     (folder / "sheet.xml").write_text(HEAD.format(ies="spot.ies", inside=LAMP, more="").replace('id="r"', 'id="r" name="=HYPERLINK(1)"')
-                                      .replace('id="p"', 'id="p" name="@SUM(1)"').replace('at-least="1"', 'at-least="1" clause="-1+cmd|calc!A0"'))
+                                      .replace('id="p"', 'id="p" name="@SUM(1)"').replace('at-least="1"', 'at-least="1" clause="-1+cmd|calc!A0;=cmd|x;y"'))
     run = luxgate("check", "sheet.xml", "--pictures", "off", "--format", "csv", cwd=folder, code=[0], name="orders, sheet")
     cells = [cell for row in csv.reader(io.StringIO(run.stdout.decode())) for cell in row]
-    bad = [cell for cell in cells if cell.startswith(("=", "@", "-1+"))]
+    bad = [cell for whole in cells for cell in whole.split(";") if cell.startswith(("=", "@", "-1+"))]
     expect(not bad and any("cmd|" in cell for cell in cells), f"orders, sheet: {bad}")
     (folder / "sheet.xml").write_text(HEAD.format(ies="spot.ies", inside=LAMP, more="").replace('id="r"', 'id="r" name="-1 UG"'))
     run = luxgate("check", "sheet.xml", "--pictures", "off", "--format", "csv", cwd=folder, code=[0], name="orders, floor")

@@ -32,6 +32,7 @@ POLICY = """<luxgate-policy version="1" name="Owner's rules 2026">
 <bound of="maintenance-factor" at-least="0.4" at-most="0.85"/>
 <bound of="reflectance" at-most="0.85"/>
 <bound of="flux-ratio" at-most="1"/>
+<bound of="power-ratio" at-least="0.99"/>
 <accuracy confidence="0.95" tolerance="0.02" replicates="16"/>
 <project path="design/project.xml"/>
 <fatal-warnings ids="luminaire-outside-room values-set"/>
@@ -102,6 +103,7 @@ ways = [
     ("no factor at all", change(PROJECT, (' maintenance-factor="0.8"', "")), "maintenance-factor of luminaire type 'panel' is 1"),
     ("walls of snow", change(PROJECT, ('reflectance="0.7"', 'reflectance="0.95"')), "reflectance of material 'light' is 0.95"),
     ("more lumens than the file has", change(too_dark, ('power-w="30"', 'power-w="30" flux-lm="99999"'), ('columns="1"', 'columns="2"')), "flux-ratio of luminaire type 'panel'"),
+    ("less power than the file has", change(PROJECT, ('power-w="30"', 'power-w="18"')), "power-ratio of luminaire type 'panel' is 0.6"),
     ("a warning that the owner fears", change(PROJECT, ('size="5 4" columns', 'size="25 4" columns')), "luminaire-outside-room"),
 ]
 for name, text, said in ways:

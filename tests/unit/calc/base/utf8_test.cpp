@@ -46,6 +46,8 @@ TEST(Utf8, EncodesCodePointsOfAllLengths) {
 
 TEST(Utf8, WhatIsShownHasNoCommandForCiRunners) {
   EXPECT_EQ(printable("a##[set-output name=b]c###[##"), "a## [set-output name=b]c### [##");
+  EXPECT_EQ(printable("a##vso[task.complete]##teamcity[x] #a[1] ##"),
+            "a##vso [task.complete]##teamcity [x] #a[1] ##");
   EXPECT_EQ(printable("\xC2\xA0 \xC3\x9B \xC2"), "\xC2\xA0 \xC3\x9B \xEF\xBF\xBD");
 }
 
