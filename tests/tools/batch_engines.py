@@ -233,8 +233,9 @@ def interrupted(batch, engine, environment):
     for case, sends in [("interrupted", os.killpg), ("ended", os.kill)]:
         process = subprocess.Popen(batch.submit(engine, case, 3), cwd=batch.folder, env=environment, start_new_session=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        jobs = str(batch.folder / f"{engine} {case}" / "job")
         def is_begun():
-            return any(words[:1] == [str(PROGRAM)] and "--shard" in words for words in commands_of_group(process.pid))
+            return any(words[0] == str(PROGRAM) and "--shard" in words for words in commands_with(jobs))
         end = time.monotonic() + 20
         while not is_begun() and time.monotonic() < end:
             time.sleep(0.02)
@@ -243,18 +244,19 @@ def interrupted(batch, engine, environment):
         _, messages = process.communicate(timeout=PATIENCE_S)
         expect(process.returncode == 130, f"{engine}, {case}: exit code {process.returncode}, expected 130: {messages}")
         time.sleep(0.3)
-        left = commands_of_group(process.pid)
+        left = commands_with(jobs)
         expect(not left, f"{engine}, {case}: {left} go on")
         expect(not (batch.folder / f"{engine} {case}" / "x.json").exists(), f"{engine}, {case}: a report was written")
 
 
-def commands_of_group(group):
+def commands_with(path):
+    """Of processes that have it in a word; GNU parallel gives each job a group of its own."""
     commands = []
     for entry in pathlib.Path("/proc").iterdir():
-        with contextlib.suppress(OSError, ValueError):
-            if entry.name.isdigit() and os.getpgid(int(entry.name)) == group:
+        with contextlib.suppress(OSError):
+            if entry.name.isdigit():
                 commands.append((entry / "cmdline").read_bytes().decode(errors="replace").split("\0"))
-    return [words for words in commands if words != [""]]
+    return [words for words in commands if any(path in word for word in words)]
 
 
 def by_hand(batch, engine, environment):
