@@ -114,6 +114,17 @@ for name, text, said in ways:
     for kind in ("text", "csv", "junit", "sarif", "html", "markdown"):
         shown = check(*both, kind=kind).stdout
         expect("olicy" in shown or "fears" in name, f"{name}: {kind} does not say it")
+# A wall that fails does not go away within a margin of the project's own.
+walls = change(PACK, ('grid="formula"/>\n<row', 'grid="formula" area="task" height="0.8"/><plane role="wall" orientation="surface" grid="formula" area="walls" '
+                      'margin="0.5"/>\n<row'), ("</rule-pack>", '<check id="wall" role="wall" quantity="planar" statistic="average" at-least="150 lx" '
+                                                'trust="confirmed"/></rule-pack>'))
+room = change(PROJECT, ('size="5 4 2.8"', 'size="9 4 2.8"'), ('size="5 4" columns', 'size="4 4" columns'))
+at, end = room.index("<plane"), room.index("</plane>") + len("</plane>")
+for zone, code, said in [("", 1, ""), ('<zone role="wall.2" margin="9" because="x"/>', 2, "zone-vanishes"), ('<zone role="wall.2" margin="0.5"/>', 1, "")]:
+    put(room[:at] + f'<workplace id="w" pack="own" row="office" origin="0.5 0.5" size="3 3">{zone}</workplace>' + room[end:])
+    (WORK / "walls.xml").write_text(walls)
+    run = luxgate("check", "design/project.xml", "--rules", "walls.xml", "--policy", "policy.xml", "--pictures", "off", "--format", "json")
+    expect(run.returncode == code and said in run.stderr, f"a wall with {zone}: {run.returncode}, expected {code}: {run.stderr}")
 permitted = change(too_dark, (ROW, WAIVER.format("A. Meier", "2026-05-01")), dark_min)
 put(permitted)
 run = check()
