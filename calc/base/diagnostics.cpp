@@ -56,7 +56,7 @@ void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
   std::vector<std::size_t> places;
   std::vector<Diagnostic> sorted;
   for (std::size_t i = first; i < all_.size(); ++i) {
-    if (all_[i].where.file != file) continue;
+    if (all_[i].where.file != file || all_[i].id == DiagnosticId::messages_left_out) continue;
     places.push_back(i);
     sorted.push_back(all_[i]);
   }
@@ -68,10 +68,12 @@ void Diagnostics::sort_by_line(std::string_view file, std::size_t first) {
 
 void Diagnostics::add(const Diagnostics& others) {
   for (const Diagnostic& other : others.all_) {
-    if (other.id != DiagnosticId::messages_left_out && take(other.id, 1)) all_.push_back(other);
+    if (other.id == DiagnosticId::messages_left_out) continue;
+    if (take(other.id, 1, other.where.file)) all_.push_back(other);
   }
   for (const auto& [id, found] : others.of_id_) {
-    if (found.left_out > 0) take(id, found.count - kMostMessagesOfAnId);
+    if (found.left_out == 0) continue;
+    take(id, found.count - kMostMessagesOfAnId, others.all_[found.left_out].where.file);
   }
 }
 
@@ -80,14 +82,14 @@ void Diagnostics::add(DiagnosticId id, const SourceLocation& where, std::string 
   all_.push_back(Diagnostic{id, where, printable(shorten_utf8(message, kLongestMessage))});
 }
 
-bool Diagnostics::take(DiagnosticId id, std::size_t count) {
+bool Diagnostics::take(DiagnosticId id, std::size_t count, const std::string& file) {
   if (diagnostic_severity(id) == Severity::error) error_count_ += count;
   OfAnId& found = of_id_[id];
   found.count += count;
   if (found.count <= kMostMessagesOfAnId) return true;
   if (found.left_out == 0) {
     found.left_out = all_.size();
-    all_.push_back({DiagnosticId::messages_left_out, {}, ""});
+    all_.push_back({DiagnosticId::messages_left_out, {file, 0, 0}, ""});
   }
   all_[found.left_out].message =
       fmt::format(fmt::runtime(diagnostic_template(DiagnosticId::messages_left_out)),

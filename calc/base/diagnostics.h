@@ -69,7 +69,7 @@ class Diagnostics {
   // throws fmt::format_error, which the tests of each message would show.
   template <class... Args>
   void report(DiagnosticId id, const SourceLocation& where, const Args&... args) {
-    if (!take(id, 1)) return;  // not even written
+    if (!take(id, 1, where.file)) return;  // not even written
     add(id, where, fmt::vformat(diagnostic_template(id), fmt::make_format_args(args...)));
   }
 
@@ -81,13 +81,14 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return all_; }
 
   // Messages about `file` from the `first` one on go into the order of its lines; those of a line
-  // keep theirs, and those about other files keep their places.
+  // keep theirs, and those about other files, or that count what is left out, keep their places.
   void sort_by_line(std::string_view file, std::size_t first);
 
  private:
   void add(DiagnosticId id, const SourceLocation& where, std::string message);
-  // Counts them. Whether there is room for one more of the id.
-  bool take(DiagnosticId id, std::size_t count);
+  // Counts them. Whether there is room for one more of the id. file: of which the first one that is
+  // left out is told.
+  bool take(DiagnosticId id, std::size_t count, const std::string& file);
 
   struct OfAnId {
     std::size_t count = 0;     // found

@@ -61,11 +61,13 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     PlaneJob& job = jobs.emplace_back();
     job.plane = &plane;
     job.requirements = rules::requirements_of_plane(loaded.requirements, plane.id);
-    job.grid = calc::make_sensor_grid(plane, space, diagnostics);
+    calc::Diagnostics of_grid;  // all of its own: of many planes' messages some may be left out
+    job.grid = calc::make_sensor_grid(plane, space, of_grid);
+    diagnostics.add(of_grid);
     if (job.grid) {
       rules::check_fitness({loaded.project, space, plane, *job.grid, packs, day}, job.requirements);
     } else {
-      job.reason = diagnostics.all().back().message;
+      job.reason = of_grid.all().back().message;
     }
   }
   add_no_longer_left_out(space, loaded, packs, day, jobs, diagnostics);

@@ -33,7 +33,9 @@ class PolicyJudge {
       judge_signatures(space);
       if (policy_.asks_every_space) judge_questions(space);
     }
-    for (const PolicyRow& row : policy_.rows) judge_row(row);
+    for (const PolicyRow& row : policy_.rows) {
+      if (row.is_for(project_.path)) judge_row(row);
+    }
     for (const PolicyBound& bound : policy_.bounds) judge_bound(bound);
     return std::move(diagnostics_);
   }

@@ -6,6 +6,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_reader.h"
 #include "calc/base/xml_schema.h"
+#include "calc/project/project_elements.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 namespace report {
@@ -25,6 +27,8 @@ using calc::DiagnosticId;
 using calc::ElementReader;
 using calc::ElementRow;
 using calc::kAnyText;
+using calc::kIdType;
+using calc::kTextType;
 using calc::NumberRange;
 using calc::ValueType;
 using calc::XmlElement;
@@ -33,8 +37,6 @@ constexpr std::string_view kRoot = "luxgate-policy";
 constexpr NumberRange kLevel{0.5, 1.0, true, "a number between 0.5 and 1"};
 constexpr NumberRange kFactor{0.0, 100.0, false, "a number from 0 to 100"};
 
-const ValueType kTextType{.name = "text", .base = &kAnyText, .least = 1};
-const ValueType kIdType{.name = "id", .base = &kAnyText, .pattern = R"(\s*[A-Za-z0-9_.:\-]+\s*)"};
 const ValueType kIdsType{.name = "ids", .item = &kIdType, .least = 1};
 const ValueType kYesNoType{.name = "yesNo", .base = &kAnyText, .words = {"yes", "no"}};
 const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
@@ -57,12 +59,14 @@ const ElementRow kPermitElement{
 const ElementRow kRowElement{
     .type = "asked",
     .meaning = "A row of a rule pack that these spaces must be asked as a whole.",
-    .attributes = {
-        {"pack", &kIdType, required, "With its edition: en12464-1:2021."},
-        {"row", &kTextType, required},
-        {"spaces", &kTextType, optional,
-         "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
-        {"at-least", &kCountType, optional, "So many spaces must be like the pattern.", "1"}}};
+    .attributes = {{"pack", &kIdType, required, "With its edition: en12464-1:2021."},
+                   {"row", &kTextType, required},
+                   {"projects", &kTextType, optional,
+                    "A pattern for paths of projects, as of a shell: */office-*.xml.", "*"},
+                   {"spaces", &kTextType, optional,
+                    "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
+                   {"at-least", &kCountType, optional,
+                    "So many spaces of each of these projects must be like it.", "1"}}};
 
 const ElementRow kBoundElement{
     .type = "bound",
@@ -147,9 +151,9 @@ PolicyPermit read_permit(ElementReader& reader) {
 PolicyRow read_row(ElementReader& reader) {
   reader.allow(kRowElement);
   PolicyRow row;
-  row.where = reader.where();
   row.pack = reader.id("pack");
   row.row = reader.text("row");
+  row.projects = reader.text_or("projects", "*");
   row.spaces.pattern = reader.text_or("spaces", "*");
   if (reader.has("at-least")) row.at_least = reader.integer("at-least", 1);
   if (row.pack.find(':') == std::string::npos && reader.has("pack")) {
@@ -256,6 +260,11 @@ std::string bound_text(const PolicyBound& bound) {
 
 }  // namespace
 
+bool PolicyRow::is_for(const std::string& project_path) const {
+  const std::string path = std::filesystem::path(project_path).lexically_normal().string();
+  return fnmatch(projects.c_str(), path.c_str(), 0) == 0;
+}
+
 bool PolicySpaces::has(const std::string& id, const std::string& name) const {
   return fnmatch(pattern.c_str(), id.c_str(), 0) == 0 ||
          fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
@@ -301,8 +310,9 @@ std::string explain_policy(const Policy& policy) {
     text += fmt::format("must be in the batch: {}\n", project);
   }
   for (const PolicyRow& row : policy.rows) {
-    text += fmt::format("must be asked as a whole: {} {}, in spaces like '{}', at least {}\n",
-                        row.pack, row.row, row.spaces.pattern, row.at_least);
+    text += fmt::format(
+        "must be asked as a whole: {} {}, in spaces like '{}' of projects like '{}', at least {}\n",
+        row.pack, row.row, row.spaces.pattern, row.projects, row.at_least);
   }
   for (const PolicyBound& bound : policy.bounds) text += bound_text(bound);
   if (policy.confidence) text += fmt::format("confidence: at least {}\n", *policy.confidence);

@@ -30,9 +30,11 @@ struct PolicySpaces {
 struct PolicyRow {
   std::string pack;  // with its edition: "en12464-1:2021"
   std::string row;
+  std::string projects = "*";  // a pattern of a shell for their paths, without './'
   PolicySpaces spaces;
-  int at_least = 1;  // so many spaces must be like the pattern
-  calc::SourceLocation where;
+  int at_least = 1;  // so many spaces of each of these projects must be like the pattern
+
+  bool is_for(const std::string& project_path) const;
 };
 
 enum class PolicyBoundOf {

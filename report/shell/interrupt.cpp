@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <mutex>
 #include <string_view>
 #include <thread>
 
@@ -21,6 +22,8 @@ constexpr std::chrono::milliseconds kPatience{900};
 std::atomic<bool> was_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // else not allowed in a signal handler
 sem_t asked_to_end;
+std::mutex ending;  // who has it ends the process, or makes sure that nobody does
+bool must_finish = false;
 
 void on_signal(int signal) {
   was_interrupted.store(true);
@@ -28,11 +31,14 @@ void on_signal(int signal) {
   sem_post(&asked_to_end);
 }
 
-// Files and store entries appear whole or not at all, so the process can end at any moment.
+// Each file and store entry appears whole or not at all, so the process can end at any moment but
+// while several files are written that belong together.
 void end_soon() {
   while (sem_wait(&asked_to_end) != 0 && errno == EINTR) {
   }
   std::this_thread::sleep_for(kPatience);
+  const std::scoped_lock lock(ending);
+  if (must_finish) return;
   constexpr std::string_view kWords = "luxgate: interrupted\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWords.data(), kWords.size());
   _exit(kInterrupted);
@@ -52,5 +58,11 @@ void watch_for_interrupt() {
 }
 
 bool interrupted() { return was_interrupted.load(); }
+
+bool begin_to_write() {
+  const std::scoped_lock lock(ending);
+  must_finish = !interrupted();
+  return must_finish;
+}
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 #include "report/shell/project_options.h"
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/utf8.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -99,13 +100,11 @@ std::string render_project_list(const std::vector<std::string>& projects) {
 }
 
 std::vector<std::string> parse_project_list(const std::string& bytes, std::string& problem) {
-  std::string_view rest = bytes;
-  if (rest.starts_with("\xff\xfe") || rest.starts_with("\xfe\xff")) {
+  if (calc::has_utf16_mark(bytes)) {
     problem = "it is UTF-16; UTF-8 is allowed";
     return {};
   }
-  constexpr std::string_view kMark = "\xef\xbb\xbf";
-  if (rest.starts_with(kMark)) rest.remove_prefix(kMark.size());
+  std::string_view rest = calc::without_byte_order_mark(bytes);
   const bool has_zeros = rest.find('\0') != std::string_view::npos;
   const char end_of_path = has_zeros ? '\0' : '\n';
   std::vector<std::string> projects;

@@ -28,7 +28,7 @@ PROJECT = f"""<luxgate version="1" name="Design" maintenance-factor="0.8">
 </room></luxgate>"""
 POLICY = """<luxgate-policy version="1" name="Owner's rules 2026">
 <waivers by="A. Meier; Q. Board" most-days="200"/>
-<asked pack="own:1" row="office" spaces="office-*"/>
+<asked pack="own:1" row="office" spaces="office-*" projects="design/*"/>
 <bound of="maintenance-factor" at-least="0.4" at-most="0.85"/>
 <bound of="reflectance" at-most="0.85"/>
 <bound of="flux-ratio" at-most="1"/>
@@ -143,10 +143,22 @@ for name, run, said in [
         ("another project under its name", check(projects=("other/project.xml", "notdesign/project.xml")), "'design/project.xml' is not among the projects")]:
     expect(run.returncode == 2 and said in run.stderr, f"{name}: {run.returncode}, {run.stderr}")
 
+# A row is asked of those projects that it is for, and of them alone.
+small = change(PROJECT, ("office-1", "store-1"), (ROW, ""))
+(WORK / "other" / "project.xml").write_text(small)
+run = check(projects=("./design/project.xml", "other/project.xml"))
+expect(run.returncode == 0, f"a row of another project: {run.returncode}, {run.stderr}")
+put(change(PROJECT, (ROW, "")))
+run = check(projects=("./design/project.xml", "other/project.xml"))
+expect(run.returncode == 2 and "own:1 office of space 'office-1' is not asked" in run.stderr, f"a row, by another path: {run.returncode}, {run.stderr}")
+submit = luxgate("submit", "--engine", "local", "other/project.xml", "--rules", "own.xml", "--policy", "policy.xml", "--store", "s", "--format", "json=x.json")
+expect(submit.returncode == 2 and "'design/project.xml' is not among" in submit.stderr and not (WORK / "s-job").exists(), f"submit: {submit.stderr}")
+put(PROJECT)
+
 # The policy itself.
 explained = luxgate("policy", "explain", "policy.xml")
 for words in ("may waive what fails: A. Meier, Q. Board, for at most 200 days", "may state a deviation from a standard: nobody", sha,
-              "must be asked as a whole: own:1 office, in spaces like 'office-*', at least 1", "flux-ratio: at most 1", "must be written: json"):
+              "must be asked as a whole: own:1 office, in spaces like 'office-*' of projects like 'design/*', at least 1", "flux-ratio: at most 1", "must be written: json"):
     expect(explained.returncode == 0 and words in explained.stdout, f"explain: '{words}' is not in {explained.stdout}{explained.stderr}")
 expect(luxgate("policy", "check", "policy.xml").returncode == 0, "a good policy is refused")
 for name, text, said in [

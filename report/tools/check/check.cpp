@@ -64,10 +64,10 @@ void print_timing(const report::ProjectPart& project) {
   tell(
       "{}: {:.3f} s: load {:.3f}, prepare {:.3f}, direct {:.3f}, light paths {:.3f}, "
       "{}connections {:.3f}, near field {:.3f}, verdicts {:.3f}; {} rays from points, {:.3g} /s\n",
-      calc::printable_path(project.path), times.total_s, times.load_s, times.prepare_s, times.direct_s,
-      times.pool_s, times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "",
-      times.connect_s, times.near_s, times.judge_s, rays,
-      rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
+      calc::printable_path(project.path), times.total_s, times.load_s, times.prepare_s,
+      times.direct_s, times.pool_s,
+      times.maps_s > 0.0 ? fmt::format("shadow maps {:.3f}, ", times.maps_s) : "", times.connect_s,
+      times.near_s, times.judge_s, rays, rays_s > 0.0 ? static_cast<double>(rays) / rays_s : 0.0);
 }
 
 // Pictures of rooms, which are drawn in the order of the projects: on software only the first are.
@@ -358,7 +358,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   };
   check::in_order(checked.size(), setup->crew, work, deliver, go_on);
   progress.clear();
-  if (interrupted()) return told_of_interrupt(options);
+  if (!begin_to_write()) return told_of_interrupt(options);
   if (options.explain_cost) {
     tell("{}{}{}", check::backend_line(setup->backend), cost_log,
          store ? looks_line(looks, options) : "");

@@ -124,7 +124,7 @@ CommandOutcome run_selftest(const SelftestOptions& options, const Environment& e
   result.tracer = calc::tree_builder_version();
   result.cases = run_cases(std::move(cases), options, announce);
   announce.clear();
-  if (interrupted()) return interrupted_outcome();
+  if (!begin_to_write()) return interrupted_outcome();
   if (result.numbers() > selftest::kMostNumbers) {
     throw std::logic_error("the selftest has more numbers than its level allows for");
   }

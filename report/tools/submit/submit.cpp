@@ -9,9 +9,11 @@
 #include "report/shell/open_backend.h"
 #include "report/shell/option_values.h"
 #include "report/shell/outputs.h"
+#include "report/shell/policy_option.h"
 #include "report/shell/print.h"
 #include "report/text/shell_words.h"
 #include "report/tools/check/check_options.h"
+#include "report/tools/check/policy_bounds.h"
 #include "report/tools/plan/units_list.h"
 #include "report/tools/submit/job_script.h"
 
@@ -232,6 +234,10 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   if (!check.baseline.empty()) inputs.push_back(check.baseline);
   if (const std::string problem = check_outputs(check.output, inputs); !problem.empty()) {
     return complain(problem);
+  }
+  if (!check.policy.empty()) {  // before hours of work
+    const auto policy = read_policy_or_print(check.policy, disk);
+    if (!policy || !is_allowed_or_print(*policy, check)) return kNotJudged;
   }
   const auto packs = load_packs_or_print(check.input.rule_files, files);
   if (!packs) return kNotJudged;

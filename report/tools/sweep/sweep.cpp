@@ -64,22 +64,23 @@ class KeptFiles : public calc::FileReader {
 
   calc::FileContent read_within(const std::string& folder, const std::string& path) const override {
     const std::scoped_lock lock(mutex_);
-    const auto known = contents_.find(path);
+    const std::pair key(folder, path);
+    const auto known = contents_.find(key);
     return known != contents_.end()
                ? known->second
-               : contents_.emplace(path, files_.read_within(folder, path)).first->second;
+               : contents_.emplace(key, files_.read_within(folder, path)).first->second;
   }
   std::set<std::string> paths() const {
     const std::scoped_lock lock(mutex_);
     std::set<std::string> paths;
-    for (const auto& [path, content] : contents_) paths.insert(path);
+    for (const auto& [key, content] : contents_) paths.insert(key.second);
     return paths;
   }
 
  private:
   const calc::FileReader& files_;
   mutable std::mutex mutex_;
-  mutable std::map<std::string, calc::FileContent> contents_;
+  mutable std::map<std::pair<std::string, std::string>, calc::FileContent> contents_;
 };
 
 struct DoneVariant {
@@ -368,7 +369,7 @@ ExitCode run_sweep(const SweepOptions& asked, const RunContext& context) {
   };
   check::in_order(own.size(), setup->crew, work, deliver, [] { return !interrupted(); });
   progress.clear();
-  if (interrupted()) {
+  if (!begin_to_write()) {
     tell("luxgate: interrupted; nothing was written{}\n",
          folder ? ", what was finished is in the store" : "");
     return kInterrupted;

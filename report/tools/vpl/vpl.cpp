@@ -171,8 +171,8 @@ Command vpl_command() {
   const auto options = std::make_shared<VplOptions>();
   Command command = vpl_syntax(*options);
   command.run = [options](const RunContext& context) {
-    return print_outcome(
-        run_vpl(*options, calc::DiskFileReader(options->allowed), context.environment, context.gl_fault));
+    return print_outcome(run_vpl(*options, calc::DiskFileReader(options->allowed),
+                                 context.environment, context.gl_fault));
   };
   return command;
 }

@@ -45,8 +45,9 @@ TEST(Diagnostics, OfAnIdHaveAnEnd) {
   }
   EXPECT_EQ(diagnostics.error_count(), 3 * kMostMessagesOfAnId);
   ASSERT_THAT(diagnostics.all(), SizeIs(kMostMessagesOfAnId + 1));
-  EXPECT_EQ(diagnostics.all().back().message,
-            "2000 more messages xml-too-many-attributes are left out, after the first 1000");
+  EXPECT_EQ(format_diagnostic(diagnostics.all().back()),
+            "a.xml: warning[messages-left-out]: 2000 more messages xml-too-many-attributes are "
+            "left out, after the first 1000");
 }
 
 // A warning that --strict makes count must not be hidden behind others.
@@ -73,6 +74,19 @@ TEST(Diagnostics, AreCountedWhenTheyComeTogether) {
   EXPECT_EQ(count_of(one, DiagnosticId::file_not_readable), kMostMessagesOfAnId);
   ASSERT_EQ(count_of(one, DiagnosticId::messages_left_out), 1U);
   EXPECT_THAT(one.all().back().message, StartsWith("1004 more messages file-not-readable"));
+}
+
+// What counts them is found again after the others have changed their places.
+TEST(Diagnostics, OfAnIdAreCountedAfterTheyAreSorted) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < kMostMessagesOfAnId + 1; ++i) {
+    const int line = static_cast<int>(kMostMessagesOfAnId + 1 - i);
+    diagnostics.report(DiagnosticId::file_not_readable, {"a.xml", line, 1}, "a", "b");
+  }
+  diagnostics.sort_by_line("a.xml", 0);
+  diagnostics.report(DiagnosticId::file_not_readable, {"a.xml", 1, 1}, "a", "b");
+  EXPECT_EQ(diagnostics.all().front().where.line, 2);
+  EXPECT_THAT(diagnostics.all().back().message, StartsWith("2 more messages file-not-readable"));
 }
 
 }  // namespace
