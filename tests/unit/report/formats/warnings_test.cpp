@@ -69,7 +69,7 @@ TEST(Warnings, AreCountedInTheLastLineOfText) {
   one.projects[0].diagnostics.resize(1);
   EXPECT_THAT(rendered(one, "text"), HasSubstr("1 requirement: 1 pass, 1 warning\n"));
   EXPECT_TRUE(rendered(strict(), "text")
-                  .ends_with("\n1 requirement: 1 pass, 3 warnings (to count by --strict: 2)\n"));
+                  .ends_with("\n1 requirement: 1 pass, 3 warnings (that count: 2)\n"));
 }
 
 TEST(Warnings, AreNotSaidTwiceOnATerminal) {
@@ -129,12 +129,12 @@ TEST(Warnings, ThatCountLeaveNoHeadlineGreen) {
   EXPECT_THAT(rendered(warned(), "markdown"), HasSubstr("### luxgate: ✓ pass\n"));
   EXPECT_THAT(rendered(strict(), "markdown"), HasSubstr("### luxgate: ! warnings count\n"));
   EXPECT_THAT(rendered(strict(), "markdown"),
-              HasSubstr("- **warning that counts (--strict)** office.xml:7:3: "));
+              HasSubstr("- **warning that counts** office.xml:7:3: "));
   EXPECT_THAT(rendered(warned(), "html"), HasSubstr("class=\"banner pass\""));
   const std::string html = rendered(strict(), "html");
   EXPECT_THAT(html, Not(HasSubstr("class=\"banner pass\"")));
   EXPECT_THAT(html, HasSubstr("Warnings were asked to count, and there are some"));
-  EXPECT_THAT(html, HasSubstr("<b>warning that counts (--strict)</b>"));
+  EXPECT_THAT(html, HasSubstr("<b>warning that counts</b>"));
 }
 
 TEST(Warnings, MarkdownLeavesOutWhatIsTooMuch) {
