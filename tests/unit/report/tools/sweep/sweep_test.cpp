@@ -266,6 +266,35 @@ TEST(RowOf, CountsAggregatesThatCount) {
   EXPECT_EQ(cli::margin_words(row), "+100.0 %, 1 without");
 }
 
+// What looks like a pass and is none of the light alone.
+TEST(RowOf, CountsWhatIsWaivedAndWhatPassesBeyondItsLimit) {
+  using enum rules::Verdict;
+  rules::Finding waived = finding("w", rules::Comparison::at_least, 100, {50, 50, 50}, fail);
+  waived.is_waived = true;
+  const cli::SweepRow row = cli::row_of(
+      0, {},
+      part_with({waived, finding("t", rules::Comparison::at_least, 100, {95, 95, 95}, pass),
+                 finding("p", rules::Comparison::at_least, 100, {150, 150, 150}, pass)}));
+  EXPECT_EQ(row.waived, 1);
+  EXPECT_EQ(row.passed_beyond_limit, 1);
+  EXPECT_DOUBLE_EQ(row.margin->value, -0.05);
+  cli::Sweep sweep;
+  sweep.rows = {row};
+  EXPECT_THAT(cli::sweep_notes(sweep),
+              ElementsAre(testing::HasSubstr("waived"), testing::HasSubstr("beyond its limit")));
+}
+
+// Equal light that was summed up in another order: the last bits are no margin.
+TEST(RowOf, HasMarginsWithoutNoise) {
+  const auto with = [](double lx) {
+    return cli::row_of(0, {},
+                       part_with({finding("a", rules::Comparison::at_least, 300, {lx, lx, lx},
+                                          rules::Verdict::pass)}));
+  };
+  EXPECT_EQ(with(317.66707738515656).margin->value, with(317.66707738515650).margin->value);
+  EXPECT_NE(317.66707738515656, 317.66707738515650);
+}
+
 TEST(RowOf, HasNoMarginWhereSomethingIsNotJudged) {
   using enum rules::Verdict;
   rules::Finding open = finding("b", rules::Comparison::at_least, 1, {}, not_judged);
