@@ -21,6 +21,7 @@ luxgate_test(scene_tests
     unit/calc/base/element_table_test.cpp
     unit/calc/base/file_hash_test.cpp
     unit/calc/base/names_test.cpp
+    unit/calc/base/real_path_test.cpp
     unit/calc/base/text_test.cpp
     unit/calc/project/energy_xml_test.cpp
     unit/calc/project/frame_test.cpp

@@ -1,5 +1,7 @@
 #include "calc/base/file_reader.h"
 
+#include "calc/base/real_path.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -60,15 +62,18 @@ bool lies_in(const fs::path& place, const std::string& folder) {
 
 FileContent DiskFileReader::read_within(const std::string& folder, const std::string& path) const {
   const OpenFile file(path);
-  if (file.number() < 0) return failure(std::strerror(errno));
+  const int reason = errno;
+  const bool is_open = file.number() >= 0;
   if (!folder.empty()) {
-    const fs::path place = real_place(file.number(), path);
+    // Also of what is not there: a link must not tell what there is elsewhere.
+    const fs::path place = is_open ? real_place(file.number(), path) : real_path(path);
     const auto is_in = [&place](const std::string& one) { return lies_in(place, one); };
     if (place.empty() ||
         (!is_in(folder) && std::none_of(allowed_.begin(), allowed_.end(), is_in))) {
       return {{}, "a symbolic link leads out of the folder '" + folder + "'", true};
     }
   }
+  if (!is_open) return failure(std::strerror(reason));
   struct stat status {};
   if (fstat(file.number(), &status) != 0) return failure(std::strerror(errno));
   if (S_ISDIR(status.st_mode)) return failure("it is a folder");

@@ -37,9 +37,9 @@ class Survey {
   // The interface that nlohmann's parser calls; false stops it.
   bool null() { return true; }
   bool boolean(bool) { return true; }
-  bool number_integer(std::int64_t) { return true; }
+  bool number_integer(std::int64_t number) { return take(static_cast<double>(number)); }
   bool number_unsigned(std::uint64_t) { return true; }
-  bool number_float(double, const std::string&) { return true; }
+  bool number_float(double number, const std::string&) { return take(number); }
   bool binary(std::vector<std::uint8_t>&) { return true; }
   bool string(std::string& text) {
     constexpr std::size_t kShown = 200;
@@ -72,6 +72,19 @@ class Survey {
   }
 
  private:
+  // A number below 0 or with a fraction. Where bytes lie and how many there are is no such number,
+  // and the library would silently take 0 instead.
+  bool take(double number) {
+    static constexpr std::array<std::string_view, 4> kWhole{"byteOffset", "byteLength",
+                                                            "byteStride", "count"};
+    const bool is_of_bytes =
+        root_key_ == "buffers" || root_key_ == "bufferViews" || root_key_ == "accessors";
+    if (depth_ != 3 || !is_of_bytes) return true;
+    if (std::find(kWhole.begin(), kWhole.end(), key_) == kWhole.end()) return true;
+    problem_ = fmt::format("'{}' in '{}' is {}; whole numbers from 0 are allowed", key_, root_key_,
+                           number);
+    return false;
+  }
   bool enter() {
     if (++depth_ <= kDepthLimit) return true;
     problem_ = fmt::format("its JSON is nested more than {} deep", kDepthLimit);

@@ -27,6 +27,9 @@ struct BoxTop {
   glm::dvec3 origin_m{0.0}, u_m{0.0}, v_m{0.0};
 };
 
+// What a project keeps of so many objects and luminaires with so many triangles, about, in bytes.
+double held_bytes(double instances, double triangles);
+
 struct ObjectSet {
   std::vector<Body> bodies;
   std::vector<Luminaire> luminaires;

@@ -39,10 +39,11 @@ GridRule read_grid_rule(ProjectContext& context, ElementReader& reader) {
     const std::vector<int> count =
         reader.integers("count", 2, "2 whole numbers (along u and v)", 1);
     const double points = static_cast<double>(count[0]) * static_cast<double>(count[1]);
-    if (points > kInstanceLimit) {
+    constexpr double kMostPoints = 1.0e6;
+    if (points > kMostPoints) {
       reader.report(DiagnosticId::number_out_of_range, reader.where("count"), "count",
                     reader.element().name, fmt::format("{} x {}", count[0], count[1]),
-                    fmt::format("at most {:.0f} points", kInstanceLimit));
+                    fmt::format("at most {:.0f} points", kMostPoints));
     }
     return GridByCount{count[0], count[1]};
   }

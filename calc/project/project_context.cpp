@@ -165,19 +165,16 @@ bool check_room_for(ProjectContext& context, ElementReader& reader, double insta
                     double triangles) {
   const auto id = reader.element().find("id");
   const std::string name = id != nullptr ? id->value : reader.element().name;
-  if (context.instances + instances > kInstanceLimit) {
-    reader.report(DiagnosticId::too_many_instances, reader.where(), name,
-                  fmt::format("{:.0f}", context.instances + instances),
-                  fmt::format("{:.0f}", kInstanceLimit));
+  const std::string what = fmt::format("'{}' brings the model to", name);
+  const auto fits = [&](BudgetOf of, double amount) {
+    if (amount <= context.budget[of]) return true;
+    report_beyond(context.diagnostics, reader.where(), what, of, amount, context.budget);
     return false;
-  }
-  if (context.triangles + triangles > kTriangleLimit) {
-    reader.report(DiagnosticId::too_many_triangles, reader.where(), name,
-                  fmt::format("{:.0f}", context.triangles + triangles),
-                  fmt::format("{:.0f}", kTriangleLimit));
-    return false;
-  }
-  return true;
+  };
+  const double all = context.instances + instances;
+  const double all_triangles = context.triangles + triangles;
+  return fits(BudgetOf::objects, all) && fits(BudgetOf::triangles, all_triangles) &&
+         fits(BudgetOf::memory, context.files.taken_bytes() + held_bytes(all, all_triangles));
 }
 
 }  // namespace calc

@@ -1,6 +1,7 @@
 #pragma once
 // What all parts of the project reader share, and the attribute types only project files have.
 
+#include "calc/base/budget.h"
 #include "calc/base/xml_reader.h"
 #include "calc/project/former_ids.h"
 #include "calc/project/project_files.h"
@@ -20,9 +21,6 @@
 #include <vector>
 
 namespace calc {
-
-inline constexpr double kInstanceLimit = 1.0e6;
-inline constexpr double kTriangleLimit = 1.0e7;
 
 // Ids of one kind, e.g. "material": where each was first given, and its index. Elements with other
 // errors are entered too, so that references to them are not reported as well.
@@ -58,6 +56,7 @@ struct ProjectContext {
   Project& project;
   ProjectFiles& files;
   Diagnostics& diagnostics;
+  const Budget& budget;
   double metres_per_unit = 1.0;
   std::optional<double> maintenance_factor = {};  // of types that state none
   IdTable materials{"material"};

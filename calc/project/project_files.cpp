@@ -23,10 +23,30 @@ PhotometricWeb without_opening(const PhotometricWeb& web) {
                               LuminousOpening{}, web.source(), web.axis());
 }
 
+// Of the table, and of what is made of it for many directions at once.
+double web_bytes(const PhotometricWeb& web) {
+  constexpr double kSketch = 250.0e3;
+  return kSketch + 8.0 * static_cast<double>(web.c_rad().size() * web.gamma_rad().size());
+}
+
+// While a file is read everything in it stands there several times.
+constexpr double kMeshByteFactor = 12.0, kTableByteFactor = 12.0;
+
 }  // namespace
 
-ProjectFiles::ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics)
-    : reader_(reader), project_(project), diagnostics_(diagnostics) {}
+ProjectFiles::ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics,
+                           const Budget& budget)
+    : reader_(reader), project_(project), diagnostics_(diagnostics), budget_(budget) {}
+
+bool ProjectFiles::take(double bytes, const SourceLocation& where, std::string_view what) {
+  const double all = taken_bytes_ + bytes;
+  if (all > budget_[BudgetOf::memory]) {
+    report_beyond(diagnostics_, where, what, BudgetOf::memory, all, budget_);
+    return false;
+  }
+  taken_bytes_ = all;
+  return true;
+}
 
 std::optional<std::string> ProjectFiles::read_project() {
   FileContent content = reader_.read(project_.path);
@@ -69,6 +89,11 @@ std::optional<std::string> ProjectFiles::read(const std::string& key, const std:
   return std::move(content.bytes);
 }
 
+bool ProjectFiles::take_file(std::string_view bytes, double factor, const SourceLocation& named_at,
+                             const std::string& path) {
+  return take(factor * static_cast<double>(bytes.size()), named_at, "with '" + path + "' it takes");
+}
+
 const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& light,
                                                               const std::string& as_named,
                                                               const SourceLocation& named_at,
@@ -76,13 +101,16 @@ const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& l
   const auto [entry, is_new] = photometry_.try_emplace(light);
   if (!is_new) return entry->second;
   const std::string& key = std::get<0>(light);
+  bool is_alone = true;
   options.read_companion = [&](const std::string& file_name) -> std::optional<std::string> {
+    is_alone = false;
     const std::size_t slash = key.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : key.substr(0, slash + 1);
     return read(folder + file_name, folder + file_name, named_at);
   };
   if (const std::optional<std::string> bytes = read(key, as_named, named_at)) {
     entry->second = parse_luminaire_light(*bytes, full_path(key), diagnostics_, options);
+    if (is_alone) hash_.emplace(light, sha256_hex(*bytes));
   }
   return entry->second;
 }
@@ -97,11 +125,24 @@ std::vector<PlacedWeb> ProjectFiles::light(const std::string& path, const WebUse
   if (!is_new) return entry->second;
   const std::optional<LuminaireLight>& light = photometry(chosen, path, named_at, options);
   if (!light) return {};
+  std::vector<PlacedWeb>* same = nullptr;
+  if (const auto hash = hash_.find(chosen); hash != hash_.end()) {
+    FileLight choices = chosen;
+    std::get<0>(choices).clear();
+    same = &same_light_[{hash->second, choices, use.as_point, use.is_cubic}];
+    if (!same->empty()) return entry->second = *same;
+  }
   for (const EmitterLight& emitter : light->emitters) {
     const PhotometricWeb shaped = use.as_point ? without_opening(emitter.web) : emitter.web;
-    project_.webs.push_back(use.is_cubic ? hermite_refined(shaped) : shaped);
+    PhotometricWeb web = use.is_cubic ? hermite_refined(shaped) : shaped;
+    if (!take(web_bytes(web), named_at, "with the photometry of '" + path + "' it takes")) {
+      entry->second.clear();
+      return {};
+    }
+    project_.webs.push_back(std::move(web));
     entry->second.push_back({project_.webs.size() - 1, emitter.id, emitter.place});
   }
+  if (same != nullptr) *same = entry->second;
   return entry->second;
 }
 
@@ -115,7 +156,8 @@ const TriangleMesh* ProjectFiles::mesh(const std::string& path, std::optional<Me
     const SideFiles side_files = [&](const std::string& name) {
       return read(folder + name, folder + name, {full_path(*key), 0, 0});
     };
-    if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
+    const std::optional<std::string> bytes = read(*key, path, named_at);
+    if (bytes && take_file(*bytes, kMeshByteFactor, named_at, path)) {
       entry->second = parse_mesh_file(*bytes, full_path(*key), side_files, diagnostics_, format);
     }
   }
@@ -134,7 +176,8 @@ const GbxmlBuilding* ProjectFiles::building(const std::string& path,
   if (!key) return nullptr;
   const auto [entry, is_new] = buildings_.try_emplace(*key);
   if (is_new) {
-    if (std::optional<std::string> bytes = read(*key, path, named_at)) {
+    std::optional<std::string> bytes = read(*key, path, named_at);
+    if (bytes && take_file(*bytes, kMeshByteFactor, named_at, path)) {
       entry->second = parse_gbxml(std::move(*bytes), full_path(*key), diagnostics_);
     }
   }
@@ -147,7 +190,8 @@ const LuminaireList* ProjectFiles::luminaire_list(const std::string& path,
   if (!key) return nullptr;
   const auto [entry, is_new] = luminaire_lists_.try_emplace(*key);
   if (is_new) {
-    if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
+    const std::optional<std::string> bytes = read(*key, path, named_at);
+    if (bytes && take_file(*bytes, kTableByteFactor, named_at, path)) {
       entry->second = parse_luminaire_list(*bytes, full_path(*key), diagnostics_);
     }
   }
@@ -161,7 +205,8 @@ const std::optional<PointList>& ProjectFiles::point_list(const std::string& path
   if (!key) return kNone;
   const auto [entry, is_new] = point_lists_.try_emplace(*key);
   if (is_new) {
-    if (const std::optional<std::string> bytes = read(*key, path, named_at)) {
+    const std::optional<std::string> bytes = read(*key, path, named_at);
+    if (bytes && take_file(*bytes, kTableByteFactor, named_at, path)) {
       entry->second = parse_point_list(*bytes, full_path(*key), diagnostics_);
     }
     if (entry->second) entry->second->file = path;

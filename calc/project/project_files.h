@@ -2,6 +2,7 @@
 // Files that a project names: found beside the project file or below it only, each read and
 // recorded once.
 
+#include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/meshes/gbxml.h"
@@ -41,7 +42,13 @@ struct PlacedWeb {
 class ProjectFiles {
  public:
   // All must outlive this object; `project` gets inputs and webs.
-  ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics);
+  ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics,
+               const Budget& budget);
+
+  // Counts so many bytes, as estimated, that stay until everything is read. False, and an error,
+  // where they are too many: what takes so much must not be made then. what: "its elements take".
+  bool take(double bytes, const SourceLocation& where, std::string_view what);
+  double taken_bytes() const { return taken_bytes_; }
 
   // The project file itself, Project::path.
   std::optional<std::string> read_project();
@@ -65,6 +72,9 @@ class ProjectFiles {
  private:
   std::optional<std::string> resolve(const std::string& path, const SourceLocation& named_at);
   std::string full_path(const std::string& key) const;
+  // Of a file that is about to be taken apart: `factor` bytes for each of its own.
+  bool take_file(std::string_view bytes, double factor, const SourceLocation& named_at,
+                 const std::string& path);
   std::optional<std::string> read(const std::string& key, const std::string& as_named,
                                   const SourceLocation& named_at);
 
@@ -78,12 +88,17 @@ class ProjectFiles {
   const FileReader& reader_;
   Project& project_;
   Diagnostics& diagnostics_;
+  const Budget& budget_;
   std::map<FileLight, std::optional<LuminaireLight>> photometry_;
   std::map<std::tuple<FileLight, bool, bool>, std::vector<PlacedWeb>> webs_;
   std::map<std::string, std::optional<TriangleMesh>> meshes_;
   std::map<std::string, std::optional<GbxmlBuilding>> buildings_;
   std::map<std::string, std::optional<LuminaireList>> luminaire_lists_;
   std::map<std::string, std::optional<PointList>> point_lists_;
+  // Light of files with the same bytes, which need no others: links to one file, copies.
+  std::map<std::tuple<std::string, FileLight, bool, bool>, std::vector<PlacedWeb>> same_light_;
+  std::map<FileLight, std::string> hash_;  // of its file; none: it needs others
+  double taken_bytes_ = 0.0;
   std::set<std::string> recorded_;
 };
 

@@ -12,7 +12,9 @@
 #include "calc/project/project_warnings.h"
 #include "calc/project/spaces_xml.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace calc {
@@ -50,19 +52,31 @@ void read_contents(ProjectContext& context, const XmlElement& root) {
   read_light_scenes(context, root);
 }
 
+// Of the tree of elements that is made of these bytes, about.
+double xml_bytes(std::string_view bytes) {
+  constexpr double kElement = 400.0, kAttribute = 250.0;  // and what the parser has beside
+  const auto count = [&](char of) {
+    return static_cast<double>(std::count(bytes.begin(), bytes.end(), of));
+  };
+  return kElement * count('<') + kAttribute * count('=') + 3.0 * static_cast<double>(bytes.size());
+}
+
 }  // namespace
 
 std::optional<ReadProject> read_project(const FileReader& files, const std::string& path,
-                                        Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics, const Budget& budget) {
   const std::size_t errors_before = diagnostics.error_count();
   ReadProject read;
   Project& project = read.project;
   project.path = path;
-  ProjectFiles project_files(files, project, diagnostics);
-  ProjectContext context{project, project_files, diagnostics};
+  ProjectFiles project_files(files, project, diagnostics, budget);
+  ProjectContext context{project, project_files, diagnostics, budget};
   std::optional<std::string> bytes = project_files.read_project();
   if (!bytes) return std::nullopt;
   if (!check_file_kind(*bytes, path, FileUse::project, diagnostics, looks_like_xml(*bytes))) {
+    return std::nullopt;
+  }
+  if (!project_files.take(xml_bytes(*bytes), {path, 0, 0}, "its elements take")) {
     return std::nullopt;
   }
   // Of a foreign file nothing is said but that.

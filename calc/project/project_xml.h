@@ -2,6 +2,7 @@
 // project.xml to Project. Strict: whatever is not known is an error with line, column and a
 // suggestion.
 
+#include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/scene/project.h"
@@ -21,9 +22,10 @@ struct ReadProject {
 
 // Reads the project and every file it names (photometry, meshes, point lists; only beside the
 // project file or below it), but for the meaning of requirements, which rules/ knows. All problems
-// are reported, not only the first. Empty after an error if the file is no project at all.
+// are reported, not only the first. Empty after an error if the file is no project at all, or one
+// that would take more memory than the budget has.
 std::optional<ReadProject> read_project(const FileReader& files, const std::string& path,
-                                        Diagnostics& diagnostics);
+                                        Diagnostics& diagnostics, const Budget& budget = {});
 
 // The same for those who want the scene only: empty if and only if there is an error, and errors
 // are in the order of lines.

@@ -1,12 +1,19 @@
 #include "calc/radiosity/threads.h"
 
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace calc {
 
 void on_threads(int jobs, const std::function<void()>& run) {
-  const int wanted = jobs > 0 ? jobs : tbb::info::default_concurrency();
+  // More than there are get no work, and the library would complain of them.
+  const auto most = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  const int wanted =
+      jobs > 0 ? std::min(jobs, std::max(most, 1)) : tbb::info::default_concurrency();
   const bool is_among_them =
       tbb::this_task_arena::current_thread_index() != tbb::task_arena::not_initialized &&
       tbb::this_task_arena::max_concurrency() == wanted;

@@ -119,6 +119,40 @@ std::string route_words(const EscapeRoute& route) {
       route.is_spacing_given ? "" : fmt::format(", {} at least", kLeastRouteRows));
 }
 
+Rectangle inside_margin(const PlanarArea& area) {
+  const Rectangle bounds = bounding_rectangle(area.outline_m);
+  return {bounds.lower + area.margin_m, bounds.upper - area.margin_m};
+}
+
+bool has_inside(const Rectangle& inner) { return inner.side_m().x > 0.0 && inner.side_m().y > 0.0; }
+
+// Cells of a rule reach every part of the area; those that are given by count or a plain spacing
+// stay as they are.
+bool must_reach_every_part(const GridRule& rule) {
+  const auto* spacing = std::get_if<GridBySpacing>(&rule);
+  return std::holds_alternative<GridByRule>(rule) || (spacing != nullptr && !spacing->name.empty());
+}
+
+std::optional<MissedPart> part_missed_by(const PlanarArea& area, const Rectangle& inner,
+                                         const Counts& counts) {
+  return missed_part(area, {inner.lower, inner.side_m() / glm::dvec2(counts.columns, counts.rows),
+                            static_cast<int>(counts.columns), static_cast<int>(counts.rows)});
+}
+
+// The cells of a rule go by the bounding rectangle, and an arm of the area may lie between their
+// centres. What a rule gives is the largest spacing: odd parts of it keep all points there are.
+// Into how many parts each cell is divided along both sides, so that every part of the area has a
+// point; empty: none of these does.
+std::optional<double> parts_that_reach(const PlanarArea& area, const Rectangle& inner,
+                                       const Counts& counts) {
+  for (const double parts : {1.0, 3.0, 5.0, 7.0}) {
+    const Counts finer{parts * counts.columns, parts * counts.rows};
+    if (!(finer.columns * finer.rows <= kMaxPoints)) break;
+    if (!part_missed_by(area, inner, finer)) return parts;
+  }
+  return std::nullopt;
+}
+
 // Adds candidates one by one and keeps the account.
 class GridBuilder {
  public:
@@ -201,9 +235,9 @@ class GridMaker {
   }
 
   bool fill(const PlanarArea& area) {
-    const Rectangle bounds = bounding_rectangle(area.outline_m);
-    const Rectangle inner{bounds.lower + area.margin_m, bounds.upper - area.margin_m};
-    const glm::dvec2 side_m = inner.side_m(), whole_m = bounds.side_m();
+    const Rectangle inner = inside_margin(area);
+    const glm::dvec2 side_m = inner.side_m();
+    const glm::dvec2 whole_m = bounding_rectangle(area.outline_m).side_m();
     if (!(side_m.x > kTie * whole_m.x && side_m.y > kTie * whole_m.y)) {
       diagnostics_.report(DiagnosticId::grid_margin_too_large, plane_.where, plane_.id,
                           area.margin_m, whole_m.x, whole_m.y);
@@ -285,15 +319,11 @@ class GridMaker {
     }
   }
 
-  std::optional<MissedPart> find_missed_part(const PlanarArea& area, const Rectangle& inner) const {
-    return missed_part(
-        area, {inner.lower, {grid_.spacing_u_m, grid_.spacing_v_m}, grid_.columns, grid_.rows});
-  }
-
   // Cells that are given stay as they are, and may miss an arm of the area. Worth saying is what
   // EN 12464-1 would put a point into, whatever the plane is for.
-  void warn_about_missed_part(const PlanarArea& area, const Rectangle& inner) {
-    const std::optional<MissedPart> missed = find_missed_part(area, inner);
+  void warn_about_missed_part(const PlanarArea& area, const Rectangle& inner,
+                              const Counts& counts) {
+    const std::optional<MissedPart> missed = part_missed_by(area, inner, counts);
     if (!missed) return;
     const glm::dvec2 side_m = inner.side_m();
     const double spacing_m = spacing_by_rule(GridByRule(), side_m.x, side_m.y).spacing_m;
@@ -304,28 +334,21 @@ class GridMaker {
                         at.x, at.y, at.z);
   }
 
-  // The cells of a rule go by the bounding rectangle, and an arm of the area may lie between their
-  // centres. What a rule gives is the largest spacing: odd parts of it keep all points there are.
-  // False: the error is reported.
+  // See parts_that_reach(). False: the error is reported.
   bool reach_every_part(const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
-    const auto* spacing = std::get_if<GridBySpacing>(&area.grid);
-    const bool is_rule = std::holds_alternative<GridByRule>(area.grid);
-    if (!is_rule && (spacing == nullptr || spacing->name.empty())) {
-      warn_about_missed_part(area, inner);
+    if (!must_reach_every_part(area.grid)) {
+      warn_about_missed_part(area, inner, counts);
       return true;
     }
-    const std::optional<MissedPart> missed = find_missed_part(area, inner);
-    if (!missed) return true;
-    for (const double parts : {3.0, 5.0, 7.0}) {
-      const Counts finer{parts * counts.columns, parts * counts.rows};
-      if (!(finer.columns * finer.rows <= kMaxPoints)) break;
-      set_counts(inner, finer);
-      if (find_missed_part(area, inner)) continue;
+    if (const std::optional<double> parts = parts_that_reach(area, inner, counts)) {
+      if (*parts == 1.0) return true;
+      set_counts(inner, {*parts * counts.columns, *parts * counts.rows});
       grid_.rule += fmt::format(
-          "; every cell in {:g} x {:g}, as a narrow part of the area would have no point", parts,
-          parts);
+          "; every cell in {:g} x {:g}, as a narrow part of the area would have no point", *parts,
+          *parts);
       return true;
     }
+    const std::optional<MissedPart> missed = part_missed_by(area, inner, counts);
     const glm::dvec3 at = area.origin_m + missed->at_m.x * area.u + missed->at_m.y * area.v;
     diagnostics_.report(
         DiagnosticId::plane_not_computed, plane_.where, plane_.id,
@@ -511,6 +534,25 @@ GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m)
   constexpr double kLargest = std::numeric_limits<int>::max();
   return {static_cast<int>(std::min(counts.columns, kLargest)),
           static_cast<int>(std::min(counts.rows, kLargest))};
+}
+
+double planned_points(const CalcPlane& plane) {
+  if (const auto* list = std::get_if<PointList>(&plane.area)) {
+    return static_cast<double>(list->position_m.size());
+  }
+  if (const auto* route = std::get_if<EscapeRoute>(&plane.area)) {
+    const Counts counts =
+        route_counts(*route, route_stations(route->line, route->spacing.along_u_m));
+    return counts.columns * counts.rows;
+  }
+  const auto& area = std::get<PlanarArea>(plane.area);
+  const Rectangle inner = inside_margin(area);
+  if (!has_inside(inner)) return 0.0;
+  const Counts counts = cell_counts(area.grid, inner.side_m());
+  const double points = counts.columns * counts.rows;
+  if (!(points <= kMaxPoints) || !must_reach_every_part(area.grid)) return points;
+  const double parts = parts_that_reach(area, inner, counts).value_or(1.0);
+  return points * parts * parts;
 }
 
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,

@@ -86,6 +86,10 @@ GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m)
 // and the counts.
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m);
 
+// How many points a plane's grid has before any is left out, as make_sensor_grid() makes it; what
+// that refuses may have any number. Nothing is made for it.
+double planned_points(const CalcPlane& plane);
+
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's
 // bounding rectangle less the margin, without those outside the outline, in a hole or on its edge,
 // nearer to the outline than the margin (holes have none), or where nothing can be measured (see

@@ -10,6 +10,7 @@
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
 #include "report/check/in_order.h"
+#include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
 #include "rules/binding/judged_project.h"
 #include "rules/measure/error_spending.h"
@@ -44,14 +45,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::optional<rules::JudgedProject> load(const std::string& path, const calc::FileReader& files,
-                                         const std::vector<rules::RulePack>& packs,
-                                         calc::Diagnostics& diagnostics) {
-  std::optional<rules::JudgedProject> loaded =
-      rules::load_judged_project(files, path, packs, diagnostics);
+std::optional<ProjectInBudget> load(const std::string& path, const calc::FileReader& files,
+                                    const std::vector<rules::RulePack>& packs, int replicates,
+                                    const calc::Budget& budget, calc::Diagnostics& diagnostics) {
+  std::optional<ProjectInBudget> loaded =
+      load_in_budget(path, files, packs, replicates, budget, diagnostics);
   if (!loaded) return std::nullopt;
+  const std::vector<rules::Requirement>& requirements = loaded->judged.requirements;
   const bool counts = std::any_of(
-      loaded->requirements.begin(), loaded->requirements.end(),
+      requirements.begin(), requirements.end(),
       [](const auto& requirement) { return requirement.severity != rules::Severity::advice; });
   if (!counts) {
     diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
@@ -316,10 +318,15 @@ bool is_cut_short(const report::SpacePart& space, const Observer& observer) {
          });
 }
 
+std::size_t spaces_at_once(const ProjectInBudget& project, const Context& context) {
+  return calc::spaces_within(project.memory, context.settings.budget, context.spaces_at_once);
+}
+
 // Several at a time. Stops after one that is cut short; false: there was one.
-bool check_spaces(const rules::JudgedProject& loaded, const Context& context,
-                  const Stopwatch& watch, report::ProjectPart& part, calc::Diagnostics& diagnostics,
+bool check_spaces(const ProjectInBudget& project, const Context& context, const Stopwatch& watch,
+                  report::ProjectPart& part, calc::Diagnostics& diagnostics,
                   report::PhaseTimes& times) {
+  const rules::JudgedProject& loaded = project.judged;
   const std::vector<calc::Space>& spaces = loaded.project.spaces;
   std::vector<CheckedSpace> checked(spaces.size());
   std::atomic<bool> is_cut{false};
@@ -338,8 +345,8 @@ bool check_spaces(const rules::JudgedProject& loaded, const Context& context,
     part.spaces.push_back(std::move(space.part));
     space = {};
   };
-  in_order(spaces.size(), {context.settings.radiosity.jobs, context.spaces_at_once}, work, deliver,
-           [&] { return !is_cut; });
+  in_order(spaces.size(), {context.settings.radiosity.jobs, spaces_at_once(project, context)}, work,
+           deliver, [&] { return !is_cut; });
   return !is_cut;
 }
 
@@ -374,9 +381,11 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
                         given.observer, given.vertices, given.store, given.spaces_at_once};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
-  const std::optional<rules::JudgedProject> loaded =
-      load(path, context.files, context.packs, diagnostics);
-  if (!loaded) return unreadable_project(path, diagnostics);
+  const std::optional<ProjectInBudget> in_budget =
+      load(path, context.files, context.packs, settings.radiosity.replicates, settings.budget,
+           diagnostics);
+  if (!in_budget) return unreadable_project(path, diagnostics);
+  const rules::JudgedProject* loaded = &in_budget->judged;
 
   report::ProjectPart part = report::build_project(loaded->project);
   report::PhaseTimes times;
@@ -386,7 +395,7 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
     return unreadable_project(path, diagnostics);
   }
   context.observer.start_project(loaded->project.spaces.size());
-  if (!check_spaces(*loaded, context, watch, part, diagnostics, times)) {
+  if (!check_spaces(*in_budget, context, watch, part, diagnostics, times)) {
     return unreadable_project(path, diagnostics);
   }
   const bool is_refused =
@@ -443,8 +452,11 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
                         given.observer, given.vertices, given.store, given.spaces_at_once};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
-  const auto loaded = rules::load_judged_project(context.files, path, context.packs, diagnostics);
-  if (!loaded) return diagnostics;
+  const std::optional<ProjectInBudget> in_budget =
+      load_in_budget(path, context.files, context.packs, settings.radiosity.replicates,
+                     settings.budget, diagnostics);
+  if (!in_budget) return diagnostics;
+  const rules::JudgedProject* loaded = &in_budget->judged;
   context.observer.start_project(units.size());
   std::vector<calc::Diagnostics> of_unit(units.size());
   const auto work = [&](std::size_t u) {
@@ -469,7 +481,7 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
     of_unit[u].report(calc::DiagnosticId::unit_not_kept, space->where, unit_name(units[u]), why);
   };
   in_order(
-      units.size(), {settings.radiosity.jobs, context.spaces_at_once}, work,
+      units.size(), {settings.radiosity.jobs, spaces_at_once(*in_budget, context)}, work,
       [&](std::size_t u) { diagnostics.add(of_unit[u]); },
       [&] { return !context.observer.is_stopped(); });
   return diagnostics;
@@ -477,10 +489,12 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
 
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
                                      const std::vector<rules::RulePack>& packs,
-                                     std::string_view day) {
+                                     std::string_view day, const calc::Budget& budget) {
   calc::Diagnostics diagnostics;
-  const std::optional<rules::JudgedProject> loaded = load(path, files, packs, diagnostics);
-  if (!loaded) return unreadable_project(path, diagnostics);
+  const std::optional<ProjectInBudget> in_budget =
+      load(path, files, packs, calc::RadiositySettings().replicates, budget, diagnostics);
+  if (!in_budget) return unreadable_project(path, diagnostics);
+  const rules::JudgedProject* loaded = &in_budget->judged;
 
   report::ProjectPart part = report::build_project(loaded->project);
   for (const calc::Space& space : loaded->project.spaces) {

@@ -57,6 +57,6 @@ calc::Diagnostics light_units(const std::string& path, const std::vector<Unit>& 
 // whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
 report::ProjectPart validate_project(const std::string& path, const calc::FileReader& files,
                                      const std::vector<rules::RulePack>& packs,
-                                     std::string_view day);
+                                     std::string_view day, const calc::Budget& budget = {});
 
 }  // namespace check

@@ -1,10 +1,24 @@
 #include "report/check/load_judged_project.h"
 
+#include "calc/radiosity/settings.h"
 #include "report/check/load_rules.h"
 
 #include <utility>
 
 namespace check {
+
+std::optional<ProjectInBudget> load_in_budget(const std::string& path,
+                                              const calc::FileReader& files,
+                                              const std::vector<rules::RulePack>& packs,
+                                              int replicates, const calc::Budget& budget,
+                                              calc::Diagnostics& diagnostics) {
+  std::optional<rules::JudgedProject> judged =
+      rules::load_judged_project(files, path, packs, diagnostics, budget);
+  if (!judged) return std::nullopt;
+  calc::ProjectNeed need = calc::need_of(judged->project, replicates);
+  if (!calc::check_need(judged->project, need, budget, diagnostics)) return std::nullopt;
+  return ProjectInBudget{std::move(*judged), std::move(need.memory)};
+}
 
 std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const calc::FileReader& files,
@@ -12,10 +26,10 @@ std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  calc::Diagnostics& diagnostics) {
   const std::vector<rules::RulePack> packs = load_rule_packs(rule_files, files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  std::optional<rules::JudgedProject> judged =
-      rules::load_judged_project(files, path, packs, diagnostics);
-  if (!judged) return std::nullopt;
-  return std::move(judged->project);
+  std::optional<ProjectInBudget> loaded = load_in_budget(
+      path, files, packs, calc::RadiositySettings().replicates, calc::Budget(), diagnostics);
+  if (!loaded) return std::nullopt;
+  return std::move(loaded->judged.project);
 }
 
 }  // namespace check

@@ -1,8 +1,10 @@
 #pragma once
-// A project for commands that calculate its planes without judging them.
+// A project as every command takes it: read, with what is required, and within its budget.
 
+#include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
+#include "calc/forecast/memory_need.h"
 #include "calc/scene/project.h"
 #include "rules/binding/judged_project.h"
 
@@ -12,8 +14,22 @@
 
 namespace check {
 
-// See rules::load_judged_project(), with the delivered packs and those of `rule_files` (files or
-// folders). Empty after any error, also of the requirements, which are not handed on.
+struct ProjectInBudget {
+  rules::JudgedProject judged;
+  calc::MemoryNeed memory;
+};
+
+// See rules::load_judged_project(). Empty, too, after an error about more points or memory than the
+// budget has, of which none has been taken then. replicates: as of calc::RadiositySettings.
+std::optional<ProjectInBudget> load_in_budget(const std::string& path,
+                                              const calc::FileReader& files,
+                                              const std::vector<rules::RulePack>& packs,
+                                              int replicates, const calc::Budget& budget,
+                                              calc::Diagnostics& diagnostics);
+
+// The same for commands that calculate planes without judging them, with the delivered packs and
+// those of `rule_files` (files or folders), and the budget by default. Empty after any error, also
+// of the requirements, which are not handed on.
 std::optional<calc::Project> load_judged_project(const std::string& path,
                                                  const calc::FileReader& files,
                                                  const std::vector<std::string>& rule_files,

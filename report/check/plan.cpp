@@ -2,6 +2,7 @@
 
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
+#include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
 #include "rules/binding/judged_project.h"
 
@@ -55,15 +56,18 @@ SpacePlan plan_space(const calc::Project& project, const calc::Space& space,
 
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
-                         const calc::RadiositySettings& settings, std::string_view day) {
+                         const calc::RadiositySettings& settings, std::string_view day,
+                         const calc::Budget& budget) {
   ProjectPlan plan;
   plan.path = path;
   calc::Diagnostics diagnostics;
-  if (const auto judged = rules::load_judged_project(files, path, packs, diagnostics)) {
-    const calc::Project& project = judged->project;
+  if (const auto loaded =
+          load_in_budget(path, files, packs, settings.replicates, budget, diagnostics)) {
+    const rules::JudgedProject& judged = loaded->judged;
+    const calc::Project& project = judged.project;
     plan.name = project.name;
     for (const calc::Space& space : project.spaces) {
-      const std::vector<PlaneJob> jobs = make_plane_jobs(space, *judged, packs, day, diagnostics);
+      const std::vector<PlaneJob> jobs = make_plane_jobs(space, judged, packs, day, diagnostics);
       warn_of_unjudged(jobs, diagnostics);
       plan.spaces.push_back(plan_space(project, space, jobs, settings));
     }
@@ -77,10 +81,10 @@ std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
-                                       std::string_view day) {
+                                       std::string_view day, const calc::Budget& budget) {
   std::vector<ProjectPlan> plans;
   for (const std::string& path : paths) {
-    plans.push_back(plan_project(path, files, packs, settings, day));
+    plans.push_back(plan_project(path, files, packs, settings, day, budget));
   }
   return plans;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What a check would do, without doing it.
 
+#include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/forecast/scene_plan.h"
@@ -34,14 +35,15 @@ struct ProjectPlan {
 // What will not be judged, whatever the light, is a warning. day: YYYY-MM-DD, see day_of().
 ProjectPlan plan_project(const std::string& path, const calc::FileReader& files,
                          const std::vector<rules::RulePack>& packs,
-                         const calc::RadiositySettings& settings, std::string_view day);
+                         const calc::RadiositySettings& settings, std::string_view day,
+                         const calc::Budget& budget = {});
 
 // Of each.
 std::vector<ProjectPlan> plan_projects(const std::vector<std::string>& paths,
                                        const calc::FileReader& files,
                                        const std::vector<rules::RulePack>& packs,
                                        const calc::RadiositySettings& settings,
-                                       std::string_view day);
+                                       std::string_view day, const calc::Budget& budget = {});
 
 // What the first look at these projects gathers, as far as they are planned.
 GatherWork first_look_work(const std::vector<ProjectPlan>& projects);

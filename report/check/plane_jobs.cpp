@@ -51,6 +51,16 @@ void add_no_longer_left_out(const calc::Space& space, const rules::JudgedProject
   }
 }
 
+void warn_of_speck(const calc::CalcPlane& plane, const std::vector<rules::Requirement>& asked,
+                   calc::Diagnostics& diagnostics) {
+  const auto first = std::find_if(asked.begin(), asked.end(), [](const rules::Requirement& one) {
+    return !one.origin.pack.empty() && !rules::is_of_space(one.metric);
+  });
+  const std::string words = rules::speck_words(plane);
+  if (first == asked.end() || words.empty()) return;
+  diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
+}
+
 }  // namespace
 
 std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
@@ -66,6 +76,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     diagnostics.add(of_grid);
     if (job.grid) {
       rules::check_fitness({loaded.project, space, plane, *job.grid, packs, day}, job.requirements);
+      warn_of_speck(plane, job.requirements, diagnostics);
     } else {
       job.reason = of_grid.all().back().message;
     }

@@ -1,6 +1,7 @@
 #pragma once
 // What a check is asked for, beside the project itself.
 
+#include "calc/base/budget.h"
 #include "calc/radiosity/settings.h"
 #include "rules/catalogue/goal.h"
 
@@ -15,6 +16,7 @@ struct Settings {
   calc::RadiositySettings radiosity;
   bool by_luminaire = false;  // light of single luminaires is kept apart and reported
   bool has_times = false;     // seconds of each phase go into the document
+  calc::Budget budget;        // of each project; changes no result, only whether there is one
   std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
 };
 

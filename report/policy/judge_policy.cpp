@@ -2,6 +2,7 @@
 
 #include "calc/base/day.h"
 #include "calc/base/text.h"
+#include "calc/scene/polygon.h"
 #include "calc/scene/waiver.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,48 @@ bool counts(const rules::Finding& finding) {
   return finding.requirement.severity != rules::Severity::advice;
 }
 
+std::vector<const PlanePart*> planes_of(const SpacePart& space,
+                                        const std::vector<rules::RequirementName>& asked) {
+  std::vector<const PlanePart*> planes;
+  for (const PlanePart& plane : space.planes) {
+    const bool is_one =
+        std::any_of(asked.begin(), asked.end(),
+                    [&](const rules::RequirementName& name) { return name.plane_id == plane.id; });
+    if (is_one) planes.push_back(&plane);
+  }
+  return planes;
+}
+
+// Of the floor, how much lies under at least one of the planes, looked at from above at some ten
+// thousand places: so that planes one above the other count once. Lists of points and planes that
+// stand cover nothing.
+double floor_share(const SpacePart& space, const std::vector<const PlanePart*>& planes) {
+  constexpr int kPlaces = 120;  // along both sides
+  std::vector<std::vector<glm::dvec2>> outlines;
+  for (const PlanePart* plane : planes) {
+    const calc::SensorGrid& grid = plane->grid;
+    std::vector<glm::dvec2>& outline = outlines.emplace_back();
+    for (const glm::dvec2& corner : plane->outline_m) {
+      outline.emplace_back(grid.origin_m + corner.x * grid.u + corner.y * grid.v);
+    }
+  }
+  glm::dvec2 low = space.footprint_m.front(), high = low;
+  for (const glm::dvec2& corner : space.footprint_m) {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  int floor = 0, covered = 0;
+  for (int i = 0; i < kPlaces * kPlaces; ++i) {
+    const glm::dvec2 part((i % kPlaces + 0.5) / kPlaces, (i / kPlaces + 0.5) / kPlaces);
+    const glm::dvec2 at = low + part * (high - low);
+    if (!calc::contains_point(space.footprint_m, at)) continue;
+    ++floor;
+    covered += std::any_of(outlines.begin(), outlines.end(),
+                           [&](const auto& outline) { return calc::contains_point(outline, at); });
+  }
+  return floor > 0 ? static_cast<double>(covered) / floor : 0.0;
+}
+
 class PolicyJudge {
  public:
   PolicyJudge(const Policy& policy, std::string_view today, const ProjectPart& project)
@@ -31,8 +74,9 @@ class PolicyJudge {
   calc::Diagnostics judge() {
     for (const SpacePart& space : project_.spaces) {
       judge_signatures(space);
-      if (policy_.asks_every_space) judge_questions(space);
+      if (policy_.every_space != PolicyEverySpace::nothing) judge_questions(space);
     }
+    judge_photometry();
     for (const PolicyRow& row : policy_.rows) {
       if (row.is_for(project_.path)) judge_row(row);
     }
@@ -45,6 +89,17 @@ class PolicyJudge {
     diagnostics_.report(calc::DiagnosticId::policy_not_met, where, words);
   }
   void fail(const std::string& words) { fail({project_.path, 0, 0}, words); }
+
+  void compare(double value, const std::optional<double>& at_least,
+               const std::optional<double>& at_most, const std::string& what,
+               const calc::SourceLocation& where) {
+    if (at_least && !(value >= *at_least)) {
+      fail(where, fmt::format("{} is {:.9g}; at least {} is allowed", what, value, *at_least));
+    }
+    if (at_most && !(value <= *at_most)) {
+      fail(where, fmt::format("{} is {:.9g}; at most {} is allowed", what, value, *at_most));
+    }
+  }
 
   // what: "the waiver of 'average' of plane 'desk'".
   void judge_permit(const std::optional<PolicyPermit>& permit, const calc::Waiver& by,
@@ -94,9 +149,36 @@ class PolicyJudge {
       judge_permit(policy_.deviations, *deviation.stated, asked.where,
                    fmt::format("the deviation in {} of {}", calc::name_of(deviation.aspect), name));
     }
-    if (asked.origin.level.steps < 0 && !policy_.allows_lowered_levels) {
+    if (asked.origin.is_weakened && !policy_.allows_lowered_levels) {
       fail(asked.where, fmt::format("{} asks its row below what it requires, {}", name,
                                     rules::level_words(asked.origin.level)));
+    }
+    judge_facts(asked, name);
+  }
+
+  void judge_facts(const rules::Requirement& asked, const std::string& name) {
+    for (const auto& [id, value] : asked.origin.facts) {
+      const auto allowed = std::find_if(
+          policy_.facts.begin(), policy_.facts.end(),
+          [&](const PolicyFact& fact) { return fact.pack == asked.origin.pack && fact.id == id; });
+      const std::string what = fmt::format("fact '{}' of {}", id, name);
+      if (allowed == policy_.facts.end()) {
+        fail(asked.where, what + " is stated, and no <fact> allows it");
+        continue;
+      }
+      compare(value, allowed->at_least, allowed->at_most, what, asked.where);
+    }
+  }
+
+  void judge_photometry() {
+    const std::vector<std::string>& allowed = policy_.photometry;
+    if (allowed.empty()) return;
+    for (const LuminaireRow& luminaire : project_.luminaires) {
+      if (std::find(allowed.begin(), allowed.end(), luminaire.sha256) != allowed.end()) continue;
+      fail(
+          fmt::format("photometry of luminaire type '{}', '{}', is not among the files that are "
+                      "allowed: its SHA-256 is {}",
+                      luminaire.type_id, luminaire.photometry_file, luminaire.sha256));
     }
   }
 
@@ -106,6 +188,14 @@ class PolicyJudge {
           return std::any_of(plane.findings.begin(), plane.findings.end(), counts);
         });
     if (!is_asked) fail(fmt::format("nothing is asked of space '{}'", space.id));
+    if (policy_.every_space != PolicyEverySpace::row) return;
+    bool has_rows = false;
+    for (const PolicyRow& row : policy_.rows) {
+      if (!row.is_for(project_.path)) continue;
+      if (row.spaces.has(space.id, space.name)) return;
+      has_rows = true;
+    }
+    if (has_rows) fail(fmt::format("no <asked> is about space '{}'", space.id));
   }
 
   void judge_row(const PolicyRow& row) {
@@ -142,7 +232,9 @@ class PolicyJudge {
         return one.plane_id == other.plane_id && one.id == other.id;
       });
     };
+    judge_zones(row, space, asked, name);
     // Several workplaces may ask for it, each of its own zones.
+    std::vector<rules::RequirementName> of_role;
     bool is_known = false;
     for (const rules::RowCoverage& part : space.coverage) {
       const bool is_of_row =
@@ -152,21 +244,46 @@ class PolicyJudge {
       if (!is_of_row) continue;
       is_known = true;
       if (!part.is_whole()) fail(name + " is asked in part");
+      for (const rules::RoleCoverage& role : part.roles) {
+        if (role.role != row.role) continue;
+        of_role.insert(of_role.end(), role.of.begin(), role.of.end());
+      }
     }
     if (!is_known) fail(name + ": whether all of it is asked is not known");
+    if (row.floor_share) judge_floor(row, space, of_role, name);
+  }
+
+  void judge_zones(const PolicyRow& row, const SpacePart& space,
+                   const std::vector<rules::RequirementName>& asked, const std::string& name) {
+    if (row.zones == PolicyZones::any) return;
+    for (const PlanePart* plane : planes_of(space, asked)) {
+      if (plane->made_by.empty()) {
+        fail(plane->where, fmt::format("{} is asked on plane '{}', which no workplace has made",
+                                       name, plane->id));
+      } else if (row.zones == PolicyZones::unchanged && !plane->changed.empty()) {
+        fail(plane->where,
+             fmt::format("{} is asked on plane '{}', which the project has changed: {}", name,
+                         plane->id, plane->changed));
+      }
+    }
+  }
+
+  void judge_floor(const PolicyRow& row, const SpacePart& space,
+                   const std::vector<rules::RequirementName>& of_role, const std::string& name) {
+    if (space.footprint_m.empty()) {
+      fail(fmt::format("{}: how large the floor is is not known", name));
+      return;
+    }
+    const double share = floor_share(space, planes_of(space, of_role));
+    if (share >= *row.floor_share) return;
+    fail(fmt::format("{}: planes of role '{}' cover {:.3g} of the floor; at least {} is needed",
+                     name, row.role, share, *row.floor_share));
   }
 
   void judge_bound(const PolicyBound& bound) {
     const auto compare = [&](double value, const std::string& of) {
-      const std::string_view what = calc::name_of(bound.of);
-      if (bound.at_least && !(value >= *bound.at_least)) {
-        fail(fmt::format("{} of {} is {:.9g}; at least {} is allowed", what, of, value,
-                         *bound.at_least));
-      }
-      if (bound.at_most && !(value <= *bound.at_most)) {
-        fail(fmt::format("{} of {} is {:.9g}; at most {} is allowed", what, of, value,
-                         *bound.at_most));
-      }
+      this->compare(value, bound.at_least, bound.at_most,
+                    fmt::format("{} of {}", calc::name_of(bound.of), of), {project_.path, 0, 0});
     };
     if (bound.of == PolicyBoundOf::reflectance) {
       for (const MaterialRow& material : project_.materials) {

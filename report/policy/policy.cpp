@@ -35,6 +35,7 @@ using calc::XmlElement;
 
 constexpr std::string_view kRoot = "luxgate-policy";
 constexpr NumberRange kLevel{0.5, 1.0, true, "a number between 0.5 and 1"};
+constexpr NumberRange kFactValue{-1.0e12, 1.0e12, false, "a number from -1e12 to 1e12"};
 constexpr NumberRange kFactor{0.0, 100.0, false, "a number from 0 to 100"};
 
 const ValueType kIdsType{.name = "ids", .item = &kIdType, .least = 1};
@@ -45,6 +46,11 @@ const ValueType kLevelType{.name = "level", .base = &calc::kAnyDouble, .range = 
 const ValueType kShareType{
     .name = "share", .base = &calc::kAnyDouble, .range = calc::kPositiveFraction};
 const ValueType kFactorType{.name = "factor", .base = &calc::kAnyDouble, .range = kFactor};
+const ValueType kZonesType{
+    .name = "zones", .base = &kAnyText, .words = calc::names_of<PolicyZones>()};
+const ValueType kEverySpaceType{
+    .name = "everySpace", .base = &kAnyText, .words = calc::names_of<PolicyEverySpace>()};
+const ValueType kHashType{.name = "sha256", .base = &kAnyText, .pattern = "[0-9a-f]{64}"};
 const ValueType kBoundOfType{
     .name = "boundOf", .base = &kAnyText, .words = calc::names_of<PolicyBoundOf>()};
 
@@ -59,14 +65,36 @@ const ElementRow kPermitElement{
 const ElementRow kRowElement{
     .type = "asked",
     .meaning = "A row of a rule pack that these spaces must be asked as a whole.",
-    .attributes = {{"pack", &kIdType, required, "With its edition: en12464-1:2021."},
-                   {"row", &kTextType, required},
-                   {"projects", &kTextType, optional,
-                    "A pattern for paths of projects, as of a shell: */office-*.xml.", "*"},
-                   {"spaces", &kTextType, optional,
-                    "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
-                   {"at-least", &kCountType, optional,
-                    "So many spaces of each of these projects must be like it.", "1"}}};
+    .attributes = {
+        {"pack", &kIdType, required, "With its edition: en12464-1:2021."},
+        {"row", &kTextType, required},
+        {"projects", &kTextType, optional,
+         "A pattern for paths of projects, as of a shell: */office-*.xml.", "*"},
+        {"spaces", &kTextType, optional,
+         "A pattern for ids or names of spaces, as of a shell: office-*.", "*"},
+        {"at-least", &kCountType, optional,
+         "So many spaces of each of these projects must be like it.", "1"},
+        {"zones", &kZonesType, optional,
+         "workplace: it must be asked by <workplace> elements, which put the zones where "
+         "the pack wants them; unchanged: and no zone may be changed.",
+         "any"},
+        {"floor-share", &kShareType, optional,
+         "Planes of the role must cover this share of the room's floor, seen from above.", "any"},
+        {"role", &kIdType, optional, "Of floor-share.", "task"}}};
+
+const ElementRow kFactElement{
+    .type = "fact",
+    .meaning = "A fact that projects may state, in this range. Others may not be stated.",
+    .attributes = {{"pack", &kIdType, required, "With its edition: en1838:2024."},
+                   {"id", &kIdType, required, "As of the pack: task-illuminance."},
+                   {"at-least", &calc::kAnyDouble, optional, "In lx, m, cd, or plain."},
+                   {"at-most", &calc::kAnyDouble}}};
+
+const ElementRow kPhotometryElement{
+    .type = "photometry",
+    .meaning = "A photometry file that may be used. Without such elements any may.",
+    .attributes = {{"sha256", &kHashType, required, "As the report has it, and sha256sum."},
+                   {"name", &kTextType, optional, "For people.", ""}}};
 
 const ElementRow kBoundElement{
     .type = "bound",
@@ -92,7 +120,7 @@ const ElementRow kProjectElement{
 
 const ElementRow kFatalElement{.type = "fatalWarnings",
                                .meaning = "Warnings that count like errors, as with --strict.",
-                               .attributes = {{"ids", &kIdsType, required}}};
+                               .attributes = {{"ids", &kIdsType, required, "Or: all."}}};
 
 const ElementRow kFormatElement{.type = "format",
                                 .meaning = "A format that must be written, see --format.",
@@ -100,17 +128,23 @@ const ElementRow kFormatElement{.type = "format",
 
 const ElementRow kPolicyElement{
     .type = "policy",
-    .attributes = {{"version", &kVersionType, required},
-                   {"name", &kTextType, required, "As reports call it."},
-                   {"asks-every-space", &kYesNoType, optional,
-                    "Each space must be asked something that counts.", "yes"},
-                   {"lowered-levels", &kYesNoType, optional,
-                    "Rows may be asked below what they require (level=\"-1\").", "no"}},
+    .attributes =
+        {{"version", &kVersionType, required},
+         {"name", &kTextType, required, "As reports call it."},
+         {"every-space", &kEverySpaceType, optional,
+          "What each space must be asked. row: what an <asked> wants of it, so that none is "
+          "like no pattern (where no <asked> is for its project: anything); anything: "
+          "something that counts.",
+          "row"},
+         {"lowered-levels", &kYesNoType, optional,
+          "Rows may be asked below what they require (level=\"-1\").", "no"}},
     .children = {{"waivers", &kPermitElement},
                  {"deviations", &kPermitElement},
                  {"left-out", &kPermitElement},
                  {"asked", &kRowElement},
                  {"bound", &kBoundElement},
+                 {"fact", &kFactElement},
+                 {"photometry", &kPhotometryElement},
                  {"accuracy", &kAccuracyElement},
                  {"project", &kProjectElement},
                  {"fatal-warnings", &kFatalElement},
@@ -148,6 +182,13 @@ PolicyPermit read_permit(ElementReader& reader) {
   return permit;
 }
 
+void check_edition(ElementReader& reader, const std::string& pack) {
+  if (pack.find(':') != std::string::npos || !reader.has("pack")) return;
+  reader.report(
+      DiagnosticId::policy_not_usable, reader.where("pack"),
+      fmt::format("'{}' names no edition; a pack is id:edition, as en12464-1:2021", pack));
+}
+
 PolicyRow read_row(ElementReader& reader) {
   reader.allow(kRowElement);
   PolicyRow row;
@@ -156,12 +197,38 @@ PolicyRow read_row(ElementReader& reader) {
   row.projects = reader.text_or("projects", "*");
   row.spaces.pattern = reader.text_or("spaces", "*");
   if (reader.has("at-least")) row.at_least = reader.integer("at-least", 1);
-  if (row.pack.find(':') == std::string::npos && reader.has("pack")) {
-    reader.report(
-        DiagnosticId::policy_not_usable, reader.where("pack"),
-        fmt::format("'{}' names no edition; a pack is id:edition, as en12464-1:2021", row.pack));
+  if (reader.has("zones")) row.zones = reader.value<PolicyZones>("zones");
+  row.floor_share = reader.optional_number("floor-share", calc::kPositiveFraction);
+  if (reader.has("role")) {
+    row.role = reader.id("role");
+    reader.require_together("role", "floor-share");
   }
+  check_edition(reader, row.pack);
   return row;
+}
+
+PolicyFact read_fact(ElementReader& reader) {
+  reader.allow(kFactElement);
+  PolicyFact fact;
+  fact.pack = reader.id("pack");
+  fact.id = reader.id("id");
+  fact.at_least = reader.optional_number("at-least", kFactValue);
+  fact.at_most = reader.optional_number("at-most", kFactValue);
+  check_edition(reader, fact.pack);
+  return fact;
+}
+
+std::string read_photometry(ElementReader& reader) {
+  reader.allow(kPhotometryElement);
+  reader.text_or("name", "");
+  std::string sha256 = reader.text("sha256");
+  constexpr std::size_t kDigits = 64;
+  if (reader.has("sha256") && (sha256.size() != kDigits ||
+                               sha256.find_first_not_of("0123456789abcdef") != std::string::npos)) {
+    reader.report(DiagnosticId::policy_not_usable, reader.where("sha256"),
+                  fmt::format("'{}' is no SHA-256: 64 digits of 0-9 and a-f", sha256));
+  }
+  return sha256;
 }
 
 PolicyBound read_bound(ElementReader& reader) {
@@ -190,6 +257,10 @@ void read_fatal(ElementReader& reader, Policy& policy) {
   reader.allow(kFatalElement);
   const std::string ids = reader.text("ids");
   for (const std::string_view name : calc::split_words(ids)) {
+    if (name == "all") {
+      policy.are_all_warnings_fatal = true;
+      continue;
+    }
     const auto id = calc::diagnostic_from_name(name);
     if (id && calc::diagnostic_severity(*id) == calc::Severity::warning) {
       policy.fatal_warnings.push_back(*id);
@@ -227,6 +298,8 @@ void read_child(const XmlElement& child, const std::vector<std::string_view>& fo
   }
   if (name == "asked") policy.rows.push_back(read_row(reader));
   if (name == "bound") policy.bounds.push_back(read_bound(reader));
+  if (name == "fact") policy.facts.push_back(read_fact(reader));
+  if (name == "photometry") policy.photometry.push_back(read_photometry(reader));
   if (name == "accuracy") read_accuracy(reader, policy);
   if (name == "fatal-warnings") read_fatal(reader, policy);
   if (name == "format") read_format(reader, formats, policy);
@@ -250,12 +323,40 @@ std::string permit_text(std::string_view what, const std::optional<PolicyPermit>
   return text + "\n";
 }
 
-std::string bound_text(const PolicyBound& bound) {
-  std::string text = fmt::format("{}:", calc::name_of(bound.of));
-  if (bound.at_least) text += fmt::format(" at least {}", *bound.at_least);
-  if (bound.at_least && bound.at_most) text += " and";
-  if (bound.at_most) text += fmt::format(" at most {}", *bound.at_most);
+std::string range_text(std::string_view of, const std::optional<double>& at_least,
+                       const std::optional<double>& at_most) {
+  std::string text = fmt::format("{}:", of);
+  if (at_least) text += fmt::format(" at least {}", *at_least);
+  if (at_least && at_most) text += " and";
+  if (at_most) text += fmt::format(" at most {}", *at_most);
+  if (!at_least && !at_most) text += " any value";
   return text + "\n";
+}
+
+std::string every_space_text(PolicyEverySpace asked) {
+  switch (asked) {
+    case PolicyEverySpace::row:
+      return "each space must be asked a row of these, where there are any for its project, else "
+             "something\n";
+    case PolicyEverySpace::anything:
+      return "each space must be asked something\n";
+    case PolicyEverySpace::nothing:
+      break;
+  }
+  return "spaces need not be asked something\n";
+}
+
+// Of a row, behind its own line.
+std::string zones_text(const PolicyRow& row) {
+  std::string text;
+  if (row.zones != PolicyZones::any) {
+    text += fmt::format("  on zones of workplaces{}\n",
+                        row.zones == PolicyZones::unchanged ? ", unchanged" : "");
+  }
+  if (row.floor_share) {
+    text += fmt::format("  role '{}' on at least {} of the floor\n", row.role, *row.floor_share);
+  }
+  return text;
 }
 
 }  // namespace
@@ -287,7 +388,7 @@ std::optional<Policy> parse_policy(const std::string& bytes, const std::string& 
   reader.allow(kPolicyElement);
   reader.choice("version", kVersionType.words);
   policy.name = reader.text("name");
-  policy.asks_every_space = reader.choice_or("asks-every-space", kYesNoType.words, 0) == 0;
+  policy.every_space = reader.value_or("every-space", PolicyEverySpace::row);
   policy.allows_lowered_levels = reader.choice_or("lowered-levels", kYesNoType.words, 1) == 0;
   std::vector<std::string_view> once;
   for (const XmlElement& child : root->children) {
@@ -304,8 +405,7 @@ std::string explain_policy(const Policy& policy) {
   text += permit_text("may leave out a zone of a row", policy.left_out);
   text += fmt::format("rows {} asked below what they require\n",
                       policy.allows_lowered_levels ? "may be" : "may not be");
-  text += fmt::format("spaces {} asked something\n",
-                      policy.asks_every_space ? "must be" : "need not be");
+  text += every_space_text(policy.every_space);
   for (const std::string& project : policy.projects) {
     text += fmt::format("must be in the batch: {}\n", project);
   }
@@ -313,12 +413,24 @@ std::string explain_policy(const Policy& policy) {
     text += fmt::format(
         "must be asked as a whole: {} {}, in spaces like '{}' of projects like '{}', at least {}\n",
         row.pack, row.row, row.spaces.pattern, row.projects, row.at_least);
+    text += zones_text(row);
   }
-  for (const PolicyBound& bound : policy.bounds) text += bound_text(bound);
+  for (const PolicyFact& fact : policy.facts) {
+    text +=
+        range_text(fmt::format("fact '{}' of {}", fact.id, fact.pack), fact.at_least, fact.at_most);
+  }
+  if (policy.facts.empty()) text += "facts may not be stated\n";
+  for (const std::string& sha256 : policy.photometry) {
+    text += fmt::format("photometry that may be used: {}\n", sha256);
+  }
+  for (const PolicyBound& bound : policy.bounds) {
+    text += range_text(calc::name_of(bound.of), bound.at_least, bound.at_most);
+  }
   if (policy.confidence) text += fmt::format("confidence: at least {}\n", *policy.confidence);
   if (policy.tolerance) text += fmt::format("tolerance: at most {}\n", *policy.tolerance);
   if (policy.replicates) text += fmt::format("replicates: at least {}\n", *policy.replicates);
   if (policy.max_paths) text += fmt::format("max-paths: at least {}\n", *policy.max_paths);
+  if (policy.are_all_warnings_fatal) text += "every warning counts like an error\n";
   for (const calc::DiagnosticId id : policy.fatal_warnings) {
     text += fmt::format("a warning that counts like an error: {}\n", calc::diagnostic_name(id));
   }

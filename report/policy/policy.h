@@ -26,6 +26,13 @@ struct PolicySpaces {
   bool has(const std::string& id, const std::string& name) const;
 };
 
+// Whose zones a row is judged on.
+enum class PolicyZones {
+  any,        // planes of the project's own, too
+  workplace,  // made by a <workplace> as the pack wants them, around the task that it states
+  unchanged,  // likewise, and the project changes none of them
+};
+
 // A row of a rule pack that each of these spaces must be asked, as a whole.
 struct PolicyRow {
   std::string pack;  // with its edition: "en12464-1:2021"
@@ -33,6 +40,10 @@ struct PolicyRow {
   std::string projects = "*";  // a pattern of a shell for their paths, without './'
   PolicySpaces spaces;
   int at_least = 1;  // so many spaces of each of these projects must be like the pattern
+  PolicyZones zones = PolicyZones::any;
+  // Planes of this role of the row must cover this share of the room's floor.
+  std::string role = "task";
+  std::optional<double> floor_share;
 
   bool is_for(const std::string& project_path) const;
 };
@@ -49,21 +60,37 @@ struct PolicyBound {
   std::optional<double> at_least, at_most;
 };
 
+// A fact that projects may state, whose value moves a limit of the pack.
+struct PolicyFact {
+  std::string pack, id;
+  std::optional<double> at_least, at_most;  // in the pack's base unit
+};
+
+// What each space must be asked.
+enum class PolicyEverySpace {
+  row,       // what a <asked> wants of it; where none is for the project, anything
+  anything,  // something that counts
+  nothing,
+};
+
 struct Policy {
   std::string file, sha256;
   std::string name;
   // Empty: nobody may.
   std::optional<PolicyPermit> waivers, deviations, left_out;
   bool allows_lowered_levels = false;  // rows may be asked below what they require
-  bool asks_every_space = true;        // each space must be asked something
-  std::vector<std::string> projects;   // that must be in the batch, as ends of their paths
+  PolicyEverySpace every_space = PolicyEverySpace::row;
+  std::vector<std::string> projects;  // that must be in the batch, as ends of their paths
   std::vector<PolicyRow> rows;
   std::vector<PolicyBound> bounds;
+  std::vector<PolicyFact> facts;
+  std::vector<std::string> photometry;  // SHA-256 of the files that may be used; empty: any
   // How loose the calculation may be; empty: as asked for.
   std::optional<double> confidence, tolerance;
   std::optional<int> replicates;
   std::optional<std::uint64_t> max_paths;
   std::vector<calc::DiagnosticId> fatal_warnings;
+  bool are_all_warnings_fatal = false;
   std::vector<std::string> formats;  // that must be written
 };
 
@@ -89,6 +116,22 @@ struct EnumNames<report::PolicyBoundOf> {
       {report::PolicyBoundOf::reflectance, "reflectance"},
       {report::PolicyBoundOf::flux_ratio, "flux-ratio"},
       {report::PolicyBoundOf::power_ratio, "power-ratio"}};
+};
+
+template <>
+struct EnumNames<report::PolicyZones> {
+  static constexpr EnumName<report::PolicyZones> list[] = {
+      {report::PolicyZones::any, "any"},
+      {report::PolicyZones::workplace, "workplace"},
+      {report::PolicyZones::unchanged, "unchanged"}};
+};
+
+template <>
+struct EnumNames<report::PolicyEverySpace> {
+  static constexpr EnumName<report::PolicyEverySpace> list[] = {
+      {report::PolicyEverySpace::row, "row"},
+      {report::PolicyEverySpace::anything, "anything"},
+      {report::PolicyEverySpace::nothing, "nothing"}};
 };
 
 }  // namespace calc

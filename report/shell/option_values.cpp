@@ -179,6 +179,60 @@ Option allow_option(std::vector<std::string>& target) {
           one_more(target), true};
 }
 
+namespace {
+
+// "4G", of bytes in steps of 1024; "2.5e6", "10M" of counts in steps of 1000. Empty: no number
+// above 0.
+std::optional<double> parse_amount(std::string_view text, bool is_of_bytes) {
+  const double step = is_of_bytes ? 1024.0 : 1000.0;
+  double factor = 1.0;
+  if (text.size() > 1) {
+    constexpr std::string_view kSuffixes = "kMG";
+    if (const std::size_t at = kSuffixes.find(text.back()); at != std::string_view::npos) {
+      for (std::size_t i = 0; i <= at; ++i) factor *= step;
+      text.remove_suffix(1);
+    }
+  }
+  const std::optional<double> number = calc::parse_number(text);
+  if (!number || !(*number > 0.0)) return std::nullopt;
+  return *number * factor;
+}
+
+}  // namespace
+
+Option limit_option(calc::Budget& target) {
+  using calc::BudgetOf;
+  std::string defaults;
+  for (const std::string_view name : calc::names_of<BudgetOf>()) {
+    const BudgetOf of = *calc::find_value<BudgetOf>(name);
+    const bool is_second_line = of == BudgetOf::points;
+    defaults += fmt::format("{}{} {}",
+                            defaults.empty() ? ""
+                            : is_second_line ? ",\n"
+                                             : ", ",
+                            name, calc::budget_text(of, calc::Budget()[of]));
+  }
+  return {"--limit", "NAME=N",
+          "What one project may take, and a file that is written: beyond it the project is an\n"
+          "error, and others go on. N may end with k, M or G; by default " +
+              defaults + ".\nMay be repeated",
+          [&target](const std::string& text) -> std::string {
+            const std::size_t equals = text.find('=');
+            const auto of = calc::find_value<BudgetOf>(text.substr(0, equals));
+            const std::string allowed = calc::join_choices(calc::names_of<BudgetOf>());
+            if (!of || equals == std::string::npos) {
+              return fmt::format("NAME=N is needed; names: {}", allowed);
+            }
+            const bool is_of_bytes = *of == BudgetOf::memory || *of == BudgetOf::output;
+            const auto amount =
+                parse_amount(std::string_view(text).substr(equals + 1), is_of_bytes);
+            if (!amount) return "a number above 0 is needed, such as 10M or 4G";
+            target[*of] = *amount;
+            return "";
+          },
+          true};
+}
+
 Option seed_option(std::uint64_t& target) {
   return {"--seed", "N", "Seed of the random numbers; default 1",
           whole_number(target, 0, UINT64_MAX)};

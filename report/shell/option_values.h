@@ -2,6 +2,7 @@
 // The texts after options, turned into values. No locale, no silent rounding, clamping or octal
 // numbers.
 
+#include "calc/base/budget.h"
 #include "report/shell/command.h"
 
 #include <cstdint>
@@ -50,6 +51,8 @@ std::string day_of_moment(const std::string& moment);
 Option rules_option(std::vector<std::string>& target);
 // --allow: folders that symbolic links in a project's folder may lead into.
 Option allow_option(std::vector<std::string>& target);
+// --limit: what one project may take.
+Option limit_option(calc::Budget& target);
 Option seed_option(std::uint64_t& target);
 // never_changes: "a result", "the file".
 Option jobs_option(int& target, const std::string& never_changes = "a result");

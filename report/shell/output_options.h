@@ -1,6 +1,7 @@
 #pragma once
 // Options of commands that write a document: formats, files, wording.
 
+#include "calc/base/budget.h"
 #include "report/formats/format.h"
 #include "report/shell/command.h"
 #include "report/text/texts.h"
@@ -31,6 +32,7 @@ struct OutputOptions {
   bool lists_passes = false;                              // see report::TextOptions
   bool quiet = false;                                     // no text unless asked for
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
+  double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
   ColorChoice color = ColorChoice::automatic;
 };
 

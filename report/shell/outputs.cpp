@@ -1,5 +1,6 @@
 #include "report/shell/outputs.h"
 
+#include "calc/base/real_path.h"
 #include "report/formats/format.h"
 #include "report/formats/write.h"
 #include "report/html/heatmap_svg.h"
@@ -11,10 +12,12 @@
 #include "report/shell/print.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <deque>
 #include <exception>
@@ -64,7 +67,7 @@ std::string cannot_write(const std::string& path, const std::string& why) {
   return fmt::format("cannot write '{}': {}", path, why);
 }
 
-// Writes files one by one, but never over an input.
+// Writes files, but never over an input.
 class GuardedFiles {
  public:
   void add_inputs(const std::set<std::string>& inputs) {
@@ -79,21 +82,16 @@ class GuardedFiles {
     }
   }
 
-  // "" or a message.
-  std::string write(const std::string& path, const std::function<void(report::Sink&)>& make) {
-    if (is_input(path)) {
-      return fmt::format("'{}' was read as an input and is not overwritten", path);
-    }
-    try {
-      const std::string problem = report::write_file_atomically(path, make);
-      return problem.empty() ? "" : cannot_write(path, problem);
-    } catch (const std::exception& error) {
-      return cannot_write(path, error.what());
-    }
+  // "" or a message. It appears with the others, see publish().
+  std::string add(const std::string& path, const std::function<void(report::Sink&)>& make) {
+    return guarded(path, [&] { return set_.add(path, make); });
   }
-  // The same while inputs may still come.
+  // Messages.
+  std::vector<std::string> publish() { return set_.publish(); }
+  // Written at once, while inputs may still come.
   std::string write_early(const std::string& path, const std::function<std::string()>& make) {
-    std::string problem = write(path, [&](report::Sink& sink) { sink.write(make()); });
+    std::string problem =
+        guarded(path, [&] { return report::write_file_atomically(path, make()); });
     if (problem.empty()) written_.insert(path_identity(path));
     return problem;
   }
@@ -103,6 +101,19 @@ class GuardedFiles {
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:
+  std::string guarded(const std::string& path, const std::function<std::string()>& write) const {
+    if (is_input(path)) {
+      return fmt::format("'{}' was read as an input and is not overwritten", path);
+    }
+    try {
+      const std::string problem = write();
+      return problem.empty() ? "" : cannot_write(path, problem);
+    } catch (const std::exception& error) {
+      return cannot_write(path, error.what());
+    }
+  }
+
+  report::FileSet set_;
   std::set<std::string> inputs_, identities_;
   std::set<std::string> written_;  // early; identities
   std::vector<std::string> problems_;
@@ -294,11 +305,7 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
 
 }  // namespace
 
-std::string path_identity(const std::string& file) {
-  std::error_code ignored;
-  const fs::path path = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
-  return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
-}
+std::string path_identity(const std::string& file) { return calc::real_path(file).string(); }
 
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& read) {
   std::set<std::string> inputs, seen;
@@ -328,14 +335,33 @@ report::SpillPlace spill_place() {
   const fs::path folder = fs::temp_directory_path(failure);
   // Where there is none, memory must do.
   if (failure || access(folder.c_str(), W_OK | X_OK) != 0) return report::SpillPlace::memory();
-  return {folder.string()};
+  report::SpillPlace place;
+  place.folder = folder.string();
+  return place;
 }
 
 report::SpillPlace spill_place(const std::string& file) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) return spill_place();
-  return {existing_folder(fs::path(path_identity(file)).parent_path()).string()};
+  report::SpillPlace place;
+  place.folder = existing_folder(fs::path(path_identity(file)).parent_path()).string();
+  return place;
+}
+
+// What tells one version of a regular file from the next.
+struct FileState {
+  bool is_there = false;
+  std::uint64_t device = 0, number = 0;
+  std::int64_t changed_s = 0, changed_ns = 0;
+
+  bool operator==(const FileState&) const = default;
+};
+
+FileState state_of(const std::string& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  return {true, status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
 // One format on its way into its file. What goes wrong is kept until the end.
@@ -343,15 +369,17 @@ class OutputFile {
  public:
   OutputFile(const OutputFormat& planned, const OutputOptions& options,
              const report::DocumentFrame& frame)
-      : file_(planned.file) {
+      : file_(planned.file), before_(state_of(planned.file)), most_bytes_(options.most_bytes) {
     const report::Texts t = report_texts(options);
     report::TextOptions text;
     text.lists_passes = options.lists_passes;
+    report::SpillPlace place = spill_place(file_);
+    place.most_bytes = most_bytes_;
     if (planned.format->is_html && options.html_split) {
       pages_.emplace(file_, frame.provenance, t);
-      writer_ = report::html_writer(frame, spill_place(file_), t, pages_->address());
+      writer_ = report::html_writer(frame, place, t, pages_->address());
     } else {
-      writer_ = planned.format->writer(frame, spill_place(file_), {text, t});
+      writer_ = planned.format->writer(frame, place, {text, t});
     }
   }
 
@@ -366,12 +394,21 @@ class OutputFile {
     }
   }
 
-  // The index links to the pages, and so comes after them.
-  std::vector<std::string> finish(const report::DocumentEnd& end, GuardedFiles& files) {
-    if (writer_)
-      failure_ = files.write(file_, [&](report::Sink& sink) { writer_->finish(end, sink); });
+  // The file waits then for the others. The index links to the pages, and so comes after them.
+  void finish(const report::DocumentEnd& end, GuardedFiles& files) {
+    const auto make = [&](report::Sink& sink) {
+      report::LimitedSink limited(sink, most_bytes_);
+      writer_->finish(end, limited);
+    };
+    if (writer_) failure_ = files.add(file_, make);
     writer_.reset();
     add_problem(std::move(failure_), problems_);
+  }
+  // Somebody else has written it since this run began: two runs have one place for their results.
+  bool is_contended() const { return !(state_of(file_) == before_); }
+  const std::string& file() const { return file_; }
+  // After all files have taken their places.
+  std::vector<std::string> problems(const GuardedFiles& files) {
     if (pages_) {
       for (std::string& problem : pages_->remove_stale(files)) {
         add_problem(std::move(problem), problems_);
@@ -382,6 +419,8 @@ class OutputFile {
 
  private:
   std::string file_;
+  FileState before_;
+  double most_bytes_;
   std::optional<RoomPages> pages_;
   std::unique_ptr<report::FormatWriter> writer_;  // null after a failure
   std::string failure_;
@@ -433,10 +472,11 @@ class PlannedFiles final : public OutputFiles {
   std::vector<std::string> finish(const report::DocumentEnd& end,
                                   const std::set<std::string>& inputs) override {
     files_.add_inputs(inputs);
-    std::vector<std::string> problems;
+    for (OutputFile& output : outputs_) output.finish(end, files_);
+    warn_of_others();
+    std::vector<std::string> problems = files_.publish();
     for (OutputFile& output : outputs_) {
-      for (std::string& problem : output.finish(end, files_))
-        problems.push_back(std::move(problem));
+      for (std::string& problem : output.problems(files_)) problems.push_back(std::move(problem));
     }
     if (images_) {
       problems.insert(problems.end(), images_->problems().begin(), images_->problems().end());
@@ -446,6 +486,15 @@ class PlannedFiles final : public OutputFiles {
   }
 
  private:
+  void warn_of_others() const {
+    calc::Diagnostics diagnostics;
+    for (const OutputFile& output : outputs_) {
+      if (!output.is_contended()) continue;
+      diagnostics.report(calc::DiagnosticId::output_written_meanwhile, {output.file(), 0, 0});
+    }
+    print_diagnostics(diagnostics.all(), false);
+  }
+
   bool writes_early_;  // images or pages
   GuardedFiles files_;
   std::deque<OutputFile> outputs_;
@@ -456,13 +505,17 @@ class PlannedFiles final : public OutputFiles {
 
 ResultFiles::ResultFiles(const OutputOptions& options, const Environment& environment,
                          report::DocumentFrame frame)
-    : frame_(std::move(frame)), files_(std::make_unique<PlannedFiles>(options, frame_)) {
+    : frame_(std::move(frame)),
+      most_bytes_(options.most_bytes),
+      files_(std::make_unique<PlannedFiles>(options, frame_)) {
   const report::Format* format = stdout_format(options);
   if (format == nullptr) return;
   const report::TextOptions terminal{use_color(options.color, environment),
                                      environment.stdout_columns, options.lists_passes,
                                      !options.are_messages_printed};
-  for_stdout_ = format->writer(frame_, spill_place(), {terminal, report_texts(options)});
+  report::SpillPlace place = spill_place();
+  place.most_bytes = most_bytes_;
+  for_stdout_ = format->writer(frame_, place, {terminal, report_texts(options)});
 }
 
 ResultFiles::~ResultFiles() = default;
@@ -491,7 +544,8 @@ bool ResultFiles::print(const report::DocumentEnd& end) {
   try {
     if (!stdout_failure_.empty()) throw report::WriteFailure(stdout_failure_);
     StandardOutput output;
-    for_stdout_->finish(end, output);
+    report::LimitedSink limited(output, most_bytes_);
+    for_stdout_->finish(end, limited);
     StandardOutput::finish();
     return true;
   } catch (const std::exception& error) {

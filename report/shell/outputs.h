@@ -50,6 +50,7 @@ class ResultFiles {
   bool print(const report::DocumentEnd& end);
 
   const report::DocumentFrame frame_;
+  const double most_bytes_;
   std::unique_ptr<OutputFiles> files_;
   std::unique_ptr<report::FormatWriter> for_stdout_;  // null: nothing goes there
   std::string stdout_failure_;                        // of rendering

@@ -29,4 +29,23 @@ class TextSink : public Sink {
   std::string text;
 };
 
+// Throws WriteFailure where so many bytes are more than are allowed.
+void fail_beyond(double bytes, double most_bytes);
+
+// Passes on so many bytes, and throws WriteFailure at the first one beyond.
+class LimitedSink : public Sink {
+ public:
+  LimitedSink(Sink& sink, double most_bytes) : sink_(sink), most_bytes_(most_bytes) {}
+
+  void write(std::string_view bytes) override {
+    bytes_ += static_cast<double>(bytes.size());
+    fail_beyond(bytes_, most_bytes_);
+    sink_.write(bytes);
+  }
+
+ private:
+  Sink& sink_;
+  double most_bytes_, bytes_ = 0.0;
+};
+
 }  // namespace report

@@ -31,6 +31,7 @@ Spill::~Spill() {
 }
 
 void Spill::write(std::string_view bytes) {
+  fail_beyond(static_cast<double>(size() + bytes.size()), place_.most_bytes);
   memory_ += bytes;
   if (memory_.size() > place_.most_in_memory) move_to_file();
 }

@@ -15,8 +15,11 @@ namespace report {
 struct SpillPlace {
   std::string folder;  // that of the file to be written has room for it, or else for nothing
   std::size_t most_in_memory = std::size_t{1} << 20;
+  double most_bytes = std::numeric_limits<double>::infinity();  // see LimitedSink
 
-  static SpillPlace memory() { return {"", std::numeric_limits<std::size_t>::max()}; }
+  static SpillPlace memory() {
+    return {"", std::numeric_limits<std::size_t>::max(), std::numeric_limits<double>::infinity()};
+  }
 };
 
 // A little of it is kept in memory, all that goes beyond in a temporary file. It has no name, so

@@ -12,10 +12,11 @@ namespace rules {
 std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
                                                  const std::string& path,
                                                  const std::vector<RulePack>& packs,
-                                                 calc::Diagnostics& diagnostics) {
+                                                 calc::Diagnostics& diagnostics,
+                                                 const calc::Budget& budget) {
   const std::size_t errors = diagnostics.error_count();
   const std::size_t first = diagnostics.all().size();
-  std::optional<calc::ReadProject> read = calc::read_project(files, path, diagnostics);
+  std::optional<calc::ReadProject> read = calc::read_project(files, path, diagnostics, budget);
   if (!read) return std::nullopt;
   JudgedProject judged{std::move(read->project), {}};
   make_workplace_planes(judged.project, packs, diagnostics);

@@ -1,6 +1,7 @@
 #pragma once
 // A project as it is judged: read, with the planes of its workplaces, and what is required of them.
 
+#include "calc/base/budget.h"
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
 #include "calc/scene/project.h"
@@ -23,6 +24,7 @@ struct JudgedProject {
 std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
                                                  const std::string& path,
                                                  const std::vector<RulePack>& packs,
-                                                 calc::Diagnostics& diagnostics);
+                                                 calc::Diagnostics& diagnostics,
+                                                 const calc::Budget& budget = {});
 
 }  // namespace rules

@@ -114,6 +114,18 @@ struct Reference {
   ChosenScene scene;
 };
 
+// Whether the level that is asked for is easier than what the row requires.
+bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
+  if (scope.level == RowLevel::required) return false;
+  const Limit required =
+      evaluate_limit(check, {scope.pack, scope.row, RowLevel::required, scope.facts});
+  if (limit.status != LimitStatus::known || required.status != LimitStatus::known) {
+    return scope.level.steps < 0;
+  }
+  return is_lower_limit(check.comparison) ? limit.value.value < required.value.value
+                                          : limit.value.value > required.value.value;
+}
+
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
@@ -131,9 +143,13 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
   requirement.policy = reference.pack.policy;
-  requirement.origin = {reference.pack.full_id(), check.id,
-                        reference.row == nullptr ? "" : reference.row->ref, reference.scope.level,
-                        reference.scope.facts};
+  requirement.origin = {reference.pack.full_id(),
+                        check.id,
+                        reference.row == nullptr ? "" : reference.row->ref,
+                        reference.scope.level,
+                        reference.scope.facts,
+                        {},
+                        is_weakened(check, limit, reference.scope)};
   if (limit.level != RowLevel::required && !reference.level_because.empty()) {
     requirement.note += fmt::format("{}level {}: {}", requirement.note.empty() ? "" : "; ",
                                     level_words(limit.level), reference.level_because);

@@ -44,6 +44,7 @@ struct RuleOrigin {
   RowLevel level{};                       // asked for
   std::map<std::string, double> facts;    // by id, in base units
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
+  bool is_weakened = false;               // its limit is easier than what the row requires
 };
 
 // Which of a project's requirements: plane ids are unique in it.

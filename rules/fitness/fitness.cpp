@@ -355,18 +355,6 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
   return ids;
 }
 
-// Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
-// it, but who reads the verdict must see it.
-std::string speck_words(const calc::CalcPlane& plane) {
-  constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
-  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
-  if (area == nullptr) return {};
-  double area_m2 = std::abs(calc::signed_area(area->outline_m));
-  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
-  if (!(area_m2 < kSpeck_m2)) return {};
-  return fmt::format("the plane has only {:.2g} m2", std::max(area_m2, 0.0));
-}
-
 std::string maintenance_problem(const FitContext& context, const Requirement& requirement) {
   if (requirement.state == LightState::initial || is_of_space(requirement.metric)) return {};
   const std::vector<std::string> ids = types_without_factor(context);
@@ -423,6 +411,16 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
 }
 
 }  // namespace
+
+std::string speck_words(const calc::CalcPlane& plane) {
+  constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
+  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
+  if (area == nullptr) return {};
+  double area_m2 = std::abs(calc::signed_area(area->outline_m));
+  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
+  if (!(area_m2 < kSpeck_m2)) return {};
+  return fmt::format("the plane has only {:.2g} m2", std::max(area_m2, 0.0));
+}
 
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
   const PlaneFit fit(context);

@@ -29,4 +29,8 @@ struct FitContext {
 // fits. Points that are left out are named in the note of every requirement.
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements);
 
+// Whoever draws the task says how large it is, and a speck is lit where one likes: no rule forbids
+// it, but who reads the verdict must see it. "" of planes that are no speck, and of point lists.
+std::string speck_words(const calc::CalcPlane& plane);
+
 }  // namespace rules

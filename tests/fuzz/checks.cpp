@@ -104,6 +104,7 @@ void check_mesh(const calc::TriangleMesh& mesh) {
 }
 
 std::size_t results() { return result_count; }
+void count_result() { ++result_count; }
 
 void check_messages(bool has_result, const calc::Diagnostics& diagnostics) {
   if (has_result) ++result_count;

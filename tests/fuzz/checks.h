@@ -30,6 +30,8 @@ void check_messages(bool has_result, const calc::Diagnostics& diagnostics);
 void require_no_error(const calc::Diagnostics& diagnostics, std::string_view what);
 // How often there was a result: seeds of which none is read test little.
 std::size_t results();
+// For targets whose results check_messages() does not see.
+void count_result();
 
 // An input may hold two files, one after the other, with this line between them.
 inline constexpr std::string_view kSecondFile = "\n@@SECOND FILE@@\n";

@@ -75,10 +75,14 @@ def links():
     (folder / "library.ies").symlink_to(library / "spot.ies")
     (folder / "gone.ies").symlink_to("nowhere.ies")
     (folder / "loop.ies").symlink_to("loop.ies")
+    (folder / "absent.ies").symlink_to(outside / "absent.ies")
+    (folder / "absent").symlink_to(outside / "absent")
     os.mkfifo(folder / "pipe.ies")
     cases = [("a link to photometry", dict(ies="stolen.ies"), "file-link-outside"), ("to LDT", dict(ies="stolen.ldt"), "file-link-outside"),
              ("a linked folder", dict(ies="folder/token.ies"), "file-link-outside"), ("far away", dict(ies="far.ies"), "file-link-outside"),
              ("a device", dict(ies="zero.ies"), "file-link-outside"), ("a pipe", dict(ies="pipe.ies"), "not a regular file"),
+             ("what is not there", dict(ies="absent.ies"), "file-link-outside"), ("a folder that is not there", dict(ies="absent/x.ies"), "file-link-outside"),
+             ("what is not there in a linked folder", dict(ies="folder/absent.ies"), "file-link-outside"),
              ("no end", dict(ies="gone.ies"), "No such file"), ("a circle", dict(ies="loop.ies"), "Too many levels"),
              ("dots", dict(ies="../outside/token.ies"), "file-outside-project"), ("absolute", dict(ies=f"{outside}/token.ies"), "file-outside-project"),
              ("luminaires", dict(ies="own/spot.ies", inside='<luminaires file="stolen.csv"/>'), "file-link-outside"),

@@ -2,6 +2,7 @@
 
     policy_attacks.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
 """
+import hashlib
 import json
 import pathlib
 import shutil
@@ -155,8 +156,63 @@ submit = luxgate("submit", "--engine", "local", "other/project.xml", "--rules", 
 expect(submit.returncode == 2 and "'design/project.xml' is not among" in submit.stderr and not (WORK / "s-job").exists(), f"submit: {submit.stderr}")
 put(PROJECT)
 
+# Where and how large the zones are, facts, levels that are lower, photometry, rooms that no row is about.
+WORKPLACE = '<workplace id="w" pack="own" row="office"{}/>'
+desk = PROJECT[PROJECT.index("<plane"):PROJECT.index("</room>")]
+zone_pack = change(PACK, ('grid="formula"/>\n<row', 'grid="formula" area="task" height="0.8"/>\n<row'), ('<row ref="office"', '<fact id="need" unit="lx" meaning="what the task needs"/>'
+                   '<row ref="office"'), ("</rule-pack>", '<check id="fact" role="task" quantity="planar" statistic="minimum" at-least="fact(need)" trust="confirmed"/></rule-pack>'))
+zone_pack = zone_pack.replace('<value of="Em" required="500"/>', '<value of="Em" required="500" modified="750"/>')
+(WORK / "zones.xml").write_text(zone_pack)
+
+
+def judged(project, policy, code, *said, name=""):
+    put(project)
+    (WORK / "zone-policy.xml").write_text(policy)
+    run = luxgate("check", "design/project.xml", "--rules", "zones.xml", "--policy", "zone-policy.xml", "--pictures", "off", "--format", "json", "--max-paths", "65536")
+    for words in said:
+        expect(words in run.stderr, f"{name}: '{words}' is not in {run.stderr}")
+    expect(run.returncode == code, f"{name}: {run.returncode}, expected {code}: {run.stderr}")
+
+
+wants = change(POLICY, ('spaces="office-*" projects="design/*"/>', 'spaces="office-*" zones="unchanged" floor-share="0.5"/><fact pack="own:1" id="need" at-least="200"/>'))
+fact = ' facts="need=300 lx"'
+whole = change(PROJECT, (desk, WORKPLACE.format(fact)))
+judged(whole, wants, 0, name="a whole room")
+judged(change(whole, (fact, ' facts="need=1 lx"')), wants, 2, "fact 'need' of requirement 'minimum' of plane 'w.task' is 1; at least 200 is allowed", name="a fact that is too low")
+judged(whole, change(wants, ('<fact pack="own:1" id="need" at-least="200"/>', "")), 2, "is stated, and no <fact> allows it", name="a fact of which nothing is said")
+judged(change(PROJECT, (desk, WORKPLACE.format(fact + ' origin="2.2 1.9" size="0.6 0.4"'))), wants, 2, "planes of role 'task' cover 0.0", "at least 0.5 is needed", name="a small task")
+own_plane = change(desk, (ROW, ROW.replace("/>", fact + "/>")))
+judged(change(PROJECT, (desk, own_plane)), wants, 2, "is asked on plane 'desk', which no workplace has made", name="a plane of one's own")
+judged(change(PROJECT, (desk, own_plane)), change(wants, ('zones="unchanged" ', "")), 0, name="a plane of one's own that may be")
+moved = change(whole, (fact + "/>", fact + '><zone role="task" height="0.9" because="standing"/></workplace>'))
+judged(moved, wants, 2, "which the project has changed", name="a zone that is changed")
+judged(moved, change(wants, ('zones="unchanged"', 'zones="workplace"')), 0, name="a zone that may be changed")
+twice = change(PROJECT, (desk, "".join(change(WORKPLACE.format(fact + f' origin="2 {1.8 + i / 10}" size="1 0.9"'), ('"w"', f'"w{i}"')) for i in range(6))))
+judged(twice, wants, 2, "at least 0.5 is needed", name="the same small task six times")
+speck = change(PROJECT, (desk, own_plane.replace('height="0.8"', 'points="2 2 0.8  2.2 2 0.8  2.2 2.2 0.8  2 2.2 0.8"')))
+judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', "")), 0, "warning[task-is-speck]", "has only 0.04 m2", name="a speck")
+judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room", "task-is-speck")), 2, "warning[task-is-speck]", name="a speck that the owner fears")
+judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room values-set", "all")), 2, "warning[task-is-speck]", name="any warning counts")
+judged(change(whole, (fact, fact + ' level="modified"')), wants, 1, name="a higher level")
+(WORK / "zones.xml").write_text(change(zone_pack, ('statistic="average" at-least="row(Em)"', 'statistic="average" at-most="row(Em)"'), ('required="500"', 'required="700"')).replace('of="Em" down="2" up="2"', 'of="Uo" down="1"').replace('values="100 200 300 400 500 750"', 'values="0.1 0.3 0.5"').replace('id="steps" unit="lx"', 'id="steps" unit="none"'))
+judged(change(whole, (fact, fact + ' level="modified"')), wants, 2, "asks its row below what it requires, modified", name="a modified level that is easier")
+(WORK / "zones.xml").write_text(zone_pack)
+decoy = change(whole, ("</room></luxgate>", "</room>" + change(whole[whole.index("<room"):whole.index("</luxgate>")], ('id="office-1"', 'id="store-1"'), ('"w"', '"v"'),
+                                                               ('id="L"', 'id="M"')) + "</luxgate>"))
+judged(decoy, wants, 2, "no <asked> is about space 'store-1'", name="a room that no row is about")
+judged(decoy, change(wants, ("rules 2026\"", "rules 2026\" every-space=\"anything\"")), 0, name="a room that may be asked anything")
+ies = (WORK / "design" / "photometry" / "lambert_panel_600.ies").read_bytes()
+hashed = hashlib.sha256(ies).hexdigest()
+only = change(wants, ("<format", f'<photometry sha256="{hashed}" name="panel"/><format'))
+judged(whole, only, 0, name="photometry of the library")
+judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_600.ies', is not among the files that are allowed: its SHA-256 is {hashed}", name="photometry of one's own")
+
 # The policy itself.
 explained = luxgate("policy", "explain", "policy.xml")
+zones_explained = luxgate("policy", "explain", "zone-policy.xml").stdout
+for words in ("  on zones of workplaces, unchanged\n", "  role 'task' on at least 0.5 of the floor\n", "fact 'need' of own:1: at least 200\n", "photometry that may be used: 0000",
+              "each space must be asked a row of these"):
+    expect(words in zones_explained, f"explain: '{words}' is not in {zones_explained}")
 for words in ("may waive what fails: A. Meier, Q. Board, for at most 200 days", "may state a deviation from a standard: nobody", sha,
               "must be asked as a whole: own:1 office, in spaces like 'office-*' of projects like 'design/*', at least 1", "flux-ratio: at most 1", "must be written: json"):
     expect(explained.returncode == 0 and words in explained.stdout, f"explain: '{words}' is not in {explained.stdout}{explained.stderr}")
@@ -167,6 +223,11 @@ for name, text, said in [
         ("an error as a warning", change(POLICY, ("values-set", "xml-syntax")), "'xml-syntax' is not the id of a warning"),
         ("twice", change(POLICY, ("<bound of=\"reflectance\"", "<waivers/><bound of=\"reflectance\"")), "<waivers> stands there twice"),
         ("a bound of nothing", change(POLICY, (' at-most="0.85"/>\n<bound of="flux', '/>\n<bound of="flux')), "needs 'at-least' or 'at-most'"),
+        ("no hash", change(POLICY, ("<format", '<photometry sha256="12"/><format')), "'12' is no SHA-256"),
+        ("a fact of no edition", change(POLICY, ("<format", '<fact pack="own" id="need"/><format')), "names no edition"),
+        ("a role of no share", change(POLICY, ('row="office" spaces', 'row="office" role="task" spaces')), "'role' without 'floor-share'"),
+        ("a share of two", change(POLICY, ('row="office" spaces', 'row="office" floor-share="2" spaces')), "a number above 0, up to 1"),
+        ("no such zones", change(POLICY, ('row="office" spaces', 'row="office" zones="own" spaces')), "unknown value 'own'; allowed: any, workplace or unchanged"),
         ("no such format", change(POLICY, ('"json"', '"jsn"')), "there is no format 'jsn'"),
         ("an unknown element", change(POLICY, ("<format", "<formt")), "unknown element <formt>"),
         ("no name", change(POLICY, (' name="Owner\'s rules 2026"', "")), "needs the attribute 'name'"),

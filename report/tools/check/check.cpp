@@ -251,6 +251,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     if (!policy || !is_allowed_or_print(*policy, options)) return kNotJudged;
     const std::vector<calc::DiagnosticId>& fatal = policy->fatal_warnings;
     options.strict.ids.insert(options.strict.ids.end(), fatal.begin(), fatal.end());
+    options.strict.all = options.strict.all || policy->are_all_warnings_fatal;
   }
   std::optional<report::Document> baseline;
   if (!options.baseline.empty()) {

@@ -158,6 +158,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
     if (!problem.empty()) return problem;
   }
   options.settings.today = day_of_moment(options.timestamp);
+  options.output.most_bytes = options.settings.budget[calc::BudgetOf::output];
   const bool is_compared = !options.baseline.empty() || !options.against.empty();
   if (std::string problem =
           gate_contradiction(options.gate, is_compared, "a --baseline or --against");
@@ -226,6 +227,7 @@ std::vector<Option> accuracy_options(check::Settings& settings) {
        "plane, reflections included: the ten largest and the rest. Takes more time and memory,\n"
        "and other random numbers are drawn",
        &settings.by_luminaire},
+      limit_option(settings.budget),
       seed_option(settings.radiosity.seed),
       {"--time-limit", "SECONDS",
        "Stop refining a project after this time; results then depend on the machine's speed",
@@ -295,6 +297,12 @@ std::string reproducible_words(const CheckOptions& options) {
   add("--replicates", used.radiosity.replicates, defaults.radiosity.replicates);
   add("--max-paths", used.radiosity.max_paths, defaults.radiosity.max_paths);
   add("--time-limit", used.radiosity.time_limit_s, defaults.radiosity.time_limit_s);
+  for (const calc::EnumName<calc::BudgetOf>& limit : calc::EnumNames<calc::BudgetOf>::list) {
+    const double most = used.budget[limit.value];
+    if (most != defaults.budget[limit.value]) {
+      command += fmt::format(" --limit {}={:.17g}", limit.name, most);
+    }
+  }
   return command + (used.by_luminaire ? " --by-luminaire" : "") +
          work_words(used.radiosity, options.backend);
 }

@@ -16,7 +16,8 @@ std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const Run
   check::BackendChoice backend =
       check::choose_backend(options.backend, radiosity.shadow_map_texels, context.gl_fault, [&] {
         return first_look_work(check::plan_projects(options.input.projects, files, *packs,
-                                                    radiosity, options.settings.today));
+                                                    radiosity, options.settings.today,
+                                                    options.settings.budget));
       });
   std::optional<check::OpenBackend> opened = open_or_complain(
       backend, context.gl_fault, context.environment.program_folder, options.output.quiet);

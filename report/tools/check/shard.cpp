@@ -33,8 +33,9 @@ std::optional<std::vector<check::Unit>> all_units(const CheckOptions& options,
                                                   const calc::FileReader& files) {
   const calc::RadiositySettings& radiosity = options.settings.radiosity;
   if (options.batch.units_file.empty()) {
-    const std::vector<check::ProjectPlan> plans = check::plan_projects(
-        options.input.projects, files, setup.packs, radiosity, options.settings.today);
+    const std::vector<check::ProjectPlan> plans =
+        check::plan_projects(options.input.projects, files, setup.packs, radiosity,
+                             options.settings.today, options.settings.budget);
     for (const check::ProjectPlan& plan : plans) {
       if (!plan.is_planned) print_diagnostics(plan.diagnostics, true);
     }

@@ -26,7 +26,7 @@ ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
   WarningTally warnings(options.strict);
   const std::vector<check::ProjectPlan> plans =
       check::plan_projects(options.input.projects, files, *packs, options.radiosity,
-                           check::day_or_today(day_of_moment(options.date)));
+                           check::day_or_today(day_of_moment(options.date)), options.budget);
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, options.quiet);
     warnings.add(plan.diagnostics);
@@ -57,7 +57,7 @@ Command plan_syntax(PlanOptions& options) {
   Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
-  add(command.options, {set_option(options.set)});
+  add(command.options, {set_option(options.set), limit_option(options.budget)});
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
   add(command.options, {{"--format", "KIND", "text or json; default text",

@@ -1,6 +1,7 @@
 #pragma once
 // `luxgate plan`: what a check would do, in words and as JSON.
 
+#include "calc/base/budget.h"
 #include "report/check/plan.h"
 #include "report/shell/command.h"
 #include "report/shell/project_options.h"
@@ -16,6 +17,7 @@ namespace cli {
 struct PlanOptions {
   ProjectOptions input;
   std::vector<check::SetValue> set;
+  calc::Budget budget;
   calc::RadiositySettings radiosity;
   check::BackendRequest backend;
   bool as_json = false;

@@ -241,8 +241,9 @@ ExitCode run_submit(const SubmitOptions& options, const RunContext& context) {
   }
   const auto packs = load_packs_or_print(check.input.rule_files, files);
   if (!packs) return kNotJudged;
-  const std::vector<check::ProjectPlan> plans = check::plan_projects(
-      check.input.projects, files, *packs, radiosity, check::day_of(check.settings));
+  const std::vector<check::ProjectPlan> plans =
+      check::plan_projects(check.input.projects, files, *packs, radiosity,
+                           check::day_of(check.settings), check.settings.budget);
   bool is_planned = true;
   for (const check::ProjectPlan& plan : plans) {
     print_diagnostics(plan.diagnostics, true);  // the closing job tells warnings

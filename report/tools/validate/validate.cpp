@@ -22,6 +22,7 @@ using rules::Outcome;
 
 struct ValidateOptions {
   ProjectOptions input;
+  calc::Budget budget;
   StrictWarnings strict;
   bool quiet = false;
   std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's
@@ -35,7 +36,8 @@ ExitCode run_validate(const ValidateOptions& options) {
   Outcome outcome = Outcome::nothing_asked;
   WarningTally warnings(options.strict);
   for (const std::string& path : options.input.projects) {
-    const report::ProjectPart part = check::validate_project(path, files, *packs, day);
+    const report::ProjectPart part =
+        check::validate_project(path, files, *packs, day, options.budget);
     print_diagnostics(part.diagnostics, options.quiet);
     warnings.add(part.diagnostics);
     if (!part.is_judged) outcome = graver(outcome, Outcome::not_judged);
@@ -57,7 +59,8 @@ Command validate_command() {
   Command command{"validate", "Check projects for errors without calculating"};
   command.places = {projects_place(options->input)};
   command.options = project_options(options->input);
-  add(command.options, {strict_option(options->strict), quiet_option_with_count(options->quiet)});
+  add(command.options, {limit_option(options->budget), strict_option(options->strict),
+                        quiet_option_with_count(options->quiet)});
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
   command.complete = [options](const Environment& environment) {

@@ -191,6 +191,22 @@ TEST(GltfMesh, RangesOutsideTheirDataAreErrors) {
             broken("an accessor of 4 elements does not fit into buffer view 0 of 48 bytes"));
 }
 
+// The library would take 0 instead, and the mesh would be another one.
+TEST(GltfMesh, BytesBelowZeroAreErrors) {
+  for (const auto& [right, wrong, words] :
+       {std::array{R"("byteOffset":48)", R"("byteOffset":-4)",
+                   "'byteOffset' in 'bufferViews' is -4; whole numbers from 0 are allowed"},
+        std::array{R"("byteOffset":48)", R"("byteOffset":4.5)",
+                   "'byteOffset' in 'bufferViews' is 4.5"},
+        std::array{R"("byteLength":12)", R"("byteLength":-12)", "'byteLength' in 'bufferViews'"},
+        std::array{R"("count":4)", R"("count":-4)", "'count' in 'accessors' is -4"}}) {
+    const std::string message = parse_square(with(kSquareGltf, right, wrong)).messages;
+    EXPECT_NE(message.find(words), std::string::npos) << wrong << ": " << message;
+  }
+  EXPECT_EQ(
+      parse_square(with(kSquareGltf, R"("name":"grey")", R"("extras":{"count":-4})")).messages, "");
+}
+
 TEST(GltfMesh, IndicesOutOfRangeAreErrors) {
   std::string bytes = square_bytes();
   bytes.replace(58, 2, raw(std::uint16_t{4}));

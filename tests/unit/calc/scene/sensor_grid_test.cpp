@@ -51,6 +51,10 @@ Made make(const CalcPlane& plane, const Space& space = {}) {
   made.grid = make_sensor_grid(plane, space, diagnostics);
   for (const Diagnostic& d : diagnostics.all()) made.messages.push_back(format_diagnostic(d));
   EXPECT_EQ(made.grid.has_value(), !diagnostics.has_errors());
+  if (made.grid) {  // so much is known before any point is made
+    EXPECT_EQ(planned_points(plane),
+              static_cast<double>(made.grid->position_m.size() + made.grid->dropped.size()));
+  }
   return made;
 }
 

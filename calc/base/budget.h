@@ -1,0 +1,48 @@
+#pragma once
+// How much one project may take of the machine that reads it. Whoever starts a run decides; no file
+// can raise it. What would go beyond is refused before it is made, with an error of the project:
+// nothing of it is judged, and other projects go on.
+
+#include "calc/base/diagnostics.h"
+#include "calc/base/names.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace calc {
+
+enum class BudgetOf {
+  objects,    // bodies and luminaires
+  triangles,  // of all bodies
+  points,     // of all planes, as their grids have them
+  memory,     // bytes, as estimated from all of these
+  output,     // bytes of one written file
+};
+inline constexpr std::size_t kBudgets = 5;
+
+struct Budget {
+  std::array<double, kBudgets> most{1.0e6, 1.0e7, 1.0e7, 8.0 * (1 << 30), 4.0 * (1 << 30)};
+
+  double operator[](BudgetOf of) const { return most[static_cast<std::size_t>(of)]; }
+  double& operator[](BudgetOf of) { return most[static_cast<std::size_t>(of)]; }
+};
+
+// "10000000", of bytes "8 GiB".
+std::string budget_text(BudgetOf of, double amount);
+
+// Reports the error: the project, or what `what` names, has or would take so much of it.
+void report_beyond(Diagnostics& diagnostics, const SourceLocation& where, std::string_view what,
+                   BudgetOf of, double amount, const Budget& budget);
+
+template <>
+struct EnumNames<BudgetOf> {
+  static constexpr EnumName<BudgetOf> list[] = {{BudgetOf::objects, "objects"},
+                                                {BudgetOf::triangles, "triangles"},
+                                                {BudgetOf::points, "points"},
+                                                {BudgetOf::memory, "memory"},
+                                                {BudgetOf::output, "output"}};
+};
+
+}  // namespace calc
