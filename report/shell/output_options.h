@@ -3,8 +3,10 @@
 
 #include "report/formats/format.h"
 #include "report/shell/command.h"
+#include "report/stream/spill.h"
 #include "report/text/texts.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,8 @@ struct OutputOptions {
   bool quiet = false;                                     // no text unless asked for
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   ColorChoice color = ColorChoice::automatic;
+  // For what has no folder of its own, standard output and pipes; none: opened when needed.
+  std::shared_ptr<report::SpillFiles> spill_files = nullptr;
 };
 
 std::vector<Option> output_options(OutputOptions& options);

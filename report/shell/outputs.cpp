@@ -60,6 +60,24 @@ std::string writability(const std::string& file) {
 
 namespace {
 
+// Where temporary files can be made; "" = nowhere.
+std::string temporary_folder() {
+  std::error_code failure;
+  const fs::path folder = fs::temp_directory_path(failure);
+  return failure || access(folder.c_str(), W_OK | X_OK) != 0 ? "" : folder.string();
+}
+
+bool is_pipe_or_device(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+// The closest one that exists; links followed.
+std::string folder_of_file(const std::string& file) {
+  return existing_folder(fs::path(path_identity(file)).parent_path()).string();
+}
+
 std::string cannot_write(const std::string& path, const std::string& why) {
   return fmt::format("cannot write '{}': {}", path, why);
 }
@@ -300,6 +318,23 @@ std::string path_identity(const std::string& file) {
   return path.empty() ? fs::path(file).lexically_normal().string() : path.string();
 }
 
+std::vector<std::string> written_places(const OutputOptions& options) {
+  std::vector<std::string> places;
+  if (!options.folder.empty()) places.push_back(options.folder);
+  for (const OutputFormat& planned : planned_files(options)) {
+    places.push_back(is_pipe_or_device(planned.file) ? planned.file : folder_of_file(planned.file));
+    if (planned.format->is_html && options.html_split) {
+      places.push_back(folder_of_file((rooms_folder(planned.file) / "p1s1.html").string()));
+    }
+  }
+  return places;
+}
+
+void open_spill_files(OutputOptions& options) {
+  constexpr std::size_t kEnough = 16;  // a format needs a few
+  options.spill_files = std::make_shared<report::SpillFiles>(temporary_folder(), kEnough);
+}
+
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& read) {
   std::set<std::string> inputs, seen;
   for (const std::string& file : read) inputs.insert(path_identity(file));
@@ -323,19 +358,16 @@ std::string check_outputs(const OutputOptions& options, const std::vector<std::s
 namespace {
 
 // For what has no folder of its own: standard output, pipes.
-report::SpillPlace spill_place() {
-  std::error_code failure;
-  const fs::path folder = fs::temp_directory_path(failure);
+report::SpillPlace spill_place(const OutputOptions& options) {
+  report::SpillPlace place{options.spill_files ? "" : temporary_folder()};
+  place.files = options.spill_files;
   // Where there is none, memory must do.
-  if (failure || access(folder.c_str(), W_OK | X_OK) != 0) return report::SpillPlace::memory();
-  return {folder.string()};
+  return place.folder.empty() && !place.files ? report::SpillPlace::memory() : place;
 }
 
-report::SpillPlace spill_place(const std::string& file) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(file, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return spill_place();
-  return {existing_folder(fs::path(path_identity(file)).parent_path()).string()};
+report::SpillPlace spill_place(const OutputOptions& options, const std::string& file) {
+  if (is_pipe_or_device(file)) return spill_place(options);
+  return {folder_of_file(file)};
 }
 
 // One format on its way into its file. What goes wrong is kept until the end.
@@ -349,9 +381,9 @@ class OutputFile {
     text.lists_passes = options.lists_passes;
     if (planned.format->is_html && options.html_split) {
       pages_.emplace(file_, frame.provenance, t);
-      writer_ = report::html_writer(frame, spill_place(file_), t, pages_->address());
+      writer_ = report::html_writer(frame, spill_place(options, file_), t, pages_->address());
     } else {
-      writer_ = planned.format->writer(frame, spill_place(file_), {text, t});
+      writer_ = planned.format->writer(frame, spill_place(options, file_), {text, t});
     }
   }
 
@@ -462,7 +494,7 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
   const report::TextOptions terminal{use_color(options.color, environment),
                                      environment.stdout_columns, options.lists_passes,
                                      !options.are_messages_printed};
-  for_stdout_ = format->writer(frame_, spill_place(), {terminal, report_texts(options)});
+  for_stdout_ = format->writer(frame_, spill_place(options), {terminal, report_texts(options)});
 }
 
 ResultFiles::~ResultFiles() = default;
