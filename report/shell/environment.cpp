@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <sys/ioctl.h>
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <string_view>
 
 namespace cli {
 namespace {
@@ -21,6 +24,24 @@ std::string program_folder() {
   if (cache.starts_with('/')) return cache + "/luxgate/programs";
   const std::string home = variable("HOME");
   return home.starts_with('/') ? home + "/.cache/luxgate/programs" : "";
+}
+
+std::vector<std::string> library_places() {
+  std::vector<std::string> places;
+  for (const char* name :
+       {"LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "GBM_BACKENDS_PATH", "__EGL_VENDOR_LIBRARY_DIRS",
+        "__EGL_VENDOR_LIBRARY_FILENAMES", "DRIRC_CONFIGDIR", "TZ", "TZDIR"}) {
+    const std::string list = variable(name);
+    std::string_view rest = list;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(':'), rest.size());
+      if (rest.starts_with('/')) places.emplace_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  const std::string home = variable("HOME");
+  if (!home.empty()) places.push_back(home + "/.drirc");
+  return places;
 }
 
 int columns_of(int descriptor) {
@@ -41,6 +62,7 @@ Environment read_environment() {
   environment.git_dir = variable("GIT_DIR");
   environment.git_work_tree = variable("GIT_WORK_TREE");
   environment.store = variable("LUXGATE_STORE");
+  environment.library_places = library_places();
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.stderr_is_terminal = isatty(STDERR_FILENO) == 1;
   if (environment.stdout_is_terminal) environment.stdout_columns = columns_of(STDOUT_FILENO);

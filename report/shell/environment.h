@@ -2,6 +2,7 @@
 // What the program takes from its surroundings, as a value so that tests can choose it.
 
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -14,6 +15,9 @@ struct Environment {
   std::string program_folder;
   std::string git_dir, git_work_tree;  // GIT_DIR and GIT_WORK_TREE, see git::GitPlaces
   std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it
+  // Files and folders of libraries and drivers besides the system's usual ones, from the variables
+  // of the dynamic linker, of Mesa and of glvnd, and the time zone's.
+  std::vector<std::string> library_places;
   bool stdout_is_terminal = false;
   bool stderr_is_terminal = false;
   int stdout_columns = 0;  // width of the terminal at standard output; 0 = none or not known

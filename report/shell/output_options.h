@@ -4,8 +4,10 @@
 #include "calc/base/budget.h"
 #include "report/formats/format.h"
 #include "report/shell/command.h"
+#include "report/stream/spill.h"
 #include "report/text/texts.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,8 @@ struct OutputOptions {
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
   ColorChoice color = ColorChoice::automatic;
+  // For what has no folder of its own, standard output and pipes; none: opened when needed.
+  std::shared_ptr<report::SpillFiles> spill_files = nullptr;
 };
 
 std::vector<Option> output_options(OutputOptions& options);

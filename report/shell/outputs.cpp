@@ -63,6 +63,24 @@ std::string writability(const std::string& file) {
 
 namespace {
 
+// Where temporary files can be made; "" = nowhere.
+std::string temporary_folder() {
+  std::error_code failure;
+  const fs::path folder = fs::temp_directory_path(failure);
+  return failure || access(folder.c_str(), W_OK | X_OK) != 0 ? "" : folder.string();
+}
+
+bool is_pipe_or_device(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+// The closest one that exists; links followed.
+std::string folder_of_file(const std::string& file) {
+  return existing_folder(fs::path(path_identity(file)).parent_path()).string();
+}
+
 std::string cannot_write(const std::string& path, const std::string& why) {
   return fmt::format("cannot write '{}': {}", path, why);
 }
@@ -307,6 +325,23 @@ std::string pages_problem(const std::string& index, const std::vector<OutputForm
 
 std::string path_identity(const std::string& file) { return calc::real_path(file).string(); }
 
+std::vector<std::string> written_places(const OutputOptions& options) {
+  std::vector<std::string> places;
+  if (!options.folder.empty()) places.push_back(options.folder);
+  for (const OutputFormat& planned : planned_files(options)) {
+    places.push_back(is_pipe_or_device(planned.file) ? planned.file : folder_of_file(planned.file));
+    if (planned.format->is_html && options.html_split) {
+      places.push_back(folder_of_file((rooms_folder(planned.file) / "p1s1.html").string()));
+    }
+  }
+  return places;
+}
+
+void open_spill_files(OutputOptions& options) {
+  constexpr std::size_t kEnough = 16;  // a format needs a few
+  options.spill_files = std::make_shared<report::SpillFiles>(temporary_folder(), kEnough);
+}
+
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& read) {
   std::set<std::string> inputs, seen;
   for (const std::string& file : read) inputs.insert(path_identity(file));
@@ -330,22 +365,18 @@ std::string check_outputs(const OutputOptions& options, const std::vector<std::s
 namespace {
 
 // For what has no folder of its own: standard output, pipes.
-report::SpillPlace spill_place() {
-  std::error_code failure;
-  const fs::path folder = fs::temp_directory_path(failure);
-  // Where there is none, memory must do.
-  if (failure || access(folder.c_str(), W_OK | X_OK) != 0) return report::SpillPlace::memory();
+report::SpillPlace spill_place(const OutputOptions& options) {
   report::SpillPlace place;
-  place.folder = folder.string();
-  return place;
+  if (!options.spill_files) place.folder = temporary_folder();
+  place.files = options.spill_files;
+  // Where there is none, memory must do.
+  return place.folder.empty() && !place.files ? report::SpillPlace::memory() : place;
 }
 
-report::SpillPlace spill_place(const std::string& file) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(file, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return spill_place();
+report::SpillPlace spill_place(const OutputOptions& options, const std::string& file) {
+  if (is_pipe_or_device(file)) return spill_place(options);
   report::SpillPlace place;
-  place.folder = existing_folder(fs::path(path_identity(file)).parent_path()).string();
+  place.folder = folder_of_file(file);
   return place;
 }
 
@@ -373,7 +404,7 @@ class OutputFile {
     const report::Texts t = report_texts(options);
     report::TextOptions text;
     text.lists_passes = options.lists_passes;
-    report::SpillPlace place = spill_place(file_);
+    report::SpillPlace place = spill_place(options, file_);
     place.most_bytes = most_bytes_;
     if (planned.format->is_html && options.html_split) {
       pages_.emplace(file_, frame.provenance, t);
@@ -513,7 +544,7 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
   const report::TextOptions terminal{use_color(options.color, environment),
                                      environment.stdout_columns, options.lists_passes,
                                      !options.are_messages_printed};
-  report::SpillPlace place = spill_place();
+  report::SpillPlace place = spill_place(options);
   place.most_bytes = most_bytes_;
   for_stdout_ = format->writer(frame_, place, {terminal, report_texts(options)});
 }

@@ -18,6 +18,11 @@ namespace cli {
 // inputs: files that will be read.
 std::string check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs);
 
+// Files and folders in which those that are planned, and what is needed meanwhile, are made.
+std::vector<std::string> written_places(const OutputOptions& options);
+// For who cannot open temporary files later.
+void open_spill_files(OutputOptions& options);
+
 // "" if a file can be written there, else why not. Touches nothing.
 std::string writability(const std::string& file);
 

@@ -2,6 +2,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/utf8.h"
+#include "report/check/load_rules.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <unordered_set>
 #include <utility>
 
@@ -84,6 +86,25 @@ std::string complete_projects(ProjectOptions& options) {
     }
   }
   return "";
+}
+
+std::vector<std::string> places_of(const ProjectOptions& options) {
+  std::vector<std::string> places = options.allowed;
+  std::unordered_set<std::string> known;
+  std::error_code ignored;
+  for (const std::string& project : options.projects) {
+    const std::filesystem::path path(project);
+    // The command line may name a link, whatever it leads to.
+    if (std::filesystem::is_symlink(path, ignored)) places.push_back(project);
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    if (known.insert(folder).second) places.push_back(folder);
+  }
+  places.insert(places.end(), options.rule_files.begin(), options.rule_files.end());
+  calc::Diagnostics told_when_they_are_read;
+  for (std::string& file : check::rule_files(options.rule_files, told_when_they_are_read)) {
+    places.push_back(std::move(file));
+  }
+  return places;
 }
 
 std::string render_project_list(const std::vector<std::string>& projects) {

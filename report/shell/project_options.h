@@ -23,6 +23,10 @@ std::vector<Option> project_options(ProjectOptions& options);
 // is given, one is given twice, or is an id that was meant for --strict.
 std::string complete_projects(ProjectOptions& options);
 
+// Files and folders from which they are read: the folder of each project with all below it, rule
+// files, folders of --allow.
+std::vector<std::string> places_of(const ProjectOptions& options);
+
 // A list that --files-from reads: a path a line. Where a path has a line break in it, each path has
 // a byte 0 behind it instead.
 std::string render_project_list(const std::vector<std::string>& projects);

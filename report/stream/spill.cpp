@@ -26,9 +26,33 @@ int open_nameless(const std::string& folder) {
 
 }  // namespace
 
-Spill::~Spill() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+SpillFiles::SpillFiles(const std::string& folder, std::size_t count) {
+  try {
+    while (descriptors_.size() < count) descriptors_.push_back(open_nameless(folder));
+  } catch (const WriteFailure&) {
+  }
 }
+
+SpillFiles::~SpillFiles() {
+  for (const int descriptor : descriptors_) ::close(descriptor);
+}
+
+int SpillFiles::take() {
+  if (descriptors_.empty()) return -1;
+  const int descriptor = descriptors_.back();
+  descriptors_.pop_back();
+  return descriptor;
+}
+
+void SpillFiles::give_back(int descriptor) {
+  if (::ftruncate(descriptor, 0) == 0) {
+    descriptors_.push_back(descriptor);
+  } else {
+    ::close(descriptor);
+  }
+}
+
+Spill::~Spill() { close_file(); }
 
 void Spill::write(std::string_view bytes) {
   fail_beyond(static_cast<double>(size() + bytes.size()), place_.most_bytes);
@@ -37,7 +61,13 @@ void Spill::write(std::string_view bytes) {
 }
 
 void Spill::move_to_file() {
-  if (descriptor_ < 0) descriptor_ = open_nameless(place_.folder);
+  if (descriptor_ < 0) {
+    descriptor_ = place_.files ? place_.files->take() : open_nameless(place_.folder);
+  }
+  if (descriptor_ < 0) {
+    place_.most_in_memory = std::numeric_limits<std::size_t>::max();
+    return;
+  }
   std::string_view rest = memory_;
   while (!rest.empty()) {
     const ssize_t count = ::pwrite(descriptor_, rest.data(), rest.size(),
@@ -84,9 +114,18 @@ void Spill::copy_to(Sink& sink) const {
   sink.write(memory_);
 }
 
-void Spill::clear() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+void Spill::close_file() {
+  if (descriptor_ < 0) return;
+  if (place_.files) {
+    place_.files->give_back(descriptor_);
+  } else {
+    ::close(descriptor_);
+  }
   descriptor_ = -1;
+}
+
+void Spill::clear() {
+  close_file();
   in_file_ = 0;
   memory_.clear();
   memory_.shrink_to_fit();

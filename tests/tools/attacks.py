@@ -34,6 +34,8 @@ def fresh(name):
 
 
 def limit_memory():
+    if "ASAN_OPTIONS" in os.environ:  # a sanitizer's own memory is terabytes
+        return
     resource.setrlimit(resource.RLIMIT_DATA, (MOST_BYTES, MOST_BYTES))
 
 

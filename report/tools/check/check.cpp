@@ -222,11 +222,12 @@ bool remove_resume_store(const std::string& folder) {
 }  // namespace
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
+  CheckOptions options = asked;
+  if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
   const calc::DiskFileReader disk(asked.input.allowed);
   const RecordingReader recorded(disk);
   const check::SetReader files(recorded, asked.input.projects, asked.set);
-  CheckOptions options = asked;
   options.settings.today = day_of(options.settings);  // one for all, also over midnight
   std::optional<check::VertexSource> vertices;
   if (!options.vpl_file.empty()) {

@@ -258,8 +258,8 @@ Command check_syntax(CheckOptions& options) {
         {"--seed", "--replicates", "--max-paths", "--by-luminaire", "--against"}},
        store_option(options.store)});
   add(command.options, batch_options(options.batch));
-  add(command.options,
-      {strict_option(options.strict), quiet_option_with_count(options.output.quiet)});
+  add(command.options, {strict_option(options.strict), sandbox_option(options.sandbox),
+                        quiet_option_with_count(options.output.quiet)});
   command.footer = kExitCodes;
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);

@@ -5,6 +5,7 @@
 #include "report/check/settings.h"
 #include "report/document/revision.h"
 #include "report/shell/output_options.h"
+#include "report/shell/sandbox.h"
 #include "report/shell/set_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
@@ -46,6 +47,7 @@ struct CheckOptions {
   std::string vpl_file;  // light vertices to take instead of tracing; "" = none
   std::string store;     // folder of looks to be used again; "" = none
   BatchOptions batch;
+  SandboxMode sandbox = SandboxMode::automatic;
 };
 
 // --store, and with it: the folder that is meant, "" = none; gives what is wrong with it. variable:

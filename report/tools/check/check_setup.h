@@ -20,6 +20,10 @@ struct CheckSetup {
   check::Crew crew;  // projects at once; of each project so many spaces, too
 };
 
+// First of all, before anything that a stranger may have written is read and a thread started.
+// False after an error, which has been printed.
+bool enter_sandbox_or_print(CheckOptions& options, const RunContext& context);
+
 // options: with the day by which waivers end. Empty after an error, which has been printed.
 std::optional<CheckSetup> set_up_or_print(const CheckOptions& options, const RunContext& context,
                                           const calc::FileReader& files);

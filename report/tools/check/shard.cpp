@@ -83,11 +83,12 @@ std::vector<ProjectShare> own_share(const std::vector<check::Unit>& units,
 }  // namespace
 
 ExitCode run_shard(const CheckOptions& asked, const RunContext& context) {
+  CheckOptions options = asked;
+  if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
   const calc::DiskFileReader disk(asked.input.allowed);
   const check::SetReader files(disk, asked.input.projects, asked.set);
   if (!check_values_or_print(asked.input, asked.set, "set", disk)) return kNotJudged;
-  CheckOptions options = asked;
   options.settings.today = day_of(options.settings);
   const std::optional<CheckSetup> setup = set_up_or_print(options, context, files);
   if (!setup) return kNotJudged;

@@ -17,6 +17,10 @@ namespace {
 using rules::Outcome;
 
 ExitCode run_plan(const PlanOptions& options, const RunContext& context) {
+  if (!enter_sandbox_or_print(options.sandbox, {places_of(options.input), {}},
+                              context.environment)) {
+    return kNotJudged;
+  }
   const calc::DiskFileReader disk(options.input.allowed);
   const check::SetReader files(disk, options.input.projects, options.set);
   if (!check_values_or_print(options.input, options.set, "set", disk)) return kNotJudged;
@@ -68,6 +72,7 @@ Command plan_syntax(PlanOptions& options) {
                          "ones, with predicted costs: for 'luxgate check --shard'",
                          &options.as_units},
                         strict_option(options.strict),
+                        sandbox_option(options.sandbox),
                         quiet_option_with_count(options.quiet)});
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";

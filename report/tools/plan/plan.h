@@ -5,6 +5,7 @@
 #include "report/check/plan.h"
 #include "report/shell/command.h"
 #include "report/shell/project_options.h"
+#include "report/shell/sandbox.h"
 #include "report/shell/set_option.h"
 #include "report/shell/warning_tally.h"
 #include "report/shell/work_options.h"
@@ -24,6 +25,7 @@ struct PlanOptions {
   bool as_units = false;  // as units that machines can share
   StrictWarnings strict;
   bool quiet = false;
+  SandboxMode sandbox = SandboxMode::automatic;
   std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's
 };
 

@@ -23,6 +23,11 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
   ReportOptions options = asked;
   std::vector<std::string> inputs{options.result_file};
   if (!options.baseline.empty()) inputs.push_back(options.baseline);
+  if (options.sandbox != SandboxMode::off) open_spill_files(options.output);
+  if (!enter_sandbox_or_print(options.sandbox, {inputs, written_places(options.output)},
+                              environment)) {
+    return kNotJudged;
+  }
   const std::string output_problem = check_outputs(options.output, inputs);
   if (!output_problem.empty()) {
     print_error(calc::DiagnosticId::output_not_possible, output_problem);
@@ -57,8 +62,9 @@ Command report_syntax(ReportOptions& options) {
   command.options = output_options(options.output);
   add(command.options, {baseline_option(options.baseline)});
   add(command.options, gate_options(options.gate));
-  add(command.options, {passes_option(options.output.lists_passes),
-                        color_option(options.output.color), quiet_option(options.output.quiet)});
+  add(command.options,
+      {passes_option(options.output.lists_passes), color_option(options.output.color),
+       sandbox_option(options.sandbox), quiet_option(options.output.quiet)});
   command.footer =
       "Exit codes: 0 written, whatever the verdicts are, with --gate regression those of 'check';\n"
       "2 an error, also a result whose verdicts or counts do not follow from its numbers.";

@@ -4,6 +4,7 @@
 #include "report/document/revision.h"
 #include "report/shell/command.h"
 #include "report/shell/output_options.h"
+#include "report/shell/sandbox.h"
 
 #include <string>
 
@@ -14,6 +15,7 @@ struct ReportOptions {
   std::string baseline;  // a result to compare it with; "" = none
   report::Gate gate;
   OutputOptions output;
+  SandboxMode sandbox = SandboxMode::automatic;
 };
 
 Command report_syntax(ReportOptions& options);

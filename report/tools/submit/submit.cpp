@@ -69,9 +69,10 @@ constexpr auto kNotOfBatches =
                                      "--stored-only", "--time-limit", "--units", "--vpl"});
 // All others say how a report looks.
 constexpr auto kOfShards = std::to_array<std::string_view>(
-    {"--allow", "--backend", "--by-luminaire", "--clamp", "--confidence", "--gl-device", "--goal",
-     "--gpu-stages", "--max-paths", "--method", "--no-skip", "--quiet", "--replicates", "--rules",
-     "--seed", "--set", "--timestamp", "--tolerance", "--visibility"});
+    {"--allow",     "--backend", "--by-luminaire", "--clamp",     "--confidence",
+     "--gl-device", "--goal",    "--gpu-stages",   "--max-paths", "--method",
+     "--no-skip",   "--quiet",   "--replicates",   "--rules",     "--sandbox",
+     "--seed",      "--set",     "--timestamp",    "--tolerance", "--visibility"});
 
 template <std::size_t N>
 bool is_among(const std::array<std::string_view, N>& names, std::string_view name) {

@@ -8,6 +8,7 @@
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/shell/project_options.h"
+#include "report/shell/sandbox.h"
 #include "report/shell/warning_tally.h"
 #include "rules/verdict/outcome.h"
 
@@ -25,10 +26,14 @@ struct ValidateOptions {
   calc::Budget budget;
   StrictWarnings strict;
   bool quiet = false;
+  SandboxMode sandbox = SandboxMode::automatic;
   std::string date;  // a moment by SOURCE_DATE_EPOCH; "" = the clock's
 };
 
-ExitCode run_validate(const ValidateOptions& options) {
+ExitCode run_validate(const ValidateOptions& options, const Environment& environment) {
+  if (!enter_sandbox_or_print(options.sandbox, {places_of(options.input), {}}, environment)) {
+    return kNotJudged;
+  }
   const std::string day = check::day_or_today(day_of_moment(options.date));
   const calc::DiskFileReader files(options.input.allowed);
   const auto packs = load_packs_or_print(options.input.rule_files, files);
@@ -60,14 +65,16 @@ Command validate_command() {
   command.places = {projects_place(options->input)};
   command.options = project_options(options->input);
   add(command.options, {limit_option(options->budget), strict_option(options->strict),
-                        quiet_option_with_count(options->quiet)});
+                        sandbox_option(options->sandbox), quiet_option_with_count(options->quiet)});
   command.footer =
       "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
   command.complete = [options](const Environment& environment) {
     const std::string problem = take_source_date(environment.source_date_epoch, options->date);
     return problem.empty() ? complete_projects(options->input) : problem;
   };
-  command.run = [options](const RunContext&) { return run_validate(*options); };
+  command.run = [options](const RunContext& context) {
+    return run_validate(*options, context.environment);
+  };
   return command;
 }
 

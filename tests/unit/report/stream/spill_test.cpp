@@ -1,9 +1,11 @@
 #include "report/stream/spill.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace report {
@@ -55,6 +57,36 @@ TEST_F(Spills, KeepWhatWasWrittenWhereverItLies) {
     spill.write("again, and more than fits into the memory");
     EXPECT_EQ(copied(spill), "again, and more than fits into the memory");
   }
+}
+
+TEST_F(Spills, TakeFilesThatWereOpenedBeforehand) {
+  SpillPlace where = place();
+  where.folder = folder_ + "/nowhere";
+  where.files = std::make_shared<SpillFiles>(folder_, 1);
+  const std::string text(100, 'x');
+  for (int round = 0; round < 3; ++round) {  // the one file goes from hand to hand
+    Spill spill(where);
+    spill.write(text);
+    spill.write("end");
+    EXPECT_EQ(copied(spill), text + "end");
+    EXPECT_EQ(where.files->take(), -1);
+    Spill other(where);  // in memory
+    other.write(text);
+    other.write("other end");
+    EXPECT_EQ(copied(other), text + "other end");
+  }
+  const int file = where.files->take();
+  ASSERT_GE(file, 0);
+  EXPECT_EQ(lseek(file, 0, SEEK_END), 0);
+  where.files->give_back(file);
+}
+
+TEST_F(Spills, AreInMemoryWhereNoFileCouldBeOpened) {
+  SpillPlace where = place();
+  where.files = std::make_shared<SpillFiles>(folder_ + "/nowhere", 3);
+  Spill spill(where);
+  spill.write(std::string(100, 'x'));
+  EXPECT_EQ(copied(spill), std::string(100, 'x'));
 }
 
 // As long as it is there, too: a process that is killed has no time to tidy up.
