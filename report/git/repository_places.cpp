@@ -3,6 +3,7 @@
 #include "report/git/git_handles.h"
 #include "report/git/open_repository.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -62,10 +63,11 @@ int note_included(const git_config_entry* entry, void* all) {
   return 0;
 }
 
-// Files that are there, what they include, and what else they name.
-void add_settings(git_repository* repository, std::vector<std::string>& places) {
-  const std::string common = git_repository_commondir(repository);
-  Included included{home_of_settings(), {fs::path(common)}, &places};
+// Files that are there, what they include, and what else they name. common: the repository's
+// folder; "" = it could not be opened. config: then the user's.
+void add_settings(git_config* config, const std::string& common, std::vector<std::string>& places) {
+  Included included{home_of_settings(), {}, &places};
+  if (!common.empty()) included.folders.emplace_back(common);
   for (const auto find : {git_config_find_programdata, git_config_find_system, git_config_find_xdg,
                           git_config_find_global}) {
     git_buf path = GIT_BUF_INIT;
@@ -79,31 +81,50 @@ void add_settings(git_repository* repository, std::vector<std::string>& places) 
   if (!included.home.empty()) {
     places.push_back((fs::path(included.home) / ".config" / "git").string());
   }
-  git_config* config = nullptr;
-  if (git_repository_config_snapshot(&config, repository) != 0) return;
-  const Config owned(config);
+  if (config == nullptr) return;
   git_config_foreach_match(config, "^include(if\\..*)?\\.path$", note_included, &included);
   git_config_foreach_match(config, "^core\\.attributesfile$", note_included, &included);
   const char* storage = nullptr;
-  if (git_config_get_string(&storage, config, "lfs.storage") == 0) {
+  if (!common.empty() && git_config_get_string(&storage, config, "lfs.storage") == 0) {
     places.push_back((fs::path(common) / storage).string());
   }
+}
+
+// Of a repository that cannot be opened: it is asked again later, and must give the same reason.
+std::string found_folder(const std::string& file) {
+  std::string found;
+  for (fs::path folder = absolute_path(file); found.empty() && folder.has_relative_path();) {
+    folder = folder.parent_path();
+    git_buf path = GIT_BUF_INIT;
+    if (git_repository_discover(&path, folder.c_str(), 1, nullptr) == 0) found = path.ptr;
+    git_buf_dispose(&path);
+  }
+  return found;
 }
 
 }  // namespace
 
 std::vector<std::string> repository_places(const std::string& file, const GitPlaces& places) {
   const Library library;
+  std::vector<std::string> all;
+  git_config* config = nullptr;
   std::string problem;
   const std::optional<OpenedRepository> opened = open_repository(file, places, problem);
-  if (!opened) return {};
+  if (!opened) {
+    const int failure = git_config_open_default(&config);
+    const Config owned(failure == 0 ? config : nullptr);
+    add_settings(owned.get(), "", all);
+    all.push_back(places.git_dir.empty() ? found_folder(file) : places.git_dir);
+    return all;
+  }
   git_repository* const repository = opened->repository.get();
   const std::string common = git_repository_commondir(repository);
-  std::vector<std::string> all{git_repository_path(repository), common,
-                               (fs::path(opened->root) / ".git").string()};
+  all = {git_repository_path(repository), common, (fs::path(opened->root) / ".git").string()};
   const std::set<std::string> objects = object_folders((fs::path(common) / "objects").string());
   all.insert(all.end(), objects.begin(), objects.end());
-  add_settings(repository, all);
+  const int failure = git_repository_config_snapshot(&config, repository);
+  const Config owned(failure == 0 ? config : nullptr);
+  add_settings(owned.get(), common, all);
   return all;
 }
 

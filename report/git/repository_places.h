@@ -10,7 +10,6 @@ namespace git {
 
 // Files and folders that are read of the repository in which `file` lies: its own ones, those of
 // repositories that lend it objects, Git LFS, and git's settings. Its work tree is not among them.
-// Empty where there is no repository.
 std::vector<std::string> repository_places(const std::string& file, const GitPlaces& places);
 
 }  // namespace git

@@ -31,8 +31,8 @@ namespace fs = std::filesystem;
 std::string words_of(int error) { return std::generic_category().message(error); }
 
 // --- files: Landlock ---------------------------------------------------------------------------
-// Numbers of the kernel's interface [linux/landlock.h]. The header of Debian 12 knows the first of
-// its versions only, while the program may run on any kernel.
+// Numbers of the kernel's interface. The header of Debian 12 knows the first of its versions only,
+// while the program may run on any kernel.
 
 constexpr long kCreateRuleset = 444, kAddRule = 445, kRestrictSelf = 446;
 constexpr unsigned kAskVersion = 1u;

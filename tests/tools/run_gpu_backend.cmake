@@ -78,7 +78,7 @@ if(NOT verdicts_cpu MATCHES "pass.*fail" OR NOT verdicts_cpu STREQUAL verdicts_g
 endif()
 
 # Shaders were kept, and damaged files do not matter.
-file(GLOB programs ${WORK}/programs/*)
+file(GLOB programs LIST_DIRECTORIES false ${WORK}/programs/*)
 if(programs STREQUAL "" AND renderer MATCHES "llvmpipe")
   message(SEND_ERROR "no compiled shaders in ${WORK}/programs")
 endif()
@@ -96,7 +96,7 @@ endforeach()
 file(REMOVE_RECURSE ${WORK}/cache)
 run_luxgate(0 ENV LUXGATE_PROGRAM_CACHE= XDG_CACHE_HOME=${WORK}/cache
   ARGS check --quiet --max-paths 256 ${cornell} --backend gpu)
-file(GLOB programs_in_cache ${WORK}/cache/luxgate/programs/*)
+file(GLOB programs_in_cache LIST_DIRECTORIES false ${WORK}/cache/luxgate/programs/*)
 list(LENGTH programs kept)
 if(kept GREATER 0 AND programs_in_cache STREQUAL "")
   message(SEND_ERROR "no compiled shaders in XDG_CACHE_HOME")

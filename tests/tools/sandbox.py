@@ -181,6 +181,7 @@ def same_bytes():
         "allowed": ["check", "far.xml", "--allow", "../beside/library", "--format", "json"],
         "not allowed": ["check", "far.xml", "--format", "json"],
         "not there": ["check", "no.xml", "nowhere/no.xml", "--format", "json"],
+        "large, to a pipe": ["check", "large.xml", "--pictures", "off", "--max-paths", "256", "--format", "json"],
         "pictures": ["check", "p.xml", "--format", "html"],
         "plan": ["plan", "p.xml", "linked.xml"],
         "validate": ["validate", "p.xml", "rules.xml", "--rules", "packs", "far.xml"],
@@ -192,6 +193,7 @@ def same_bytes():
         folder, beside = whole / "here", whole / "beside"
         beside.mkdir()
         small_designs.write(folder / "p.xml")
+        small_designs.write(folder / "large.xml", points=6000)  # more than is kept in memory
         small_designs.write(beside / "library" / "far.xml", far=False)
         small_designs.write(beside / "linked" / "p.xml", far=False)
         (folder / "linked").symlink_to(beside / "linked")
@@ -220,6 +222,7 @@ def same_bytes():
     for name, said in [("not allowed", b"file-link-outside"), ("rules", b'"pack": "own:1"'), ("devices", b"{"), ("store again", b"{")]:
         code, out, err = results[name][2]
         expect(said in out + err, f"{name}: {code}, {err}")
+    expect(len(results["large, to a pipe"][2][1]) > 1 << 21, "too little to be a large report")
 
 
 def repositories():
