@@ -28,7 +28,7 @@ std::string_view words_of(BudgetOf of) {
 std::string budget_text(BudgetOf of, double amount) {
   if (!is_of_bytes(of)) return fmt::format("{:.0f}", amount);
   constexpr double kKiB = 1 << 10, kMiB = 1 << 20, kGiB = 1 << 30;
-  if (amount < kKiB) return fmt::format("{:.0f} bytes", amount);
+  if (amount < kKiB) return fmt::format("{:.0f} byte{}", amount, amount == 1.0 ? "" : "s");
   if (amount < kMiB) return fmt::format("{:.4g} KiB", amount / kKiB);
   return amount < kGiB ? fmt::format("{:.4g} MiB", amount / kMiB)
                        : fmt::format("{:.4g} GiB", amount / kGiB);

@@ -125,9 +125,24 @@ std::optional<int> ElementReader::parse(const XmlAttribute& attribute, std::stri
   return value;
 }
 
+namespace {
+
+// Ids and texts are copied into everything that is made of an element.
+constexpr std::size_t kLongestId = 200, kLongestText = 4000;
+
+bool is_short_enough(ElementReader& reader, const XmlAttribute& attribute, std::size_t most) {
+  if (attribute.value.size() <= most) return true;
+  reader.report(DiagnosticId::number_out_of_range, attribute.where, attribute.name,
+                reader.element().name, fmt::format("a text of {} bytes", attribute.value.size()),
+                fmt::format("at most {} bytes", most));
+  return false;
+}
+
+}  // namespace
+
 std::string ElementReader::id(std::string_view name) {
   const XmlAttribute* attribute = require(name);
-  if (attribute == nullptr) return {};
+  if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestId)) return {};
   if (is_id(attribute->value)) return attribute->value;
   report(DiagnosticId::not_an_id, attribute->where, name, element_.name, shown(attribute->value));
   return {};
@@ -135,12 +150,12 @@ std::string ElementReader::id(std::string_view name) {
 
 std::string ElementReader::text(std::string_view name) {
   const XmlAttribute* attribute = require(name);
-  return attribute == nullptr ? std::string() : attribute->value;
+  if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestText)) return {};
+  return attribute->value;
 }
 
 std::string ElementReader::text_or(std::string_view name, std::string_view fallback) {
-  const XmlAttribute* attribute = element_.find(name);
-  return attribute == nullptr ? std::string(fallback) : attribute->value;
+  return element_.find(name) == nullptr ? std::string(fallback) : text(name);
 }
 
 double ElementReader::number(std::string_view name, const NumberRange& range) {

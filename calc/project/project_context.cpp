@@ -173,8 +173,15 @@ bool check_room_for(ProjectContext& context, ElementReader& reader, double insta
   };
   const double all = context.instances + instances;
   const double all_triangles = context.triangles + triangles;
+  // Copies keep the words of their element.
+  double words = 0.0;
+  for (const std::string_view attribute : {"id", "name", "group"}) {
+    const XmlAttribute* found = reader.element().find(attribute);
+    if (found != nullptr) words += 2.0 * static_cast<double>(found->value.size());
+  }
   return fits(BudgetOf::objects, all) && fits(BudgetOf::triangles, all_triangles) &&
-         fits(BudgetOf::memory, context.files.taken_bytes() + held_bytes(all, all_triangles));
+         fits(BudgetOf::memory, context.files.taken_bytes() + held_bytes(all, all_triangles)) &&
+         context.files.take(instances * words, reader.where(), what);
 }
 
 }  // namespace calc

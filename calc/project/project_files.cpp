@@ -6,6 +6,11 @@
 #include "calc/photometry/web_hermite.h"
 #include "calc/project/point_list_csv.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <vector>
 
 namespace calc {
@@ -34,6 +39,15 @@ constexpr double kMeshByteFactor = 12.0, kTableByteFactor = 12.0;
 
 }  // namespace
 
+bool is_named_as_other_than_photometry(std::string_view path) {
+  constexpr std::array<std::string_view, 8> kEndings{".csv",  ".obj", ".stl", ".ply",
+                                                     ".gltf", ".glb", ".bin", ".xml"};
+  std::string lower(path);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return lower.ends_with(ending); });
+}
+
 ProjectFiles::ProjectFiles(const FileReader& reader, Project& project, Diagnostics& diagnostics,
                            const Budget& budget)
     : reader_(reader), project_(project), diagnostics_(diagnostics), budget_(budget) {}
@@ -49,7 +63,14 @@ bool ProjectFiles::take(double bytes, const SourceLocation& where, std::string_v
 }
 
 std::optional<std::string> ProjectFiles::read_project() {
-  FileContent content = reader_.read(project_.path);
+  // Who may change a folder may put a link into it that others name: "designs/*.xml".
+  const std::string folder = full_path("");
+  FileContent content = reader_.read_within(folder.empty() ? "." : folder, project_.path);
+  if (content.is_outside) {
+    diagnostics_.report(DiagnosticId::file_link_outside, SourceLocation{project_.path},
+                        project_.path);
+    return std::nullopt;
+  }
   if (!content.ok()) {
     diagnostics_.report(DiagnosticId::file_not_readable, SourceLocation{project_.path},
                         project_.path, content.error);
@@ -104,6 +125,13 @@ const std::optional<LuminaireLight>& ProjectFiles::photometry(const FileLight& l
   bool is_alone = true;
   options.read_companion = [&](const std::string& file_name) -> std::optional<std::string> {
     is_alone = false;
+    if (is_named_as_other_than_photometry(file_name)) {
+      diagnostics_.report(DiagnosticId::file_of_other_kind, named_at,
+                          fmt::format("'{}' names '{}', whose name is one of a mesh, a table or an "
+                                      "XML file, and not of photometry",
+                                      full_path(key), file_name));
+      return std::nullopt;
+    }
     const std::size_t slash = key.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : key.substr(0, slash + 1);
     return read(folder + file_name, folder + file_name, named_at);

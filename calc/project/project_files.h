@@ -37,6 +37,11 @@ struct PlacedWeb {
   EmitterPlace place;
 };
 
+// Whether its name is that of a mesh, a table or an XML file. Photometry takes no other file of
+// such a name, so that whoever lists the photometry that may be used (a policy) can tell by the
+// names.
+bool is_named_as_other_than_photometry(std::string_view path);
+
 // Problems are reported where the project names the file. A file that cannot be used is reported
 // once; later uses of it give an empty result without a message.
 class ProjectFiles {

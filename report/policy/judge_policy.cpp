@@ -2,6 +2,7 @@
 
 #include "calc/base/day.h"
 #include "calc/base/text.h"
+#include "calc/project/project_files.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/waiver.h"
 
@@ -173,12 +174,28 @@ class PolicyJudge {
   void judge_photometry() {
     const std::vector<std::string>& allowed = policy_.photometry;
     if (allowed.empty()) return;
+    const auto is_allowed = [&](const std::string& sha256) {
+      return std::find(allowed.begin(), allowed.end(), sha256) != allowed.end();
+    };
+    constexpr std::string_view kWords =
+        "is not among the photometry files that are allowed: its SHA-256 is";
+    std::vector<std::string> told;
     for (const LuminaireRow& luminaire : project_.luminaires) {
-      if (std::find(allowed.begin(), allowed.end(), luminaire.sha256) != allowed.end()) continue;
-      fail(
-          fmt::format("photometry of luminaire type '{}', '{}', is not among the files that are "
-                      "allowed: its SHA-256 is {}",
-                      luminaire.type_id, luminaire.photometry_file, luminaire.sha256));
+      if (luminaire.photometry_file.empty()) {
+        fail(fmt::format("'{}' sends light that is of no photometry file", luminaire.type_id));
+      } else if (!is_allowed(luminaire.sha256)) {
+        told.push_back(luminaire.photometry_file);
+        fail(fmt::format("'{}' of luminaire type '{}' {} {}", luminaire.photometry_file,
+                         luminaire.type_id, kWords, luminaire.sha256));
+      }
+    }
+    // And what such a file takes from others: the factors of a tilt.
+    for (const calc::InputFile& input : project_.inputs) {
+      const bool is_other =
+          input.path == project_.path || calc::is_named_as_other_than_photometry(input.path);
+      if (is_other || is_allowed(input.sha256)) continue;
+      if (std::find(told.begin(), told.end(), input.path) != told.end()) continue;
+      fail(fmt::format("'{}' {} {}", input.path, kWords, input.sha256));
     }
   }
 
@@ -189,13 +206,12 @@ class PolicyJudge {
         });
     if (!is_asked) fail(fmt::format("nothing is asked of space '{}'", space.id));
     if (policy_.every_space != PolicyEverySpace::row) return;
-    bool has_rows = false;
-    for (const PolicyRow& row : policy_.rows) {
-      if (!row.is_for(project_.path)) continue;
-      if (row.spaces.has(space.id, space.name)) return;
-      has_rows = true;
-    }
-    if (has_rows) fail(fmt::format("no <asked> is about space '{}'", space.id));
+    const std::vector<PolicyRow>& rows = policy_.rows;
+    const bool is_wanted = std::any_of(rows.begin(), rows.end(), [&](const PolicyRow& row) {
+      return row.is_for(project_.path) && row.spaces.has(space.id, space.name);
+    });
+    if (rows.empty() || is_wanted) return;
+    fail(fmt::format("no <asked> is about space '{}'", space.id));
   }
 
   void judge_row(const PolicyRow& row) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace report {
@@ -128,16 +129,15 @@ const ElementRow kFormatElement{.type = "format",
 
 const ElementRow kPolicyElement{
     .type = "policy",
-    .attributes =
-        {{"version", &kVersionType, required},
-         {"name", &kTextType, required, "As reports call it."},
-         {"every-space", &kEverySpaceType, optional,
-          "What each space must be asked. row: what an <asked> wants of it, so that none is "
-          "like no pattern (where no <asked> is for its project: anything); anything: "
-          "something that counts.",
-          "row"},
-         {"lowered-levels", &kYesNoType, optional,
-          "Rows may be asked below what they require (level=\"-1\").", "no"}},
+    .attributes = {{"version", &kVersionType, required},
+                   {"name", &kTextType, required, "As reports call it."},
+                   {"every-space", &kEverySpaceType, optional,
+                    "What each space must be asked. row: what an <asked> wants of it, so that none "
+                    "is like no "
+                    "pattern (if there is no <asked>: anything); anything: something that counts.",
+                    "row"},
+                   {"lowered-levels", &kYesNoType, optional,
+                    "Rows may be asked below what they require (level=\"-1\").", "no"}},
     .children = {{"waivers", &kPermitElement},
                  {"deviations", &kPermitElement},
                  {"left-out", &kPermitElement},
@@ -336,8 +336,7 @@ std::string range_text(std::string_view of, const std::optional<double>& at_leas
 std::string every_space_text(PolicyEverySpace asked) {
   switch (asked) {
     case PolicyEverySpace::row:
-      return "each space must be asked a row of these, where there are any for its project, else "
-             "something\n";
+      return "each space must be asked a row of these (if there are none, something)\n";
     case PolicyEverySpace::anything:
       return "each space must be asked something\n";
     case PolicyEverySpace::nothing:
@@ -362,8 +361,13 @@ std::string zones_text(const PolicyRow& row) {
 }  // namespace
 
 bool PolicyRow::is_for(const std::string& project_path) const {
-  const std::string path = std::filesystem::path(project_path).lexically_normal().string();
-  return fnmatch(projects.c_str(), path.c_str(), 0) == 0;
+  const std::filesystem::path path = std::filesystem::path(project_path).lexically_normal();
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+  // As it is named, or as it would be from any folder above it.
+  return fnmatch(projects.c_str(), path.c_str(), 0) == 0 ||
+         fnmatch(projects.c_str(), whole.c_str(), 0) == 0 ||
+         fnmatch(("*/" + projects).c_str(), whole.c_str(), 0) == 0;
 }
 
 bool PolicySpaces::has(const std::string& id, const std::string& name) const {

@@ -68,7 +68,7 @@ struct PolicyFact {
 
 // What each space must be asked.
 enum class PolicyEverySpace {
-  row,       // what a <asked> wants of it; where none is for the project, anything
+  row,       // what an <asked> wants of it; if there is none at all, anything
   anything,  // something that counts
   nothing,
 };

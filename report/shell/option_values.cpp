@@ -187,7 +187,7 @@ std::optional<double> parse_amount(std::string_view text, bool is_of_bytes) {
   const double step = is_of_bytes ? 1024.0 : 1000.0;
   double factor = 1.0;
   if (text.size() > 1) {
-    constexpr std::string_view kSuffixes = "kMG";
+    constexpr std::string_view kSuffixes = "kMGT";
     if (const std::size_t at = kSuffixes.find(text.back()); at != std::string_view::npos) {
       for (std::size_t i = 0; i <= at; ++i) factor *= step;
       text.remove_suffix(1);
@@ -214,7 +214,7 @@ Option limit_option(calc::Budget& target) {
   }
   return {"--limit", "NAME=N",
           "What one project may take, and a file that is written: beyond it the project is an\n"
-          "error, and others go on. N may end with k, M or G; by default " +
+          "error, and others go on. N may end with k, M, G or T; by default " +
               defaults + ".\nMay be repeated",
           [&target](const std::string& text) -> std::string {
             const std::size_t equals = text.find('=');
@@ -226,7 +226,7 @@ Option limit_option(calc::Budget& target) {
             const bool is_of_bytes = *of == BudgetOf::memory || *of == BudgetOf::output;
             const auto amount =
                 parse_amount(std::string_view(text).substr(equals + 1), is_of_bytes);
-            if (!amount) return "a number above 0 is needed, such as 10M or 4G";
+            if (!amount) return "a number above 0 is needed; it may end with k, M, G or T, as 4G";
             target[*of] = *amount;
             return "";
           },

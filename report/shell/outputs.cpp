@@ -88,6 +88,8 @@ std::string cannot_write(const std::string& path, const std::string& why) {
 // Writes files, but never over an input.
 class GuardedFiles {
  public:
+  explicit GuardedFiles(double most_bytes) : most_bytes_(most_bytes) {}  // of each
+
   void add_inputs(const std::set<std::string>& inputs) {
     for (const std::string& input : inputs) {
       if (!inputs_.insert(input).second) continue;
@@ -108,8 +110,11 @@ class GuardedFiles {
   std::vector<std::string> publish() { return set_.publish(); }
   // Written at once, while inputs may still come.
   std::string write_early(const std::string& path, const std::function<std::string()>& make) {
-    std::string problem =
-        guarded(path, [&] { return report::write_file_atomically(path, make()); });
+    std::string problem = guarded(path, [&] {
+      const std::string bytes = make();
+      report::fail_beyond(static_cast<double>(bytes.size()), most_bytes_);
+      return report::write_file_atomically(path, bytes);
+    });
     if (problem.empty()) written_.insert(path_identity(path));
     return problem;
   }
@@ -131,6 +136,7 @@ class GuardedFiles {
     }
   }
 
+  const double most_bytes_;
   report::FileSet set_;
   std::set<std::string> inputs_, identities_;
   std::set<std::string> written_;  // early; identities
@@ -487,7 +493,7 @@ namespace {
 class PlannedFiles final : public OutputFiles {
  public:
   PlannedFiles(const OutputOptions& options, const report::DocumentFrame& frame)
-      : writes_early_(options.images || options.html_split) {
+      : writes_early_(options.images || options.html_split), files_(options.most_bytes) {
     for (const OutputFormat& planned : planned_files(options)) {
       outputs_.emplace_back(planned, options, frame);
     }

@@ -14,7 +14,7 @@ namespace {
 
 check::Settings small_settings() {
   check::Settings settings;
-  settings.radiosity.replicates = 2;
+  settings.radiosity.replicates = 4;
   settings.radiosity.first_paths = settings.radiosity.max_paths = 16;
   settings.radiosity.jobs = 1;
   settings.today = "2026-01-01";
@@ -28,7 +28,7 @@ check::Settings small_settings() {
 
 bool has_error(const report::ProjectPart& part) {
   return std::any_of(part.diagnostics.begin(), part.diagnostics.end(), [](const auto& diagnostic) {
-    return diagnostic.severity == calc::Severity::error;
+    return diagnostic.severity() == calc::Severity::error;
   });
 }
 

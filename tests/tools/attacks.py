@@ -102,7 +102,16 @@ def links():
         luxgate("check", "p.xml", *options, cwd=folder, code=[0], name=f"links, {name}")
     (folder / "p.xml").write_text(HEAD.format(ies="stolen.ies", inside=LAMP, more=""))
     luxgate("check", "p.xml", "--allow", str(library), cwd=folder, code=[2], name="links, another is allowed")
-    # The project itself, and its folder, may be links: that is what was named on the command line.
+    # A project that is a link out of its folder: who names "designs/*.xml" has not meant it.
+    (outside / "project.xml").write_text(HEAD.format(ies="spot.ies", inside=LAMP, more="").replace('"0.5"', f'"{SECRET}"'))
+    for name, target in (("a project elsewhere", outside / "project.xml"), ("another file", outside / "token"), ("what is not there", outside / "absent.xml")):
+        (folder / "q.xml").unlink(missing_ok=True)
+        (folder / "q.xml").symlink_to(target)
+        for words in (["check", "q.xml", "--format", "json"], ["validate", "q.xml"], ["plan", "q.xml"], ["check", "q.xml", "--sandbox", "off"]):
+            run = luxgate(*words, cwd=folder, code=[2], name=f"links, {name}, {words[0]}")
+            text = (run.stdout + run.stderr).decode(errors="replace")
+            expect("file-link-outside" in text and "SECRET" not in text, f"links, {name}, {words}: {text[-400:]}")
+    # Its folder may be a link: that is what was named on the command line.
     (folder / "p.xml").write_text(HEAD.format(ies="own/spot.ies", inside=LAMP, more=""))
     (WORK / "as-link").unlink(missing_ok=True)
     (WORK / "as-link").symlink_to(folder)

@@ -104,6 +104,20 @@ write("copies.xml", LAMP + PLANE, many)
 run, _ = luxgate("validate", "copies.xml", mebibytes=300)
 expect(run.returncode == 0, f"six hundred copies of one file: {run.returncode}, {run.stderr[-300:]}")
 
+# Words that copies keep.
+write("long.xml", LAMP + PLANE + f'<box id="{"n" * 201}" size="0.1 0.1 0.1" material="m"/>')
+run, _ = luxgate("validate", "long.xml")
+expect(run.returncode == 2 and "a text of 201 bytes is not allowed; expected at most 200 bytes" in run.stderr, f"a long id: {run.returncode}, {run.stderr}")
+write("groups.xml", f'<luminaire-grid id="g" type="t" origin="0 0 2.9" size="40 40" columns="300" rows="300" group="{"g" * 4000}"/>' + PLANE)
+run, _ = luxgate("check", "groups.xml", "--limit", "memory=500M")
+expect(run.returncode == 2 and "beyond-limit" in run.stderr, f"a long group: {run.returncode}, {run.stderr}")
+
+# Images.
+(WORK / "images").mkdir()
+run, _ = luxgate("check", "two-planes.xml", "--output", "images", "--images", "--limit", "output=20k", "--max-paths", "64", mebibytes=2048)
+large = [path.name for path in (WORK / "images").iterdir() if path.stat().st_size > 20480]
+expect(run.returncode == 2 and "see --limit output" in run.stderr and not large, f"images: {run.returncode}, {large}, {run.stderr[-400:]}")
+
 # Files that are written.
 for kind in ("csv", "json", "html", "sarif"):
     target = WORK / f"large.{kind}"
@@ -116,7 +130,7 @@ run, _ = luxgate("check", "two-planes.xml", "--format", "json", "--pictures", "o
 expect(run.returncode == 2 and "see --limit output" in run.stderr and len(run.stdout) <= 1024, f"standard output: {run.returncode}, {len(run.stdout)}, {run.stderr}")
 
 for value, said in [("points", "NAME=N is needed; names: objects, triangles, points, memory or output"), ("pints=3", "NAME=N is needed"), ("points=0", "a number above 0 is needed"),
-                    ("points=-1", "a number above 0"), ("memory=4T", "a number above 0"), ("points=", "a number above 0"), ("memory=nan", "a number above 0"), ("=3", "NAME=N")]:
+                    ("points=-1", "a number above 0"), ("memory=4GiB", "may end with k, M, G or T"), ("points=", "a number above 0"), ("memory=nan", "a number above 0"), ("=3", "NAME=N")]:
     run, _ = luxgate("check", "good.xml", "--limit", value)
     expect(run.returncode == 2 and said in run.stderr, f"--limit {value}: {run.returncode}, {run.stderr}")
 print("\n".join(problems))

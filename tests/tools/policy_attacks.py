@@ -148,12 +148,20 @@ for name, run, said in [
 small = change(PROJECT, ("office-1", "store-1"), (ROW, ""))
 (WORK / "other" / "project.xml").write_text(small)
 run = check(projects=("./design/project.xml", "other/project.xml"))
+expect(run.returncode == 2 and "other/project.xml: warning[policy-not-met]: the policy is not met: no <asked> is about space 'store-1'" in run.stderr,
+       f"a project that no row is about: {run.returncode}, {run.stderr}")
+(WORK / "policy.xml").write_text(change(POLICY, ("rules 2026\"", "rules 2026\" every-space=\"anything\"")))
+run = check(projects=("./design/project.xml", "other/project.xml"))
 expect(run.returncode == 0, f"a row of another project: {run.returncode}, {run.stderr}")
 put(change(PROJECT, (ROW, "")))
 run = check(projects=("./design/project.xml", "other/project.xml"))
 expect(run.returncode == 2 and "own:1 office of space 'office-1' is not asked" in run.stderr, f"a row, by another path: {run.returncode}, {run.stderr}")
 submit = luxgate("submit", "--engine", "local", "other/project.xml", "--rules", "own.xml", "--policy", "policy.xml", "--store", "s", "--format", "json=x.json")
 expect(submit.returncode == 2 and "'design/project.xml' is not among" in submit.stderr and not (WORK / "s-job").exists(), f"submit: {submit.stderr}")
+run = subprocess.run([PROGRAM, "check", "project.xml", "--rules", "../own.xml", "--policy", "../policy.xml", "--pictures", "off", "--format", "json"], cwd=WORK / "design", env=DAY,
+                     capture_output=True, text=True, check=False)
+expect("own:1 office of space 'office-1' is not asked" in run.stderr, f"a row, from within the folder: {run.returncode}, {run.stderr}")
+(WORK / "policy.xml").write_text(POLICY)
 put(PROJECT)
 
 # Where and how large the zones are, facts, levels that are lower, photometry, rooms that no row is about.
@@ -205,10 +213,23 @@ ies = (WORK / "design" / "photometry" / "lambert_panel_600.ies").read_bytes()
 hashed = hashlib.sha256(ies).hexdigest()
 only = change(wants, ("<format", f'<photometry sha256="{hashed}" name="panel"/><format'))
 judged(whole, only, 0, name="photometry of the library")
-judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_600.ies', is not among the files that are allowed: its SHA-256 is {hashed}", name="photometry of one's own")
+judged(whole, change(only, (hashed, "0" * 64)), 2, f"'photometry/lambert_panel_600.ies' of luminaire type 'panel' is not among the photometry files that are allowed: its SHA-256 is {hashed}",
+       name="photometry of one's own")
+# What the listed file takes from another one: the factors of a tilt multiply its light.
+tilted = ies.replace(b"TILT=NONE", b"TILT=own.tilt")
+with_tilt = change(only, (hashed, hashlib.sha256(tilted).hexdigest()))
+for ending, code, said in ((".tilt", 2, "'photometry/own.tilt' is not among the photometry files that are allowed"), (".csv", 2, "whose name is one of a mesh, a table or an XML file")):
+    put(whole)
+    (WORK / "zone-policy.xml").write_text(change(with_tilt, (hashlib.sha256(tilted).hexdigest(), hashlib.sha256(tilted.replace(b".tilt", ending.encode())).hexdigest())))
+    (WORK / "design" / "photometry" / "lambert_panel_600.ies").write_bytes(tilted.replace(b".tilt", ending.encode()))
+    (WORK / "design" / "photometry" / f"own{ending}").write_text("1\n2\n0 180\n1.9 1.9\n")
+    run = luxgate("check", "design/project.xml", "--rules", "zones.xml", "--policy", "zone-policy.xml", "--pictures", "off", "--format", "json", "--max-paths", "65536")
+    expect(run.returncode == code and said in run.stderr, f"another tilt, {ending}: {run.returncode}, {run.stderr}")
+judged(whole, change(wants, ('spaces="office-*"', 'spaces="office-*" projects="*/offices/*"')), 2, "no <asked> is about space 'office-1'", name="a row of no project of the batch")
 
 # The policy itself.
 explained = luxgate("policy", "explain", "policy.xml")
+(WORK / "zone-policy.xml").write_text(change(only, (hashed, "0" * 64)))
 zones_explained = luxgate("policy", "explain", "zone-policy.xml").stdout
 for words in ("  on zones of workplaces, unchanged\n", "  role 'task' on at least 0.5 of the floor\n", "fact 'need' of own:1: at least 200\n", "photometry that may be used: 0000",
               "each space must be asked a row of these"):

@@ -13,7 +13,7 @@ set(browser ${BROWSER} --headless --no-sandbox --disable-gpu --disable-quic --no
   --disable-component-update --disable-sync --user-data-dir=${WORK}/profile --enable-logging=stderr --v=0)
 
 function(open_page result log)
-  execute_process(COMMAND ${browser} ${ARGN} TIMEOUT 60 RESULT_VARIABLE exit_code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  execute_process(COMMAND ${browser} ${ARGN} TIMEOUT 180 RESULT_VARIABLE exit_code OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT exit_code EQUAL 0)
     message(FATAL_ERROR "the browser ended with ${exit_code}: ${err}")
   endif()

@@ -8,13 +8,15 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace cli {
 namespace {
 
-// Whether `path` is it, or ends with it behind a '/'.
+// Whether `path` is it, or ends with it behind a '/', as it is from any folder above.
 bool is_named(const std::string& path, const std::string& end) {
-  const std::string full = std::filesystem::path(path).lexically_normal().string();
+  std::error_code error;
+  const std::string full = std::filesystem::absolute(path, error).lexically_normal().string();
   const std::string name = std::filesystem::path(end).lexically_normal().string();
   return full == name || full.ends_with("/" + name);
 }
