@@ -155,7 +155,11 @@ std::string ElementReader::text(std::string_view name) {
 }
 
 std::string ElementReader::text_or(std::string_view name, std::string_view fallback) {
-  return element_.find(name) == nullptr ? std::string(fallback) : text(name);
+  const XmlAttribute* attribute = element_.find(name);
+  if (attribute == nullptr || !is_short_enough(*this, *attribute, kLongestText)) {
+    return std::string(fallback);
+  }
+  return attribute->value;
 }
 
 double ElementReader::number(std::string_view name, const NumberRange& range) {
