@@ -1,6 +1,7 @@
 #include "calc/base/xml_reader.h"
 
 #include "calc/base/text.h"
+#include "calc/base/text_lengths.h"
 #include "calc/base/utf8.h"
 
 #include <fmt/format.h>
@@ -126,9 +127,6 @@ std::optional<int> ElementReader::parse(const XmlAttribute& attribute, std::stri
 }
 
 namespace {
-
-// Ids and texts are copied into everything that is made of an element.
-constexpr std::size_t kLongestId = 200, kLongestText = 4000;
 
 bool is_short_enough(ElementReader& reader, const XmlAttribute& attribute, std::size_t most) {
   if (attribute.value.size() <= most) return true;

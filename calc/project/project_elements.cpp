@@ -1,6 +1,7 @@
 #include "calc/project/project_elements.h"
 
 #include "calc/base/names.h"
+#include "calc/base/text_lengths.h"
 #include "calc/meshes/triangle_mesh.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
@@ -27,11 +28,13 @@ Names plane_quantity_names() {
 const ValueType kIdType{.name = "id",
                         .base = &kAnyText,
                         .meaning = "Letters A-Z and a-z, digits and _ . : -",
-                        .pattern = kIdPattern};
+                        .pattern = kIdPattern,
+                        .most = kLongestId};
 const ValueType kTextType{.name = "text",
                           .base = &kAnyText,
                           .meaning = "Not empty, not only blanks.",
-                          .pattern = R"(.*\S.*)"};
+                          .pattern = R"(.*\S.*)",
+                          .most = kLongestText};
 const ValueType kVersionType{.name = "version", .base = &kAnyText, .words = {"1"}};
 const ValueType kUnitsType{
     .name = "units", .base = &kAnyText, .words = {"m", "cm", "mm", "in", "ft"}};

@@ -146,6 +146,33 @@ TEST_F(Write, DevicesAreWrittenDirectly) {
   EXPECT_EQ(write_file_atomically("/dev/full", "x"), "No space left on device");
 }
 
+// What belongs together takes its place together, and not before all of it is there.
+TEST_F(Write, SetsAppearTogether) {
+  ASSERT_EQ(write_file_atomically(folder_ / "a", "old"), "");
+  const auto text = [](std::string_view bytes) {
+    return [bytes](Sink& sink) { sink.write(bytes); };
+  };
+  {
+    FileSet set;
+    EXPECT_EQ(set.add(folder_ / "a", text("new")), "");
+    EXPECT_EQ(set.add(folder_ / "b", text("new")), "");
+    EXPECT_NE(set.add(folder_ / "c", [](Sink&) { throw WriteFailure("no"); }), "");
+    EXPECT_EQ(content(folder_ / "a"), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "b"));
+    EXPECT_EQ(files(), 3U);  // two wait beside it
+    EXPECT_TRUE(set.publish().empty());
+    EXPECT_EQ(content(folder_ / "a"), "new");
+    EXPECT_EQ(content(folder_ / "b"), "new");
+    EXPECT_EQ(files(), 2U);
+  }
+  {
+    FileSet set;
+    EXPECT_EQ(set.add(folder_ / "a", text("never")), "");
+  }
+  EXPECT_EQ(content(folder_ / "a"), "new");
+  EXPECT_EQ(files(), 2U);
+}
+
 TEST_F(Write, WritersAtOnceLeaveOneWholeFile) {
   const fs::path path = folder_ / "a.txt";
   std::vector<std::thread> writers;
