@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace calc {
 namespace {
@@ -21,10 +22,11 @@ struct SpaceCounts {
   double points = 0.0, receivers = 0.0, triangles = 0.0;
 };
 
-SpaceCounts count(const Space& space) {
+SpaceCounts count_in(const Space& space, PointCount count) {
   SpaceCounts counts;
   for (const CalcPlane& plane : space.planes) {
-    const double points = planned_points(plane);
+    const double points =
+        count == PointCount::exactly ? planned_points(plane) : most_planned_points(plane);
     counts.points += points;
     counts.receivers += points * static_cast<double>(receivers_per_point(plane.derived));
   }
@@ -42,11 +44,11 @@ double MemoryNeed::with(std::size_t spaces_at_once) const {
   return all;
 }
 
-ProjectNeed need_of(const Project& project, int replicates) {
+ProjectNeed need_of(const Project& project, int replicates, PointCount count) {
   ProjectNeed need;
   need.memory.held = kProgram;
   for (const Space& space : project.spaces) {
-    const SpaceCounts counts = count(space);
+    const SpaceCounts counts = count_in(space, count);
     const auto luminaires = static_cast<double>(space.luminaires.size());
     need.points += counts.points;
     need.memory.held += kPointHeld * counts.points + kTriangleHeld * counts.triangles +
@@ -59,15 +61,22 @@ ProjectNeed need_of(const Project& project, int replicates) {
   return need;
 }
 
-bool check_need(const Project& project, const ProjectNeed& need, const Budget& budget,
-                Diagnostics& diagnostics) {
-  const auto fits = [&](BudgetOf of, double amount) {
-    // Not "greater than": what is not a number must not pass.
-    if (amount <= budget[of]) return true;
+std::optional<ProjectNeed> need_within(const Project& project, int replicates, const Budget& budget,
+                                       Diagnostics& diagnostics) {
+  // Not "greater than": what is not a number must not pass.
+  const auto fits = [&](BudgetOf of, double amount) { return amount <= budget[of]; };
+  const ProjectNeed most = need_of(project, replicates, PointCount::at_most);
+  if (fits(BudgetOf::points, most.points) && fits(BudgetOf::memory, most.memory.with(1))) {
+    return most;
+  }
+  const ProjectNeed need = need_of(project, replicates, PointCount::exactly);
+  for (const auto& [of, amount] : {std::pair{BudgetOf::points, need.points},
+                                   std::pair{BudgetOf::memory, need.memory.with(1)}}) {
+    if (fits(of, amount)) continue;
     report_beyond(diagnostics, {project.path, 0, 0}, "the project takes", of, amount, budget);
-    return false;
-  };
-  return fits(BudgetOf::points, need.points) && fits(BudgetOf::memory, need.memory.with(1));
+    return std::nullopt;
+  }
+  return need;
 }
 
 std::size_t spaces_within(const MemoryNeed& need, const Budget& budget, std::size_t most) {

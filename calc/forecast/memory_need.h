@@ -6,6 +6,7 @@
 #include "calc/scene/project.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace calc {
@@ -23,13 +24,15 @@ struct ProjectNeed {
   double points = 0.0;  // of all planes, see planned_points()
   MemoryNeed memory;
 };
+enum class PointCount { at_most, exactly };  // most_planned_points(), planned_points()
 // replicates: as of RadiositySettings.
-ProjectNeed need_of(const Project& project, int replicates);
+ProjectNeed need_of(const Project& project, int replicates, PointCount count);
 
-// False, and an error at the project, where it has more points than the budget allows, or takes
-// more memory even with one space at a time. How many threads there are changes nothing.
-bool check_need(const Project& project, const ProjectNeed& need, const Budget& budget,
-                Diagnostics& diagnostics);
+// Empty, and an error at the project, where it has more points than the budget allows, or takes
+// more memory even with one space at a time. How many threads there are changes nothing. Points are
+// counted exactly only where the most that there may be would be too many.
+std::optional<ProjectNeed> need_within(const Project& project, int replicates, const Budget& budget,
+                                       Diagnostics& diagnostics);
 
 // How many of the spaces may be calculated at the same time, of `most`; at least 1.
 std::size_t spaces_within(const MemoryNeed& need, const Budget& budget, std::size_t most);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -139,13 +140,16 @@ std::optional<MissedPart> part_missed_by(const PlanarArea& area, const Rectangle
                             static_cast<int>(counts.columns), static_cast<int>(counts.rows)});
 }
 
+// Along both sides of a cell; odd, so that all points there are stay.
+constexpr std::array kParts{1.0, 3.0, 5.0, 7.0};
+
 // The cells of a rule go by the bounding rectangle, and an arm of the area may lie between their
 // centres. What a rule gives is the largest spacing: odd parts of it keep all points there are.
 // Into how many parts each cell is divided along both sides, so that every part of the area has a
 // point; empty: none of these does.
 std::optional<double> parts_that_reach(const PlanarArea& area, const Rectangle& inner,
                                        const Counts& counts) {
-  for (const double parts : {1.0, 3.0, 5.0, 7.0}) {
+  for (const double parts : kParts) {
     const Counts finer{parts * counts.columns, parts * counts.rows};
     if (!(finer.columns * finer.rows <= kMaxPoints)) break;
     if (!part_missed_by(area, inner, finer)) return parts;
@@ -536,7 +540,22 @@ GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m)
           static_cast<int>(std::min(counts.rows, kLargest))};
 }
 
-double planned_points(const CalcPlane& plane) {
+namespace {
+
+bool is_rectangle(const PlanarArea& area) {
+  const Rectangle bounds = bounding_rectangle(area.outline_m);
+  const auto is_corner = [&](const glm::dvec2& point) {
+    return (point.x == bounds.lower.x || point.x == bounds.upper.x) &&
+           (point.y == bounds.lower.y || point.y == bounds.upper.y);
+  };
+  return area.outline_m.size() == 4 && area.holes_m.empty() &&
+         std::all_of(area.outline_m.begin(), area.outline_m.end(), is_corner);
+}
+
+// parts: into how many each cell is divided along both sides.
+double points_of(
+    const CalcPlane& plane,
+    const std::function<double(const PlanarArea&, const Rectangle&, const Counts&)>& parts_of) {
   if (const auto* list = std::get_if<PointList>(&plane.area)) {
     return static_cast<double>(list->position_m.size());
   }
@@ -550,9 +569,23 @@ double planned_points(const CalcPlane& plane) {
   if (!has_inside(inner)) return 0.0;
   const Counts counts = cell_counts(area.grid, inner.side_m());
   const double points = counts.columns * counts.rows;
-  if (!(points <= kMaxPoints) || !must_reach_every_part(area.grid)) return points;
-  const double parts = parts_that_reach(area, inner, counts).value_or(1.0);
+  const bool is_whole = !must_reach_every_part(area.grid) || is_rectangle(area);
+  if (!(points <= kMaxPoints) || is_whole) return points;
+  const double parts = parts_of(area, inner, counts);
   return points * parts * parts;
+}
+
+}  // namespace
+
+double planned_points(const CalcPlane& plane) {
+  return points_of(plane, [](const PlanarArea& area, const Rectangle& inner, const Counts& counts) {
+    return parts_that_reach(area, inner, counts).value_or(1.0);
+  });
+}
+
+double most_planned_points(const CalcPlane& plane) {
+  return points_of(
+      plane, [](const PlanarArea&, const Rectangle&, const Counts&) { return kParts.back(); });
 }
 
 std::optional<SensorGrid> make_sensor_grid(const CalcPlane& plane, const Space& space,

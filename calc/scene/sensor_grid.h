@@ -89,6 +89,9 @@ std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m)
 // How many points a plane's grid has before any is left out, as make_sensor_grid() makes it; what
 // that refuses may have any number. Nothing is made for it.
 double planned_points(const CalcPlane& plane);
+// Not fewer, and as many where the area is a rectangle or its cells are given: at once, where the
+// other one may look through the whole area.
+double most_planned_points(const CalcPlane& plane);
 
 // The points of `plane`, which must belong to `space`: centres of the cells of the outline's
 // bounding rectangle less the margin, without those outside the outline, in a hole or on its edge,

@@ -15,9 +15,10 @@ std::optional<ProjectInBudget> load_in_budget(const std::string& path,
   std::optional<rules::JudgedProject> judged =
       rules::load_judged_project(files, path, packs, diagnostics, budget);
   if (!judged) return std::nullopt;
-  calc::ProjectNeed need = calc::need_of(judged->project, replicates);
-  if (!calc::check_need(judged->project, need, budget, diagnostics)) return std::nullopt;
-  return ProjectInBudget{std::move(*judged), std::move(need.memory)};
+  std::optional<calc::ProjectNeed> need =
+      calc::need_within(judged->project, replicates, budget, diagnostics);
+  if (!need) return std::nullopt;
+  return ProjectInBudget{std::move(*judged), std::move(need->memory)};
 }
 
 std::optional<calc::Project> load_judged_project(const std::string& path,

@@ -33,19 +33,19 @@ Project project_of(std::vector<Space> spaces) {
 
 std::string refusal(const Project& project, const Budget& budget) {
   Diagnostics diagnostics;
-  const bool fits = check_need(project, need_of(project, 16), budget, diagnostics);
+  const bool fits = need_within(project, 16, budget, diagnostics).has_value();
   EXPECT_EQ(fits, !diagnostics.has_errors());
   return fits ? "" : format_diagnostic(diagnostics.all().front());
 }
 
 TEST(MemoryNeed, CountsPointsOfAllPlanes) {
   const Project project = project_of({space_of(100, 10), space_of(7, 3)});
-  EXPECT_EQ(need_of(project, 16).points, 1021.0);
+  EXPECT_EQ(need_of(project, 16, PointCount::exactly).points, 1021.0);
 }
 
 TEST(MemoryNeed, GrowsWithEverythingThatTakesIt) {
   const auto need = [](const Space& space, int replicates) {
-    return need_of(project_of({space}), replicates).memory.with(1);
+    return need_of(project_of({space}), replicates, PointCount::exactly).memory.with(1);
   };
   const Space plain = space_of(100, 100);
   EXPECT_GT(need(space_of(100, 101), 16), need(plain, 16));
@@ -70,7 +70,7 @@ TEST(MemoryNeed, GrowsWithEverythingThatTakesIt) {
 // nothing.
 TEST(MemoryNeed, IsNotLessThanWhatWasMeasured) {
   const auto gb = [](const Space& space) {
-    return need_of(project_of({space}), 16).memory.with(1) / 1.0e9;
+    return need_of(project_of({space}), 16, PointCount::exactly).memory.with(1) / 1.0e9;
   };
   EXPECT_GE(gb(space_of(1000, 1000)), 1.38);
   EXPECT_LE(gb(space_of(1000, 1000)), 1.7);
@@ -87,7 +87,7 @@ TEST(MemoryNeed, IsNotLessThanWhatWasMeasured) {
 
 TEST(MemoryNeed, OnlySpacesAtTheSameTimeAddUp) {
   const Project project = project_of({space_of(100, 100), space_of(300, 300), space_of(200, 200)});
-  const MemoryNeed need = need_of(project, 16).memory;
+  const MemoryNeed need = need_of(project, 16, PointCount::exactly).memory;
   ASSERT_EQ(need.of_space.size(), 3u);
   EXPECT_GT(need.of_space[0], need.of_space[1]);
   EXPECT_GT(need.of_space[1], need.of_space[2]);
@@ -122,6 +122,25 @@ TEST(MemoryNeed, RefusesWhatIsBeyondTheBudget) {
   std::get<PlanarArea>(endless.spaces[0].planes[0].area).grid =
       GridBySpacing{std::numeric_limits<double>::denorm_min(), 1.0, {}};
   EXPECT_NE(refusal(endless, Budget()), "");
+}
+
+// An L that a rule's grid reaches everywhere: 49 times the points are possible, and not had.
+TEST(MemoryNeed, CountsExactlyWhereTheMostIsTooMuch) {
+  Space space = space_of(1, 1);
+  auto& area = std::get<PlanarArea>(space.planes[0].area);
+  area.outline_m = {{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}};
+  area.grid = GridByRule();
+  const Project project = project_of({space});
+  const double exact = need_of(project, 16, PointCount::exactly).points;
+  EXPECT_EQ(need_of(project, 16, PointCount::at_most).points, 49.0 * exact);
+  Diagnostics diagnostics;
+  Budget budget;
+  budget[BudgetOf::points] = exact;
+  const auto need = need_within(project, 16, budget, diagnostics);
+  ASSERT_TRUE(need.has_value());
+  EXPECT_EQ(need->points, exact);
+  budget[BudgetOf::points] = exact - 1.0;
+  EXPECT_FALSE(need_within(project, 16, budget, diagnostics).has_value());
 }
 
 TEST(Budget, TextsNameTheUnit) {

@@ -54,6 +54,7 @@ Made make(const CalcPlane& plane, const Space& space = {}) {
   if (made.grid) {  // so much is known before any point is made
     EXPECT_EQ(planned_points(plane),
               static_cast<double>(made.grid->position_m.size() + made.grid->dropped.size()));
+    EXPECT_GE(most_planned_points(plane), planned_points(plane));
   }
   return made;
 }
