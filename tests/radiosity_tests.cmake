@@ -16,6 +16,7 @@ luxgate_test(radiosity_tests
     differential/same_bits_test.cpp
     differential/skips_test.cpp
     statistical/coverage_test.cpp
+    unit/calc/radiosity/between_points_test.cpp
     unit/calc/radiosity/emission_test.cpp
     unit/calc/radiosity/low_discrepancy_test.cpp
     unit/calc/radiosity/light_paths_test.cpp

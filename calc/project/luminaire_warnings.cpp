@@ -177,6 +177,17 @@ std::string luminaire_words(const Luminaire& luminaire) {
 }
 
 constexpr double kSamePlace_m = 0.010;
+// Of luminaires with an opening it is a quarter of its shorter side: there is one housing only. No
+// more than this, so that few luminaires have to be looked at.
+constexpr double kMostSamePlace_m = 0.15;
+
+double same_place_m(const PhotometricWeb& one, const PhotometricWeb& other) {
+  const auto side_m = [](const PhotometricWeb& web) {
+    const glm::dvec3 size_m = web.opening().size_m();
+    return std::min(size_m.x, size_m.y);
+  };
+  return std::clamp(0.25 * std::min(side_m(one), side_m(other)), kSamePlace_m, kMostSamePlace_m);
+}
 
 // Two types may name the same file; every luminous surface is a type of its own.
 bool have_same_light(const Project& project, std::size_t a, std::size_t b) {
@@ -188,16 +199,34 @@ bool have_same_light(const Project& project, std::size_t a, std::size_t b) {
          one.opening().size_m() == other.opening().size_m();
 }
 
-// Other light at one place is the direct and the indirect part of one luminaire, other aims are the
-// heads of one mast.
-bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
-  constexpr double kSameAim = 0.99985;  // cosine of 1 degree
-  return have_same_light(project, a.type, b.type) &&
-         glm::distance(a.position_m, b.position_m) < kSamePlace_m &&
-         glm::dot(a.world_from_luminaire[2], b.world_from_luminaire[2]) > kSameAim;
+// Within a tenth: who changes a lumen has not made another luminaire of it.
+bool have_about_same_light(const Project& project, std::size_t a, std::size_t b) {
+  const LuminaireType &first = project.luminaire_types[a], &second = project.luminaire_types[b];
+  const PhotometricWeb &one = project.webs[first.web], &other = project.webs[second.web];
+  const auto is_about = [](double x, double y) {
+    return std::abs(x - y) <= 0.1 * std::max(std::abs(x), std::abs(y));
+  };
+  const glm::dvec3 size_m = one.opening().size_m(), other_size_m = other.opening().size_m();
+  return is_about(first.flux_scale * one.flux_lm(), second.flux_scale * other.flux_lm()) &&
+         is_about(first.flux_scale * one.max_intensity_cd(),
+                  second.flux_scale * other.max_intensity_cd()) &&
+         is_about(size_m.x, other_size_m.x) && is_about(size_m.y, other_size_m.y);
 }
 
-// Looks luminaires up by place, in cells of the distance that counts as none.
+// Other light at one place is the direct and the indirect part of one luminaire, other aims are the
+// heads of one mast, and light that is about the same in another group is another colour of one
+// luminaire.
+bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
+  constexpr double kSameAim = 0.99985;  // cosine of 1 degree
+  const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
+  const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
+  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) &&
+         glm::dot(a.world_from_luminaire[2], b.world_from_luminaire[2]) > kSameAim &&
+         (have_same_light(project, a.type, b.type) ||
+          (a.group == b.group && have_about_same_light(project, a.type, b.type)));
+}
+
+// Looks luminaires up by place, in cells of the largest distance that counts as none.
 class Places {
  public:
   explicit Places(const Project& project) : project_(project) {}
@@ -220,7 +249,7 @@ class Places {
  private:
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
   static Cell cell_of(const Luminaire& luminaire) {
-    const auto index = [](double x_m) { return std::llround(x_m / kSamePlace_m); };
+    const auto index = [](double x_m) { return std::llround(x_m / kMostSamePlace_m); };
     const glm::dvec3& p = luminaire.position_m;
     return {index(p.x), index(p.y), index(p.z)};
   }
@@ -252,7 +281,8 @@ void warn_coincident_luminaires(const Project& project, const Space& space,
                                 : fmt::format("{}:{}", first->where.file, first->where.line);
   diagnostics.report(
       DiagnosticId::luminaires_coincide, pasted->where, luminaire_words(*pasted),
-      luminaire_words(*first), place, kSamePlace_m * 1.0e3,
+      luminaire_words(*first), place,
+      1.0e3 * std::max(kSamePlace_m, glm::distance(first->position_m, pasted->position_m)),
       others == 0 ? std::string()
                   : fmt::format(" ({})", and_more(others, "luminaires of this space likewise")));
 }

@@ -46,7 +46,8 @@ enum class RandomStage : std::uint64_t {
   opening,
   near_field,
   connections,
-  paths_from_points
+  paths_from_points,
+  between_points
 };
 
 constexpr RandomKey stage_key(std::uint64_t seed, RandomStage stage) {

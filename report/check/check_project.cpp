@@ -9,6 +9,7 @@
 #include "report/build/build_evidence.h"
 #include "report/build/build_luminaire_shares.h"
 #include "report/build/build_plan_marks.h"
+#include "report/check/between_points_warning.h"
 #include "report/check/in_order.h"
 #include "report/check/load_judged_project.h"
 #include "report/check/plane_jobs.h"
@@ -267,6 +268,26 @@ std::unique_ptr<LitSpace> light_space(const calc::Space& space, const rules::Jud
   return lit;
 }
 
+void warn_of_light_between_points(const calc::Space& space, const LitSpace& lit,
+                                  const rules::JudgedProject& loaded, const Context& context,
+                                  calc::Diagnostics& diagnostics) {
+  std::vector<calc::PlaneOfPoints> planes;
+  std::vector<std::size_t> task;
+  for (std::size_t t = 0; t < lit.tasks.list.size(); ++t) {
+    const PlaneJob& job = *lit.tasks.job[t];
+    if (!job.reason.empty() || !is_asked_of_points(job)) continue;
+    planes.push_back({job.plane, &*job.grid});
+    task.push_back(t);
+  }
+  const std::vector<calc::LightBetweenPoints> light = calc::light_between_points(
+      lit.apart ? *lit.apart : lit.scene, space, planes,
+      {context.settings.radiosity.jobs, [&context] { return !context.observer.is_stopped(); }});
+  for (std::size_t p = 0; p < light.size(); ++p) {
+    warn_of_light_between_points(*lit.tasks.job[task[p]], lit.solution.fields[task[p]], light[p],
+                                 loaded.project.scenes, diagnostics);
+  }
+}
+
 CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& loaded,
                          const Context& context, const Stopwatch& watch) {
   CheckedSpace checked;
@@ -278,6 +299,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   auto& [jobs, scene, apart, not_apart, tasks, solution] = *lit;
   take_problems(jobs, solution.fields, diagnostics);
   warn_about_lost_light(space, solution.balance, diagnostics);
+  warn_of_light_between_points(space, *lit, loaded, context, diagnostics);
 
   const Stopwatch judge_watch;
   std::vector<report::PlanePart> planes;

@@ -126,15 +126,6 @@ std::string off_plane_text(const calc::SensorGrid& grid, std::size_t point,
   return across_m > kSamePlane_m ? fmt::format(", the plane {:.3f} m away", across_m) : "";
 }
 
-const std::vector<std::pair<std::string, double>>* levels_of(
-    const std::string& scene, const std::vector<calc::LightScene>& scenes) {
-  static const std::vector<std::pair<std::string, double>> kFullOutput;
-  if (scene.empty()) return &kFullOutput;
-  const auto found = std::find_if(scenes.begin(), scenes.end(),
-                                  [&](const calc::LightScene& s) { return s.id == scene; });
-  return found == scenes.end() ? nullptr : &found->level_of_group;
-}
-
 std::string undefined_text(Metric metric) {
   return fmt::format("{} is 0 lx: uniformity is undefined",
                      metric == Metric::uniformity_min_max ? "maximum" : "average");
@@ -356,6 +347,15 @@ Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorG
 }
 
 }  // namespace
+
+const std::vector<std::pair<std::string, double>>* levels_of(
+    const std::string& scene, const std::vector<calc::LightScene>& scenes) {
+  static const std::vector<std::pair<std::string, double>> kFullOutput;
+  if (scene.empty()) return &kFullOutput;
+  const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const calc::LightScene& s) { return s.id == scene; });
+  return found == scenes.end() ? nullptr : &found->level_of_group;
+}
 
 Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid,
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rules {
@@ -34,6 +35,10 @@ struct Measurement {
   // not come from the points' illuminances alone.
   std::vector<double> without_replicate;
 };
+
+// The levels of a scene's groups; of "", where all are at 1, none. Null: there is no such scene.
+const std::vector<std::pair<std::string, double>>* levels_of(
+    const std::string& scene, const std::vector<calc::LightScene>& scenes);
 
 // goal: verdict, if only the requirement's limit counts; accuracy, if its quantity is wanted for
 // its own sake. confidence: level of the interval itself.

@@ -173,8 +173,10 @@ zone_pack = zone_pack.replace('<value of="Em" required="500"/>', '<value of="Em"
 (WORK / "zones.xml").write_text(zone_pack)
 
 
-def judged(project, policy, code, *said, name=""):
+def judged(project, policy, code, *said, name="", files=None):
     put(project)
+    for file, text in (files or {}).items():
+        (WORK / "design" / "photometry" / file).write_text(text)
     (WORK / "zone-policy.xml").write_text(policy)
     run = luxgate("check", "design/project.xml", "--rules", "zones.xml", "--policy", "zone-policy.xml", "--pictures", "off", "--format", "json", "--max-paths", "65536")
     for words in said:
@@ -201,6 +203,11 @@ speck = change(PROJECT, (desk, own_plane.replace('height="0.8"', 'points="2 2 0.
 judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', "")), 0, "warning[task-is-speck]", "has only 0.04 m2", name="a speck")
 judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room", "task-is-speck")), 2, "warning[task-is-speck]", name="a speck that the owner fears")
 judged(speck, change(wants, ('zones="unchanged" floor-share="0.5"', ""), ("luminaire-outside-room values-set", "all")), 2, "warning[task-is-speck]", name="any warning counts")
+# Beams that meet the calculation points and nothing else: 8 x 6 of them, of 500 lx each.
+BEAM = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 4 1 1 2 0 0 0\n1 1 10\n0 2 2.1 90\n0\n4000 4000 0 0\n"
+beams = change(whole, ("lambert_panel_600.ies", "beam.ies"), ('origin="0 0 2.79" size="5 4" columns="3" rows="2"', 'origin="0 0 2.79" size="5 4" columns="8" rows="6"'))
+judged(beams, wants, 0, "warning[light-between-points]", name="beams at the points", files={"beam.ies": BEAM})
+judged(beams, change(wants, ("luminaire-outside-room values-set", "all")), 2, "warning[light-between-points]", name="beams at the points that the owner fears", files={"beam.ies": BEAM})
 judged(change(whole, (fact, fact + ' level="modified"')), wants, 1, name="a higher level")
 (WORK / "zones.xml").write_text(change(zone_pack, ('statistic="average" at-least="row(Em)"', 'statistic="average" at-most="row(Em)"'), ('required="500"', 'required="700"')).replace('of="Em" down="2" up="2"', 'of="Uo" down="1"').replace('values="100 200 300 400 500 750"', 'values="0.1 0.3 0.5"').replace('id="steps" unit="lx"', 'id="steps" unit="none"'))
 judged(change(whole, (fact, fact + ' level="modified"')), wants, 2, "asks its row below what it requires, modified", name="a modified level that is easier")

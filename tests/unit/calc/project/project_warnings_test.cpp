@@ -94,6 +94,23 @@ TEST(ProjectWarnings, OtherTypesAtOnePlaceAreOneLuminaireInTwoParts) {
             "");
 }
 
+TEST(ProjectWarnings, OneHousingIsNotTwoLuminairesOfAlmostTheSameLight) {
+  const auto two = [](const std::string& place, const std::string& type) {
+    return messages_in_room(
+        R"(<luminaire id="k" type="panel" position="1.5 1.5 2.4"/>
+<luminaire id="m" )" +
+        type + " position=\"" + place + R"("/></room>
+<luminaire-type id="more" photometry="panel.ies" flux-lm="230"/>
+<luminaire-type id="half" photometry="panel.ies" flux-lm="114"/>
+<room id="z" origin="90 0 0" size="4 3 2.5" ceiling="white" walls="white" floor="white">)");
+  };
+  EXPECT_THAT(two("1.5 1.5 2.4", R"(type="more")"), HasSubstr("'k' of line"));
+  EXPECT_THAT(two("1.5 1.515 2.4", R"(type="more")"), HasSubstr("does, within 15 mm,"));
+  EXPECT_THAT(two("1.5 1.8 2.4", R"(type="more")"), Not(HasSubstr("coincide")));
+  EXPECT_THAT(two("1.5 1.5 2.4", R"(type="half")"), Not(HasSubstr("coincide")));
+  EXPECT_THAT(two("1.5 1.5 2.4", R"(type="more" group="warm")"), Not(HasSubstr("coincide")));
+}
+
 TEST(ProjectWarnings, FurtherPastedLuminairesAreCounted) {
   const std::string grid =
       R"(<luminaire-grid id="g" type="spot" origin="0 0 2" size="4 3" rows="2" columns="3"/>)";
