@@ -2,6 +2,7 @@ luxgate_test(report_tests
   SOURCES
     unit/report/build/build_evidence_test.cpp
     unit/report/build/build_plan_marks_test.cpp
+    unit/report/formats/luminaires_csv_test.cpp
     unit/report/formats/ci_formats_test.cpp
     unit/report/formats/console_test.cpp
     unit/report/formats/csv_test.cpp
@@ -11,6 +12,7 @@ luxgate_test(report_tests
     unit/report/html/heatmap_svg_test.cpp
     unit/report/images/heatmap_test.cpp
     unit/report/html/html_difference_test.cpp
+    unit/report/html/html_room_data_test.cpp
     unit/report/html/html_test.cpp
     unit/report/html/isolux_test.cpp
     unit/report/result_file/json_test.cpp

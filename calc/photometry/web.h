@@ -65,6 +65,8 @@ struct PhotometrySource {
   std::string axis_rule{};              // words: what C 0 and the opening's sides lie along
   std::optional<LampTilt> lamp_tilt{};  // the intensities hold its factor of tilt 0
   double stated_flux_lm = 0.0;          // of the luminaire, as the file states it; 0 = not stated
+  // As the file states them, in its own words; "" = not stated.
+  std::string article_number{}, lamp{}, colour_temperature{}, colour_rendering{};
 };
 
 class LazyWebSketch;

@@ -103,6 +103,11 @@ LuminaireRow build_luminaire(const calc::Project& project, std::size_t type_inde
   row.name = web.source().luminaire_name;
   if (!type.emitters.empty()) row.name += fmt::format(" ({} emitters)", type.emitters.size());
   row.format = web.source().format;
+  row.maker = web.source().manufacturer;
+  row.article_number = web.source().article_number;
+  row.lamp = web.source().lamp;
+  row.colour_temperature = web.source().colour_temperature;
+  row.colour_rendering = web.source().colour_rendering;
   row.count = calc::luminaires_of_type(project, type_index);
   row.flux_lm = calc::luminaire_flux_lm(project, type);
   row.power_w = type.power_w;

@@ -147,6 +147,7 @@ void add_plan_marks(const calc::Project& project, const calc::Space& space,
     LuminaireMark mark;
     mark.position_m = luminaire.position_m;
     mark.type_id = project.luminaire_types[luminaire.type].id;
+    mark.id = luminaire.id;
     mark.group = luminaire.group;
     mark.outline_m = opening_outline(scene.luminaires[i], luminaire.position_m);
     mark.c0 = luminaire.world_from_luminaire[0];

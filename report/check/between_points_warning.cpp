@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,10 +27,10 @@ struct LightOfCells {
   double at_points_lx = 0.0, between_lx = 0.0;  // directly
   double average_lx = 0.0;                      // at the points, of all light
 
-  double difference() const { return std::abs(at_points_lx - between_lx); }
-  bool is_too_different() const { return difference() > kMostOfAverage * average_lx; }
-  bool is_before(const LightOfCells& other) const {
-    return difference() * other.average_lx < other.difference() * average_lx;
+  // What the points flatter the plane by.
+  double too_good_lx(const rules::Requirement& of) const {
+    return rules::is_lower_limit(of.comparison) ? at_points_lx - between_lx
+                                                : between_lx - at_points_lx;
   }
 };
 
@@ -70,6 +69,7 @@ void warn_of_light_between_points(const PlaneJob& job, const calc::PlaneField& f
                                   calc::Diagnostics& diagnostics) {
   if (between.point.empty()) return;
   LightOfCells most;
+  double most_share = kMostOfAverage;
   const rules::Requirement* of = nullptr;
   for (const rules::Requirement& requirement : job.requirements) {
     if (!counts(requirement)) continue;
@@ -77,7 +77,9 @@ void warn_of_light_between_points(const PlaneJob& job, const calc::PlaneField& f
     if (levels == nullptr) continue;
     const LightOfCells light =
         light_of_cells(field, between, rules::channel_weights(field, requirement.state, *levels));
-    if (!light.is_too_different() || (of != nullptr && !most.is_before(light))) continue;
+    const double share = light.too_good_lx(requirement) / light.average_lx;
+    if (!(share > most_share)) continue;  // also of no light at all
+    most_share = share;
     most = light;
     of = &requirement;
   }

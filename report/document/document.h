@@ -63,6 +63,9 @@ struct Provenance {
 
 struct LuminaireRow {
   std::string type_id, photometry_file, name, format;
+  // As the photometry file has them, in its own words; "" = not stated.
+  std::string maker = {}, article_number = {}, lamp = {}, colour_temperature = {},
+              colour_rendering = {};
   int count = 0;
   double flux_lm = 0;  // one luminaire, after any override
   double power_w = 0;  // 0 = not stated
@@ -160,9 +163,11 @@ struct PlanePart {
   std::vector<std::vector<glm::dvec2>> holes_m;
 };
 
-struct LuminaireMark {  // for plans
+// For plans and tables: number k of a room is number k + 1 of its plans.
+struct LuminaireMark {
   glm::dvec3 position_m;
   std::string type_id;
+  std::string id = {};                     // "" = the project gives none
   std::string group = {};                  // dimming group; "" = none
   std::vector<glm::dvec2> outline_m = {};  // of the opening from above, world; empty: a point
   // World directions of C0 and of gamma = 0, unit; 0: not known.

@@ -3,6 +3,7 @@
 #include "report/formats/ci_annotations.h"
 #include "report/formats/csv.h"
 #include "report/formats/junit.h"
+#include "report/formats/luminaires_csv.h"
 #include "report/formats/markdown.h"
 #include "report/formats/sarif.h"
 #include "report/html/html.h"
@@ -25,7 +26,10 @@ constexpr Format kFormats[] = {
     {"csv", "", "results.csv",
      [](Frame frame, Place place, Style) { return results_csv_writer(frame, place); }},
     {"points-csv", "", "points.csv",
-     [](Frame frame, Place place, Style) { return points_csv_writer(frame, place); }},
+     [](Frame frame, Place place, Style) { return points_csv_writer(frame, place); }, false, true},
+    {"luminaires-csv", "", "luminaires.csv",
+     [](Frame frame, Place place, Style) { return luminaires_csv_writer(frame, place); }, false,
+     true},
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",

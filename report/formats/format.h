@@ -26,7 +26,8 @@ struct Format {
   std::string_view file_name;  // in the folder of --output; "" = not there
   std::unique_ptr<FormatWriter> (*writer)(const DocumentFrame&, const SpillPlace&,
                                           const FormatStyle&);
-  bool is_html = false;  // has pictures of rooms, and may be an index with pages
+  bool is_html = false;   // has pictures of rooms, and may be an index with pages
+  bool is_table = false;  // of single points or luminaires: no verdict, and no warning
 
   // Of a document that is there as a whole.
   std::string render(const Document& document, const FormatStyle& style) const;

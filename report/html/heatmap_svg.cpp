@@ -25,6 +25,7 @@ text { font-family: "Noto Sans", "DejaVu Sans", Arial, sans-serif; }
 .luminaire.halo { stroke: #fff; stroke-width: 2.6; stroke-opacity: .6; }
 .luminaire .c0 { fill: #111; stroke-width: 1; }
 .luminaire.halo .c0 { fill: #fff; stroke-width: 2.4; }
+.sign-numbers { font-size: 10px; font-weight: 700; fill: #111; stroke: #fff; stroke-width: 2.6; stroke-opacity: .85; paint-order: stroke; stroke-linejoin: round; }
 .furniture { fill: none; stroke: #000; stroke-width: 1; stroke-opacity: .5; }
 .furniture.above { stroke-dasharray: 4 3; }
 .isolux { fill: none; stroke: #fff; stroke-width: 1; stroke-linejoin: round; }

@@ -9,6 +9,7 @@
 #include "report/html/html_project.h"
 #include "report/html/html_revision.h"
 #include "report/html/html_room.h"
+#include "report/html/html_room_data.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
 #include "report/text/markup.h"
@@ -154,7 +155,7 @@ std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p
                        bool folds_passed) {
   const SpacePart& space = project.spaces[s];
   std::string html = "<section class=\"space\"><h3>" + space_title(space) + "</h3>\n";
-  html += html_room(t, space) + notes_html(t, space);
+  html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane(t, {p, s, k}, space, space.planes[k], folds_passed);
   return html + "</section>\n";
@@ -386,7 +387,9 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
                            escape_html(title_of(project.name, project.path)) + "</p>\n</header>\n";
   std::string body = std::string("<section class=\"space\"><h2 class=\"unseen\">") +
                      t[Text::planes] + "</h2>\n<h3 class=\"unseen\">" + title + "</h3>\n";
-  if (room.first_plane == 0) body += html_room(t, space) + notes_html(t, space);
+  if (room.first_plane == 0) {
+    body += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
+  }
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], true);
   }

@@ -215,6 +215,31 @@ std::string svg_luminaires(const Drawing& drawing) {
          "</g>\n";
 }
 
+constexpr double kNumberSize = 10;  // px
+
+// Of luminaires, to the lower right of their signs; where they are too many to be read apart there
+// are none.
+glm::dvec2 sign_number_px(const Drawing& drawing, const PlanLuminaire& sign) {
+  constexpr double kAside = 8;
+  return drawing.layout.pixel(sign.place_m) + glm::dvec2(kAside, kAside + 0.36 * kNumberSize);
+}
+
+bool has_sign_numbers(const Drawing& drawing) {
+  constexpr std::size_t kMost = 80;
+  return drawing.layout.luminaires_m.size() <= kMost;
+}
+
+std::string svg_sign_numbers(const Drawing& drawing) {
+  if (drawing.layout.luminaires_m.empty() || !has_sign_numbers(drawing)) return {};
+  std::string svg = "<g class=\"sign-numbers\">";
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
+    const glm::dvec2 at = sign_number_px(drawing, sign);
+    svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", svg_number(at.x), svg_number(at.y),
+                       sign.number);
+  }
+  return svg + "</g>\n";
+}
+
 std::string svg_furniture(const Drawing& drawing) {
   std::string below, above;
   for (const PlanLine& line : drawing.layout.furniture_m) {
@@ -240,6 +265,13 @@ std::vector<LabelBox> taken_places(const Drawing& drawing) {
   }
   for (const PlanLuminaire& sign : drawing.layout.luminaires_m)
     taken.push_back(box_around(drawing.layout.pixel(sign.place_m), glm::dvec2(kSign)));
+  if (!has_sign_numbers(drawing)) return taken;
+  for (const PlanLuminaire& sign : drawing.layout.luminaires_m) {
+    const auto digits = static_cast<double>(fmt::formatted_size("{}", sign.number));
+    const glm::dvec2 size(kDigitWidth * kNumberSize * digits, kNumberSize);
+    taken.push_back(
+        box_around(sign_number_px(drawing, sign) + glm::dvec2(0.5, -0.36) * size, size));
+  }
   return taken;
 }
 
@@ -319,7 +351,7 @@ std::string svg_plan(const Drawing& drawing) {
   const IsoluxDrawing isolux =
       svg_isolux(drawing.t, drawing.layout, drawing.isolux, taken_places(drawing));
   svg += isolux.lines + svg_luminaires(drawing) + svg_minimum(drawing) + svg_numbers(drawing) +
-         isolux.labels + "</svg>\n";
+         svg_sign_numbers(drawing) + isolux.labels + "</svg>\n";
   return svg + svg_scale_bar(drawing.t, layout) + "</svg>\n";
 }
 

@@ -43,15 +43,31 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }
 
+// Maker, article and lamp as the photometry file has them; "" where it says nothing of them.
+std::string product_note(const Texts& t, const LuminaireRow& row) {
+  std::string words;
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) words += (words.empty() ? "" : ", ") + text;
+  };
+  add(escape_html(row.maker));
+  if (!row.article_number.empty() && row.article_number != row.name)
+    add(t.say<Text::article>(escape_html(row.article_number)));
+  add(escape_html(row.lamp));
+  add(escape_html(row.colour_temperature));
+  if (!row.colour_rendering.empty())
+    add(t.say<Text::colour_rendering>(escape_html(row.colour_rendering)));
+  return words.empty() ? "" : "<span class=\"note\">" + words + "</span>";
+}
+
 std::string luminaire_row(const Texts& t, const LuminaireRow& row) {
   const bool has_power = row.power_w > 0.0;
   return fmt::format(
-      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span>{}</th>"
+      "<tr><th scope=\"row\">{}<span class=\"note\">{}</span>{}{}</th>"
       "<td>{}<span class=\"note\">{}</span><span class=\"hash\">{}</span></td>"
       "<td class=\"num\">{}</td><td class=\"num\">{} lm</td><td class=\"num\">{}</td><td "
       "class=\"num\">{}</td>"
       "<td class=\"num\">{} cd</td><td class=\"num\">{}</td></tr>\n",
-      escape_html(row.type_id), escape_html(row.name), html_polar(t, row),
+      escape_html(row.type_id), escape_html(row.name), product_note(t, row), html_polar(t, row),
       escape_html(row.photometry_file), escape_html(row.format), escape_html(row.sha256), row.count,
       format_lumens(t, row.flux_lm),
       has_power ? format_watts(t, row.power_w) + " W" : t[Text::not_stated],

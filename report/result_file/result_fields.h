@@ -125,6 +125,13 @@ void describe(auto& v, Is<LuminaireRow> auto& row) {
   v.field("sha256", row.sha256);
   v.field("name", row.name);
   v.field("format", row.format);
+  v.field("maker", row.maker,
+          {.words = "As the photometry file has it, likewise the next four; \"\" = not stated.",
+           .presence = kSinceLater});
+  v.field("article_number", row.article_number, {.presence = kSinceLater});
+  v.field("lamp", row.lamp, {.presence = kSinceLater});
+  v.field("colour_temperature", row.colour_temperature, {.presence = kSinceLater});
+  v.field("colour_rendering", row.colour_rendering, {.presence = kSinceLater});
   v.field("count", row.count);
   v.field("flux_lm", or_null(row.flux_lm), {.words = "Of one luminaire, new, after any override."});
   v.field("power_w", or_null(row.power_w, 0.0), {.words = "null: not stated."});
@@ -164,6 +171,7 @@ void describe(auto& v, Is<MaterialRow> auto& material) {
 void describe(auto& v, Is<LuminaireMark> auto& mark) {
   v.field("type", mark.type_id);
   v.field("position_m", mark.position_m);
+  v.field("id", mark.id, {.words = "As the project has it; \"\" = none.", .presence = kSinceLater});
   v.field("group", mark.group, {.presence = kSinceLater});
   v.field("outline_m", mark.outline_m,
           {.words = "Of the opening from above; empty: a point.", .presence = kSinceLater});

@@ -66,7 +66,14 @@ class EulumdatReader {
     const std::optional<std::string_view> luminaire = lines_.text_line("the luminaire's name");
     if (!luminaire) return false;
     source_.luminaire_name = utf8_from_file_text(trim(*luminaire));
-    return lines_.skip(3, "luminaire number, file name, date");
+    return read_words("the luminaire number", source_.article_number) &&
+           lines_.skip(2, "file name, date");
+  }
+
+  bool read_words(std::string_view what, std::string& words) {
+    const std::optional<std::string_view> line = lines_.text_line(what);
+    if (line) words = utf8_from_file_text(trim(*line));
+    return line.has_value();
   }
 
   bool read_opening() {
@@ -154,7 +161,7 @@ class EulumdatReader {
     double lamps = 0.0;  // only its sign matters
     double flux_lm = 0.0;
     if (!lines_.read_number_or_blank("the number of lamps", lamps) ||
-        !lines_.skip(1, "the lamp type") ||
+        !read_words("the lamp type", source_.lamp) ||
         !lines_.read_number("the flux of the lamp set (lm)", flux_lm)) {
       return false;
     }
@@ -162,7 +169,8 @@ class EulumdatReader {
       return lines_.refuse("the flux of the lamp set (lm)", flux_lm,
                            "> 0 (intensities are per 1000 lm)");
     }
-    if (!lines_.skip(2, "the lamp's colour") ||
+    if (!read_words("the lamp's colour temperature", source_.colour_temperature) ||
+        !read_words("the lamp's colour rendering", source_.colour_rendering) ||
         !lines_.read_number_or_blank("the watts of the lamp set", source_.input_power_w)) {
       return false;
     }

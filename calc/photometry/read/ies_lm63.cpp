@@ -57,6 +57,10 @@ class Lm63Reader {
     source_.luminaire_name = header_.keyword("LUMINAIRE");
     if (source_.luminaire_name.empty()) source_.luminaire_name = header_.keyword("LUMCAT");
     source_.manufacturer = header_.keyword("MANUFAC");
+    source_.article_number = header_.keyword("LUMCAT");
+    source_.lamp = header_.keyword("LAMP");
+    source_.colour_temperature = header_.keyword("CCT");
+    source_.colour_rendering = header_.keyword("CRI");
   }
 
   bool read_tilt() {

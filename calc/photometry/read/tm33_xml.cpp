@@ -108,6 +108,7 @@ class Tm33Reader {
     if (header == nullptr) return;
     source_.manufacturer = text_of(child_of(*header, "Manufacturer"));
     source_.luminaire_name = text_of(child_of(*header, {"Description", "CatalogNumber"}));
+    source_.article_number = text_of(child_of(*header, "CatalogNumber"));
   }
 
   // 1 if it is not stated; empty if it is not allowed.

@@ -103,7 +103,8 @@ TEST(LightBetweenPoints, IsMoreWhereShadowsFallOnThePoints) {
 
 TEST(LightBetweenPoints, KeepsToTheAreaAndOutOfHoles) {
   Desk desk;
-  add_luminaire(desk.scene, isotropic_web(500), {2, 1.5, 30});
+  const calc::PhotometricWeb web = isotropic_web(500);
+  add_luminaire(desk.scene, web, {2, 1.5, 30});
   desk.area().outline_m = {{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1.7}, {0, 1.7}};
   desk.area().holes_m = {{{3.05, 0.05}, {3.95, 0.05}, {3.95, 0.95}, {3.05, 0.95}}};
   desk.make_grid();
@@ -130,7 +131,8 @@ TEST(LightBetweenPoints, TakesSomeOfManyCellsAndNoneOfLists) {
 
 TEST(LightBetweenPoints, EndsWhenItIsToldTo) {
   Desk desk;
-  add_luminaire(desk.scene, isotropic_web(500), {2, 1.5, 3});
+  const calc::PhotometricWeb web = isotropic_web(500);
+  add_luminaire(desk.scene, web, {2, 1.5, 3});
   set_extent(desk.scene);
   const auto light = calc::light_between_points(desk.scene, desk.space, {{&desk.plane, &desk.grid}},
                                                 {1, [] { return false; }});
