@@ -1,6 +1,7 @@
 luxgate_test(report_tests
   SOURCES
     unit/report/build/build_evidence_test.cpp
+    unit/report/text/base64_test.cpp
     unit/report/build/build_plan_marks_test.cpp
     unit/report/formats/ci_formats_test.cpp
     unit/report/formats/console_test.cpp

@@ -1,6 +1,7 @@
 #include "report/html/html.h"
 
 #include "calc/base/file_hash.h"
+#include "report/html/html_about.h"
 #include "report/html/html_aggregates.h"
 #include "report/html/html_findings.h"
 #include "report/html/html_markup.h"
@@ -11,6 +12,7 @@
 #include "report/html/html_room.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
+#include "report/text/base64.h"
 #include "report/text/markup.h"
 #include "report/text/words.h"
 
@@ -203,6 +205,7 @@ class HtmlWriter : public FormatWriter {
   std::size_t project_ = 0;            // the next one
   std::map<std::string, int> titles_;  // how many projects have each
   std::string only_title_;             // of the first one
+  std::string about_;                  // of the only one
   std::vector<Section> sections_;      // of the first ones
   Spill paths_;
   std::string revision_, summary_start_;
@@ -275,6 +278,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
     html += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n";
   }
+  if (!is_only()) html += html_about(t_, project.about);
   html += html_messages(t_, project);
   if (!folder_.empty() && !project.spaces.empty()) {
     html += page_links(t_, project, project_, folder_);
@@ -296,6 +300,7 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project) {
   sections_.push_back(
       {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
   if (!is_only()) return;
+  about_ = html_about(t_, project.about);
   if (!project.luminaires.empty()) sections_.push_back({"#luminaires1", t_[Text::luminaires]});
   if (!project.spaces.empty()) sections_.push_back({"#calculation1", t_[Text::calculation]});
 }
@@ -319,8 +324,8 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.push_back({"#summary", t_[Text::summary]});
   sections.insert(sections.end(), sections_.begin(), sections_.end());
   sections.push_back({"#provenance", t_[Text::provenance]});
-  sink.write("</p>\n" + html_verdict_banner(t_, frame_, end.totals) + contents(t_, sections) +
-             "</header>\n");
+  sink.write("</p>\n" + about_ + html_verdict_banner(t_, frame_, end.totals) +
+             contents(t_, sections) + "</header>\n");
 }
 
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -383,7 +388,8 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
                            "\">" + t[Text::all_results] + "</a> · luxgate · " +
                            t[Text::compliance_report] + "</p>\n<h1>" + title +
                            "</h1>\n<p class=\"quiet paths\">" +
-                           escape_html(title_of(project.name, project.path)) + "</p>\n</header>\n";
+                           escape_html(title_of(project.name, project.path)) + "</p>\n" +
+                           html_about(t, project.about) + "</header>\n";
   std::string body = std::string("<section class=\"space\"><h2 class=\"unseen\">") +
                      t[Text::planes] + "</h2>\n<h3 class=\"unseen\">" + title + "</h3>\n";
   if (room.first_plane == 0) body += html_room(t, space) + notes_html(t, space);
