@@ -29,7 +29,8 @@ constexpr Format kFormats[] = {
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
-     [](Frame frame, Place place, Style s) { return html_writer(frame, place, s.texts); }, true},
+     [](Frame frame, Place place, Style s) { return html_writer(frame, place, s.texts, "", s.paper); },
+     true},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
      [](Frame frame, Place place, Style) {

@@ -4,6 +4,7 @@
 
 #include "report/document/document.h"
 #include "report/formats/console.h"
+#include "report/html/print_pages.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
@@ -18,6 +19,7 @@ namespace report {
 struct FormatStyle {
   TextOptions terminal;  // of `text`
   Texts texts;           // of `text`, `html` and `markdown`
+  Paper paper = Paper::a4;  // of `html`
 };
 
 struct Format {

@@ -90,6 +90,9 @@ std::vector<Option> output_options(OutputOptions& options) {
        "--language de, else point. All other formats have points",
        choice<DecimalSign>(options.decimal,
                            {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
+      {"--paper", "SIZE", "Of html when it is printed: a4 or letter; default a4",
+       choice<report::Paper>(options.paper,
+                             {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
       {"--images", "",
        "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
        "picture too",
