@@ -32,6 +32,7 @@ luxgate_test(report_tests
     unit/report/stream/text_list_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
+    unit/report/formats/pdf_test.cpp
     unit/report/formats/standard_words_test.cpp
     unit/report/formats/warnings_test.cpp
     unit/report/formats/write_test.cpp

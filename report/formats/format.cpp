@@ -4,6 +4,7 @@
 #include "report/formats/csv.h"
 #include "report/formats/junit.h"
 #include "report/formats/markdown.h"
+#include "report/formats/pdf.h"
 #include "report/formats/sarif.h"
 #include "report/html/html.h"
 #include "report/result_file/json.h"
@@ -29,8 +30,15 @@ constexpr Format kFormats[] = {
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
-     [](Frame frame, Place place, Style s) { return html_writer(frame, place, s.texts, "", s.paper); },
+     [](Frame frame, Place place, Style s) {
+       return html_writer(frame, place, s.texts, "", s.paper);
+     },
      true},
+    {"pdf", "the HTML, printed by Chromium", "",
+     [](Frame frame, Place place, Style s) {
+       return pdf_writer(frame, place, s.texts, s.paper, s.printer);
+     },
+     false, true},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
      [](Frame frame, Place place, Style) {

@@ -419,7 +419,8 @@ class OutputFile {
       pages_.emplace(file_, frame.provenance, t, options.paper);
       writer_ = report::html_writer(frame, place, t, pages_->address(), options.paper);
     } else {
-      writer_ = planned.format->writer(frame, place, {text, t, options.paper});
+      writer_ =
+          planned.format->writer(frame, place, {text, t, options.paper, options.printer.get()});
     }
   }
 
@@ -555,7 +556,8 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
                                      !options.are_messages_printed};
   report::SpillPlace place = spill_place(options);
   place.most_bytes = most_bytes_;
-  for_stdout_ = format->writer(frame_, place, {terminal, report_texts(options), options.paper});
+  for_stdout_ = format->writer(
+      frame_, place, {terminal, report_texts(options), options.paper, options.printer.get()});
 }
 
 ResultFiles::~ResultFiles() = default;
