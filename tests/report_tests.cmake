@@ -1,6 +1,7 @@
 luxgate_test(report_tests
   SOURCES
     unit/report/build/build_evidence_test.cpp
+    unit/report/text/base64_test.cpp
     unit/report/build/build_plan_marks_test.cpp
     unit/report/formats/luminaires_csv_test.cpp
     unit/report/formats/ci_formats_test.cpp
@@ -18,6 +19,7 @@ luxgate_test(report_tests
     unit/report/result_file/json_test.cpp
     unit/report/text/number_format_test.cpp
     unit/report/html/pass_factor_test.cpp
+    unit/report/html/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/html/plan_layout_test.cpp
     unit/report/images/png_test.cpp
@@ -32,6 +34,7 @@ luxgate_test(report_tests
     unit/report/stream/text_list_test.cpp
     unit/report/text/shell_words_test.cpp
     unit/report/text/texts_test.cpp
+    unit/report/formats/pdf_test.cpp
     unit/report/formats/standard_words_test.cpp
     unit/report/formats/warnings_test.cpp
     unit/report/formats/write_test.cpp

@@ -23,7 +23,9 @@ luxgate_test(scene_tests
     unit/calc/base/names_test.cpp
     unit/calc/base/real_path_test.cpp
     unit/calc/base/text_test.cpp
+    unit/calc/project/about_xml_test.cpp
     unit/calc/project/energy_xml_test.cpp
+    unit/calc/project/logo_test.cpp
     unit/calc/project/frame_test.cpp
     unit/calc/project/gbxml_space_test.cpp
     unit/calc/meshes/gbxml_test.cpp

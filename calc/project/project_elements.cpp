@@ -234,6 +234,24 @@ constexpr std::string_view kOfRoom =
 
 }  // namespace
 
+const ElementRow kAboutElement{
+    .type = "about",
+    .meaning =
+        "Whom the design is for and who made it: what reports show on their first page, at "
+        "most once. No light and no verdict hangs on it.",
+    .attributes = {{"client", &kAnyText},
+                   {"number", &kAnyText, optional, "Of the project, as its people count."},
+                   {"revision", &kAnyText, optional,
+                    "Of the design; also by --set about.revision=..., as of a commit."},
+                   {"date", &kDayType, optional, "Of the design, YYYY-MM-DD; never today's."},
+                   {"author", &kAnyText},
+                   {"company", &kAnyText},
+                   {"address", &kAnyText},
+                   {"note", &kAnyText},
+                   {"logo", &kTextType, optional,
+                    "A PNG of at most 4096 pixels each way or an SVG without script, links and "
+                    "animation; at most 1 MiB."}}};
+
 const ElementRow kMaterialElement{
     .type = "material",
     .meaning = "A diffuse surface; both sides of every surface reflect, nothing passes through.",
@@ -664,7 +682,8 @@ const ElementRow kProjectElement{
           "m"},
          {"maintenance-factor", &kPositiveFractionType, optional,
           "Of all luminaire types that state none of their own."}},
-    .children = {{"material", &kMaterialElement},
+    .children = {{kAboutName, &kAboutElement},
+                 {"material", &kMaterialElement},
                  {"luminaire-type", &kLuminaireTypeElement},
                  {"scene", &kSceneElement, kOfScene},
                  {"room", &kRoomElement, kOfRoom},

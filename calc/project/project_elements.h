@@ -34,6 +34,9 @@ extern const std::string_view kProjectMeaning;
 extern const ChildRow kProjectRoot;
 extern const ElementRow kProjectElement;
 extern const ElementRow kMaterialElement, kLuminaireTypeElement, kSceneElement, kDimElement;
+// What project data are called, see scene/about_project.h.
+inline constexpr std::string_view kAboutName = "about";
+extern const ElementRow kAboutElement;
 extern const ElementRow kEnergyElement, kEnergyPartElement;
 
 // Everything that can stand in a room, in the open space or in an assembly.

@@ -4,6 +4,7 @@
 #include "calc/base/relative_path.h"
 #include "calc/photometry/read/photometry_file.h"
 #include "calc/photometry/web_hermite.h"
+#include "calc/project/logo.h"
 #include "calc/project/point_list_csv.h"
 
 #include <fmt/format.h>
@@ -36,12 +37,14 @@ double web_bytes(const PhotometricWeb& web) {
 
 // While a file is read everything in it stands there several times.
 constexpr double kMeshByteFactor = 12.0, kTableByteFactor = 12.0;
+// It stays, and reports hold it as text.
+constexpr double kLogoByteFactor = 4.0;
 
 }  // namespace
 
 bool is_named_as_other_than_photometry(std::string_view path) {
-  constexpr std::array<std::string_view, 8> kEndings{".csv",  ".obj", ".stl", ".ply",
-                                                     ".gltf", ".glb", ".bin", ".xml"};
+  constexpr std::array<std::string_view, 10> kEndings{".csv", ".obj", ".stl", ".ply", ".gltf",
+                                                      ".glb", ".bin", ".xml", ".png", ".svg"};
   std::string lower(path);
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return std::any_of(kEndings.begin(), kEndings.end(),
@@ -240,6 +243,26 @@ const std::optional<PointList>& ProjectFiles::point_list(const std::string& path
     if (entry->second) entry->second->file = path;
   }
   return entry->second;
+}
+
+std::optional<Logo> ProjectFiles::logo(const std::string& path, const SourceLocation& named_at) {
+  Logo logo{path, LogoFormat::png, ""};
+  if (!is_logo_name(path, logo.format)) {
+    diagnostics_.report(DiagnosticId::logo_not_usable, named_at, path,
+                        "its name must end with .png or .svg");
+    return std::nullopt;
+  }
+  const std::optional<std::string> key = resolve(path, named_at);
+  if (!key) return std::nullopt;
+  std::optional<std::string> bytes = read(*key, path, named_at);
+  if (!bytes) return std::nullopt;
+  if (const std::string problem = logo_problem(*bytes, logo.format); !problem.empty()) {
+    diagnostics_.report(DiagnosticId::logo_not_usable, named_at, path, problem);
+    return std::nullopt;
+  }
+  if (!take_file(*bytes, kLogoByteFactor, named_at, path)) return std::nullopt;
+  logo.bytes = *std::move(bytes);
+  return logo;
 }
 
 }  // namespace calc

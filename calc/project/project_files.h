@@ -37,9 +37,9 @@ struct PlacedWeb {
   EmitterPlace place;
 };
 
-// Whether its name is that of a mesh, a table or an XML file. Photometry takes no other file of
-// such a name, so that whoever lists the photometry that may be used (a policy) can tell by the
-// names.
+// Whether its name is that of a mesh, a table, an XML file or a picture. Photometry takes no other
+// file of such a name, so that whoever lists the photometry that may be used (a policy) can tell by
+// the names.
 bool is_named_as_other_than_photometry(std::string_view path);
 
 // Problems are reported where the project names the file. A file that cannot be used is reported
@@ -70,6 +70,8 @@ class ProjectFiles {
   const GbxmlBuilding* building(const std::string& path, const SourceLocation& named_at);
   // A CSV file of luminaires; null on errors, stays valid as long as this object.
   const LuminaireList* luminaire_list(const std::string& path, const SourceLocation& named_at);
+  // A picture for reports. Empty on errors.
+  std::optional<Logo> logo(const std::string& path, const SourceLocation& named_at);
   // In file units, normals normalised. Empty on errors.
   const std::optional<PointList>& point_list(const std::string& path,
                                              const SourceLocation& named_at);

@@ -4,6 +4,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
+#include "calc/project/about_xml.h"
 #include "calc/project/energy_xml.h"
 #include "calc/project/library_xml.h"
 #include "calc/project/project_context.h"
@@ -43,6 +44,7 @@ void read_root(ProjectContext& context, const XmlElement& root) {
 
 void read_contents(ProjectContext& context, const XmlElement& root) {
   read_root(context, root);
+  read_about(context, root);
   read_materials(context, root);
   read_luminaire_types(context, root);
   read_rooms(context, root);

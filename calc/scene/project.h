@@ -6,6 +6,7 @@
 #include "calc/base/xml_document.h"
 #include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/about_project.h"
 #include "calc/scene/receiver_kernel.h"
 #include "calc/scene/route_shape.h"
 #include "calc/scene/waiver.h"
@@ -274,6 +275,7 @@ struct InputFile {
 struct Project {
   std::string path;
   std::string name;
+  AboutProject about;
   std::vector<Material> materials;
   std::vector<PhotometricWeb> webs;  // one per light of a file, with or without opening
   std::vector<LuminaireType> luminaire_types;

@@ -325,6 +325,7 @@ ProjectPart build_project(const calc::Project& project) {
   ProjectPart part;
   part.path = project.path;
   part.name = project.name;
+  part.about = project.about;
   part.inputs = project.inputs;
   for (std::size_t i = 0; i < project.luminaire_types.size(); ++i) {
     if (!project.luminaire_types[i].counts_as_luminaire()) continue;

@@ -45,6 +45,7 @@ std::string_view refusal(std::string_view element, std::string_view attribute) {
   if (is_among(kNaming, attribute)) return "it says which element this is";
   if (attribute == "version") return "it says how the file is to be read";
   if (is_among(kFiles, attribute)) return "it names a file; vary the type that is used instead";
+  if (attribute == "logo") return "it names a file";
   if (attribute.ends_with("because") || is_among(kSignatures, attribute)) {
     return "what somebody has signed must stand in the file";
   }
@@ -85,10 +86,23 @@ struct Place {
   std::string_view key;    // "" = none
 };
 
-// Every element that the schema knows, in the order of the file.
+// Every element that the schema knows, in the order of the file. Project data have a place also
+// where the file has none: CI knows the revision, whoever has written the file.
 class Places {
  public:
-  explicit Places(const XmlElement& root) { add(root, complete_row(*calc::kProjectRoot.row), 0); }
+  explicit Places(const XmlElement& root) {
+    add(root, complete_row(*calc::kProjectRoot.row), 0);
+    about_to_be_.name = calc::kAboutName;
+    about_to_be_.where = root.where;
+    const bool has_about =
+        std::any_of(root.children.begin(), root.children.end(),
+                    [](const XmlElement& child) { return child.name == calc::kAboutName; });
+    if (!has_about) add(about_to_be_, calc::kAboutElement, 0);
+  }
+  Places(const Places&) = delete;  // places point into it
+  Places& operator=(const Places&) = delete;
+
+  bool is_to_be_made(const Place& place) const { return place.element == &about_to_be_; }
 
   const std::vector<Place>& all() const { return places_; }
 
@@ -161,6 +175,7 @@ class Places {
   }
 
   std::vector<Place> places_;
+  XmlElement about_to_be_;
 };
 
 std::string tag(const Place& place) { return "<" + place.element->name + ">"; }
@@ -185,14 +200,21 @@ class TextChange {
       if (lines > 0) edits_.push_back({end + 1, 0, std::string(lines, '\n')});
       return;
     }
-    const std::size_t behind = element.attributes.empty()
-                                   ? offset_of(element.where) + 1 + element.name.size()
-                                   : value_of(element.attributes.back()).second + 1;
-    edits_.push_back({behind, 0, fmt::format(" {}=\"{}\"", name, escaped(value))});
+    edits_.push_back(
+        {end_of_attributes(element), 0, fmt::format(" {}=\"{}\"", name, escaped(value))});
+  }
+
+  // A child of this element, which has no such child, before all others.
+  void set_in_new(const XmlElement& parent, const XmlElement& child, std::string_view name,
+                  std::string_view value) {
+    new_parent_ = &parent;
+    new_child_ = child.name;
+    new_attributes_ += fmt::format(" {}=\"{}\"", name, escaped(value));
   }
 
   // It is UTF-8 now, whatever it was.
   std::string apply() {
+    if (new_parent_ != nullptr) make_child();
     std::stable_sort(edits_.begin(), edits_.end(),
                      [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
     std::string changed;
@@ -223,6 +245,22 @@ class TextChange {
       while (offset < text_.size() && calc::is_utf8_continuation(text_[offset])) ++offset;
     }
     return offset;
+  }
+
+  std::size_t end_of_attributes(const XmlElement& element) const {
+    return element.attributes.empty() ? offset_of(element.where) + 1 + element.name.size()
+                                      : value_of(element.attributes.back()).second + 1;
+  }
+
+  void make_child() {
+    const std::string child = fmt::format("<{}{}/>", new_child_, new_attributes_);
+    const std::size_t tag_end = text_.find('>', end_of_attributes(*new_parent_));
+    if (text_[tag_end - 1] == '/') {
+      edits_.push_back({tag_end - 1, 1, ""});
+      edits_.push_back({tag_end + 1, 0, fmt::format("{}</{}>", child, new_parent_->name)});
+    } else {
+      edits_.push_back({tag_end + 1, 0, child});
+    }
   }
 
   // Between its quotes.
@@ -270,6 +308,8 @@ class TextChange {
   std::string text_;
   std::vector<std::size_t> line_start_;
   std::vector<Edit> edits_;
+  const XmlElement* new_parent_ = nullptr;
+  std::string new_child_, new_attributes_;
 };
 
 // Finds what paths mean in one project.
@@ -331,6 +371,7 @@ class Resolver {
   void fail_unknown(const std::string& path, std::string_view words) {
     std::set<std::string_view> known;
     for (const Place& place : places_.all()) {
+      if (places_.is_to_be_made(place)) continue;
       known.insert(place.key.empty() ? std::string_view(place.element->name) : place.key);
     }
     std::vector<std::string> names(known.begin(), known.end());
@@ -391,6 +432,8 @@ std::optional<std::string> changed_text(std::string text, const XmlElement& root
       resolver.fail(place->element->where, value.path,
                     fmt::format("'{}' of {} is set twice, also as '{}'", attribute, tag(*place),
                                 *other->second));
+    } else if (places.is_to_be_made(*place)) {
+      change.set_in_new(root, *place->element, attribute, value.value);
     } else {
       change.set(*place->element, attribute, value.value);
     }
@@ -415,6 +458,15 @@ std::optional<XmlElement> parsed(const std::string& bytes, const std::string& fi
 }
 
 }  // namespace
+
+bool is_about_project(const SetValue& value) {
+  std::string_view path = value.path;
+  const std::string of_root = std::string(calc::kProjectRoot.name) + ".";
+  if (path.starts_with(of_root)) path.remove_prefix(of_root.size());
+  const std::string of_about = std::string(calc::kAboutName) + ".";
+  return path.starts_with(of_about) &&
+         is_among(calc::attribute_names(calc::kAboutElement), path.substr(of_about.size()));
+}
 
 std::string value_problem(const std::string& value) {
   if (calc::first_invalid_utf8(value)) return "the value is not UTF-8";

@@ -6,7 +6,7 @@
 // those of the elements around it stand before it ("room.plane.id.attribute", any of them may be
 // left out), or the name of an element does ("plane.id.attribute"). An element without an id goes
 // by its name ("luxgate.maintenance-factor", "plane.require.at-least") or, of <dim> and <part>, by
-// its group, and of <zone> by its role.
+// its group, and of <zone> by its role. "about.revision" is made where the project has no <about>.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/file_reader.h"
@@ -25,6 +25,10 @@ struct SetValue {
   // "linear.flux-lm=4000"
   std::string words() const { return path + "=" + value; }
 };
+
+// Whether it sets what reports say on their first page, and so no result: no other element has an
+// attribute of these names, whatever ids there are.
+bool is_about_project(const SetValue& value);
 
 // What is wrong with a value whatever it is for; "" = nothing.
 std::string value_problem(const std::string& value);

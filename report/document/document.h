@@ -6,6 +6,7 @@
 #include "calc/base/field.h"
 #include "calc/base/names.h"
 #include "calc/photometry/web.h"
+#include "calc/scene/about_project.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/installed_price.h"
 #include "calc/scene/project.h"
@@ -233,6 +234,7 @@ struct SceneRow {  // luminaires that are dimmed
 
 struct ProjectPart {
   std::string path, name;
+  calc::AboutProject about;
   bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
   std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
   // Ids of those warnings that count like errors, because somebody asked for it (--strict).

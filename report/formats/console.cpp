@@ -3,6 +3,7 @@
 #include "report/formats/folded_passes.h"
 #include "report/revision/revision_tables.h"
 #include "report/stream/text_list.h"
+#include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/text_numbers.h"
@@ -485,6 +486,9 @@ void TextWriter::add(const ProjectPart& project) {
     text += std::string("  ") +
             (options_.colour ? verdict_colour(rules::Verdict::not_judged) : "") + words +
             (options_.colour ? kReset : "") + "\n";
+  }
+  if (const std::string about = about_line(t_, project.about); !about.empty()) {
+    text += "  " + about + "\n";
   }
   waiting_.add(text);
   if (is_shown) {

@@ -5,6 +5,7 @@
 #include "report/formats/junit.h"
 #include "report/formats/luminaires_csv.h"
 #include "report/formats/markdown.h"
+#include "report/formats/pdf.h"
 #include "report/formats/sarif.h"
 #include "report/html/html.h"
 #include "report/result_file/json.h"
@@ -26,14 +27,23 @@ constexpr Format kFormats[] = {
     {"csv", "", "results.csv",
      [](Frame frame, Place place, Style) { return results_csv_writer(frame, place); }},
     {"points-csv", "", "points.csv",
-     [](Frame frame, Place place, Style) { return points_csv_writer(frame, place); }, false, true},
+     [](Frame frame, Place place, Style) { return points_csv_writer(frame, place); }, false, false,
+     true},
     {"luminaires-csv", "", "luminaires.csv",
      [](Frame frame, Place place, Style) { return luminaires_csv_writer(frame, place); }, false,
-     true},
+     false, true},
     {"json", "", "result.json",
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
-     [](Frame frame, Place place, Style s) { return html_writer(frame, place, s.texts); }, true},
+     [](Frame frame, Place place, Style s) {
+       return html_writer(frame, place, s.texts, "", s.paper);
+     },
+     true},
+    {"pdf", "the HTML, printed by Chromium", "",
+     [](Frame frame, Place place, Style s) {
+       return pdf_writer(frame, place, s.texts, s.paper, s.printer);
+     },
+     false, true},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},
     {"sarif", "problems", "",
      [](Frame frame, Place place, Style) {

@@ -4,6 +4,8 @@
 
 #include "report/document/document.h"
 #include "report/formats/console.h"
+#include "report/formats/pdf.h"
+#include "report/html/print_pages.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
@@ -16,8 +18,10 @@ namespace report {
 
 // What formats for people need besides the document.
 struct FormatStyle {
-  TextOptions terminal;  // of `text`
-  Texts texts;           // of `text`, `html` and `markdown`
+  TextOptions terminal;            // of `text`
+  Texts texts;                     // of `text`, `html` and `markdown`
+  Paper paper = Paper::a4;         // of `html` and `pdf`
+  PagePrinter* printer = nullptr;  // of `pdf`; see pdf_writer()
 };
 
 struct Format {
@@ -26,8 +30,9 @@ struct Format {
   std::string_view file_name;  // in the folder of --output; "" = not there
   std::unique_ptr<FormatWriter> (*writer)(const DocumentFrame&, const SpillPlace&,
                                           const FormatStyle&);
-  bool is_html = false;   // has pictures of rooms, and may be an index with pages
-  bool is_table = false;  // of single points or luminaires: no verdict, and no warning
+  bool is_html = false;     // has pictures of rooms, and may be an index with pages
+  bool is_printed = false;  // is HTML as one page, which needs a printer
+  bool is_table = false;    // of single points or luminaires: no verdict, and no warning
 
   // Of a document that is there as a whole.
   std::string render(const Document& document, const FormatStyle& style) const;

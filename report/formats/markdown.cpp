@@ -3,6 +3,7 @@
 #include "report/formats/ci_finding.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
+#include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/markup.h"
 #include "report/text/text_numbers.h"
@@ -97,6 +98,8 @@ std::string project_line(const Texts& t, const ProjectPart& project) {
   std::string text = fmt::format("- {} {}: {}", outcome_symbol(outcome), outcome_words(t, outcome),
                                  escape_markdown(project.path));
   if (!project.name.empty()) text += ", " + escape_markdown(project.name);
+  const std::string about = about_line(t, project.about);
+  if (!about.empty()) text += "; " + escape_markdown(about);
   return text + "\n";
 }
 
@@ -139,6 +142,7 @@ class MarkdownWriter : public FormatWriter {
     for (const CiFinding& entry : findings_.of(project)) {
       (entry.verdict == rules::Verdict::pass ? passed_ : others_).add(entry);
     }
+    if (!has_projects()) about_ = about_line(t_, project.about);
     if (projects_++ < kMostProjects) project_lines_ += project_line(t_, project);
     warnings_.write(warnings(t_, project));
     notes_.write(notes(t_, project));
@@ -156,6 +160,7 @@ class MarkdownWriter : public FormatWriter {
   Table passed_, others_;
   std::size_t projects_ = 0;
   std::string project_lines_;  // of the first ones
+  std::string about_;          // of the only one
   Spill warnings_, notes_;     // of all projects
 };
 
@@ -164,6 +169,7 @@ void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
       frame_.revised == nullptr ? end.totals.outcome : gate_outcome(*frame_.revised);
   std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
                                  outcome_words(t_, outcome), summary_words(t_, end.totals));
+  if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
   if (has_projects()) text += "\n" + project_lines_;
   if (projects_ > kMostProjects) {

@@ -1,6 +1,7 @@
 #include "report/html/html.h"
 
 #include "calc/base/file_hash.h"
+#include "report/html/html_about.h"
 #include "report/html/html_aggregates.h"
 #include "report/html/html_findings.h"
 #include "report/html/html_markup.h"
@@ -12,6 +13,8 @@
 #include "report/html/html_room_data.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
+#include "report/html/print_pages.h"
+#include "report/text/base64.h"
 #include "report/text/markup.h"
 #include "report/text/words.h"
 
@@ -45,8 +48,9 @@ constexpr const char* kLongWords =
     "@media (min-width: 40.01rem) { .attention li { grid-template-columns: 10.4rem 1fr; } }\n"
     "tbody th, tbody td:not(.num, .gauge-cell) { overflow-wrap: break-word; }\n";
 
-// The policy forbids whatever a name from a file might still manage to load or run. title: escaped.
-std::string head(const Texts& t, const std::string& title) {
+// Up to the end of the style sheet. The policy forbids whatever a name from a file might still
+// manage to load or run. title: escaped. pages: see print_pages.h.
+std::string head_start(const Texts& t, const std::string& title, const std::string& pages) {
   return "<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
          "initial-scale=1\"/>\n"
          "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
@@ -55,7 +59,7 @@ std::string head(const Texts& t, const std::string& title) {
          "script-src " +
          script_source(html_script(t)) + "\"/>\n<title>" + title + " – " + t[Text::compliance] +
          "</title>\n<style>\n" + html_style() +
-         (t.language() == Language::german ? kLongWords : "") + "</style>\n</head>\n";
+         (t.language() == Language::german ? kLongWords : "") + pages;
 }
 
 // Regions are landmarks, which must differ in name; planes of several rooms may have one name.
@@ -107,11 +111,20 @@ class RegionNames {
   std::map<std::string, int> next_;  // by label: the number of its next repeat
 };
 
-// What comes before and after the main part of a page.
-std::string page_start(const Texts& t, const std::string& title) {
+// What comes before and after the main part of a page; the style sheet may go on in between.
+std::string page_start(const Texts& t, const std::string& title, const std::string& pages) {
   return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
-         head(t, title) + "<body>\n<a class=\"skip\" href=\"#main\">" + t[Text::skip_to_results] +
-         "</a>\n";
+         head_start(t, title, pages);
+}
+
+std::string body_start(const Texts& t) {
+  return std::string("</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">") +
+         t[Text::skip_to_results] + "</a>\n";
+}
+
+// What runs along at the head of every page.
+std::string running_head(const Texts& t) {
+  return std::string("luxgate · ") + t[Text::compliance_report];
 }
 
 constexpr const char* kMainStart = "<main id=\"main\">\n";
@@ -124,14 +137,21 @@ std::string page_end(const Texts& t, const Provenance& provenance) {
 
 struct Section {
   std::string address, words;  // words: escaped
+  bool is_room = false;        // which the contents list on paper alone
 };
 
 std::string contents(const Texts& t, const std::vector<Section>& sections) {
   std::string html =
       std::string("<nav aria-label=\"") + t[Text::contents] + "\"><ul class=\"contents\">";
   for (const Section& section : sections)
-    html += fmt::format("<li><a href=\"{}\">{}</a></li>", section.address, section.words);
+    html +=
+        fmt::format("<li{}><a href=\"{}\">{}</a></li>",
+                    section.is_room ? " class=\"on-paper\"" : "", section.address, section.words);
   return html + "</ul></nav>\n";
+}
+
+std::string space_anchor(std::size_t project, std::size_t space) {
+  return fmt::format("p{}s{}", project + 1, space + 1);
 }
 
 std::string space_title(const SpacePart& space) {
@@ -154,7 +174,8 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
                        bool folds_passed) {
   const SpacePart& space = project.spaces[s];
-  std::string html = "<section class=\"space\"><h3>" + space_title(space) + "</h3>\n";
+  std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
+                                 space_anchor(p, s), space_title(space));
   html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane(t, {p, s, k}, space, space.planes[k], folds_passed);
@@ -177,11 +198,15 @@ std::string page_links(const Texts& t, const ProjectPart& project, std::size_t p
   return html + "</ul>\n";
 }
 
+std::string run_start(const RoomRun& run) {
+  return fmt::format("<div class=\"run\" style=\"page: {}\">\n", run.page);
+}
+
 // The page that holds everything, or the index of pages in `folder`. What comes first in it is
 // known last: all else waits in spills.
 class HtmlWriter : public FormatWriter {
  public:
-  HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+  HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t, Paper paper,
              std::string folder);
 
   void add(const ProjectPart& project) override;
@@ -199,13 +224,17 @@ class HtmlWriter : public FormatWriter {
 
   const DocumentFrame& frame_;
   Texts t_;
+  Paper paper_;
   std::string folder_;
   RegionNames regions_;
   std::size_t project_ = 0;            // the next one
   std::map<std::string, int> titles_;  // how many projects have each
   std::string only_title_;             // of the first one
+  std::string about_;                  // of the only one
   std::vector<Section> sections_;      // of the first ones
   Spill paths_;
+  std::string foot_;  // of pages; of the only project
+  Spill room_rules_;
   std::string revision_, summary_start_;
   HtmlAttention attention_;
   Spill summary_rows_;
@@ -216,11 +245,13 @@ class HtmlWriter : public FormatWriter {
 };
 
 HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
-                       std::string folder)
+                       Paper paper, std::string folder)
     : frame_(frame),
       t_(t),
+      paper_(paper),
       folder_(std::move(folder)),
       paths_(place),
+      room_rules_(place),
       attention_(t, folder_, place),
       summary_rows_(place),
       projects_(place),
@@ -244,6 +275,9 @@ void HtmlWriter::add_project(const ProjectPart& project) {
   const bool was_few = planes_ <= kFewPlanes;
   for (const SpacePart& space : project.spaces) planes_ += space.planes.size();
   const std::string section = section_name(project);
+  if (folder_.empty()) {
+    for (const RoomRun& run : room_runs(project, project_)) room_rules_.write(run_rule(run));
+  }
   if (planes_ <= kFewPlanes) {
     RegionNames regions = regions_;
     projects_unfolded_.write(regions.with_unique_regions(project_html(project, section, false)));
@@ -267,21 +301,32 @@ std::string HtmlWriter::section_name(const ProjectPart& project) {
 
 std::string HtmlWriter::project_html(const ProjectPart& project, const std::string& section,
                                      bool folds_passed) const {
-  std::string html = fmt::format(
-      "<section class=\"project\" {2}><h2 id=\"project{0}\">{1}</h2>\n", project_ + 1,
-      is_only() ? t_[Text::planes] : escape_html(title_of(project.name, project.path)), section);
+  const bool has_rooms = folder_.empty() && !project.spaces.empty();
+  const std::vector<RoomRun> runs =
+      has_rooms ? room_runs(project, project_) : std::vector<RoomRun>();
+  const std::string messages = html_messages(t_, project);
+  std::string html = fmt::format("<section class=\"project\" {}>\n", section);
+  // A heading alone stands on the page of the first room.
+  if (has_rooms && messages.empty()) html += run_start(runs.front());
+  html +=
+      fmt::format("<h2 id=\"project{}\">{}</h2>\n", project_ + 1,
+                  is_only() ? t_[Text::planes] : escape_html(title_of(project.name, project.path)));
   if (!is_only() && !project.name.empty())
     html += "<p class=\"quiet\">" + escape_html(project.path) + "</p>\n";
   if (!project.is_judged) {
     html += "<p class=\"message\">" + badge(t_, rules::Verdict::not_judged) + " " +
             t_[Text::project_unreadable] + "</p>\n";
   }
-  html += html_messages(t_, project);
+  if (!is_only()) html += html_about(t_, project.about);
+  html += messages;
+  for (const RoomRun& run : runs) {
+    if (run.first > 0 || !messages.empty()) html += run_start(run);
+    for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
+      html += space_html(t_, project, project_, s, folds_passed);
+    html += "</div>\n";
+  }
   if (!folder_.empty() && !project.spaces.empty()) {
     html += page_links(t_, project, project_, folder_);
-  } else {
-    for (std::size_t s = 0; s < project.spaces.size(); ++s)
-      html += space_html(t_, project, project_, s, folds_passed);
   }
   return html + html_aggregates(t_, project, project_) + html_luminaires(t_, project, project_) +
          html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project) +
@@ -289,7 +334,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
 }
 
 void HtmlWriter::add_to_masthead(const ProjectPart& project) {
-  constexpr std::size_t kMostProjects = 12;
+  constexpr std::size_t kMostProjects = 12, kMostRooms = 90;
   paths_.write((project_ == 0 ? "" : " · ") + escape_html(project.path));
   const std::string title = escape_html(title_of(project.name, project.path));
   if (project_ == 0) only_title_ = title;
@@ -297,6 +342,13 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project) {
   sections_.push_back(
       {fmt::format("#project{}", project_ + 1), is_only() ? t_[Text::planes] : title});
   if (!is_only()) return;
+  about_ = html_about(t_, project.about);
+  foot_ = foot_words(t_, project);
+  for (std::size_t s = 0; folder_.empty() && s < project.spaces.size() && s < kMostRooms; ++s) {
+    const SpacePart& space = project.spaces[s];
+    sections_.push_back(
+        {"#" + space_anchor(project_, s), escape_html(title_of(space.name, space.id)), true});
+  }
   if (!project.luminaires.empty()) sections_.push_back({"#luminaires1", t_[Text::luminaires]});
   if (!project.spaces.empty()) sections_.push_back({"#calculation1", t_[Text::calculation]});
 }
@@ -320,12 +372,17 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.push_back({"#summary", t_[Text::summary]});
   sections.insert(sections.end(), sections_.begin(), sections_.end());
   sections.push_back({"#provenance", t_[Text::provenance]});
-  sink.write("</p>\n" + html_verdict_banner(t_, frame_, end.totals) + contents(t_, sections) +
-             "</header>\n");
+  sink.write("</p>\n" + about_ + html_verdict_banner(t_, frame_, end.totals) +
+             contents(t_, sections) + "</header>\n");
 }
 
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
-  sink.write(page_start(t_, std::string(outcome_symbol(end.totals.outcome)) + " " + page_title()));
+  const std::string symbol = outcome_symbol(end.totals.outcome);
+  const std::string foot = is_only() ? foot_ : page_title();
+  sink.write(page_start(t_, symbol + " " + page_title(),
+                        page_rules(t_, paper_, {running_head(t_), "", foot})));
+  room_rules_.copy_to(sink);
+  sink.write(body_start(t_));
   write_masthead(end, sink);
   sink.write(kMainStart + revision_);
   attention_.copy_to(sink);
@@ -340,8 +397,8 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
 }  // namespace
 
 std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                          const Texts& t, const std::string& folder) {
-  return std::make_unique<HtmlWriter>(frame, place, t, folder);
+                                          const Texts& t, const std::string& folder, Paper paper) {
+  return std::make_unique<HtmlWriter>(frame, place, t, paper, folder);
 }
 
 std::string render_html(const Document& document, const Texts& t) {
@@ -377,14 +434,16 @@ std::vector<HtmlPage> html_pages(const Document& document) {
 }
 
 std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
-                             const HtmlPage& room, const std::string& index, const Texts& t) {
+                             const HtmlPage& room, const std::string& index, const Texts& t,
+                             Paper paper) {
   const SpacePart& space = project.spaces[room.space];
   const std::string title = escape_html(title_of(space.name, space.id));
   const std::string head = "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
                            "\">" + t[Text::all_results] + "</a> · luxgate · " +
                            t[Text::compliance_report] + "</p>\n<h1>" + title +
                            "</h1>\n<p class=\"quiet paths\">" +
-                           escape_html(title_of(project.name, project.path)) + "</p>\n</header>\n";
+                           escape_html(title_of(project.name, project.path)) + "</p>\n" +
+                           html_about(t, project.about) + "</header>\n";
   std::string body = std::string("<section class=\"space\"><h2 class=\"unseen\">") +
                      t[Text::planes] + "</h2>\n<h3 class=\"unseen\">" + title + "</h3>\n";
   if (room.first_plane == 0) {
@@ -394,7 +453,9 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], true);
   }
   RegionNames regions;
-  return page_start(t, title) + head + kMainStart +
+  const PageWords words{running_head(t), std::string(title_of(space.name, space.id)),
+                        foot_words(t, project)};
+  return page_start(t, title, page_rules(t, paper, words)) + body_start(t) + head + kMainStart +
          regions.with_unique_regions(body + "</section>\n") + page_end(t, provenance);
 }
 

@@ -14,8 +14,6 @@ namespace report {
 // Our own numbers with a typographic minus sign.
 std::string with_minus(std::string text);
 
-std::string base64(std::string_view bytes);
-
 // Symbol and word, coloured.
 std::string badge(const Texts& t, rules::Verdict verdict);
 

@@ -8,6 +8,7 @@
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
 #include "report/images/png.h"
+#include "report/text/base64.h"
 #include "report/text/markup.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"

@@ -3,6 +3,7 @@
 #include "report/html/html_legend.h"
 #include "report/html/html_markup.h"
 #include "report/images/heatmap.h"
+#include "report/text/base64.h"
 #include "report/text/markup.h"
 #include "report/text/words.h"
 

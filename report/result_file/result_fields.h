@@ -6,12 +6,15 @@
 // the redaction (redact.cpp). A new key is a line here, in finding_fields.h, plane_fields.h or
 // revision_fields.h.
 
+#include "calc/base/day.h"
 #include "calc/base/names.h"
+#include "calc/project/logo.h"
 #include "report/document/document.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/finding_fields.h"
 #include "report/result_file/plane_fields.h"
 #include "report/result_file/revision_fields.h"
+#include "report/text/base64.h"
 
 #include <optional>
 #include <string>
@@ -271,10 +274,32 @@ void describe(auto& v, Is<calc::InputFile> auto& input) {
   v.field("sha256", input.sha256);
 }
 
+void describe(auto& v, Is<calc::Logo> auto& logo) {
+  v.field("file", logo.file, {.holds = Holds::own_file});
+  v.field("format", logo.format);
+  std::string text = base64(logo.bytes);
+  v.field("base64", text, {.words = "Its bytes."});
+  const std::optional<std::string> bytes = bytes_of_base64(text);
+  v.refuse_if(!bytes || !calc::logo_problem(*bytes, logo.format).empty(), "base64",
+              "a picture that 'luxgate check' lets into reports is needed");
+  assign(logo.bytes, bytes.value_or(""));
+}
+
+void describe(auto& v, Is<calc::AboutProject> auto& about) {
+  v.is("about", "Whom the design is for and who made it, as the project says; what it says only.");
+  for (const calc::AboutText& one : calc::kAboutTexts) {
+    v.field(one.name, about.*one.text, {.presence = only_if(!(about.*one.text).empty())});
+  }
+  v.refuse_if(!about.date.empty() && !calc::is_day(about.date), "date",
+              "a day, YYYY-MM-DD, is needed");
+  v.field("logo", about.logo, {.presence = only_if(!about.logo.bytes.empty())});
+}
+
 void describe(auto& v, Is<ProjectPart> auto& project) {
   v.is("project");
   v.field("path", project.path, {.holds = Holds::file});
   v.field("name", project.name);
+  v.field("about", project.about, {.presence = only_if(!project.about.is_empty())});
   v.field("is_judged", project.is_judged);
   v.written("counts", [&] { return count_verdicts(project); });
   v.field("diagnostics", project.diagnostics);

@@ -61,6 +61,8 @@ Environment read_environment() {
   environment.program_folder = program_folder();
   environment.git_dir = variable("GIT_DIR");
   environment.git_work_tree = variable("GIT_WORK_TREE");
+  environment.chromium = variable("LUXGATE_CHROMIUM");
+  environment.search_path = variable("PATH");
   environment.store = variable("LUXGATE_STORE");
   environment.library_places = library_places();
   environment.stdout_is_terminal = isatty(STDOUT_FILENO) == 1;

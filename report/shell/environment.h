@@ -14,6 +14,8 @@ struct Environment {
   // ~/.cache; "" = nowhere, if there is none of them or the first is "off".
   std::string program_folder;
   std::string git_dir, git_work_tree;  // GIT_DIR and GIT_WORK_TREE, see git::GitPlaces
+  // Of who prints: LUXGATE_CHROMIUM and PATH, see find_chromium().
+  std::string chromium, search_path;
   std::string store;  // LUXGATE_STORE: where looks are kept if --store does not say it
   // Files and folders of libraries and drivers besides the system's usual ones, from the variables
   // of the dynamic linker, of Mesa and of glvnd, and the time zone's.

@@ -81,15 +81,18 @@ std::vector<Option> output_options(OutputOptions& options) {
        "a folder '<name>-rooms' beside it: for hundreds of planes",
        &options.html_split},
       {"--language", "LANG",
-       "Words of html, markdown and text: en or de; default en. All other formats are\n"
+       "Words of html, pdf, markdown and text: en or de; default en. All other formats are\n"
        "English, and so are messages, reasons and the texts of projects and rule packs",
        choice<report::Language>(options.language, {{"en", report::Language::english},
                                                    {"de", report::Language::german}})},
       {"--decimal", "SIGN",
-       "Decimal sign of html, markdown and text: point or comma; default comma with\n"
+       "Decimal sign of html, pdf, markdown and text: point or comma; default comma with\n"
        "--language de, else point. All other formats have points",
        choice<DecimalSign>(options.decimal,
                            {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
+      {"--paper", "SIZE", "Of pdf, and of html when it is printed: a4 or letter; default a4",
+       choice<report::Paper>(options.paper,
+                             {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
       {"--images", "",
        "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
        "picture too",

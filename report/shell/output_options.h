@@ -28,14 +28,17 @@ struct OutputOptions {
   std::string folder;  // "" = none
   bool images = false;
   bool html_split = false;                                // HTML as an index and a page per room
-  report::Language language = report::Language::english;  // of HTML, Markdown and text
+  report::Language language = report::Language::english;  // of HTML, PDF, Markdown and text
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
+  report::Paper paper = report::Paper::a4;                // of HTML, when it is printed, and PDF
   bool redact = false;                                    // see report::redact()
   bool lists_passes = false;                              // see report::TextOptions
   bool quiet = false;                                     // no text unless asked for
   bool are_messages_printed = false;  // to standard error: not again by text on standard output
   double most_bytes = calc::Budget()[calc::BudgetOf::output];  // of each file
   ColorChoice color = ColorChoice::automatic;
+  // Of `pdf`, see open_printer_or_print() in pdf_printer.h.
+  std::shared_ptr<report::PagePrinter> printer = nullptr;
   // For what has no folder of its own, standard output and pipes; none: opened when needed.
   std::shared_ptr<report::SpillFiles> spill_files = nullptr;
 };

@@ -275,11 +275,13 @@ std::vector<std::string> remove_stale_pages(const fs::path& folder,
 // another reason, which the folder of its own sees to.
 class RoomPages {
  public:
-  RoomPages(const std::string& index, const report::Provenance& provenance, const report::Texts& t)
+  RoomPages(const std::string& index, const report::Provenance& provenance, const report::Texts& t,
+            report::Paper paper)
       : folder_(rooms_folder(index)),
         back_("../" + report::url_name(fs::path(index).filename().string())),
         provenance_(provenance),
-        t_(t) {}
+        t_(t),
+        paper_(paper) {}
 
   // From the index to the pages.
   std::string address() const { return report::url_name(folder_.filename().string()); }
@@ -289,7 +291,7 @@ class RoomPages {
     for (const report::HtmlPage& page : report::html_pages(project, projects_)) {
       written_.insert(page.name);
       const auto make = [&] {
-        return report::render_html_page(provenance_, project, page, back_, t_);
+        return report::render_html_page(provenance_, project, page, back_, t_, paper_);
       };
       add_problem(files.write_early((folder_ / page.name).string(), make), problems);
     }
@@ -305,6 +307,7 @@ class RoomPages {
   std::string back_;
   report::Provenance provenance_;
   report::Texts t_;
+  report::Paper paper_;
   std::size_t projects_ = 0;  // so far
   std::set<std::string> written_;
 };
@@ -413,10 +416,11 @@ class OutputFile {
     report::SpillPlace place = spill_place(options, file_);
     place.most_bytes = most_bytes_;
     if (planned.format->is_html && options.html_split) {
-      pages_.emplace(file_, frame.provenance, t);
-      writer_ = report::html_writer(frame, place, t, pages_->address());
+      pages_.emplace(file_, frame.provenance, t, options.paper);
+      writer_ = report::html_writer(frame, place, t, pages_->address(), options.paper);
     } else {
-      writer_ = planned.format->writer(frame, place, {text, t});
+      writer_ =
+          planned.format->writer(frame, place, {text, t, options.paper, options.printer.get()});
     }
   }
 
@@ -552,7 +556,8 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
                                      !options.are_messages_printed};
   report::SpillPlace place = spill_place(options);
   place.most_bytes = most_bytes_;
-  for_stdout_ = format->writer(frame_, place, {terminal, report_texts(options)});
+  for_stdout_ = format->writer(
+      frame_, place, {terminal, report_texts(options), options.paper, options.printer.get()});
 }
 
 ResultFiles::~ResultFiles() = default;

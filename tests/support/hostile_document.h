@@ -31,6 +31,7 @@ inline Document hostile_document() {
   for (ProjectPart& project : document.projects) {
     project.path = evil();
     project.name = evil();
+    for (const calc::AboutText& one : calc::kAboutTexts) project.about.*one.text = evil();
     for (calc::Diagnostic& diagnostic : project.diagnostics) {
       diagnostic.message = evil();
       diagnostic.where.file = evil();

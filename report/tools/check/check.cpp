@@ -12,6 +12,7 @@
 #include "report/revision/revise.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/outputs.h"
+#include "report/shell/pdf_printer.h"
 #include "report/shell/policy_option.h"
 #include "report/shell/print.h"
 #include "report/shell/progress.h"
@@ -223,6 +224,7 @@ bool remove_resume_store(const std::string& folder) {
 
 ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   CheckOptions options = asked;
+  if (!open_printer_or_print(options.output, context.environment)) return kNotJudged;
   if (!enter_sandbox_or_print(options, context)) return kNotJudged;
   watch_for_interrupt();
   const calc::DiskFileReader disk(asked.input.allowed);

@@ -34,9 +34,11 @@ report::ProjectPart check_safely(const std::string& path, const check::Context& 
 }
 
 void tell_set_values(const std::vector<check::SetValue>& set, report::ProjectPart& part) {
-  if (set.empty()) return;
   std::vector<std::string> words;
-  for (const check::SetValue& value : set) words.push_back(value.words());
+  for (const check::SetValue& value : set) {
+    if (!check::is_about_project(value)) words.push_back(value.words());
+  }
+  if (words.empty()) return;
   calc::Diagnostics diagnostics;
   diagnostics.report(calc::DiagnosticId::values_set, {part.path, 0, 0}, fmt::join(words, ", "));
   part.diagnostics.insert(part.diagnostics.begin(), diagnostics.all().front());

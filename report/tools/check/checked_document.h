@@ -15,6 +15,7 @@ namespace cli {
 report::ProjectPart check_safely(const std::string& path, const check::Context& context);
 
 // So that no format shows verdicts of a project that its file is not, and keeps silent about it.
+// What the first page says, a revision, changes no verdict and is not told.
 void tell_set_values(const std::vector<check::SetValue>& set, report::ProjectPart& part);
 
 // description: of the backend.

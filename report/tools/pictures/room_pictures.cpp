@@ -186,7 +186,9 @@ bool opens(const calc::Space& space) { return space.shell || !space.surfaces_fil
 
 bool wants_pictures(const OutputOptions& options) {
   const std::vector<OutputFormat> files = planned_files(options);
-  const auto is_html = [](const OutputFormat& item) { return item.format->is_html; };
+  const auto is_html = [](const OutputFormat& item) {
+    return item.format->is_html || item.format->is_printed;
+  };
   return options.images || std::any_of(files.begin(), files.end(), is_html) ||
          std::any_of(options.formats.begin(), options.formats.end(), is_html);
 }

@@ -7,6 +7,7 @@
 #include "report/shell/gate_options.h"
 #include "report/shell/option_values.h"
 #include "report/shell/outputs.h"
+#include "report/shell/pdf_printer.h"
 #include "report/shell/print.h"
 #include "report/shell/result_input.h"
 
@@ -23,6 +24,7 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
   ReportOptions options = asked;
   std::vector<std::string> inputs{options.result_file};
   if (!options.baseline.empty()) inputs.push_back(options.baseline);
+  if (!open_printer_or_print(options.output, environment)) return kNotJudged;
   if (options.sandbox != SandboxMode::off) open_spill_files(options.output);
   if (!enter_sandbox_or_print(options.sandbox, {inputs, written_places(options.output)},
                               environment)) {

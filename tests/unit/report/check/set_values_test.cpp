@@ -1,13 +1,17 @@
 #include "report/check/set_values.h"
 
 #include "calc/base/xml_document.h"
+#include "calc/project/project_elements.h"
+#include "rules/binding/project_schema.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -199,6 +203,59 @@ TEST(SetValues, RefusesOneAttributeTwiceAndControlCharacters) {
             std::string::npos);
   EXPECT_NE(changed(kProject, {{"far.name", "a\xFF"}}).messages.find("not UTF-8"),
             std::string::npos);
+}
+
+// Project data have a place also where the file has none.
+TEST(SetValues, AboutIsMadeWhereItIsNot) {
+  expect_text({{"about.revision", "a<1>"}, {"luxgate.about.client", "Meier"}},
+              "<luxgate version=\"1\">",
+              "<luxgate version=\"1\"><about revision=\"a&lt;1&gt;\" client=\"Meier\"/>");
+  EXPECT_EQ(changed("<luxgate/>", {{"about.date", "x"}}).text,
+            "<luxgate><about date=\"x\"/></luxgate>");
+  EXPECT_EQ(changed("<luxgate version='1' />", {{"about.note", "x"}}).text,
+            "<luxgate version='1' ><about note=\"x\"/></luxgate>");
+  EXPECT_EQ(
+      changed("<luxgate><about note='y'/></luxgate>", {{"about.note", "x"}, {"about.number", "1"}})
+          .text,
+      "<luxgate><about note='x' number=\"1\"/></luxgate>");
+  expect_error("about.customer",
+               "p.xml:1:1: error[value-not-set]: --set about.customer: <about> has no attribute "
+               "'customer'; allowed: client, number, revision, date, author, company, address or "
+               "note");
+  expect_error(
+      "about.logo",
+      "p.xml:1:1: error[value-not-set]: --set about.logo: 'logo' of <about> cannot be set: "
+      "it names a file; allowed: client, number, "
+      "revision, date, author, company, address or note");
+}
+
+void add_names(const calc::ElementRow& row, std::map<std::string_view, calc::Names>& names) {
+  if (!names.emplace(row.type, calc::attribute_names(row)).second) return;
+  for (const calc::ChildRow& child : row.children) {
+    if (child.row != nullptr) add_names(*child.row, names);
+    if (child.group == nullptr) continue;
+    for (const calc::ChildRow& one : child.group->children) add_names(*one.row, names);
+  }
+}
+
+TEST(SetValues, OnlyAboutChangesNoResult) {
+  for (const char* path : {"about.revision", "luxgate.about.note"}) {
+    EXPECT_TRUE(check::is_about_project({path, "x"})) << path;
+  }
+  for (const char* path : {"about.height", "about", "room.about.note", "luxgate.revision", "about.",
+                           "luxgate.maintenance-factor"}) {
+    EXPECT_FALSE(check::is_about_project({path, "x"})) << path;
+  }
+  // Whatever has the id "about": no other element has an attribute of such a name.
+  std::map<std::string_view, calc::Names> names;
+  for (const calc::ElementRow& row : rules::rows_about_rules()) add_names(row, names);
+  add_names(*calc::kProjectRoot.row, names);
+  for (const std::string_view ours : calc::attribute_names(calc::kAboutElement)) {
+    for (const auto& [type, others] : names) {
+      if (type == calc::kAboutElement.type) continue;
+      EXPECT_EQ(std::find(others.begin(), others.end(), ours), others.end()) << type << " " << ours;
+    }
+  }
 }
 
 class FilesOfTest : public calc::FileReader {

@@ -1,4 +1,5 @@
 #include "report/formats/console.h"
+#include "report/formats/markdown.h"
 
 #include "report/text/plain_text.h"
 #include "tests/support/sample_document.h"
@@ -24,6 +25,16 @@ TEST(Console, SmallDocument) {
 
 2 requirements: 1 pass, 1 fail
 )");
+}
+
+TEST(Console, ProjectDataStandBelowTheTitle) {
+  Document document = small_document();
+  document.projects[0].about.client = "Meier\n& Sons";
+  document.projects[0].about.revision = "b";
+  EXPECT_THAT(render_text(document), HasSubstr("\n  Client: Meier & Sons · Revision: b\n"));
+  EXPECT_THAT(render_markdown(document), HasSubstr("\n\nClient: Meier &#38; Sons · Revision: b\n"));
+  document.projects.push_back(document.projects[0]);
+  EXPECT_THAT(render_markdown(document), HasSubstr("; Client: Meier &#38; Sons · Revision: b\n"));
 }
 
 TEST(Console, PlaneWithoutRequirementIsListed) {

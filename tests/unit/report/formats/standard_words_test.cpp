@@ -47,7 +47,8 @@ TEST(StandardWords, ADeviationIsInEveryFormatButPoints) {
 }
 
 TEST(StandardWords, ARowInPartIsInEveryFormatThatHasMoreThanProblems) {
-  const std::set<std::string_view> without{"points-csv", "luminaires-csv", "github", "gitlab", "sarif", "sarif-all"};
+  const std::set<std::string_view> without{"points-csv", "luminaires-csv", "github",
+                                           "gitlab",     "sarif",          "sarif-all"};
   for (const Format& format : formats()) {
     if (without.contains(format.name)) continue;
     const std::string text = format.render(deviating(), {});

@@ -4,6 +4,7 @@
 #include "report/html/html_markup.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_script.h"
+#include "report/text/base64.h"
 #include "report/text/svg.h"
 #include "tests/support/hostile_document.h"
 #include "tests/support/sample_document.h"
@@ -279,6 +280,26 @@ TEST(Html, HostileNamesStayText) {
   }
   // Nothing is lost, either.
   EXPECT_THAT(all[0], HasSubstr("&lt;script&gt;window.hacked=1&lt;/script&gt;"));
+}
+
+TEST(Html, ProjectDataAreInTheHead) {
+  Document document = small_document();
+  calc::AboutProject& about = document.projects[0].about;
+  EXPECT_THAT(render_html(document), Not(HasSubstr("class=\"about\"")));
+  about.client = "Meier & Sons";
+  about.revision = "b";
+  about.logo = {"l.png", calc::LogoFormat::png, "foobar"};
+  const pugi::xml_document tree = parsed(render_html(document));
+  const pugi::xml_node block = tree.select_node("//header/div[@class='about']").node();
+  EXPECT_EQ(text_of(block.child("dl")), "ClientMeier & SonsRevisionb");
+  EXPECT_STREQ(block.child("img").attribute("src").value(), "data:image/png;base64,Zm9vYmFy");
+  EXPECT_STREQ(block.child("img").attribute("alt").value(), "Logo");
+  // Of several projects each has its own.
+  document.projects.push_back(document.projects[0]);
+  document.projects[1].about.client = "Other";
+  const std::string html = render_html(document);
+  EXPECT_THAT(html, HasSubstr("<dd>Meier &amp; Sons</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dd>Other</dd>"));
 }
 
 TEST(Html, LinksAndIdsMatch) {

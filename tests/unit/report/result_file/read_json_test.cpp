@@ -38,6 +38,9 @@ Document rich_document() {
   Document document = sample_document();
   ProjectPart& project = document.projects[0];
   project.times = {0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.6, 0.7, 2.8};
+  project.about = {"A. Meier", "4711", "b", "2026-03-31", "Z", "Office", "Way 1", "draft", {}};
+  project.about.logo = {"logo.svg", calc::LogoFormat::svg,
+                        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h1v1z\"/></svg>"};
   project.spaces[0].balance.untraced_lm = 12.5;
   project.spaces[0].floor_z_m = -3.25;
   PlanePart& plane = project.spaces[0].planes[0];
@@ -264,6 +267,27 @@ TEST(ReadJson, SaysWhereSomethingIsWrong) {
   json without = good;
   without["provenance"].erase("seed");
   EXPECT_EQ(problem_with(without), "/provenance: the key 'seed' is missing");
+}
+
+// A result is a stranger's file, too.
+TEST(ReadJson, ALogoIsCheckedAgain) {
+  const auto problem_with = [](const char* key, const char* value) {
+    json changed = json::parse(render_json(rich_document()));
+    json& about = changed["projects"][0]["about"];
+    (about.contains(key) ? about : about["logo"])[key] = value;
+    std::string problem;
+    EXPECT_FALSE(read_json(changed.dump(), problem));
+    return problem;
+  };
+  // <svg xmlns="http://www.w3.org/2000/svg"><script/></svg>
+  EXPECT_THAT(problem_with("base64",
+                           "PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciPjxzY3Jp"
+                           "cHQvPjwvc3ZnPg=="),
+              HasSubstr("/about/logo/base64: a picture that 'luxgate check' lets into reports"));
+  EXPECT_THAT(problem_with("base64", "no bytes"), HasSubstr("/about/logo/base64: a picture"));
+  EXPECT_THAT(problem_with("format", "png"), HasSubstr("/about/logo/base64: a picture"));
+  EXPECT_THAT(problem_with("format", "gif"), HasSubstr("/about/logo/format: one of"));
+  EXPECT_THAT(problem_with("date", "soon"), HasSubstr("/about/date: a day"));
 }
 
 TEST(ReadJson, EveryLookIsOfEveryFinding) {

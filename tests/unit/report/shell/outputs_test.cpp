@@ -143,7 +143,7 @@ TEST_F(Outputs, ImageNamesAreSafeFileNames) {
 TEST_F(Outputs, LanguageIsForReadersAlone) {
   const report::Document document = report::sample_document();
   const report::Texts german(report::Language::german, true);
-  const std::set<std::string_view> for_people = {"html", "markdown", "text"};
+  const std::set<std::string_view> for_people = {"html", "pdf", "markdown", "text"};
   for (const report::Format& format : report::formats()) {
     const std::string in_german = format.render(document, {{}, german});
     const std::string in_english = format.render(document, {});

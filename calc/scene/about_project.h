@@ -1,0 +1,52 @@
+#pragma once
+// Whom a design is for and who made it, as its project says: no light and no verdict hangs on it.
+
+#include "calc/base/names.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace calc {
+
+enum class LogoFormat { png, svg };
+
+template <>
+struct EnumNames<LogoFormat> {
+  static constexpr EnumName<LogoFormat> list[] = {{LogoFormat::png, "png"},
+                                                  {LogoFormat::svg, "svg"}};
+};
+
+// A picture that may stand in a page: checked, see project/logo.h.
+struct Logo {
+  std::string file;  // as the project names it
+  LogoFormat format = LogoFormat::png;
+  std::string bytes;  // "" = there is none
+};
+
+struct AboutProject {
+  // Each "" where nothing is said. date: YYYY-MM-DD.
+  std::string client, number, revision, date, author, company, address, note;
+  Logo logo;
+
+  inline bool is_empty() const;
+};
+
+// The texts by their names in files, in the order in which reports show them.
+struct AboutText {
+  const char* name;
+  std::string AboutProject::*text;
+};
+inline constexpr std::array kAboutTexts{
+    AboutText{"client", &AboutProject::client},     AboutText{"number", &AboutProject::number},
+    AboutText{"revision", &AboutProject::revision}, AboutText{"date", &AboutProject::date},
+    AboutText{"author", &AboutProject::author},     AboutText{"company", &AboutProject::company},
+    AboutText{"address", &AboutProject::address},   AboutText{"note", &AboutProject::note}};
+
+bool AboutProject::is_empty() const {
+  return logo.bytes.empty() &&
+         std::all_of(kAboutTexts.begin(), kAboutTexts.end(),
+                     [&](const AboutText& one) { return (this->*one.text).empty(); });
+}
+
+}  // namespace calc

@@ -1,0 +1,35 @@
+#pragma once
+// The page of html.h as a PDF: another program prints it.
+
+#include "report/document/document.h"
+#include "report/html/print_pages.h"
+#include "report/stream/format_writer.h"
+#include "report/text/texts.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace report {
+
+// Prints HTML, however it does that.
+class PagePrinter {
+ public:
+  PagePrinter() = default;
+  PagePrinter(const PagePrinter&) = delete;
+  PagePrinter& operator=(const PagePrinter&) = delete;
+  virtual ~PagePrinter() = default;
+
+  // write_page: writes HTML. The PDF. Throws WriteFailure, and what write_page throws.
+  virtual std::string print(const std::function<void(Sink&)>& write_page) = 0;
+};
+
+// Same document and same printer, same bytes. printer: null: what it would print, as HTML.
+std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
+                                         const Texts& t, Paper paper, PagePrinter* printer);
+
+// With the same day for the two times at which a PDF says it was made and changed: reports tell
+// times only where somebody asks for one. As long as it was, so that all offsets in it hold.
+std::string with_fixed_dates(std::string pdf);
+
+}  // namespace report

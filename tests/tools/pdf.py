@@ -1,0 +1,153 @@
+"""--format pdf: what Chromium prints is the same twice, on the paper that was asked for, whole or not at all; and nothing stays behind.
+
+    pdf.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+import small_designs
+
+PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+MOST_S = 120
+CHROMIUM = next((path for path in map(shutil.which, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]) if path), None)
+problems = []
+
+
+def expect(is_so, words):
+    if not is_so:
+        problems.append(words)
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+TEMPORARY = WORK / "temporary"
+TEMPORARY.mkdir(parents=True)
+small_designs.write(WORK / "p.xml", name="Hall &quot;A&quot; \\ &lt;/style&gt;", far=False)
+
+
+def luxgate(*words, **env):
+    return subprocess.run([PROGRAM, *words, "--pictures", "off"] if words[0] == "check" else [PROGRAM, *words], cwd=WORK, env={**os.environ, "TMPDIR": str(TEMPORARY), **env},
+                          capture_output=True, timeout=MOST_S, check=False)
+
+
+def fake(name, lines):
+    path = WORK / name
+    path.write_text("#!/bin/sh\n" + lines)
+    path.chmod(0o755)
+    return str(path)
+
+
+def until(is_so):
+    end = time.monotonic() + MOST_S
+    while time.monotonic() < end:
+        if is_so():
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def is_clean(words):
+    expect(until(lambda: not any(TEMPORARY.iterdir())), f"{words}: {[path.name for path in TEMPORARY.iterdir()]} stay in TMPDIR")
+    expect(not list(WORK.glob(".*")), f"{words}: something stays beside the report")
+
+
+def without_chromium():
+    """It is told before anything is done, and what to do."""
+    for env, said in [({"PATH": "/nowhere"}, b"apt install chromium"), ({"LUXGATE_CHROMIUM": "/nowhere/chromium"}, b"LUXGATE_CHROMIUM is '/nowhere/chromium'")]:
+        done = luxgate("check", "none.xml", "--format", "pdf=none.pdf", "--format", "html=none.html", **env)
+        expect(done.returncode == 2 and b"error[pdf-not-possible]" in done.stderr and said in done.stderr, f"no Chromium: {done.returncode}, {done.stderr}")
+        expect(done.stderr.count(b"\n") == 1 and not (WORK / "none.html").exists(), f"no Chromium, but work: {done.stderr}")
+    expect(luxgate("check", "p.xml", "--format", "html=a.html", PATH="/nowhere").returncode == 0, "HTML needs Chromium")
+
+
+def failures():
+    """A printer that fails leaves no PDF; the other reports are there."""
+    for name, lines, said in [("ends", "echo 'no memory for \033[1mthat' >&2; exit 3", b"it ended with code 3: no memory for  [1mthat"),
+                              ("dies", "kill -9 $$", b"it ended by signal 9"), ("nothing", "exit 0", b"it made no PDF"),
+                              ("other", "for word; do case $word in --print-to-pdf=*) echo hello > ${word#*=};; esac; done", b"it made no PDF")]:
+        done = luxgate("check", "p.xml", "--format", f"pdf={name}.pdf", "--format", f"html={name}.html", LUXGATE_CHROMIUM=fake(name, lines))
+        expect(done.returncode == 2 and b"cannot write '" + name.encode() + b".pdf': Chromium did not print it: " + said in done.stderr, f"{name}: {done.returncode}, {done.stderr}")
+        expect(not (WORK / f"{name}.pdf").exists() and (WORK / f"{name}.html").exists(), f"{name}: files are wrong")
+        is_clean(name)
+
+
+def what_it_gets():
+    """No network, nothing of the user's, a page that is there."""
+    lines = f"""for word; do echo "$word"; case $word in --print-to-pdf=*) pdf=${{word#*=}};; file://*) page=${{word#file://}};; esac; done > {WORK}/words
+env > {WORK}/env
+cp "$page" {WORK}/page.html
+printf '%%PDF-1.4 /CreationDate (D:20261125141516+00' > "$pdf"
+"""
+    done = luxgate("check", "p.xml", "--format", "pdf=fake.pdf", "--format", "html=fake.html", LUXGATE_CHROMIUM=fake("printer", lines), SECRET="12345")
+    expect(done.returncode == 0, f"fake: {done.stderr}")
+    expect((WORK / "fake.pdf").read_bytes() == b"%PDF-1.4 /CreationDate (D:20000101000000+00", f"fake: {(WORK / 'fake.pdf').read_bytes()}")
+    expect((WORK / "page.html").read_bytes() == (WORK / "fake.html").read_bytes(), "the page that is printed is another")
+    words = (WORK / "words").read_text().splitlines()
+    for word in ["--headless", "--host-resolver-rules=MAP * ~NOTFOUND", "--no-pdf-header-footer", "--generate-pdf-document-outline"]:
+        expect(word in words, f"Chromium does not get {word}")
+    expect(("--no-sandbox" in words) or os.geteuid() != 0, "root gets a sandbox that Chromium refuses")
+    expect("12345" not in (WORK / "env").read_text() and f"HOME={TEMPORARY}/" in (WORK / "env").read_text(), "Chromium gets the user's surroundings")
+    is_clean("fake")
+
+
+def kills():
+    """Who kills luxgate while it prints has nothing left running, and nothing left."""
+    printer = fake("sleeper", f"echo $$ > {WORK}/pid; sleep 1000")
+    for signal_name in ["KILL", "INT"]:
+        (WORK / "pid").unlink(missing_ok=True)
+        process = subprocess.Popen([PROGRAM, "check", "p.xml", "--pictures", "off", "--format", "pdf=k.pdf"], cwd=WORK, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+                                   env={**os.environ, "TMPDIR": str(TEMPORARY), "LUXGATE_CHROMIUM": printer})
+        expect(until(lambda: (WORK / "pid").exists() and (WORK / "pid").read_text().strip()), f"{signal_name}: nothing is printed")
+        pid = (WORK / "pid").read_text().strip()
+        for _ in range(2):  # the second one ends it at once
+            subprocess.run(["kill", f"-{signal_name}", "--", f"-{process.pid}"] if signal_name == "INT" else ["kill", "-KILL", str(process.pid)], check=False, stderr=subprocess.DEVNULL)
+            time.sleep(0.2)
+        process.communicate(timeout=MOST_S)  # readers of its streams are not kept waiting
+        expect(until(lambda p=pid: not pathlib.Path(f"/proc/{p}").exists()), f"{signal_name}: Chromium goes on")
+        expect(not (WORK / "k.pdf").exists(), f"{signal_name}: a PDF")
+        for left in WORK.glob(".k.pdf.*"):  # the next run would do that
+            left.unlink()
+        is_clean(signal_name)
+
+
+def pages(file):
+    return (WORK / file).read_bytes().count(b"/Type /Page\n")
+
+
+def prints():
+    """The real one."""
+    done = luxgate("check", "p.xml", "--format", "pdf=a.pdf", "--format", "json=a.json", "--set", "about.revision=\"';}\\x</style>", "--sandbox", "auto")
+    expect(done.returncode == 0 and b"error" not in done.stderr, f"check: {done.returncode}, {done.stderr}")
+    is_clean("check")
+    pdf = (WORK / "a.pdf").read_bytes()
+    expect(pdf.startswith(b"%PDF-") and pdf.rstrip().endswith(b"%%EOF"), "a.pdf is no PDF")
+    expect(b"/CreationDate (D:20000101000000" in pdf and b"/ModDate (D:20000101000000" in pdf, "a.pdf tells the time")
+    for word in [b"/StructTreeRoot", b"/Outlines", b"/Lang (en)", b"/MediaBox [0 0 594"]:
+        expect(word in pdf, f"a.pdf has no {word}")
+    expect(0 < pages("a.pdf") <= 3, f"a.pdf: {pages('a.pdf')} pages")
+    for words, name in [(["--sandbox", "off"], "sandbox off"), ([], "again")]:
+        luxgate("check", "p.xml", "--format", "pdf=b.pdf", "--set", "about.revision=\"';}\\x</style>", *words)
+        expect((WORK / "b.pdf").read_bytes() == pdf, f"{name}: other bytes")
+    done = luxgate("report", "a.json", "--format", "pdf=c.pdf")
+    expect(done.returncode == 0 and (WORK / "c.pdf").read_bytes() == pdf, f"report: {done.returncode}, {done.stderr}, or other bytes")
+    done = luxgate("report", "a.json", "--format", "pdf", "--language", "de", "--paper", "letter")
+    expect(b"/MediaBox [0 0 612 792]" in done.stdout and b"/Lang (de)" in done.stdout, f"letter, German: {done.stderr}")
+    if shutil.which("pdftotext"):
+        text = subprocess.run(["pdftotext", WORK / "a.pdf", "-"], capture_output=True, check=True).stdout.decode()
+        for words in ["Hall \"A\" \\ </style> · Revision \"';}\\x</style>", f"Page 1 / {pages('a.pdf')}", "Summary"]:
+            expect(words in text, f"a.pdf does not say {words!r}")
+
+
+without_chromium()
+failures()
+what_it_gets()
+kills()
+if CHROMIUM is None:
+    print("\n".join(problems) if problems else "skipped: the printing itself, since there is no Chromium")
+else:
+    prints()
+    print("\n".join(problems))
+sys.exit(1 if problems else 0)

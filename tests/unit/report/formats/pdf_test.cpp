@@ -1,0 +1,46 @@
+#include "report/formats/pdf.h"
+
+#include "report/html/html.h"
+#include "tests/support/sample_document.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace report {
+namespace {
+
+class PrinterOfTest : public PagePrinter {
+ public:
+  std::string print(const std::function<void(Sink&)>& write_page) override {
+    TextSink page;
+    write_page(page);
+    return "%PDF of " + page.text + "/CreationDate (D:20261125141516+00'00')";
+  }
+};
+
+std::string rendered(PagePrinter* printer) {
+  return render_whole(sample_document(), [&](const DocumentFrame& frame, const SpillPlace& place) {
+    return pdf_writer(frame, place, {}, Paper::a4, printer);
+  });
+}
+
+TEST(Pdf, IsThePageAsItsPrinterMakesIt) {
+  const std::string page = render_html(sample_document());
+  PrinterOfTest printer;
+  EXPECT_EQ(rendered(&printer), "%PDF of " + page + "/CreationDate (D:20000101000000+00'00')");
+  EXPECT_EQ(rendered(nullptr), page);
+}
+
+TEST(Pdf, DatesOfOurOwnAreFixed) {
+  EXPECT_EQ(with_fixed_dates("<</CreationDate (D:20261125141516+00'00')\n/ModDate "
+                             "(D:20261125141517+00'00')>>"),
+            "<</CreationDate (D:20000101000000+00'00')\n/ModDate (D:20000101000000+00'00')>>");
+  for (const char* other : {"", "/CreationDate (D:2026", "/ModDate (D:2026112514151x)",
+                            "(/ModDate \\(D:20261125141516)"}) {
+    EXPECT_EQ(with_fixed_dates(other), other);
+  }
+}
+
+}  // namespace
+}  // namespace report
