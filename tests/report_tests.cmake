@@ -22,6 +22,7 @@ luxgate_test(report_tests
     unit/report/html/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
     unit/report/html/plan_layout_test.cpp
+    unit/report/html/shared_scale_test.cpp
     unit/report/images/png_test.cpp
     unit/report/images/polar_diagram_test.cpp
     unit/report/result_file/read_json_test.cpp

@@ -36,12 +36,12 @@ constexpr Format kFormats[] = {
      [](Frame frame, Place place, Style) { return json_writer(frame, place); }},
     {"html", "", "report.html",
      [](Frame frame, Place place, Style s) {
-       return html_writer(frame, place, s.texts, "", s.paper);
+       return html_writer(frame, place, s.texts, "", s.page);
      },
      true},
     {"pdf", "the HTML, printed by Chromium", "",
      [](Frame frame, Place place, Style s) {
-       return pdf_writer(frame, place, s.texts, s.paper, s.printer);
+       return pdf_writer(frame, place, s.texts, s.page, s.printer);
      },
      false, true},
     {"junit", "", "", [](Frame frame, Place place, Style) { return junit_writer(frame, place); }},

@@ -5,7 +5,7 @@
 #include "report/document/document.h"
 #include "report/formats/console.h"
 #include "report/formats/pdf.h"
-#include "report/html/print_pages.h"
+#include "report/html/page_style.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
@@ -20,7 +20,7 @@ namespace report {
 struct FormatStyle {
   TextOptions terminal;            // of `text`
   Texts texts;                     // of `text`, `html` and `markdown`
-  Paper paper = Paper::a4;         // of `html` and `pdf`
+  PageStyle page;                  // of `html` and `pdf`
   PagePrinter* printer = nullptr;  // of `pdf`; see pdf_writer()
 };
 

@@ -31,8 +31,9 @@ class PdfWriter : public FormatWriter {
 }  // namespace
 
 std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                         const Texts& t, Paper paper, PagePrinter* printer) {
-  return std::make_unique<PdfWriter>(html_writer(frame, place, t, "", paper), printer);
+                                         const Texts& t, const PageStyle& style,
+                                         PagePrinter* printer) {
+  return std::make_unique<PdfWriter>(html_writer(frame, place, t, "", style), printer);
 }
 
 // In a text of the page the bracket would have a backslash before it.

@@ -2,7 +2,7 @@
 // The page of html.h as a PDF: another program prints it.
 
 #include "report/document/document.h"
-#include "report/html/print_pages.h"
+#include "report/html/page_style.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
@@ -26,7 +26,8 @@ class PagePrinter {
 
 // Same document and same printer, same bytes. printer: null: what it would print, as HTML.
 std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                         const Texts& t, Paper paper, PagePrinter* printer);
+                                         const Texts& t, const PageStyle& style,
+                                         PagePrinter* printer);
 
 // With the same day for the two times at which a PDF says it was made and changed: reports tell
 // times only where somebody asks for one. As long as it was, so that all offsets in it hold.

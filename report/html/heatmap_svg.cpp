@@ -50,8 +50,9 @@ constexpr double kEdge = 12, kTitle = 30, kScaleWidth = 480;
 
 }  // namespace
 
-std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const PlanePart& plane) {
-  const PlanPictures pictures = plan_pictures(t, space, plane);
+std::string render_heatmap_svg(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                               const PlaneScale& scale) {
+  const PlanPictures pictures = plan_pictures(t, space, plane, scale);
   const double width = std::max(pictures.width_px, kScaleWidth) + 2 * kEdge;
   const double bar_top = kTitle + pictures.plan_height_px + kEdge;
   const double height = bar_top + pictures.bar_height_px + kEdge;

@@ -172,13 +172,13 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 }
 
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
-                       bool folds_passed) {
+                       const ColourScales& scales, bool folds_passed) {
   const SpacePart& space = project.spaces[s];
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
                                  space_anchor(p, s), space_title(space));
   html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += html_plane(t, {p, s, k}, space, space.planes[k], folds_passed);
+    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed);
   return html + "</section>\n";
 }
 
@@ -206,8 +206,8 @@ std::string run_start(const RoomRun& run) {
 // known last: all else waits in spills.
 class HtmlWriter : public FormatWriter {
  public:
-  HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t, Paper paper,
-             std::string folder);
+  HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+             const PageStyle& style, std::string folder);
 
   void add(const ProjectPart& project) override;
   void finish(const DocumentEnd& end, Sink& sink) override;
@@ -224,7 +224,7 @@ class HtmlWriter : public FormatWriter {
 
   const DocumentFrame& frame_;
   Texts t_;
-  Paper paper_;
+  const PageStyle& style_;
   std::string folder_;
   RegionNames regions_;
   std::size_t project_ = 0;            // the next one
@@ -245,10 +245,10 @@ class HtmlWriter : public FormatWriter {
 };
 
 HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
-                       Paper paper, std::string folder)
+                       const PageStyle& style, std::string folder)
     : frame_(frame),
       t_(t),
-      paper_(paper),
+      style_(style),
       folder_(std::move(folder)),
       paths_(place),
       room_rules_(place),
@@ -305,6 +305,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
   const std::vector<RoomRun> runs =
       has_rooms ? room_runs(project, project_) : std::vector<RoomRun>();
   const std::string messages = html_messages(t_, project);
+  const ColourScales scales(project, style_.scale);
   std::string html = fmt::format("<section class=\"project\" {}>\n", section);
   // A heading alone stands on the page of the first room.
   if (has_rooms && messages.empty()) html += run_start(runs.front());
@@ -322,7 +323,7 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
   for (const RoomRun& run : runs) {
     if (run.first > 0 || !messages.empty()) html += run_start(run);
     for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
-      html += space_html(t_, project, project_, s, folds_passed);
+      html += space_html(t_, project, project_, s, scales, folds_passed);
     html += "</div>\n";
   }
   if (!folder_.empty() && !project.spaces.empty()) {
@@ -380,7 +381,7 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   const std::string symbol = outcome_symbol(end.totals.outcome);
   const std::string foot = is_only() ? foot_ : page_title();
   sink.write(page_start(t_, symbol + " " + page_title(),
-                        page_rules(t_, paper_, {running_head(t_), "", foot})));
+                        page_rules(t_, style_.paper, {running_head(t_), "", foot})));
   room_rules_.copy_to(sink);
   sink.write(body_start(t_));
   write_masthead(end, sink);
@@ -397,8 +398,9 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
 }  // namespace
 
 std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
-                                          const Texts& t, const std::string& folder, Paper paper) {
-  return std::make_unique<HtmlWriter>(frame, place, t, paper, folder);
+                                          const Texts& t, const std::string& folder,
+                                          const PageStyle& style) {
+  return std::make_unique<HtmlWriter>(frame, place, t, style, folder);
 }
 
 std::string render_html(const Document& document, const Texts& t) {
@@ -435,7 +437,7 @@ std::vector<HtmlPage> html_pages(const Document& document) {
 
 std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
                              const HtmlPage& room, const std::string& index, const Texts& t,
-                             Paper paper) {
+                             const PageStyle& style) {
   const SpacePart& space = project.spaces[room.space];
   const std::string title = escape_html(title_of(space.name, space.id));
   const std::string head = "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
@@ -449,14 +451,15 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   if (room.first_plane == 0) {
     body += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   }
+  const ColourScales scales(project, style.scale);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
-    body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], true);
+    body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true);
   }
   RegionNames regions;
   const PageWords words{running_head(t), std::string(title_of(space.name, space.id)),
                         foot_words(t, project)};
-  return page_start(t, title, page_rules(t, paper, words)) + body_start(t) + head + kMainStart +
-         regions.with_unique_regions(body + "</section>\n") + page_end(t, provenance);
+  return page_start(t, title, page_rules(t, style.paper, words)) + body_start(t) + head +
+         kMainStart + regions.with_unique_regions(body + "</section>\n") + page_end(t, provenance);
 }
 
 }  // namespace report

@@ -3,7 +3,7 @@
 // and by screen readers.
 
 #include "report/document/document.h"
-#include "report/html/print_pages.h"
+#include "report/html/page_style.h"
 #include "report/stream/format_writer.h"
 #include "report/text/texts.h"
 
@@ -18,6 +18,6 @@ std::string render_html(const Document& document, const Texts& t = {});
 // folder: as of render_html_index() in html_pages.h, or "" for one page that holds everything.
 std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const Texts& t, const std::string& folder = "",
-                                          Paper paper = Paper::a4);
+                                          const PageStyle& style = {});
 
 }  // namespace report

@@ -2,7 +2,7 @@
 // The report as several pages: one with everything that counts, and the planes room by room.
 
 #include "report/document/document.h"
-#include "report/html/print_pages.h"
+#include "report/html/page_style.h"
 #include "report/text/texts.h"
 
 #include <cstddef>
@@ -31,7 +31,7 @@ std::string render_html_index(const Document& document, const std::string& folde
 // One page, with a link back to `index` (a relative address from the page's folder).
 std::string render_html_page(const Provenance& provenance, const ProjectPart& project,
                              const HtmlPage& page, const std::string& index, const Texts& t = {},
-                             Paper paper = Paper::a4);
+                             const PageStyle& style = {});
 inline std::string render_html_page(const Document& document, const HtmlPage& page,
                                     const std::string& index, const Texts& t = {}) {
   return render_html_page(document.provenance, document.projects.at(page.project), page, index, t);

@@ -35,6 +35,7 @@ constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
 struct Drawing : PlanCells {
   const Texts& t;
   ColourScale scale;
+  bool is_scale_shared;
   std::vector<PlanLimit> limits;
   std::optional<Threshold> at_least, at_most;  // that single points must meet
   std::string anchor;
@@ -45,24 +46,6 @@ struct Drawing : PlanCells {
     return misses(at_least, value) || misses(at_most, value);
   }
 };
-
-// The limits widen the scale when that does not squeeze the colours; else they are marked off the
-// scale.
-ColourScale scale_with_limits(const PlanePart& plane, const std::vector<PlanLimit>& limits) {
-  double low = plane.points[0].measured.value, high = low;
-  for (const PointRow& point : plane.points) {
-    low = std::min(low, point.measured.value);
-    high = std::max(high, point.measured.value);
-  }
-  const double reach = 0.6 * (high - low);
-  const double least = low - reach, most = high + reach;
-  for (const PlanLimit& limit : limits) {
-    if (limit.limit < least || limit.limit > most) continue;
-    low = std::min(low, limit.limit);
-    high = std::max(high, limit.limit);
-  }
-  return make_colour_scale(low, high);
-}
 
 bool has_direction(const PlanLuminaire& sign) { return glm::length(sign.c0) > 0.1; }
 
@@ -428,11 +411,12 @@ PlanSigns signs_of(const Drawing& drawing) {
 
 // What is drawn of a plane. has_all: no line of equal value was left out.
 Drawing make_drawing(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                     std::string_view anchor, bool& has_all) {
+                     const PlaneScale& scale, std::string_view anchor, bool& has_all) {
   const std::vector<PlanLimit> limits = plan_limits(t, plane);
   Drawing drawing{plan_cells(space, plane, {640, 460}),
                   t,
-                  scale_with_limits(plane, limits),
+                  scale.scale,
+                  scale.is_shared,
                   limits,
                   point_threshold(plane, PointSide::from_below),
                   point_threshold(plane, PointSide::from_above),
@@ -451,10 +435,11 @@ std::string colour_bar(const Drawing& drawing) {
 }  // namespace
 
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      std::string_view anchor) {
+                      const PlaneScale& scale, std::string_view anchor) {
   bool has_all = true;
-  const Drawing drawing = make_drawing(t, space, plane, anchor, has_all);
+  const Drawing drawing = make_drawing(t, space, plane, scale, anchor, has_all);
   std::string left_out;
+  if (drawing.is_scale_shared) left_out += std::string(" ") + t[Text::shared_scale];
   if (!has_all) left_out += std::string(" ") + t[Text::isolux_left_out];
   if (space.bodies_left_out > 0)
     left_out += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
@@ -463,9 +448,10 @@ std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& p
          "</figcaption></figure>\n";
 }
 
-PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane) {
+PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                           const PlaneScale& scale) {
   bool has_all = true;
-  const Drawing drawing = make_drawing(t, space, plane, "plan", has_all);
+  const Drawing drawing = make_drawing(t, space, plane, scale, "plan", has_all);
   return {svg_plan(drawing), colour_bar(drawing), drawing.layout.width_px(),
           drawing.layout.height_px() + kBelowPlan,
           colour_bar_height_px(drawing.limits.size(), true)};

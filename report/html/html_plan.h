@@ -2,6 +2,7 @@
 // The drawing of one plane: heat map, outlines, luminaires, and the legend that explains it.
 
 #include "report/document/document.h"
+#include "report/html/shared_scale.h"
 #include "report/text/texts.h"
 
 #include <string>
@@ -12,13 +13,14 @@ namespace report {
 // A <figure> with two inline SVG pictures (plan and legend). anchor: unique in the page, used for
 // ids. Needs has_cells(plane).
 std::string html_plan(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                      std::string_view anchor);
+                      const PlaneScale& scale, std::string_view anchor);
 
 // The same two pictures for a file of their own, one below the other, and how large they are.
 struct PlanPictures {
   std::string plan, colour_bar;  // <svg> elements without name space or style
   double width_px = 0.0, plan_height_px = 0.0, bar_height_px = 0.0;
 };
-PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane);
+PlanPictures plan_pictures(const Texts& t, const SpacePart& space, const PlanePart& plane,
+                           const PlaneScale& scale);
 
 }  // namespace report

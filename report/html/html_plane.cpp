@@ -344,7 +344,7 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, bool folds_passed) {
+                       const PlanePart& plane, const ColourScales& scales, bool folds_passed) {
   const std::string anchor = plane_anchor(index);
   const std::string title = escape_html(title_of(plane.name, plane.id));
   std::string html = fmt::format(
@@ -359,7 +359,8 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
     return html + html_plane_findings(t, plane) + "</div></details></article>\n";
   }
   html += html_plane_findings(t, plane) + "<div class=\"split\">\n";
-  if (has_cells(plane) && has_all_values(plane)) html += html_plan(t, space, plane, anchor);
+  if (has_cells(plane) && has_all_values(plane))
+    html += html_plan(t, space, plane, scales.of(space, plane), anchor);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
   return html + html_contributions(t, plane) + html_looks(t, plane) + values(t, plane, title) +

@@ -3,6 +3,7 @@
 
 #include "report/document/document.h"
 #include "report/html/html_markup.h"
+#include "report/html/shared_scale.h"
 
 #include <cstddef>
 #include <string>
@@ -12,7 +13,7 @@ namespace report {
 // A card that can be folded. Folded from the start: with folds_passed, one all of whose
 // requirements are met or waived.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, bool folds_passed);
+                       const PlanePart& plane, const ColourScales& scales, bool folds_passed);
 
 // A report of so few planes has room for them all.
 inline constexpr std::size_t kFewPlanes = 3;

@@ -1,5 +1,7 @@
 #include "report/images/png.h"
 
+#include "report/images/room_picture.h"
+
 #include <png.h>
 
 #include <cstdint>
@@ -35,8 +37,9 @@ std::string encode_png(const Raster& raster) {
   return bytes;
 }
 
-std::string render_heatmap_png(const PlanePart& plane) {
-  return encode_png(plane_raster(plane, scale_of(plane), pixels_per_cell(plane, kWantedPixels)));
+std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale) {
+  return encode_png(with_legend(plane_raster(plane, scale, pixels_per_cell(plane, kWantedPixels)),
+                                scale, calc::unit_of(plane.derived)));
 }
 
 }  // namespace report

@@ -11,9 +11,9 @@ namespace report {
 // libpng refuses (an empty raster, no memory).
 std::string encode_png(const Raster& raster);
 
-// The heat map of one plane, about 1024 pixels on its longer side, cells without a point
-// transparent: colours only, a raster for slides and page layouts; scale and limits are in the HTML
-// report. Needs has_cells().
-std::string render_heatmap_png(const PlanePart& plane);
+// The heat map of one plane, about 1024 pixels on its longer side, cells without a point white,
+// with its legend below: a raster for slides and page layouts; limits and lines are in the HTML
+// report and the SVG file. Needs has_cells().
+std::string render_heatmap_png(const PlanePart& plane, const ColourScale& scale);
 
 }  // namespace report

@@ -183,10 +183,11 @@ ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double>
   return scale;
 }
 
-Raster with_legend(const Raster& picture, const ColourScale& scale) {
+Raster with_legend(const Raster& picture, const ColourScale& scale, const std::string& unit) {
+  constexpr int kLegendWidth = 480;  // of a narrow picture
   constexpr int kLegendHeight = kBarHeight + kGlyphHeight * kDot + 3 * kMargin / 2;
   Raster result;
-  result.width = picture.width + 2 * kMargin;
+  result.width = std::max(picture.width, kLegendWidth) + 2 * kMargin;
   result.height = picture.height + 2 * kMargin + kLegendHeight;
   result.rgba.assign(
       4 * static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height), 255);
@@ -199,7 +200,7 @@ Raster with_legend(const Raster& picture, const ColourScale& scale) {
       }
     }
   }
-  const int width = std::min(picture.width - 60, 900), left = kMargin + 10;
+  const int width = std::min(result.width - 2 * kMargin - 60, 900), left = kMargin + 10;
   const int top = picture.height + 2 * kMargin;
   const auto x_of = [&](int band) { return left + band * width / scale.bands; };
   fill(result, left - 1, top - 1, width + 2, kBarHeight + 2, kInk);
@@ -211,7 +212,7 @@ Raster with_legend(const Raster& picture, const ColourScale& scale) {
     const std::string number = format_shortest(scale.low + band * scale.step);
     write_text(result, x_of(band) - text_width(number) / 2, top + kBarHeight + 6, number);
   }
-  write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, "lx");
+  write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, unit);
   return result;
 }
 

@@ -35,6 +35,6 @@ std::vector<float> mean_values(const DrawnRoom& drawn);
 ColourScale room_scale(std::span<const DrawnRoom> rooms, std::span<const double> values_lx);
 
 // On white, with a colour bar below.
-Raster with_legend(const Raster& picture, const ColourScale& scale);
+Raster with_legend(const Raster& picture, const ColourScale& scale, const std::string& unit = "lx");
 
 }  // namespace report

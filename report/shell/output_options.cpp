@@ -91,8 +91,14 @@ std::vector<Option> output_options(OutputOptions& options) {
        choice<DecimalSign>(options.decimal,
                            {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
       {"--paper", "SIZE", "Of pdf, and of html when it is printed: a4 or letter; default a4",
-       choice<report::Paper>(options.paper,
+       choice<report::Paper>(options.page.paper,
                              {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
+      {"--scale", "OF",
+       "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
+       "room, or each plane for itself; default project",
+       choice<report::ScaleSharing>(options.page.scale, {{"project", report::ScaleSharing::project},
+                                                         {"room", report::ScaleSharing::room},
+                                                         {"plane", report::ScaleSharing::plane}})},
       {"--images", "",
        "With --output: a PNG, an SVG and an EXR file per plane, a PNG and an EXR file per "
        "picture too",

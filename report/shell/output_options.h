@@ -30,7 +30,7 @@ struct OutputOptions {
   bool html_split = false;                                // HTML as an index and a page per room
   report::Language language = report::Language::english;  // of HTML, PDF, Markdown and text
   DecimalSign decimal = DecimalSign::of_language;         // of the same formats
-  report::Paper paper = report::Paper::a4;                // of HTML, when it is printed, and PDF
+  report::PageStyle page;                                 // of HTML, PDF and images
   bool redact = false;                                    // see report::redact()
   bool lists_passes = false;                              // see report::TextOptions
   bool quiet = false;                                     // no text unless asked for

@@ -162,13 +162,16 @@ std::string safe_name(const std::string& wanted) {
 // A PNG, an SVG and an EXR of every computed plane, and the pictures of rooms.
 class Images {
  public:
-  Images(const std::string& folder, const report::Provenance& provenance, const report::Texts& t)
-      : folder_(folder), provenance_(provenance), t_(t) {}
+  Images(const std::string& folder, const report::Provenance& provenance, const report::Texts& t,
+         report::ScaleSharing sharing)
+      : folder_(folder), provenance_(provenance), t_(t), sharing_(sharing) {}
 
   void add(const report::ProjectPart& project, GuardedFiles& files) {
+    const report::ColourScales scales(project, sharing_);
     for (const report::SpacePart& space : project.spaces) {
       for (const report::PlanePart& plane : space.planes) {
-        if (plane.is_computed && report::has_cells(plane)) add_plane(project, space, plane, files);
+        if (plane.is_computed && report::has_cells(plane))
+          add_plane(project, space, plane, scales, files);
       }
       add_pictures(project, space, files);
     }
@@ -189,11 +192,17 @@ class Images {
   }
 
   void add_plane(const report::ProjectPart& project, const report::SpacePart& space,
-                 const report::PlanePart& plane, GuardedFiles& files) {
+                 const report::PlanePart& plane, const report::ColourScales& scales,
+                 GuardedFiles& files) {
     const std::string path = path_of(image_stem(project, plane));
-    write(files, path + ".png", [&] { return report::render_heatmap_png(plane); });
     if (report::has_all_values(plane)) {
-      write(files, path + ".svg", [&] { return report::render_heatmap_svg(t_, space, plane); });
+      const report::PlaneScale scale = scales.of(space, plane);
+      write(files, path + ".png", [&] { return report::render_heatmap_png(plane, scale.scale); });
+      write(files, path + ".svg",
+            [&] { return report::render_heatmap_svg(t_, space, plane, scale); });
+    } else {
+      write(files, path + ".png",
+            [&] { return report::render_heatmap_png(plane, report::scale_of(plane)); });
     }
     write(files, path + ".exr",
           [&] { return report::render_exr(provenance_, project, space, plane); });
@@ -213,6 +222,7 @@ class Images {
   std::string folder_;
   report::Provenance provenance_;
   report::Texts t_;
+  report::ScaleSharing sharing_;
   std::set<std::string> taken_;
   std::vector<std::string> problems_;
 };
@@ -276,12 +286,12 @@ std::vector<std::string> remove_stale_pages(const fs::path& folder,
 class RoomPages {
  public:
   RoomPages(const std::string& index, const report::Provenance& provenance, const report::Texts& t,
-            report::Paper paper)
+            const report::PageStyle& style)
       : folder_(rooms_folder(index)),
         back_("../" + report::url_name(fs::path(index).filename().string())),
         provenance_(provenance),
         t_(t),
-        paper_(paper) {}
+        style_(style) {}
 
   // From the index to the pages.
   std::string address() const { return report::url_name(folder_.filename().string()); }
@@ -291,7 +301,7 @@ class RoomPages {
     for (const report::HtmlPage& page : report::html_pages(project, projects_)) {
       written_.insert(page.name);
       const auto make = [&] {
-        return report::render_html_page(provenance_, project, page, back_, t_, paper_);
+        return report::render_html_page(provenance_, project, page, back_, t_, style_);
       };
       add_problem(files.write_early((folder_ / page.name).string(), make), problems);
     }
@@ -307,7 +317,7 @@ class RoomPages {
   std::string back_;
   report::Provenance provenance_;
   report::Texts t_;
-  report::Paper paper_;
+  report::PageStyle style_;
   std::size_t projects_ = 0;  // so far
   std::set<std::string> written_;
 };
@@ -416,11 +426,11 @@ class OutputFile {
     report::SpillPlace place = spill_place(options, file_);
     place.most_bytes = most_bytes_;
     if (planned.format->is_html && options.html_split) {
-      pages_.emplace(file_, frame.provenance, t, options.paper);
-      writer_ = report::html_writer(frame, place, t, pages_->address(), options.paper);
+      pages_.emplace(file_, frame.provenance, t, options.page);
+      writer_ = report::html_writer(frame, place, t, pages_->address(), options.page);
     } else {
       writer_ =
-          planned.format->writer(frame, place, {text, t, options.paper, options.printer.get()});
+          planned.format->writer(frame, place, {text, t, options.page, options.printer.get()});
     }
   }
 
@@ -501,7 +511,8 @@ class PlannedFiles final : public OutputFiles {
     for (const OutputFormat& planned : planned_files(options)) {
       outputs_.emplace_back(planned, options, frame);
     }
-    if (options.images) images_.emplace(options.folder, frame.provenance, report_texts(options));
+    if (options.images)
+      images_.emplace(options.folder, frame.provenance, report_texts(options), options.page.scale);
   }
 
   void add(const report::ProjectPart& project, const std::set<std::string>& inputs) override {
@@ -557,7 +568,7 @@ ResultFiles::ResultFiles(const OutputOptions& options, const Environment& enviro
   report::SpillPlace place = spill_place(options);
   place.most_bytes = most_bytes_;
   for_stdout_ = format->writer(
-      frame_, place, {terminal, report_texts(options), options.paper, options.printer.get()});
+      frame_, place, {terminal, report_texts(options), options.page, options.printer.get()});
 }
 
 ResultFiles::~ResultFiles() = default;

@@ -26,7 +26,7 @@ pugi::xml_document parsed(const std::string& svg) {
 
 std::string svg_of(const Document& document) {
   const SpacePart& space = document.projects[0].spaces[0];
-  return render_heatmap_svg({}, space, space.planes[0]);
+  return render_heatmap_svg({}, space, space.planes[0], {own_scale(space.planes[0])});
 }
 
 // A viewer of SVG files knows neither our page's style nor its variables.

@@ -28,14 +28,14 @@ TEST(Png, ReadsBackTheSamePixels) {
 
 TEST(Png, HeatMapIsScaledByAWholeFactor) {
   const PlanePart plane = small_document().projects[0].spaces[0].planes[0];
-  const std::string bytes = render_heatmap_png(plane);
+  const std::string bytes = render_heatmap_png(plane, scale_of(plane));
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
-  EXPECT_EQ(image.width, 1024U);
-  EXPECT_EQ(image.height, 512U);
+  EXPECT_EQ(image.width, 1024U + 48U);
+  EXPECT_GT(image.height, 512U + 48U);  // with the legend
   png_image_free(&image);
-  EXPECT_EQ(bytes, render_heatmap_png(plane));
+  EXPECT_EQ(bytes, render_heatmap_png(plane, scale_of(plane)));
 }
 
 TEST(Png, EmptyRasterIsRefused) { EXPECT_THROW(encode_png(Raster{}), std::runtime_error); }

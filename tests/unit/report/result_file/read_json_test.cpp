@@ -125,7 +125,11 @@ TEST(ReadJson, EveryFormatOfWhatWasReadIsTheSame) {
     EXPECT_EQ(render_gitlab(again), render_gitlab(document));
     EXPECT_EQ(render_markdown(again), render_markdown(document));
     const ProjectPart &a = document.projects[0], &b = again.projects[0];
-    EXPECT_EQ(render_heatmap_png(a.spaces[0].planes[0]), render_heatmap_png(b.spaces[0].planes[0]));
+    const auto picture = [](const ProjectPart& project) {
+      const PlanePart& plane = project.spaces[0].planes[0];
+      return render_heatmap_png(plane, scale_of(plane));
+    };
+    EXPECT_EQ(picture(a), picture(b));
     EXPECT_EQ(render_exr(document.provenance, a, a.spaces[0], a.spaces[0].planes[0]),
               render_exr(again.provenance, b, b.spaces[0], b.spaces[0].planes[0]));
   }

@@ -1,0 +1,102 @@
+#include "report/html/shared_scale.h"
+
+#include "report/html/plan_layout.h"
+#include "report/text/words.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace report {
+namespace {
+
+struct Range {
+  double low = 0.0, high = 0.0;
+};
+
+Range values_of(const PlanePart& plane) {
+  Range range{plane.points[0].measured.value, plane.points[0].measured.value};
+  for (const PointRow& point : plane.points) {
+    range.low = std::min(range.low, point.measured.value);
+    range.high = std::max(range.high, point.measured.value);
+  }
+  return range;
+}
+
+// The limits widen the scale when that does not squeeze the colours; else they are marked off the
+// scale.
+Range wanted_range(const PlanePart& plane) {
+  Range range = values_of(plane);
+  const double reach = 0.6 * (range.high - range.low);
+  const double least = range.low - reach, most = range.high + reach;
+  for (const PlanLimit& limit : plan_limits({}, plane)) {
+    if (limit.limit < least || limit.limit > most) continue;
+    range.low = std::min(range.low, limit.limit);
+    range.high = std::max(range.high, limit.limit);
+  }
+  return range;
+}
+
+constexpr double kFarBelow = 0.1;
+
+struct PlaneRange {
+  Range wanted;
+  double highest = 0.0;  // value
+};
+
+double highest_of(const std::vector<PlaneRange>& planes) {
+  double highest = planes.front().highest;
+  for (const PlaneRange& plane : planes) highest = std::max(highest, plane.highest);
+  return highest;
+}
+
+ColourScale scale_of_all(const std::vector<PlaneRange>& planes, double highest) {
+  Range all{highest, highest};
+  for (const PlaneRange& plane : planes) {
+    if (plane.highest < kFarBelow * highest) continue;
+    all.low = std::min(all.low, plane.wanted.low);
+    all.high = std::max(all.high, plane.wanted.high);
+  }
+  return make_colour_scale(all.low, all.high);
+}
+
+bool has_drawing(const PlanePart& plane) { return has_cells(plane) && has_all_values(plane); }
+
+}  // namespace
+
+ColourScale own_scale(const PlanePart& plane) {
+  const Range range = wanted_range(plane);
+  return make_colour_scale(range.low, range.high);
+}
+
+ColourScales::ColourScales(const ProjectPart& project, ScaleSharing sharing) : sharing_(sharing) {
+  if (sharing == ScaleSharing::plane) return;
+  std::map<Key, std::vector<PlaneRange>> planes;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) {
+      if (!has_drawing(plane)) continue;
+      planes[key_of(space, plane)].push_back({wanted_range(plane), values_of(plane).high});
+    }
+  }
+  for (const auto& [key, ranges] : planes) {
+    if (ranges.size() < 2) continue;
+    const double highest = highest_of(ranges);
+    shared_.emplace(key, Shared{scale_of_all(ranges, highest), highest});
+  }
+}
+
+ColourScales::Key ColourScales::key_of(const SpacePart& space, const PlanePart& plane) const {
+  // Ratings and ratios are no illuminance, nor like each other.
+  const std::string unit = plane_unit(plane);
+  const std::string kind = unit.empty() ? plane_words(plane) : unit;
+  return {sharing_ == ScaleSharing::room ? space.id : "", kind};
+}
+
+PlaneScale ColourScales::of(const SpacePart& space, const PlanePart& plane) const {
+  const auto found = shared_.find(key_of(space, plane));
+  if (found == shared_.end()) return {own_scale(plane), false};
+  const Shared& shared = found->second;
+  if (values_of(plane).high < kFarBelow * shared.highest) return {own_scale(plane), false};
+  return {shared.scale, true};
+}
+
+}  // namespace report
