@@ -324,14 +324,14 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
     if (run.first > 0 || !messages.empty()) html += run_start(run);
     for (std::size_t s = run.first; s < run.first + run.rooms; ++s)
       html += space_html(t_, project, project_, s, scales, folds_passed);
-    html += "</div>\n";
+    if (!run.is_all) html += "</div>\n";
   }
   if (!folder_.empty() && !project.spaces.empty()) {
     html += page_links(t_, project, project_, folder_);
   }
-  return html + html_aggregates(t_, project, project_) + html_luminaires(t_, project, project_) +
-         html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project) +
-         "</section>\n";
+  html += html_aggregates(t_, project, project_) + html_luminaires(t_, project, project_) +
+          html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project);
+  return html + (!runs.empty() && runs.front().is_all ? "</div>\n" : "") + "</section>\n";
 }
 
 void HtmlWriter::add_to_masthead(const ProjectPart& project) {

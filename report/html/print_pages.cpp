@@ -73,7 +73,7 @@ std::vector<RoomRun> room_runs(const ProjectPart& project, std::size_t index) {
   for (std::size_t s = 0; s < project.spaces.size(); ++s) {
     const SpacePart& space = project.spaces[s];
     if (planes >= kOwnPages || space.planes.size() >= kOwnPages) {
-      runs.push_back({fmt::format("p{}r{}", index + 1, runs.size() + 1), "", s, 0});
+      runs.push_back({fmt::format("p{}r{}", index + 1, runs.size() + 1), "", s});
       planes = 0;
     }
     RoomRun& run = runs.back();
@@ -81,6 +81,7 @@ std::vector<RoomRun> room_runs(const ProjectPart& project, std::size_t index) {
     ++run.rooms;
     planes += space.planes.size();
   }
+  if (runs.size() == 1) runs.front().is_all = planes < kOwnPages;
   return runs;
 }
 

@@ -34,6 +34,7 @@ struct RoomRun {
   std::string page;  // its name in style sheets
   std::string head;  // names of its rooms
   std::size_t first = 0, rooms = 0;
+  bool is_all = false;  // of a small project, which goes on there
 };
 // index: of the project.
 std::vector<RoomRun> room_runs(const ProjectPart& project, std::size_t index);

@@ -74,6 +74,14 @@ TEST(RoomRuns, SmallRoomsSharePages) {
   EXPECT_EQ(runs_of({1, 0, 9, 1, 2, 8}), (Heads{"a · b", "c", "d · e", "f"}));
 }
 
+TEST(RoomRuns, ASmallProjectGoesOnThere) {
+  ProjectPart project;
+  project.spaces.resize(2);
+  EXPECT_TRUE(room_runs(project, 0).front().is_all);
+  project.spaces[1].planes.resize(8);
+  for (const RoomRun& run : room_runs(project, 0)) EXPECT_FALSE(run.is_all);
+}
+
 TEST(PrintedPage, RoomsHavePagesOfTheirOwn) {
   const Document document = small_document();
   const std::string html = render_html(document);
