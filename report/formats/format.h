@@ -20,7 +20,7 @@ namespace report {
 struct FormatStyle {
   TextOptions terminal;            // of `text`
   Texts texts;                     // of `text`, `html` and `markdown`
-  PageStyle page;                  // of `html` and `pdf`
+  PageStyle page = {};             // of `html` and `pdf`
   PagePrinter* printer = nullptr;  // of `pdf`; see pdf_writer()
 };
 

@@ -21,7 +21,7 @@ class PrinterOfTest : public PagePrinter {
 
 std::string rendered(PagePrinter* printer) {
   return render_whole(sample_document(), [&](const DocumentFrame& frame, const SpillPlace& place) {
-    return pdf_writer(frame, place, {}, Paper::a4, printer);
+    return pdf_writer(frame, place, {}, {}, printer);
   });
 }
 
