@@ -203,6 +203,7 @@ void point_to(int descriptor, const char* path, int flags) {
     std::signal(signal_number, SIG_DFL);
   }
   point_to(STDERR_FILENO, folder.file("log").c_str(), O_WRONLY | O_CREAT);
+  close_range(STDERR_FILENO + 1, ~0U, 0);  // what stood open before luxgate began
   execve(chromium.c_str(), pointers(words).data(), pointers(settings).data());
   _exit(127);
 }
