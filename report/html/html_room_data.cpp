@@ -205,8 +205,12 @@ std::string html_room_data(const Texts& t, const ProjectPart& project, const Spa
     rows += fact(t[Text::floor_area], square_metres(t, space.power.area_m2));
   rows += surface_facts(t, project, space) + luminaire_facts(t, space) + power_facts(t, space);
   if (rows.empty()) return {};
-  return "<table class=\"facts narrow room-data\"><caption>" + std::string(t[Text::room_data]) +
-         "</caption><tbody>\n" + rows + "</tbody></table>\n" + positions(t, space);
+  // A short table of places stands beside the figures on paper.
+  constexpr std::size_t kBeside = 30;
+  const bool is_beside = !space.luminaires.empty() && space.luminaires.size() <= kBeside;
+  return std::string("<div class=\"room-figures") + (is_beside ? " beside" : "") +
+         "\">\n<table class=\"facts narrow room-data\"><caption>" + t[Text::room_data] +
+         "</caption><tbody>\n" + rows + "</tbody></table>\n" + positions(t, space) + "</div>\n";
 }
 
 }  // namespace report

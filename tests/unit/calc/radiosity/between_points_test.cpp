@@ -105,10 +105,10 @@ TEST(LightBetweenPoints, KeepsToTheAreaAndOutOfHoles) {
   Desk desk;
   const calc::PhotometricWeb web = isotropic_web(500);
   add_luminaire(desk.scene, web, {2, 1.5, 30});
-  desk.area().outline_m = {{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1.7}, {0, 1.7}};
+  desk.area().outline_m = {{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1.3}, {0, 1.3}};
   desk.area().holes_m = {{{3.05, 0.05}, {3.95, 0.05}, {3.95, 0.95}, {3.05, 0.95}}};
   desk.make_grid();
-  // Cells beside the edge at y = 1.7 m have a place beyond it, by chance not each of them.
+  // Cells beside the edge at y = 1.3 m have a place beyond it, by chance not each of them.
   const calc::LightBetweenPoints between = desk.between();
   EXPECT_LT(between.point.size(), desk.grid.position_m.size());
   EXPECT_GT(between.point.size(), desk.grid.position_m.size() / 2);

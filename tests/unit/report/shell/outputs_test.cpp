@@ -37,13 +37,14 @@ class Outputs : public ::testing::Test {
   std::vector<std::string> inputs_;
 };
 
-TEST_F(Outputs, FolderMeansFourFilesBesideTheNamedOnes) {
+TEST_F(Outputs, FolderMeansItsFilesBesideTheNamedOnes) {
   options_.formats = {{report::find_format("json"), ""}, {report::find_format("csv"), "own.csv"}};
   options_.folder = "out";
   std::vector<std::string> names;
   for (const cli::OutputFormat& file : cli::planned_files(options_)) names.push_back(file.file);
-  EXPECT_THAT(names, ::testing::ElementsAre("own.csv", "out/results.csv", "out/points.csv",
-                                            "out/result.json", "out/report.html"));
+  EXPECT_THAT(names,
+              ::testing::ElementsAre("own.csv", "out/results.csv", "out/points.csv",
+                                     "out/luminaires.csv", "out/result.json", "out/report.html"));
 }
 
 TEST_F(Outputs, NewFoldersAreFineAndNotMadeByChecking) {
