@@ -213,17 +213,19 @@ bool have_about_same_light(const Project& project, std::size_t a, std::size_t b)
          is_about(size_m.x, other_size_m.x) && is_about(size_m.y, other_size_m.y);
 }
 
-// Other light at one place is the direct and the indirect part of one luminaire, other aims are the
-// heads of one mast, and light that is about the same in another group is another colour of one
-// luminaire.
+// Other light at one place is the direct and the indirect part of one luminaire, other aims or
+// turns are the heads of one mast, and light in another group is another colour of one luminaire.
 bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
   constexpr double kSameAim = 0.99985;  // cosine of 1 degree
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];
   const PhotometricWeb& other = project.webs[project.luminaire_types[b.type].web];
-  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) &&
-         glm::dot(a.world_from_luminaire[2], b.world_from_luminaire[2]) > kSameAim &&
+  const auto is_alike = [&](glm::length_t axis) {
+    return glm::dot(a.world_from_luminaire[axis], b.world_from_luminaire[axis]) > kSameAim;
+  };
+  return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) && is_alike(2) &&
+         is_alike(0) && a.group == b.group &&
          (have_same_light(project, a.type, b.type) ||
-          (a.group == b.group && have_about_same_light(project, a.type, b.type)));
+          have_about_same_light(project, a.type, b.type));
 }
 
 // Looks luminaires up by place, in cells of the largest distance that counts as none.

@@ -19,21 +19,27 @@
 #include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace calc {
 namespace {
 
 constexpr std::size_t kFewCells = 32, kMostCells = 256;
+constexpr std::size_t kOtherPlaces = 6;      // that are tried where one is none
 constexpr std::size_t kMostPairs = 1 << 18;  // of cells and luminaires
 
-// Of places and axes of all luminaires.
+// Of all luminaires: places, frames, flux and peak.
 RandomKey key_of(const PreparedScene& scene) {
   RandomKey key = stage_key(0, RandomStage::between_points);
   for (const PlacedLuminaire& luminaire : scene.luminaires) {
     for (glm::length_t axis = 0; axis < 3; ++axis) {
       key = key.with(std::bit_cast<std::uint64_t>(luminaire.position_m[axis]))
+                .with(std::bit_cast<std::uint64_t>(luminaire.world_from_luminaire[0][axis]))
                 .with(std::bit_cast<std::uint64_t>(luminaire.world_from_luminaire[2][axis]));
     }
+    key = key.with(std::bit_cast<std::uint64_t>(luminaire.flux_scale))
+              .with(std::bit_cast<std::uint64_t>(luminaire.web->flux_lm()))
+              .with(std::bit_cast<std::uint64_t>(luminaire.web->max_intensity_cd()));
   }
   return key;
 }
@@ -46,11 +52,24 @@ class CellPlaces {
     if (grid.route) cells_.emplace(grid.route->cells(grid.rows));
   }
 
-  // offset: from the middle, [-0.5, 0.5) of the cell's sides. From where it is measured; empty:
-  // nothing can be, there.
-  std::optional<glm::dvec3> place_m(std::size_t point, const glm::dvec2& offset) const {
-    const glm::dvec3 at = cells_ ? on_route_m(point, offset) : on_plane_m(point, offset);
-    if (!is_in_area(at)) return std::nullopt;
+  // offset: from the middle, [-0.5, 0.5) of the cell's sides.
+  glm::dvec3 place_m(std::size_t point, const glm::dvec2& offset) const {
+    return cells_ ? on_route_m(point, offset) : on_plane_m(point, offset);
+  }
+
+  bool is_in_area(const glm::dvec3& at) const {
+    const auto* area = std::get_if<PlanarArea>(&plane_.area);
+    if (area == nullptr) return true;
+    const glm::dvec3 from_origin = at - area->origin_m;
+    const glm::dvec2 flat(glm::dot(from_origin, area->u), glm::dot(from_origin, area->v));
+    return contains_point(area->outline_m, flat) &&
+           distance_to_boundary(area->outline_m, flat) >= area->margin_m &&
+           std::none_of(area->holes_m.begin(), area->holes_m.end(),
+                        [&](const auto& hole) { return contains_point(hole, flat); });
+  }
+
+  // From where it is measured; empty: nothing can be, there.
+  std::optional<glm::dvec3> measured_m(std::size_t point, const glm::dvec3& at) const {
     const glm::dvec3 front = grid_.route ? glm::dvec3(0, 0, 1) : glm::cross(grid_.u, grid_.v);
     const PointStand stand = filter_.stand({at, front, grid_.normal[point]});
     if (stand.dropped || !stand.body.empty()) return std::nullopt;
@@ -78,25 +97,82 @@ class CellPlaces {
     return {here, grid_.position_m[point].z};
   }
 
-  bool is_in_area(const glm::dvec3& at) const {
-    const auto* area = std::get_if<PlanarArea>(&plane_.area);
-    if (area == nullptr) return true;
-    const glm::dvec3 from_origin = at - area->origin_m;
-    const glm::dvec2 flat(glm::dot(from_origin, area->u), glm::dot(from_origin, area->v));
-    return contains_point(area->outline_m, flat) &&
-           distance_to_boundary(area->outline_m, flat) >= area->margin_m &&
-           std::none_of(area->holes_m.begin(), area->holes_m.end(),
-                        [&](const auto& hole) { return contains_point(hole, flat); });
-  }
-
   const CalcPlane& plane_;
   const SensorGrid& grid_;
   PointFilter filter_;
   std::optional<RouteCells> cells_;
 };
 
+// Whose cells are looked at: by chance one of each `step`, and then those of `also`.
+std::vector<std::pair<std::size_t, bool>> chosen_points(const RandomKey& key, std::size_t points,
+                                                        std::size_t step,
+                                                        const std::vector<std::size_t>& also) {
+  std::vector<std::pair<std::size_t, bool>> chosen;
+  for (std::size_t first = 0; first < points; first += step) {
+    const std::size_t count = std::min(step, points - first);
+    const double u = key.with(points + first).uniform();
+    const auto of = static_cast<std::size_t>(u * static_cast<double>(count));
+    chosen.emplace_back(first + std::min(of, count - 1), true);
+  }
+  for (const std::size_t point : also) chosen.emplace_back(point, false);
+  return chosen;
+}
+
+class CellLook {
+ public:
+  CellLook(const Tracer& tracer, const CellPlaces& places, const SensorGrid& grid)
+      : tracer_(tracer), places_(places), grid_(grid) {}
+
+  struct Seen {
+    std::size_t pairs = 0;
+    bool is_covered = false;  // a pair in the area was none, as surfaces lie there
+    std::vector<double> direct_lx;
+  };
+
+  Seen look(std::size_t point, const RandomKey& key, std::size_t pairs) const {
+    Seen seen;
+    seen.direct_lx.assign(tracer_.scene().channels.size(), 0.0);
+    for (std::size_t k = 0; seen.pairs < pairs && k < pairs + kOtherPlaces; ++k) {
+      add_pair(point, key.with(k), seen);
+    }
+    for (double& lx : seen.direct_lx)
+      lx /= 2.0 * static_cast<double>(std::max<std::size_t>(seen.pairs, 1));
+    return seen;
+  }
+
+ private:
+  void add_pair(std::size_t point, const RandomKey& key, Seen& seen) const {
+    const glm::dvec3 origin_m = tracer_.scene().origin_m;
+    const glm::dvec2 offset(key.with(0).uniform() - 0.5, key.with(1).uniform() - 0.5);
+    std::array<glm::dvec3, 2> at{places_.place_m(point, offset), places_.place_m(point, -offset)};
+    for (const glm::dvec3& place : at) {
+      if (!places_.is_in_area(place)) return;
+    }
+    for (glm::dvec3& place : at) {
+      const std::optional<glm::dvec3> measured = places_.measured_m(point, place);
+      if (!measured ||
+          find_touching_luminaire(tracer_.scene(), *measured - origin_m, tracer_.offset_m()) >= 0) {
+        seen.is_covered = true;
+        return;
+      }
+      place = *measured - origin_m;
+    }
+    ++seen.pairs;
+    for (std::size_t end = 0; end < at.size(); ++end) {
+      const Receiver receiver{at[end], grid_.normal[point], grid_.kernel};
+      add_point_sources(tracer_, receiver, {}, seen.direct_lx.data(), 1);
+      add_extended_sources(tracer_, receiver, {}, key.with(2 + end), 0, 1, seen.direct_lx.data(),
+                           1);
+    }
+  }
+
+  const Tracer& tracer_;
+  const CellPlaces& places_;
+  const SensorGrid& grid_;
+};
+
 LightBetweenPoints look_between(const Tracer& tracer, const RandomKey& key, const Space& space,
-                                const PlaneOfPoints& of, const std::function<bool()>& go_on) {
+                                const PlaneOfPoints& of, const LookBetween& look) {
   LightBetweenPoints light;
   const PreparedScene& scene = tracer.scene();
   const SensorGrid& grid = *of.grid;
@@ -105,30 +181,20 @@ LightBetweenPoints look_between(const Tracer& tracer, const RandomKey& key, cons
   }
   const FlushDenormals flush;
   const CellPlaces places(space, *of.plane, grid);
+  const CellLook cell_look(tracer, places, grid);
   const std::size_t points = grid.position_m.size();
   const std::size_t most = std::clamp(kMostPairs / scene.luminaires.size(), kFewCells, kMostCells);
-  const std::size_t step = (points + most - 1) / most;
-  std::vector<double> sums(scene.channels.size(), 0.0);
-  for (std::size_t i = 0; i < points; i += step) {
-    if (!go_on()) return {};
-    const RandomKey cell_key = key.with(i);
-    const glm::dvec2 offset(cell_key.with(0).uniform() - 0.5, cell_key.with(1).uniform() - 0.5);
-    const std::array<std::optional<glm::dvec3>, 2> place{places.place_m(i, offset),
-                                                         places.place_m(i, -offset)};
-    const auto is_good = [&](const std::optional<glm::dvec3>& at) {
-      return at && find_touching_luminaire(scene, *at - scene.origin_m, tracer.offset_m()) < 0;
-    };
-    if (!std::all_of(place.begin(), place.end(), is_good)) continue;
-    light.point.push_back(i);
-    for (std::size_t k = 0; k < place.size(); ++k) {
-      const Receiver receiver{*place[k] - scene.origin_m, grid.normal[i], grid.kernel};
-      add_point_sources(tracer, receiver, {}, sums.data(), 1);
-      add_extended_sources(tracer, receiver, {}, cell_key.with(2 + k), 0, 1, sums.data(), 1);
+  const auto pairs = std::max(static_cast<std::size_t>(look.pairs), kFewCells / points);
+  for (const auto& [point, is_sample] :
+       chosen_points(key, points, (points + most - 1) / most, of.also)) {
+    if (!look.go_on()) return {};
+    CellLook::Seen seen = cell_look.look(point, key.with(point), pairs);
+    if (seen.pairs > 0) {
+      light.cells.push_back({point, is_sample, std::move(seen.direct_lx)});
+    } else if (is_sample && seen.is_covered) {
+      ++light.not_measured;
     }
   }
-  if (light.point.empty()) return light;
-  for (double& sum : sums) sum /= 2.0 * static_cast<double>(light.point.size());
-  light.direct_lx = std::move(sums);
   return light;
 }
 
@@ -143,7 +209,7 @@ std::vector<LightBetweenPoints> light_between_points(const PreparedScene& scene,
   on_threads(look.jobs, [&] {
     const Tracer tracer(scene);
     tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t p) {
-      light[p] = look_between(tracer, key, space, planes[p], look.go_on);
+      light[p] = look_between(tracer, key, space, planes[p], look);
     });
   });
   return light;

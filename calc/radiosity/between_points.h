@@ -12,28 +12,37 @@
 namespace calc {
 
 struct LightBetweenPoints {
-  std::vector<std::size_t> point;  // of the grid, whose cells were looked at; empty: of none
-  std::vector<double> direct_lx;   // [channel]: mean over these cells, new, at full output
+  struct Cell {
+    std::size_t point = 0;          // of the grid, whose cell it is
+    bool is_sample = false;         // one of those that stand for the whole plane
+    std::vector<double> direct_lx;  // [channel]: mean over its places, new, at full output
+  };
+  std::vector<Cell> cells;  // that were looked at
+  std::size_t not_measured =
+      0;  // cells of the sample that have no place for it: surfaces lie there
 };
 
 struct PlaneOfPoints {
   const CalcPlane* plane;
-  const SensorGrid* grid;  // of this plane
+  const SensorGrid* grid;              // of this plane
+  std::vector<std::size_t> also = {};  // points whose cells are looked at in any case
 };
 
 struct LookBetween {
   int jobs = 0;                 // threads, see on_threads()
   std::function<bool()> go_on;  // asked often, from any of them; false: no plane is looked at
+  int pairs = 1;                // of places in each cell, at least
 };
 
-// Direct light at two places of each cell, opposite each other about its point, so that light that
-// changes evenly over the cell gives what the point has. Of many cells every n-th is taken, about
-// 256 at most; fewer where luminaires are thousands. Places outside the area, in holes, in surfaces
-// or solids, or on a luminaire are left out, and cells of which one is. Where they are hangs on
-// where the luminaires are and whither they shine: who aims at the places moves them. Nothing is
-// looked at of point lists, which have no cells, and of quantities that are more than one
-// illuminance. Openings are sampled as by add_extended_sources(), one round. Planes must be of
-// `space`, and the scene as well. One answer per plane, the same bits for any number of jobs.
+// Direct light at pairs of places in cells, opposite each other about the cell's point, so that
+// light that changes evenly over the cell gives what the point has. Of many cells one of every n is
+// taken, by chance, about 256 at most; fewer where luminaires are thousands. Of few cells more
+// pairs are taken. Places outside the area, in holes, in surfaces or solids, or on a luminaire are
+// none, nor are those opposite to them: others are tried. Where they are hangs on the luminaires,
+// how they shine and whither: who aims at the places moves them. Nothing is looked at of point
+// lists, which have no cells, and of quantities that are more than one illuminance. Openings are
+// sampled as by add_extended_sources(), one round. Planes must be of `space`, and the scene as
+// well. One answer per plane, the same bits for any number of jobs.
 std::vector<LightBetweenPoints> light_between_points(const PreparedScene& scene, const Space& space,
                                                      const std::vector<PlaneOfPoints>& planes,
                                                      const LookBetween& look);

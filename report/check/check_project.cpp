@@ -268,23 +268,42 @@ std::unique_ptr<LitSpace> light_space(const calc::Space& space, const rules::Jud
   return lit;
 }
 
+// Looks with few places at all planes, and with more at those that seem to be flattered: that a few
+// places miss the mean is no reason for a warning.
 void warn_of_light_between_points(const calc::Space& space, const LitSpace& lit,
                                   const rules::JudgedProject& loaded, const Context& context,
                                   calc::Diagnostics& diagnostics) {
+  constexpr int kMorePairs = 12;
+  const std::vector<calc::LightScene>& scenes = loaded.project.scenes;
   std::vector<calc::PlaneOfPoints> planes;
-  std::vector<std::size_t> task;
+  std::vector<std::size_t> tasks;
   for (std::size_t t = 0; t < lit.tasks.list.size(); ++t) {
     const PlaneJob& job = *lit.tasks.job[t];
     if (!job.reason.empty() || !is_asked_of_points(job)) continue;
-    planes.push_back({job.plane, &*job.grid});
-    task.push_back(t);
+    planes.push_back({job.plane, &*job.grid, telling_points(job, lit.solution.fields[t], scenes)});
+    tasks.push_back(t);
   }
-  const std::vector<calc::LightBetweenPoints> light = calc::light_between_points(
-      lit.apart ? *lit.apart : lit.scene, space, planes,
-      {context.settings.radiosity.jobs, [&context] { return !context.observer.is_stopped(); }});
-  for (std::size_t p = 0; p < light.size(); ++p) {
-    warn_of_light_between_points(*lit.tasks.job[task[p]], lit.solution.fields[task[p]], light[p],
-                                 loaded.project.scenes, diagnostics);
+  for (const int pairs : {1, kMorePairs}) {
+    const std::vector<calc::LightBetweenPoints> light =
+        calc::light_between_points(lit.apart ? *lit.apart : lit.scene, space, planes,
+                                   {context.settings.radiosity.jobs,
+                                    [&context] { return !context.observer.is_stopped(); }, pairs});
+    std::vector<calc::PlaneOfPoints> doubtful;
+    std::vector<std::size_t> doubtful_tasks;
+    for (std::size_t p = 0; p < light.size(); ++p) {
+      const PlaneJob& job = *lit.tasks.job[tasks[p]];
+      const std::optional<FlatteringPoints> flattering =
+          flattering_points(job, lit.solution.fields[tasks[p]], light[p], scenes);
+      if (!flattering) continue;
+      doubtful.push_back(planes[p]);
+      doubtful_tasks.push_back(tasks[p]);
+      if (pairs != kMorePairs) continue;
+      diagnostics.report(calc::DiagnosticId::light_between_points, job.plane->where, job.plane->id,
+                         flattering->at_points_lx, flattering->between_lx, flattering->where,
+                         flattering->all_lx);
+    }
+    planes = std::move(doubtful);
+    tasks = std::move(doubtful_tasks);
   }
 }
 

@@ -16,8 +16,8 @@ namespace report {
 namespace {
 
 constexpr const char* kLuminairesHeader =
-    "project,space,number,id,type,maker,article,group,x_m,y_m,z_m,height_m,tilt_deg,turn_deg,"
-    "flux_lm,power_w,maintenance_factor\r\n";
+    "project,space,number,id,type,maker,article,group,x_m,y_m,z_m,height_m,tilt_deg,heading_deg,"
+    "turn_deg,flux_lm,power_w,maintenance_factor\r\n";
 
 std::string known(const std::optional<double>& value) {
   return value ? format_shortest(*value) : "";
@@ -32,7 +32,7 @@ std::string row_of_luminaire(const ProjectPart& project, const SpacePart& space,
   const bool is_known = type != project.luminaires.end();
   const LuminaireAim aim = aim_of(mark);
   const bool has_floor = !space.footprint_m.empty();
-  const std::array<std::string, 17> cells{
+  const std::array<std::string, 18> cells{
       csv_field(project.path),
       csv_field(space.id),
       fmt::format("{}", index + 1),
@@ -46,6 +46,7 @@ std::string row_of_luminaire(const ProjectPart& project, const SpacePart& space,
       format_shortest(mark.position_m.z),
       has_floor ? format_shortest(mark.position_m.z - space.floor_z_m) : "",
       known(aim.tilt_deg),
+      known(aim.heading_deg),
       known(aim.turn_deg),
       is_known ? format_shortest(type->flux_lm) : "",
       is_known && type->power_w > 0.0 ? format_shortest(type->power_w) : "",

@@ -224,7 +224,7 @@ class HtmlWriter : public FormatWriter {
 
   const DocumentFrame& frame_;
   Texts t_;
-  const PageStyle& style_;
+  PageStyle style_;
   std::string folder_;
   RegionNames regions_;
   std::size_t project_ = 0;            // the next one

@@ -100,19 +100,20 @@ std::string surface_facts(const Texts& t, const ProjectPart& project, const Spac
   return html;
 }
 
-// The largest one that people see from above, and its average; null: there is none with light.
+// The largest one that people see from above, of those that something is asked of if there are any;
+// null: there is none with light.
 const PlanePart* reference_plane(const SpacePart& space) {
   const PlanePart* largest = nullptr;
-  double largest_m2 = 0.0;
+  std::pair<bool, double> most{false, 0.0};
   for (const PlanePart& plane : space.planes) {
     if (!plane.is_computed || !is_plain_illuminance(plane) || plane.outline_m.empty() ||
         !is_horizontal(glm::cross(plane.grid.u, plane.grid.v)) || !(plane.average.low > 0.0)) {
       continue;
     }
-    const double area_m2 = std::abs(calc::signed_area(plane.outline_m));
-    if (area_m2 <= largest_m2) continue;
+    const std::pair of(!plane.findings.empty(), std::abs(calc::signed_area(plane.outline_m)));
+    if (of <= most) continue;
     largest = &plane;
-    largest_m2 = area_m2;
+    most = of;
   }
   return largest;
 }
@@ -168,7 +169,9 @@ std::string position_row(const Texts& t, const SpacePart& space, std::size_t ind
       "class=\"num\">{}</td><td class=\"num\">{}</td></tr>\n",
       index + 1, escape_html(mark.id), escape_html(mark.type_id), escape_html(mark.group),
       number(mark.position_m.x), number(mark.position_m.y),
-      number(mark.position_m.z - space.floor_z_m), degrees(aim.tilt_deg), degrees(aim.turn_deg));
+      number(mark.position_m.z - space.floor_z_m),
+      degrees(aim.tilt_deg) + (aim.heading_deg ? " → " + degrees(aim.heading_deg) : ""),
+      degrees(aim.turn_deg));
 }
 
 std::string positions(const Texts& t, const SpacePart& space) {

@@ -10,7 +10,7 @@ namespace report {
 namespace {
 
 // Heads and feet are one line.
-constexpr std::size_t kLongestHead = 55, kLongestFoot = 110;
+constexpr std::size_t kLongestHead = 55, kLongestFoot = 90;
 
 std::string line(std::string_view text, std::size_t most) {
   return css_string(calc::shorten_utf8(printable(text), most));
@@ -54,13 +54,16 @@ std::string page_rules(const Texts& t, Paper paper, const PageWords& words) {
 }
 
 std::string foot_words(const Texts& t, const ProjectPart& project) {
-  constexpr std::size_t kLongestName = 50;  // what comes behind it must fit, too
+  constexpr std::size_t kLongestName = 40, kLongestPart = 24;  // what comes behind must fit, too
+  const auto part = [](const std::string& text) {
+    return calc::shorten_utf8(printable(text), kLongestPart);
+  };
   std::string words =
       calc::shorten_utf8(printable(title_of(project.name, project.path)), kLongestName);
   const calc::AboutProject& about = project.about;
-  if (!about.number.empty()) words += " · " + about.number;
+  if (!about.number.empty()) words += " · " + part(about.number);
   if (!about.revision.empty()) {
-    words += std::string(" · ") + t[Text::about_revision] + " " + about.revision;
+    words += std::string(" · ") + t[Text::about_revision] + " " + part(about.revision);
   }
   if (!about.date.empty()) words += " · " + about.date;
   return words;

@@ -10,20 +10,29 @@
 
 namespace report {
 
+namespace {
+
+constexpr double kDegrees = 180.0 / calc::kPi;
+
+double rounded(double degrees) { return std::round(degrees * 1.0e6) / 1.0e6; }
+
+std::optional<double> seen_from_above_deg(const glm::dvec3& direction) {
+  constexpr double kLeastShare = 1.0e-3;  // in the plan: less is a rounded upright
+  const glm::dvec2 flat(direction);
+  if (!(glm::length(flat) > kLeastShare)) return std::nullopt;
+  const double degrees = rounded(kDegrees * calc::atan2(flat.y, flat.x));
+  return degrees < 0.0 ? degrees + 360.0 : std::abs(degrees);
+}
+
+}  // namespace
+
 LuminaireAim aim_of(const LuminaireMark& mark) {
-  constexpr double kDegrees = 180.0 / calc::kPi;
-  constexpr double kKnown = 0.5;          // unit vectors, or 0
-  constexpr double kLeastShare = 1.0e-3;  // of C0 in the plan: less is a rounded upright
-  constexpr double kRounding_deg = 1.0e-9;
+  constexpr double kKnown = 0.5;  // unit vectors, or 0
   LuminaireAim aim;
   if (glm::length(mark.axis) > kKnown)
-    aim.tilt_deg = kDegrees * calc::acos(std::clamp(-mark.axis.z, -1.0, 1.0));
-  const glm::dvec2 c0(mark.c0);
-  if (glm::length(c0) > kLeastShare) {
-    const double turn_deg = kDegrees * calc::atan2(c0.y, c0.x);
-    const bool is_zero = std::abs(turn_deg) < kRounding_deg;
-    aim.turn_deg = is_zero ? 0.0 : turn_deg < 0.0 ? turn_deg + 360.0 : turn_deg;
-  }
+    aim.tilt_deg = rounded(kDegrees * calc::acos(std::clamp(-mark.axis.z, -1.0, 1.0)));
+  aim.heading_deg = seen_from_above_deg(mark.axis);
+  aim.turn_deg = seen_from_above_deg(mark.c0);
   return aim;
 }
 

@@ -7,10 +7,11 @@
 
 namespace report {
 
-// Degrees. tilt: of the axis (gamma = 0) from straight down, [0, 180]. turn: where C0 points as
-// seen from above, counter-clockwise from +x, [0, 360). Empty: not known, or C0 points up or down.
+// Degrees, rounded to 1e-6. tilt: of the axis (gamma = 0) from straight down, [0, 180]. heading and
+// turn: where the axis and C0 point as seen from above, counter-clockwise from +x, [0, 360). Empty:
+// not known, or they point up or down.
 struct LuminaireAim {
-  std::optional<double> tilt_deg, turn_deg;
+  std::optional<double> tilt_deg, heading_deg, turn_deg;
 };
 
 LuminaireAim aim_of(const LuminaireMark& mark);

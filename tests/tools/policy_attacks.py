@@ -208,6 +208,26 @@ BEAM = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 4 1 1 2 0 0 0\n1 1 10\n0 2 2.1 90\n0
 beams = change(whole, ("lambert_panel_600.ies", "beam.ies"), ('origin="0 0 2.79" size="5 4" columns="3" rows="2"', 'origin="0 0 2.79" size="5 4" columns="8" rows="6"'))
 judged(beams, wants, 0, "warning[light-between-points]", name="beams at the points", files={"beam.ies": BEAM})
 judged(beams, change(wants, ("luminaire-outside-room values-set", "all")), 2, "warning[light-between-points]", name="beams at the points that the owner fears", files={"beam.ies": BEAM})
+# On other points of many only, on the darkest ones only, and between covers.
+own = """<luxgate version="1" name="Design" maintenance-factor="0.8"><material id="dark" reflectance="0.3"/><luminaire-type id="panel" photometry="photometry/lambert_panel_600.ies" power-w="30"/>
+<luminaire-type id="beam" photometry="photometry/beam.ies" power-w="1"/><room id="office-1" size="8 6 2.8" ceiling="dark" walls="dark" floor="dark">{}
+<plane id="p" height="0.8" count="{}"><require quantity="{}" at-least="{}"/></plane></room></luxgate>"""
+spot = '<luminaire id="b{0}.{1}" type="beam" position="{2} {3} 2.79"/>'
+
+
+def beams_on(columns, rows, wanted):
+    return "".join(spot.format(i, k, (i + 0.5) * 8 / columns, (k + 0.5) * 6 / rows) for k in range(rows) for i in range(columns) if wanted(i, k))
+
+
+anything = change(POLICY, ('<asked pack="own:1" row="office" spaces="office-*" projects="design/*"/>\n', ""), ("luminaire-outside-room values-set", "all"))
+one_panel = '<luminaire id="L" type="panel" position="1 1 2.79"/>'
+covers = "".join(f'<box id="c{i}" size="0.92 6 0.002" position="{i - 0.46} 0 0.799" material="dark"/>' for i in range(1, 8)) + "".join(
+    f'<box id="r{i}" size="8 0.92 0.002" position="0 {i - 0.46} 0.799" material="dark"/>' for i in range(1, 6))
+for name, text in [("every second point of many", own.format(beams_on(24, 20, lambda i, k: (i + 24 * k) % 2 == 1), "24 20", "average", 300)),
+                   ("the darkest points", own.format(one_panel + beams_on(8, 6, lambda i, k: i + k > 5), "8 6", "minimum", 6)),
+                   ("the darkest points, for uniformity", own.format(one_panel + beams_on(8, 6, lambda i, k: i + k > 5), "8 6", "Uo", 0.15)),
+                   ("points between covers", own.format(beams_on(8, 6, lambda i, k: True) + covers, "8 6", "average", 300))]:
+    judged(text, anything, 2, "warning[light-between-points]", name=name, files={"beam.ies": BEAM.replace("4000", "100") if "darkest" in name else BEAM})
 judged(change(whole, (fact, fact + ' level="modified"')), wants, 1, name="a higher level")
 (WORK / "zones.xml").write_text(change(zone_pack, ('statistic="average" at-least="row(Em)"', 'statistic="average" at-most="row(Em)"'), ('required="500"', 'required="700"')).replace('of="Em" down="2" up="2"', 'of="Uo" down="1"').replace('values="100 200 300 400 500 750"', 'values="0.1 0.3 0.5"').replace('id="steps" unit="lx"', 'id="steps" unit="none"'))
 judged(change(whole, (fact, fact + ' level="modified"')), wants, 2, "asks its row below what it requires, modified", name="a modified level that is easier")

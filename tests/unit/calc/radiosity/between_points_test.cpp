@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Desk {
   calc::CalcPlane plane;
   calc::SensorGrid grid;
   calc::PreparedScene scene;
+  std::vector<std::size_t> also;
 
   explicit Desk(const calc::GridRule& rule = calc::GridByCount{8, 6}) {
     calc::PlanarArea area;
@@ -37,24 +39,32 @@ struct Desk {
   }
   calc::PlanarArea& area() { return std::get<calc::PlanarArea>(plane.area); }
 
-  calc::LightBetweenPoints between(int jobs = 1) {
+  calc::LightBetweenPoints between(int jobs = 1, int pairs = 1) {
     set_extent(scene);
-    return calc::light_between_points(scene, space, {{&plane, &grid}}, {jobs, [] { return true; }})
+    return calc::light_between_points(scene, space, {{&plane, &grid, also}},
+                                      {jobs, [] { return true; }, pairs})
         .front();
   }
-  // Mean over the same points.
-  double at_points_lx(const std::vector<std::size_t>& points) {
+  // Mean over the cells' points.
+  double at_points_lx(const calc::LightBetweenPoints& between) {
     const calc::Tracer tracer(scene);
     const std::vector<calc::Receiver> receivers = calc::receivers_of(tracer, grid);
     double sum = 0.0;
-    for (const std::size_t i : points) {
+    for (const auto& cell : between.cells) {
+      const std::size_t i = cell.point;
       calc::add_point_sources(tracer, receivers[i], {}, &sum, 1);
       calc::add_extended_sources(tracer, receivers[i], {}, calc::RandomKey(1).with(i), 0, 1, &sum,
                                  1);
     }
-    return sum / static_cast<double>(points.size());
+    return sum / static_cast<double>(between.cells.size());
   }
 };
+
+double mean_lx(const calc::LightBetweenPoints& between) {
+  double sum = 0.0;
+  for (const auto& cell : between.cells) sum += cell.direct_lx.at(0);
+  return sum / static_cast<double>(between.cells.size());
+}
 
 // 1000 cd within 2 degrees of its axis.
 calc::PhotometricWeb beam() {
@@ -69,10 +79,10 @@ TEST(LightBetweenPoints, IsThatOfThePointsWhereLightIsEven) {
       lambert_web(1000, 18, {calc::OpeningShape::rectangle, 1.2, 0.6, 0.0});
   for (const double x : {1.0, 3.0}) add_luminaire(desk.scene, panel, {x, 1.5, 2.8});
   const calc::LightBetweenPoints between = desk.between();
-  ASSERT_EQ(between.point.size(), 48u);
-  ASSERT_EQ(between.direct_lx.size(), 1u);
-  EXPECT_NEAR(between.direct_lx[0], desk.at_points_lx(between.point), 0.01 * between.direct_lx[0]);
-  EXPECT_EQ(desk.between(2).direct_lx, between.direct_lx);
+  ASSERT_EQ(between.cells.size(), 48u);
+  EXPECT_EQ(between.not_measured, 0u);
+  EXPECT_NEAR(mean_lx(between), desk.at_points_lx(between), 0.01 * mean_lx(between));
+  EXPECT_EQ(mean_lx(desk.between(2)), mean_lx(between));
 }
 
 TEST(LightBetweenPoints, IsFarLessWhereBeamsFallOnThePoints) {
@@ -82,10 +92,10 @@ TEST(LightBetweenPoints, IsFarLessWhereBeamsFallOnThePoints) {
     add_luminaire(desk.scene, web, at + glm::dvec3(0, 0, 1.5));
   }
   const calc::LightBetweenPoints between = desk.between();
-  const double at_points_lx = desk.at_points_lx(between.point);
+  const double at_points_lx = desk.at_points_lx(between);
   EXPECT_NEAR(at_points_lx, 1000 / (1.5 * 1.5), 1.0);
   // Of a cell of 0.25 m2 the beam has 0.0086 m2.
-  EXPECT_LT(between.direct_lx[0], 0.15 * at_points_lx);
+  EXPECT_LT(mean_lx(between), 0.15 * at_points_lx);
 }
 
 TEST(LightBetweenPoints, IsMoreWhereShadowsFallOnThePoints) {
@@ -96,29 +106,31 @@ TEST(LightBetweenPoints, IsMoreWhereShadowsFallOnThePoints) {
     add_quad(desk.scene, at + glm::dvec3(-0.05, -0.05, 0.02), {0.1, 0, 0}, {0, 0.1, 0}, 0.0);
   }
   const calc::LightBetweenPoints between = desk.between();
-  EXPECT_EQ(desk.at_points_lx(between.point), 0.0);
+  EXPECT_EQ(desk.at_points_lx(between), 0.0);
   // Of a cell of 0.25 m2 the shadow has 0.01 m2.
-  EXPECT_GT(between.direct_lx[0], 0.8 * 500 / (29.2 * 29.2));
+  EXPECT_GT(mean_lx(between), 0.8 * 500 / (29.2 * 29.2));
 }
 
+// Beams that meet parts of cells that are outside the area or in a hole.
 TEST(LightBetweenPoints, KeepsToTheAreaAndOutOfHoles) {
   Desk desk;
-  const calc::PhotometricWeb web = isotropic_web(500);
-  add_luminaire(desk.scene, web, {2, 1.5, 30});
-  desk.area().outline_m = {{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1.3}, {0, 1.3}};
-  desk.area().holes_m = {{{3.05, 0.05}, {3.95, 0.05}, {3.95, 0.95}, {3.05, 0.95}}};
+  const calc::PhotometricWeb web = beam();
+  add_luminaire(desk.scene, web, {1.25, 1.42, 2.3});
+  add_luminaire(desk.scene, web, {2.93, 0.25, 2.3});
+  EXPECT_GT(mean_lx(desk.between(1, 400)), 0.0);
+  desk.area().outline_m = {{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1.34}, {0, 1.34}};
+  desk.area().holes_m = {{{2.85, 0.05}, {3.95, 0.05}, {3.95, 0.95}, {2.85, 0.95}}};
   desk.make_grid();
-  // Cells beside the edge at y = 1.3 m have a place beyond it, by chance not each of them.
-  const calc::LightBetweenPoints between = desk.between();
-  EXPECT_LT(between.point.size(), desk.grid.position_m.size());
-  EXPECT_GT(between.point.size(), desk.grid.position_m.size() / 2);
+  const calc::LightBetweenPoints between = desk.between(1, 400);
+  EXPECT_GT(between.cells.size(), 24u);
+  EXPECT_EQ(mean_lx(between), 0.0);
 }
 
 TEST(LightBetweenPoints, TakesSomeOfManyCellsAndNoneOfLists) {
   Desk many(calc::GridByCount{100, 90});
   const calc::PhotometricWeb web = isotropic_web(500);
   add_luminaire(many.scene, web, {2, 1.5, 3});
-  const std::size_t cells = many.between().point.size();
+  const std::size_t cells = many.between().cells.size();
   EXPECT_GT(cells, 200u);
   EXPECT_LE(cells, 256u);
 
@@ -126,7 +138,57 @@ TEST(LightBetweenPoints, TakesSomeOfManyCellsAndNoneOfLists) {
   add_luminaire(list.scene, web, {2, 1.5, 3});
   list.plane.area = calc::PointList{"points.csv", {{1, 1, 0.8}}, {{0, 0, 1}}, {2}};
   list.make_grid();
-  EXPECT_TRUE(list.between().point.empty());
+  EXPECT_TRUE(list.between().cells.empty());
+}
+
+// A fixed stride would be known to who aims at all other points.
+TEST(LightBetweenPoints, TheCellsTakenAreByChanceAndThoseAskedForToo) {
+  Desk desk(calc::GridByCount{40, 30});
+  const calc::PhotometricWeb web = isotropic_web(500);
+  add_luminaire(desk.scene, web, {2, 1.5, 3});
+  desk.also = {7, 1199};
+  const calc::LightBetweenPoints first = desk.between();
+  std::set<std::size_t> rests;
+  for (const auto& cell : first.cells) {
+    if (cell.is_sample) rests.insert(cell.point % 5);
+  }
+  EXPECT_EQ(rests.size(), 5u);
+  const auto count = first.cells.size();
+  EXPECT_EQ(first.cells[count - 2].point, 7u);
+  EXPECT_EQ(first.cells[count - 1].point, 1199u);
+  EXPECT_FALSE(first.cells[count - 1].is_sample);
+  desk.scene.luminaires[0].position_m.x += 1e-9;
+  const calc::LightBetweenPoints second = desk.between();
+  std::size_t same = 0;
+  for (std::size_t k = 0; k < count; ++k) same += first.cells[k].point == second.cells[k].point;
+  EXPECT_LT(same, count / 2);
+}
+
+TEST(LightBetweenPoints, CellsThatSurfacesCoverAreCounted) {
+  Desk desk;
+  const calc::PhotometricWeb web = isotropic_web(500);
+  add_luminaire(desk.scene, web, {2, 1.5, 3});
+  // Slabs in the plane between rows and columns of points: 4 cm around each point are free.
+  const auto slab = [&](const glm::dvec3& low, const glm::dvec3& high) {
+    calc::Body body;
+    body.id = "slab";
+    body.is_closed = true;
+    for (int i = 0; i < 8; ++i) {
+      body.vertex_m.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                                 (i & 4) != 0 ? high.z : low.z);
+    }
+    body.triangle = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    body.material_of.assign(body.triangle.size(), 0);
+    desk.space.bodies.push_back(body);
+  };
+  for (int i = 0; i <= 8; ++i) slab({0.5 * i - 0.23, 0, 0.79}, {0.5 * i + 0.23, 3, 0.81});
+  for (int i = 0; i <= 6; ++i) slab({0, 0.5 * i - 0.23, 0.79}, {4, 0.5 * i + 0.23, 0.81});
+  desk.make_grid();
+  ASSERT_EQ(desk.grid.position_m.size(), 48u);
+  const calc::LightBetweenPoints between = desk.between();
+  EXPECT_GT(between.not_measured, 40u);
+  EXPECT_EQ(between.not_measured + between.cells.size(), 48u);
 }
 
 TEST(LightBetweenPoints, EndsWhenItIsToldTo) {
@@ -135,9 +197,9 @@ TEST(LightBetweenPoints, EndsWhenItIsToldTo) {
   add_luminaire(desk.scene, web, {2, 1.5, 3});
   set_extent(desk.scene);
   const auto light = calc::light_between_points(desk.scene, desk.space, {{&desk.plane, &desk.grid}},
-                                                {1, [] { return false; }});
+                                                {1, [] { return false; }, 1});
   ASSERT_EQ(light.size(), 1u);
-  EXPECT_TRUE(light[0].point.empty());
+  EXPECT_TRUE(light[0].cells.empty());
 }
 
 }  // namespace

@@ -23,11 +23,13 @@ TEST(LuminaireAim, TiltAndTurn) {
   mark.axis = {half, 0, -half};
   mark.c0 = {0, -1, 0};
   EXPECT_NEAR(aim_of(mark).tilt_deg.value(), 45.0, 1e-9);
+  EXPECT_EQ(aim_of(mark).heading_deg.value(), 0.0);
   EXPECT_NEAR(aim_of(mark).turn_deg.value(), 270.0, 1e-9);
   mark.axis = {0, 0, 1};  // uplight
   mark.c0 = {1, -1e-17, 0};
   EXPECT_NEAR(aim_of(mark).tilt_deg.value(), 180.0, 1e-9);
   EXPECT_EQ(aim_of(mark).turn_deg.value(), 0.0);  // not 360
+  EXPECT_FALSE(aim_of(mark).heading_deg.has_value());
   mark.c0 = {0, 0, 1};
   EXPECT_FALSE(aim_of(mark).turn_deg.has_value());
 }
@@ -56,8 +58,8 @@ TEST(LuminairesCsv, HasARowForEachWithWhatIsKnown) {
   EXPECT_THAT(csv, testing::StartsWith("project,space,number,id,type,maker,article,group,x_m,"));
   EXPECT_THAT(csv,
               testing::HasSubstr(
-                  at + ",1,L.1,panel,\"Maker, Ltd\",'=A1,,1.5,2,12.5,2.5,0,0,3600,30,0.8\r\n"));
-  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,\r\n"));
+                  at + ",1,L.1,panel,\"Maker, Ltd\",'=A1,,1.5,2,12.5,2.5,0,,0,3600,30,0.8\r\n"));
+  EXPECT_THAT(csv, testing::EndsWith(at + ",2,,gone,,,,1,2,3,-7,,,,,,\r\n"));
 }
 
 }  // namespace
