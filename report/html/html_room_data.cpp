@@ -211,7 +211,7 @@ std::string html_room_data(const Texts& t, const ProjectPart& project, const Spa
   // A short table of places stands beside the figures on paper.
   constexpr std::size_t kBeside = 30;
   const bool is_beside = !space.luminaires.empty() && space.luminaires.size() <= kBeside;
-  return std::string("<div class=\"room-figures") + (is_beside ? " beside" : "") +
+  return std::string("<div class=\"space-figures") + (is_beside ? " beside" : "") +
          "\">\n<table class=\"facts narrow room-data\"><caption>" + t[Text::room_data] +
          "</caption><tbody>\n" + rows + "</tbody></table>\n" + positions(t, space) + "</div>\n";
 }
