@@ -5,6 +5,7 @@
 #include "calc/radiosity/random.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
+#include "calc/radiosity/shadow_batch.h"
 #include "calc/radiosity/threads.h"
 #include "calc/scene/point_filter.h"
 #include "calc/scene/polygon.h"
@@ -24,7 +25,7 @@
 namespace calc {
 namespace {
 
-constexpr std::size_t kFewCells = 32, kMostCells = 256;
+constexpr std::size_t kFewCells = 32, kMostCells = 128;
 constexpr std::size_t kOtherPlaces = 6;      // that are tried where one is none
 constexpr std::size_t kMostPairs = 1 << 18;  // of cells and luminaires
 
@@ -161,9 +162,22 @@ class CellLook {
     for (std::size_t end = 0; end < at.size(); ++end) {
       const Receiver receiver{at[end], grid_.normal[point], grid_.kernel};
       add_point_sources(tracer_, receiver, {}, seen.direct_lx.data(), 1);
-      add_extended_sources(tracer_, receiver, {}, key.with(2 + end), 0, 1, seen.direct_lx.data(),
-                           1);
+      add_openings_roughly(receiver, key.with(2 + end), seen.direct_lx.data());
     }
+  }
+
+  // A place needs not be known better than a cell by its places.
+  void add_openings_roughly(const Receiver& receiver, const RandomKey& key, double* sums) const {
+    constexpr double kErrorFactor = 10.0;  // of 0.5 %
+    ShadowBatch batch(tracer_, tracer_.has_shadows(), kReceiverToSource);
+    const std::vector<PlacedLuminaire>& luminaires = tracer_.scene().luminaires;
+    for (std::size_t l = 0; l < luminaires.size(); ++l) {
+      if (luminaires[l].opening.shape == OpeningShape::point) continue;
+      add_opening_samples(batch, tracer_, l,
+                          opening_cells(luminaires[l], receiver.position_m, kErrorFactor), receiver,
+                          key, 0, 1, sums, 1, nullptr);
+    }
+    batch.flush();
   }
 
   const Tracer& tracer_;

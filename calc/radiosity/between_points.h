@@ -36,13 +36,13 @@ struct LookBetween {
 
 // Direct light at pairs of places in cells, opposite each other about the cell's point, so that
 // light that changes evenly over the cell gives what the point has. Of many cells one of every n is
-// taken, by chance, about 256 at most; fewer where luminaires are thousands. Of few cells more
+// taken, by chance, about 128 at most; fewer where luminaires are thousands. Of few cells more
 // pairs are taken. Places outside the area, in holes, in surfaces or solids, or on a luminaire are
 // none, nor are those opposite to them: others are tried. Where they are hangs on the luminaires,
 // how they shine and whither: who aims at the places moves them. Nothing is looked at of point
 // lists, which have no cells, and of quantities that are more than one illuminance. Openings are
-// sampled as by add_extended_sources(), one round. Planes must be of `space`, and the scene as
-// well. One answer per plane, the same bits for any number of jobs.
+// sampled as by add_extended_sources(), one round, to about 5 %. Planes must be of `space`, and the
+// scene as well. One answer per plane, the same bits for any number of jobs.
 std::vector<LightBetweenPoints> light_between_points(const PreparedScene& scene, const Space& space,
                                                      const std::vector<PlaneOfPoints>& planes,
                                                      const LookBetween& look);
