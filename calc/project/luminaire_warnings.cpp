@@ -223,9 +223,9 @@ bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminai
     return glm::dot(a.world_from_luminaire[axis], b.world_from_luminaire[axis]) > kSameAim;
   };
   return glm::distance(a.position_m, b.position_m) < same_place_m(one, other) && is_alike(2) &&
-         is_alike(0) && a.group == b.group &&
+         is_alike(0) &&
          (have_same_light(project, a.type, b.type) ||
-          have_about_same_light(project, a.type, b.type));
+          (a.group == b.group && have_about_same_light(project, a.type, b.type)));
 }
 
 // Looks luminaires up by place, in cells of the largest distance that counts as none.

@@ -187,10 +187,10 @@ std::optional<Doubt> doubt_of(const rules::Requirement& requirement, const Light
   }
   const bool is_uo = requirement.metric == uniformity_min_avg;
   if (is_lower && (is_uo || requirement.metric == uniformity_min_max)) {
+    // The darkest place alone: that points miss bright ones is no flattery of an average.
     const double whole_lx = is_uo ? light.mean.all_lx : light.brightest.all_lx;
-    const double without_lx = is_uo ? light.mean.without_flattery_lx() : whole_lx;
     const double ratio = light.darkest.all_lx / whole_lx;
-    const double without = light.lowest_lx / without_lx;
+    const double without = light.lowest_lx / whole_lx;
     if (!(without < kept * ratio) || without >= requirement.limit) return std::nullopt;
     return Doubt{lowest, !is_covered};
   }
