@@ -214,7 +214,8 @@ bool have_about_same_light(const Project& project, std::size_t a, std::size_t b)
 }
 
 // Other light at one place is the direct and the indirect part of one luminaire, other aims or
-// turns are the heads of one mast, and light in another group is another colour of one luminaire.
+// turns are the heads of one mast, and light that is about the same in another group is another
+// colour of one luminaire.
 bool is_same_luminaire(const Project& project, const Luminaire& a, const Luminaire& b) {
   constexpr double kSameAim = 0.99985;  // cosine of 1 degree
   const PhotometricWeb& one = project.webs[project.luminaire_types[a.type].web];

@@ -20,6 +20,11 @@ struct InstalledPower {
   std::optional<double> density_w_m2() const;  // empty with a problem
 };
 
+// W/m2 for each 100 lx of an average > 0.
+inline double power_per_100_lx_w_m2(double density_w_m2, double average_lx) {
+  return 100.0 * density_w_m2 / average_lx;
+}
+
 // project.luminaire_types must hold the types of the space's luminaires.
 InstalledPower installed_power(const Project& project, const Space& space);
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace check {
@@ -38,8 +37,9 @@ struct PointLight {
   double direct_lx = 0.0, all_lx = 0.0;
 };
 
+// direct_only: all of it is direct light.
 PointLight light_at(const calc::PlaneField& field, std::size_t point,
-                    const std::vector<double>& weights) {
+                    const std::vector<double>& weights, bool direct_only) {
   PointLight light;
   const auto replicates = static_cast<double>(std::max<std::size_t>(field.replicates, 1));
   for (std::size_t c = 0; c < weights.size(); ++c) {
@@ -49,7 +49,7 @@ PointLight light_at(const calc::PlaneField& field, std::size_t point,
       reflected_lx += field.indirect_at(r, c, point) / replicates;
     }
     light.direct_lx += weights[c] * direct_lx;
-    light.all_lx += weights[c] * (direct_lx + reflected_lx);
+    light.all_lx += weights[c] * (direct_only ? direct_lx : direct_lx + reflected_lx);
   }
   return light;
 }
@@ -64,11 +64,9 @@ struct CellLight {
 };
 
 struct Light {
-  CellLight mean;                                              // over the sample
-  CellLight darkest, brightest;                                // at the point
-  double lowest_lx = std::numeric_limits<double>::infinity();  // of cells, without flattery
-  CellLight lowest, highest;                                   // the cells of lowest_lx and most
-  double highest_lx = 0.0;
+  CellLight mean;                // over the sample
+  CellLight darkest, brightest;  // at their points
+  CellLight lowest, highest;     // without flattery
 };
 
 class LightOfCells {
@@ -96,14 +94,9 @@ class LightOfCells {
       }
       if (is_first || one.all_lx < light.darkest.all_lx) light.darkest = one;
       if (is_first || one.all_lx > light.brightest.all_lx) light.brightest = one;
-      if (one.without_flattery_lx() < light.lowest_lx) {
-        light.lowest_lx = one.without_flattery_lx();
-        light.lowest = one;
-      }
-      if (is_first || one.without_flattery_lx() > light.highest_lx) {
-        light.highest_lx = one.without_flattery_lx();
-        light.highest = one;
-      }
+      const double without_lx = one.without_flattery_lx();
+      if (is_first || without_lx < light.lowest.without_flattery_lx()) light.lowest = one;
+      if (is_first || without_lx > light.highest.without_flattery_lx()) light.highest = one;
       is_first = false;
     }
     if (samples == 0.0 && !is_covered()) return std::nullopt;
@@ -127,8 +120,8 @@ class LightOfCells {
  private:
   CellLight cell_light(const calc::LightBetweenPoints::Cell& cell,
                        const std::vector<double>& weights, bool direct_only) const {
-    const PointLight at = light_at(field_, cell.point, weights);
-    CellLight light{cell.point, at.direct_lx, 0.0, direct_only ? at.direct_lx : at.all_lx};
+    const PointLight at = light_at(field_, cell.point, weights, direct_only);
+    CellLight light{cell.point, at.direct_lx, 0.0, at.all_lx};
     for (std::size_t c = 0; c < weights.size(); ++c)
       light.between_lx += weights[c] * cell.direct_lx[c];
     return light;
@@ -139,12 +132,11 @@ class LightOfCells {
     Light light;
     const std::size_t points = job_.grid->position_m.size();
     for (std::size_t i = 0; i < points; ++i) {
-      const PointLight at = light_at(field_, i, weights);
+      const PointLight at = light_at(field_, i, weights, direct_only);
       light.mean.at_lx += at.direct_lx / static_cast<double>(points);
-      light.mean.all_lx += (direct_only ? at.direct_lx : at.all_lx) / static_cast<double>(points);
+      light.mean.all_lx += at.all_lx / static_cast<double>(points);
     }
     light.darkest = light.lowest = light.mean;
-    light.lowest_lx = light.mean.without_flattery_lx();
     return light;
   }
 
@@ -179,24 +171,24 @@ std::optional<Doubt> doubt_of(const rules::Requirement& requirement, const Light
   const bool is_lower = rules::is_lower_limit(requirement.comparison);
   if (requirement.metric == average) return doubt_of_mean(requirement, light, kOfAverage);
   const double kept = 1.0 - kOfPlace;
-  const CellLight& lowest = light.lowest;
+  const double lowest_lx = light.lowest.without_flattery_lx();
   if (is_lower && requirement.metric == minimum) {
-    const bool is_flattered = light.lowest_lx < kept * light.darkest.all_lx;
-    if (!is_flattered || light.lowest_lx >= requirement.limit) return std::nullopt;
-    return Doubt{lowest, !is_covered};
+    const bool is_flattered = lowest_lx < kept * light.darkest.all_lx;
+    if (!is_flattered || lowest_lx >= requirement.limit) return std::nullopt;
+    return Doubt{light.lowest, !is_covered};
   }
   const bool is_uo = requirement.metric == uniformity_min_avg;
   if (is_lower && (is_uo || requirement.metric == uniformity_min_max)) {
     // The darkest place alone: that points miss bright ones is no flattery of an average.
     const double whole_lx = is_uo ? light.mean.all_lx : light.brightest.all_lx;
-    const double ratio = light.darkest.all_lx / whole_lx;
-    const double without = light.lowest_lx / whole_lx;
-    if (!(without < kept * ratio) || without >= requirement.limit) return std::nullopt;
-    return Doubt{lowest, !is_covered};
+    const bool is_flattered = lowest_lx < kept * light.darkest.all_lx;
+    if (!is_flattered || !(lowest_lx < requirement.limit * whole_lx)) return std::nullopt;
+    return Doubt{light.lowest, !is_covered};
   }
   if (!is_lower && requirement.metric == maximum) {
-    const bool is_flattered = light.highest_lx * kept > light.brightest.all_lx;
-    if (!is_flattered || light.highest_lx <= requirement.limit) return std::nullopt;
+    const double highest_lx = light.highest.without_flattery_lx();
+    const bool is_flattered = highest_lx * kept > light.brightest.all_lx;
+    if (!is_flattered || highest_lx <= requirement.limit) return std::nullopt;
     return Doubt{light.highest, true};
   }
   return doubt_of_mean(requirement, light, kOfOthers);
@@ -221,7 +213,8 @@ std::vector<std::size_t> telling_points(const PlaneJob& job, const calc::PlaneFi
     std::vector<std::pair<double, std::size_t>> points;
     const std::vector<std::uint8_t> is_asked = asked_points(requirement, *job.grid);
     for (std::size_t i = 0; i < job.grid->position_m.size(); ++i) {
-      if (is_asked[i] != 0) points.emplace_back(light_at(field, i, weights).all_lx, i);
+      if (is_asked[i] != 0)
+        points.emplace_back(light_at(field, i, weights, requirement.direct_only).all_lx, i);
     }
     std::sort(points.begin(), points.end());
     for (std::size_t k = 0; k < std::min(kLowest, points.size()); ++k)

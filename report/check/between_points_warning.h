@@ -25,7 +25,7 @@ std::vector<std::size_t> telling_points(const PlaneJob& job, const calc::PlaneFi
 struct FlatteringPoints {
   double at_points_lx = 0.0, between_lx = 0.0;  // what luminaires give directly
   double all_lx = 0.0;                          // at the points, of all light
-  std::string where;                            // ", at (1, 2, 0.8) m, in scene 'x'", or ""
+  std::string where;                            // " at (1, 2, 0.8) m in scene 'x'", or ""
 };
 
 // Where a requirement would not be met if points had what their cells have between them: luminaires
@@ -33,8 +33,9 @@ struct FlatteringPoints {
 // by more than a twentieth; of the darkest and the brightest place, whose cells are looked at one
 // by one, by more than a fifth: of minima, maxima and uniformities. Also where most cells cannot be
 // looked at, since surfaces lie around their points: then nothing is known between them. Others
-// than these statistics, and those of some points only, by a tenth of the average. Empty: nothing
-// flatters it, or it cannot be told (see light_between_points()). field: of the job's grid.
+// than these statistics by a tenth of the average. Of the points that the requirement's mask
+// leaves. Empty: nothing flatters it, or it cannot be told (see light_between_points()). field: of
+// the job's grid.
 std::optional<FlatteringPoints> flattering_points(const PlaneJob& job,
                                                   const calc::PlaneField& field,
                                                   const calc::LightBetweenPoints& between,

@@ -318,9 +318,9 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   auto& [jobs, scene, apart, not_apart, tasks, solution] = *lit;
   take_problems(jobs, solution.fields, diagnostics);
   warn_about_lost_light(space, solution.balance, diagnostics);
-  warn_of_light_between_points(space, *lit, loaded, context, diagnostics);
 
   const Stopwatch judge_watch;
+  warn_of_light_between_points(space, *lit, loaded, context, diagnostics);
   std::vector<report::PlanePart> planes;
   std::size_t task = 0;
   for (const PlaneJob& job : jobs) {

@@ -1,5 +1,6 @@
 #include "report/html/html_room_data.h"
 
+#include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
 #include "report/html/html_markup.h"
 #include "report/text/luminaire_aim.h"
@@ -130,10 +131,11 @@ std::string power_facts(const Texts& t, const SpacePart& space) {
   if (!density) return html;
   html += fact(t[Text::power_by_area], format_fixed(t, *density, 2) + " W/m²");
   if (const PlanePart* plane = reference_plane(space)) {
-    constexpr double kPer_lx = 100.0;
-    const calc::Estimate per_100_lx{kPer_lx * *density / plane->average.value,
-                                    kPer_lx * *density / plane->average.high,
-                                    kPer_lx * *density / plane->average.low};
+    const auto at = [&](double average_lx) {
+      return calc::power_per_100_lx_w_m2(*density, average_lx);
+    };
+    const calc::Estimate& average = plane->average;  // the quotient falls with it
+    const calc::Estimate per_100_lx{at(average.value), at(average.high), at(average.low)};
     html += fact(t[Text::power_by_light],
                  t.say<Text::of_plane>(format_measured(t, per_100_lx, "W/m²"),
                                        escape_html(title_of(plane->name, plane->id))));

@@ -1,5 +1,6 @@
 #include "rules/measure/measure.h"
 
+#include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
@@ -339,7 +340,7 @@ Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorG
     return result;
   }
   const auto at = [&](double average_lx) {
-    return 100.0 * requirement.power_density_w_m2 / average_lx;
+    return calc::power_per_100_lx_w_m2(requirement.power_density_w_m2, average_lx);
   };
   result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
   for (double& value : result.without_replicate) value = at(value);

@@ -61,6 +61,21 @@ TEST(FormatWriters, NeedNoProjectThatIsGoneAndLittleMemory) {
   }
 }
 
+// Who makes a writer may forget what it was made with.
+TEST(FormatWriters, KeepTheirStyle) {
+  const Document document = small_document();
+  const DocumentFrame frame = frame_of(document);
+  FormatStyle style;
+  style.page.paper = Paper::letter;
+  const std::unique_ptr<FormatWriter> writer =
+      find_format("html")->writer(frame, {testing::TempDir(), 100}, style);
+  style.page.paper = Paper::a4;
+  for (const ProjectPart& project : document.projects) writer->add(project);
+  TextSink sink;
+  writer->finish(end_of(document), sink);
+  EXPECT_NE(sink.text.find("size: letter;"), std::string::npos);
+}
+
 // From what needs attention and from the summary.
 TEST(FormatWriters, LinkToThePlanesOfTheirOwnProject) {
   Document document = small_document();
