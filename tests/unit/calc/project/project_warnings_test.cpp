@@ -84,7 +84,8 @@ TEST(ProjectWarnings, ALuminaireThatWasPastedTwiceIsNamedWithTheFirst) {
             "move it");
   EXPECT_THAT(with_second_luminaire(R"(position="2.009 1.5 2.5")"), HasSubstr("coincide"));
   EXPECT_EQ(with_second_luminaire(R"(position="2.011 1.5 2.5")"), "");
-  EXPECT_EQ(with_second_luminaire(R"(position="2 1.5 2.5" aim="0 0 0")"), "");  // two heads
+  EXPECT_EQ(with_second_luminaire(R"(position="2 1.5 2.5" aim="0 0 0")"), "");     // two heads
+  EXPECT_EQ(with_second_luminaire(R"(position="2 1.5 2.5" rotation="180")"), "");  // back to back
 }
 
 TEST(ProjectWarnings, OtherTypesAtOnePlaceAreOneLuminaireInTwoParts) {
