@@ -188,15 +188,20 @@ void point_to(int descriptor, const char* path, int flags) {
   if (file >= 0) dup2(file, descriptor);
 }
 
-// Never returns. Nothing of ours goes along but these words.
+// Never returns. Nothing of ours goes along but these words. Chromium makes a socket in TMPDIR, and
+// the path of a socket has at most 107 characters: the folder's own path can be longer.
 [[noreturn]] void become_chromium(const std::string& chromium, const TemporaryFolder& folder,
                                   const std::string& search_path) {
   std::vector<std::string> words = words_for(chromium, folder);
   const std::string& home = folder.path();
-  std::vector<std::string> settings{"PATH=" + search_path,    "HOME=" + home,
-                                    "TMPDIR=" + home,         "XDG_CONFIG_HOME=" + home,
-                                    "XDG_CACHE_HOME=" + home, "XDG_RUNTIME_DIR=" + home,
-                                    "LANG=C.UTF-8",           "TZ=UTC"};
+  std::vector<std::string> settings{"PATH=" + search_path,
+                                    "HOME=" + home,
+                                    "TMPDIR=.",
+                                    "XDG_CONFIG_HOME=" + home,
+                                    "XDG_CACHE_HOME=" + home,
+                                    "XDG_RUNTIME_DIR=" + home,
+                                    "LANG=C.UTF-8",
+                                    "TZ=UTC"};
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
@@ -204,6 +209,7 @@ void point_to(int descriptor, const char* path, int flags) {
   }
   point_to(STDERR_FILENO, folder.file("log").c_str(), O_WRONLY | O_CREAT);
   close_range(STDERR_FILENO + 1, ~0U, 0);  // what stood open before luxgate began
+  if (chdir(home.c_str()) != 0) _exit(127);
   execve(chromium.c_str(), pointers(words).data(), pointers(settings).data());
   _exit(127);
 }
@@ -215,9 +221,12 @@ std::string contents(const std::string& path) {
   return std::move(bytes).str();
 }
 
-// The last words of a log.
+// The last words of a log, or those that Chromium itself calls fatal: more may follow them.
 std::string last_line(std::string log) {
   constexpr std::size_t kMost = 300;
+  if (const std::size_t fatal = log.find(":FATAL:"); fatal != log.npos) {
+    log.resize(std::min(log.find('\n', fatal), log.size()));
+  }
   while (!log.empty() && (log.back() == '\n' || log.back() == ' ')) log.pop_back();
   log.erase(0, log.rfind('\n') + 1);
   return log.empty() ? "" : ": " + calc::shorten_utf8(calc::printable(log), kMost);

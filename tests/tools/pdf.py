@@ -23,7 +23,7 @@ def expect(is_so, words):
 
 
 shutil.rmtree(WORK, ignore_errors=True)
-TEMPORARY = WORK / "temporary"
+TEMPORARY = WORK / ("temporary" + 100 * "y")  # longer than the path of a socket may be: Chromium makes one
 TEMPORARY.mkdir(parents=True)
 small_designs.write(WORK / "p.xml", name="Hall &quot;A&quot; \\ &lt;/style&gt;", far=False)
 
@@ -49,6 +49,12 @@ def until(is_so):
     return False
 
 
+def bytes_of(name):
+    """b"" = there is no such file; what was expected of it tells so."""
+    path = WORK / name
+    return path.read_bytes() if path.exists() else b""
+
+
 def is_clean(words):
     expect(until(lambda: not any(TEMPORARY.iterdir())), f"{words}: {[path.name for path in TEMPORARY.iterdir()]} stay in TMPDIR")
     expect(not list(WORK.glob(".*")), f"{words}: something stays beside the report")
@@ -66,7 +72,9 @@ def without_chromium():
 def failures():
     """A printer that fails leaves no PDF; the other reports are there."""
     for name, lines, said in [("ends", "echo 'no memory for \033[1mthat' >&2; exit 3", b"it ended with code 3: no memory for  [1mthat"),
-                              ("dies", "kill -9 $$", b"it ended by signal 9"), ("nothing", "exit 0", b"it made no PDF"),
+                              ("dies", "kill -9 $$", b"it ended by signal 9"),
+                              ("fatal", "printf 'no bus\\n[1:FATAL:x.cc] no room\\nno bus again\\n' >&2; kill -6 $$", b"it ended by signal 6: [1:FATAL:x.cc] no room"),
+                              ("nothing", "exit 0", b"it made no PDF"),
                               ("other", "for word; do case $word in --print-to-pdf=*) echo hello > ${word#*=};; esac; done", b"it made no PDF")]:
         done = luxgate("check", "p.xml", "--format", f"pdf={name}.pdf", "--format", f"html={name}.html", LUXGATE_CHROMIUM=fake(name, lines))
         expect(done.returncode == 2 and b"cannot write '" + name.encode() + b".pdf': Chromium did not print it: " + said in done.stderr, f"{name}: {done.returncode}, {done.stderr}")
@@ -83,8 +91,8 @@ printf '%%PDF-1.4 /CreationDate (D:20261125141516+00' > "$pdf"
 """
     done = luxgate("check", "p.xml", "--format", "pdf=fake.pdf", "--format", "html=fake.html", LUXGATE_CHROMIUM=fake("printer", lines), SECRET="12345")
     expect(done.returncode == 0, f"fake: {done.stderr}")
-    expect((WORK / "fake.pdf").read_bytes() == b"%PDF-1.4 /CreationDate (D:20000101000000+00", f"fake: {(WORK / 'fake.pdf').read_bytes()}")
-    expect((WORK / "page.html").read_bytes() == (WORK / "fake.html").read_bytes(), "the page that is printed is another")
+    expect(bytes_of("fake.pdf") == b"%PDF-1.4 /CreationDate (D:20000101000000+00", f"fake: {bytes_of('fake.pdf')}")
+    expect(bytes_of("page.html") == bytes_of("fake.html"), "the page that is printed is another")
     words = (WORK / "words").read_text().splitlines()
     for word in ["--headless", "--host-resolver-rules=MAP * ~NOTFOUND", "--no-pdf-header-footer", "--generate-pdf-document-outline"]:
         expect(word in words, f"Chromium does not get {word}")
@@ -114,7 +122,7 @@ def kills():
 
 
 def pages(file):
-    return (WORK / file).read_bytes().count(b"/Type /Page\n")
+    return bytes_of(file).count(b"/Type /Page\n")
 
 
 def prints():
@@ -122,7 +130,7 @@ def prints():
     done = luxgate("check", "p.xml", "--format", "pdf=a.pdf", "--format", "json=a.json", "--set", "about.revision=\"';}\\x</style>", "--sandbox", "auto")
     expect(done.returncode == 0 and b"error" not in done.stderr, f"check: {done.returncode}, {done.stderr}")
     is_clean("check")
-    pdf = (WORK / "a.pdf").read_bytes()
+    pdf = bytes_of("a.pdf")
     expect(pdf.startswith(b"%PDF-") and pdf.rstrip().endswith(b"%%EOF"), "a.pdf is no PDF")
     expect(b"/CreationDate (D:20000101000000" in pdf and b"/ModDate (D:20000101000000" in pdf, "a.pdf tells the time")
     for word in [b"/StructTreeRoot", b"/Outlines", b"/Lang (en)", b"/MediaBox [0 0 594"]:
@@ -131,12 +139,12 @@ def prints():
     expect(0 < pages("a.pdf") <= 4, f"a.pdf: {pages('a.pdf')} pages")
     for words, name in [(["--sandbox", "off"], "sandbox off"), ([], "again")]:
         luxgate("check", "p.xml", "--format", "pdf=b.pdf", "--set", "about.revision=\"';}\\x</style>", *words)
-        expect((WORK / "b.pdf").read_bytes() == pdf, f"{name}: other bytes")
+        expect(bytes_of("b.pdf") == pdf, f"{name}: other bytes")
     done = luxgate("report", "a.json", "--format", "pdf=c.pdf")
-    expect(done.returncode == 0 and (WORK / "c.pdf").read_bytes() == pdf, f"report: {done.returncode}, {done.stderr}, or other bytes")
+    expect(done.returncode == 0 and bytes_of("c.pdf") == pdf, f"report: {done.returncode}, {done.stderr}, or other bytes")
     done = luxgate("report", "a.json", "--format", "pdf", "--language", "de", "--paper", "letter")
     expect(b"/MediaBox [0 0 612 792]" in done.stdout and b"/Lang (de)" in done.stdout, f"letter, German: {done.stderr}")
-    if shutil.which("pdftotext"):
+    if pdf and shutil.which("pdftotext"):
         text = subprocess.run(["pdftotext", WORK / "a.pdf", "-"], capture_output=True, check=True).stdout.decode()
         for words in ["Hall \"A\" \\ </style> · Revision \"';}\\x</style>", f"Page 1 / {pages('a.pdf')}", "Summary"]:
             expect(words in text, f"a.pdf does not say {words!r}")
