@@ -13,6 +13,7 @@ luxgate_test(report_tests
     unit/report/html/heatmap_svg_test.cpp
     unit/report/images/heatmap_test.cpp
     unit/report/html/html_difference_test.cpp
+    unit/report/html/html_levels_test.cpp
     unit/report/html/html_room_data_test.cpp
     unit/report/html/html_test.cpp
     unit/report/html/isolux_test.cpp

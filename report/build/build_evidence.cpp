@@ -6,8 +6,12 @@
 #include "rules/measure/error_spending.h"
 #include "rules/measure/metrics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,6 +37,22 @@ calc::Estimate statistic(const rules::PointValues& values, rules::Metric metric,
   return found ? found->estimate : calc::Estimate{kNone, kNone, kNone};
 }
 
+double in_share_digits(double value) {
+  const std::string text = fmt::format("{:.{}e}", value, kShareDigits - 1);
+  double rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+std::vector<double> means_of_points(const rules::PointValues& values) {
+  std::vector<double> means(values.points, 0.0);
+  for (std::size_t point = 0; point < values.points; ++point) {
+    for (std::size_t r = 0; r < values.replicates; ++r) means[point] += values.at(r, point);
+    means[point] = in_share_digits(means[point] / static_cast<double>(values.replicates));
+  }
+  return means;
+}
+
 std::vector<std::string> groups_of(const calc::PlaneField& field) {
   std::vector<std::string> groups;
   for (const calc::LightChannel& channel : field.channels) {
@@ -52,11 +72,12 @@ std::vector<GroupShare> build_groups(const calc::PlaneField& field, calc::Derive
   for (const std::string& group : groups) {
     Levels alone;
     for (const std::string& other : groups) alone.emplace_back(other, other == group ? 1.0 : 0.0);
-    const auto average = [&](rules::LightParts parts) {
-      return statistic(maintained(field, derived, alone, parts), rules::Metric::average, level);
-    };
-    shares.push_back(
-        {group, average(rules::LightParts::all), average(rules::LightParts::direct).value});
+    const rules::PointValues light = maintained(field, derived, alone);
+    const rules::PointValues direct = maintained(field, derived, alone, rules::LightParts::direct);
+    shares.push_back({group, statistic(light, rules::Metric::average, level),
+                      statistic(direct, rules::Metric::average, level).value});
+    if (groups.size() > 1 && groups.size() * light.points <= kMostShareValues)
+      shares.back().point_lx = means_of_points(light);
   }
   return shares;
 }

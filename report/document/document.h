@@ -103,7 +103,12 @@ struct GroupShare {
   std::string group;          // "" = luminaires without a group
   calc::Estimate average_lx;  // maintained
   double direct_lx = 0;       // of it, on average over the points
+  // [point] as PlanePart::points, maintained, to kShareDigits digits: what other levels would give
+  // follows from it. Empty: this group is the only one, or kMostShareValues are not enough.
+  std::vector<double> point_lx = {};
 };
+inline constexpr int kShareDigits = 6;
+inline constexpr std::size_t kMostShareValues = 20'000;  // of all groups of a plane
 
 // What one luminaire gives to a plane, alone and at full output, reflections included; maintained.
 struct LuminaireShare {

@@ -4,6 +4,7 @@
 #include "report/html/html_about.h"
 #include "report/html/html_aggregates.h"
 #include "report/html/html_findings.h"
+#include "report/html/html_levels.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_plane.h"
@@ -176,7 +177,8 @@ std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p
   const SpacePart& space = project.spaces[s];
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
                                  space_anchor(p, s), space_title(space));
-  html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
+  html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space) +
+          html_levels(t, project, space);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed);
   return html + "</section>\n";
@@ -451,6 +453,7 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   if (room.first_plane == 0) {
     body += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   }
+  body += html_levels(t, project, space);
   const ColourScales scales(project, style.scale);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true);

@@ -59,8 +59,8 @@ std::string html_contributions(const Texts& t, const PlanePart& plane) {
       t[Text::light_from], t[Text::average_column], t[Text::direct_lx], t[Text::share_column],
       t[Text::at_the_minimum], t[Text::direct_lx], rows);
   const char* title = t[Text::light_by_luminaire];
-  return fmt::format("<details class=\"list\"><summary>{}</summary>\n{}</details>\n", title,
-                     scroll_box(title, table));
+  return fmt::format("<details class=\"list calculated\"><summary>{}</summary>\n{}</details>\n",
+                     title, scroll_box(title, table));
 }
 
 }  // namespace report

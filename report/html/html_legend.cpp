@@ -90,11 +90,12 @@ std::string limit_mark(const ColourScale& scale, const PlanLimit& limit, double 
              svg_number(bar_top + kBarHeight));
 }
 
-std::string key_item(const std::string& picture, const std::string& words) {
+std::string key_item(const std::string& picture, const std::string& words,
+                     const char* attributes = "") {
   return fmt::format(
-      "<li><svg width=\"16\" height=\"16\" viewBox=\"0 0 16 16\" "
+      "<li{}><svg width=\"16\" height=\"16\" viewBox=\"0 0 16 16\" "
       "aria-hidden=\"true\">{}</svg>{}</li>",
-      picture, words);
+      attributes, picture, words);
 }
 
 }  // namespace
@@ -131,7 +132,7 @@ std::string html_plan_key(const Texts& t, const PlanSigns& signs) {
   std::string items = key_item(
       "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-halo\"/>"
       "<rect x=\"2\" y=\"2\" width=\"12\" height=\"12\" class=\"min-mark\"/>",
-      t.say<Text::key_minimum>(escape_html(signs.minimum)));
+      t.say<Text::key_minimum>(escape_html(signs.minimum)), " class=\"calculated\"");
   const std::string hatch =
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" class=\"sample\"/>"
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" fill=\"url(#hatch-" +

@@ -27,7 +27,6 @@
 namespace report {
 namespace {
 
-constexpr std::size_t kMostSvgCells = 2500;  // more go in as one embedded picture
 constexpr std::size_t kMostIsoluxPoints = 20000;
 constexpr double kBelowPlan = 26;     // px: room for the scale bar
 constexpr int kPicturePixels = 1000;  // on its longer side: sharp in print
@@ -55,18 +54,9 @@ const PointRow& lowest_point(const PlanePart& plane) {
       [](const PointRow& a, const PointRow& b) { return a.measured.value < b.measured.value; });
 }
 
-// Points by colour band: one group each keeps the file small.
-std::map<int, std::vector<const PointRow*>> by_band(const Drawing& drawing) {
-  std::map<int, std::vector<const PointRow*>> bands;
-  for (const PointRow& point : drawing.plane.points) {
-    bands[band_of(drawing.scale, point.measured.value)].push_back(&point);
-  }
-  return bands;
-}
-
 std::string svg_cells(const Drawing& drawing) {
   std::string svg;
-  for (const auto& [band, points] : by_band(drawing)) {
+  for (const auto& [band, points] : points_by_band(drawing.plane, drawing.scale)) {
     const std::string colour = hex_colour(band_colour(drawing.scale, band));
     svg += fmt::format("<g class=\"cells\" fill=\"{0}\" stroke=\"{0}\">\n", colour);
     for (const PointRow* point : points) {
@@ -86,7 +76,7 @@ std::string svg_cells(const Drawing& drawing) {
 // One path for each colour: cells that are too many for titles, and in no raster.
 std::string plain_cells(const Drawing& drawing) {
   std::string svg;
-  for (const auto& [band, points] : by_band(drawing)) {
+  for (const auto& [band, points] : points_by_band(drawing.plane, drawing.scale)) {
     const std::string colour = hex_colour(band_colour(drawing.scale, band));
     svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"", colour);
     for (const PointRow* point : points) svg += drawing.cell_path(point->column, point->row);
@@ -129,7 +119,8 @@ std::string svg_hatch(const Drawing& drawing) {
     const glm::dvec2 size = drawing.cell_px();
     path += svg_rectangle(drawing.cell_corner_px(column, row), {size.x * count, size.y});
   }
-  return fmt::format("<path fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor, path);
+  return fmt::format("<path class=\"missed\" fill=\"url(#hatch-{})\" d=\"{}\"/>\n", drawing.anchor,
+                     path);
 }
 
 std::string cell_text(const Drawing& drawing, double value) {
@@ -153,7 +144,7 @@ std::string svg_numbers(const Drawing& drawing) {
   const double size = number_size_px(drawing);
   if (size == 0.0) return {};
   std::string svg;
-  for (const auto& [band, points] : by_band(drawing)) {
+  for (const auto& [band, points] : points_by_band(drawing.plane, drawing.scale)) {
     const Rgb colour = band_colour(drawing.scale, band);
     svg += fmt::format("<g class=\"numbers\" fill=\"{}\" stroke=\"{}\" font-size=\"{}\">\n",
                        needs_dark_text(colour) ? "#000" : "#fff", hex_colour(colour),

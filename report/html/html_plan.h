@@ -5,10 +5,14 @@
 #include "report/html/shared_scale.h"
 #include "report/text/texts.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace report {
+
+// Points whose cells are drawn one by one; more go in as one embedded picture.
+inline constexpr std::size_t kMostSvgCells = 2500;
 
 // A <figure> with two inline SVG pictures (plan and legend). anchor: unique in the page, used for
 // ids. Needs has_cells(plane).

@@ -3,6 +3,7 @@
 #include "report/html/html_contributions.h"
 #include "report/html/html_convergence.h"
 #include "report/html/html_findings.h"
+#include "report/html/html_levels.h"
 #include "report/html/html_plan.h"
 #include "report/html/pass_factor.h"
 #include "report/html/plan_layout.h"
@@ -35,13 +36,15 @@ std::string value_cell(const Texts& t, const calc::Estimate& estimate, const cha
   return t.number(text.value) + (*unit == '\0' ? "" : std::string(" ") + unit);
 }
 
-std::string statistic(const Texts& t, const char* name, const calc::Estimate& estimate,
-                      const char* unit, const Thresholds& thresholds) {
+std::string statistic(const Texts& t, const char* name, rules::Metric metric,
+                      const calc::Estimate& estimate, const char* unit,
+                      const Thresholds& thresholds) {
   return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td class=\"num "
+      "<tr data-statistic=\"{}\"{}><th scope=\"row\">{}</th><td class=\"num strong\">{}</td><td "
+      "class=\"num "
       "quiet\">{}</td></tr>\n",
-      name, value_cell(t, estimate, unit, thresholds),
-      format_interval(t, estimate, unit, thresholds));
+      calc::name_of(metric), limits_attribute(thresholds), name,
+      value_cell(t, estimate, unit, thresholds), format_interval(t, estimate, unit, thresholds));
 }
 
 std::string statistics_table(const Texts& t, const PlanePart& plane) {
@@ -51,7 +54,7 @@ std::string statistics_table(const Texts& t, const PlanePart& plane) {
   const bool has_average = !calc::is_plain_number(plane.derived);
   const auto row = [&](const char* name, const calc::Estimate& estimate, const char* of_unit,
                        rules::Metric metric) {
-    return statistic(t, name, estimate, of_unit, statistic_thresholds(plane, metric));
+    return statistic(t, name, metric, estimate, of_unit, statistic_thresholds(plane, metric));
   };
   using enum rules::Metric;
   const std::string extremes = row(t[Text::statistic_minimum], plane.minimum, unit, minimum) +
@@ -264,7 +267,7 @@ std::string value_matrix(const Texts& t, const PlanePart& plane) {
 }
 
 std::string value_list(const Texts& t, const PlanePart& plane) {
-  std::string html = "<table class=\"findings\"><caption>" +
+  std::string html = "<table class=\"findings points\"><caption>" +
                      t.say<Text::list_caption>(state_plane_words(t, plane)) +
                      "</caption><thead><tr>" +
                      fmt::format(
@@ -279,7 +282,8 @@ std::string value_list(const Texts& t, const PlanePart& plane) {
     const PointRow& point = plane.points[i];
     html += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num quiet\">{}</td>"
-        "<td class=\"num strong\">{}</td><td class=\"num\">{} lx</td><td class=\"num\">{} "
+        "<td class=\"num strong\">{}</td><td class=\"num part\">{} lx</td><td class=\"num "
+        "part\">{} "
         "lx</td></tr>\n",
         i + 1, with_minus(format_position(t, point.position_m)),
         with_minus(format_position(t, point.normal)),
@@ -350,9 +354,10 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
   std::string html = fmt::format(
       "<article class=\"plane\" aria-labelledby=\"{0}-title\"><details class=\"card\"{3}>\n"
       "<summary><h4 id=\"{0}-title\">{1} <span class=\"id\">{2}</span></h4> {4}</summary>\n"
-      "<div id=\"{0}\">\n",
+      "<div id=\"{0}\"{5}>\n",
       anchor, title, plane.name.empty() ? "" : escape_html(plane.id),
-      folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane));
+      folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane),
+      level_attributes(t, space, plane, scales));
   if (!plane.is_computed) {
     html += "<p class=\"message\">" +
             t.say<Text::not_computed_because>(t.english_html(escape_html(plane.reason))) + "</p>\n";

@@ -6,8 +6,9 @@
 
 namespace report {
 
-// The page's script (html_script.js, embedded when the build is configured): sorting and filtering
-// of the summary, with its words in the language of t. Without '<' and '&', so that it may stand in
+// The page's scripts (html_script.js and html_levels.js, embedded when the build is configured):
+// sorting and filtering of the summary, with its words in the language of t, and levels of light
+// that move. Without '<' and '&', so that it may stand in
 // XML as it is.
 std::string html_script(const Texts& t);
 

@@ -36,6 +36,14 @@ glm::dvec2 PlanCells::cell_corner_px(int column, int row) const {
   return layout.pixel({column * plane.grid.spacing_u_m, (row + 1) * plane.grid.spacing_v_m});
 }
 
+std::map<int, std::vector<const PointRow*>> points_by_band(const PlanePart& plane,
+                                                           const ColourScale& scale) {
+  std::map<int, std::vector<const PointRow*>> bands;
+  for (const PointRow& point : plane.points)
+    bands[band_of(scale, point.measured.value)].push_back(&point);
+  return bands;
+}
+
 PlanCells plan_cells(const SpacePart& space, const PlanePart& plane, const glm::dvec2& wanted_px) {
   PlanCells cells{plane, lay_out_plan(space, plane, wanted_px)};
   if (plane.grid.route) cells.route.emplace(plane.grid.route->cells(plane.grid.rows));

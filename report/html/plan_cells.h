@@ -2,11 +2,14 @@
 // The cells of a plane's points, where they lie in its drawing.
 
 #include "report/html/plan_layout.h"
+#include "report/images/heatmap.h"
 
 #include <glm/glm.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace report {
 
@@ -24,6 +27,10 @@ struct PlanCells {
   glm::dvec2 cell_corner_px(int column, int row) const;
 };
 PlanCells plan_cells(const SpacePart& space, const PlanePart& plane, const glm::dvec2& wanted_px);
+
+// Points by colour band, in the order in which they are drawn: one group each keeps the file small.
+std::map<int, std::vector<const PointRow*>> points_by_band(const PlanePart& plane,
+                                                           const ColourScale& scale);
 
 // For the attribute d of a path.
 std::string svg_rectangle(const glm::dvec2& corner, const glm::dvec2& size);

@@ -116,6 +116,10 @@ void describe(auto& v, Is<GroupShare> auto& share) {
   v.field("group", share.group);
   v.field("average_lx", share.average_lx);
   v.field("direct_lx", or_null(share.direct_lx));
+  v.field("point_lx", share.point_lx,
+          {.words = "At each point, in their order; only of planes with several groups, and not of "
+                    "very many points.",
+           .presence = only_if(!share.point_lx.empty())});
 }
 
 void describe_light(auto& v, Is<LuminaireShare> auto& share) {
@@ -213,6 +217,11 @@ void describe_results(auto& v, Is<PlanePart> auto& plane) {
               "each look needs as many findings as the plane has");
   v.object("grid", [&](auto& o) { describe_grid(o, plane); });
   v.object("points", [&](auto& o) { describe_points(o, plane); });
+  const auto lacks_points = [&](const GroupShare& share) {
+    return !share.point_lx.empty() && share.point_lx.size() != plane.points.size();
+  };
+  v.refuse_if(std::any_of(plane.groups.begin(), plane.groups.end(), lacks_points), "groups",
+              "each group needs as many values as the plane has points");
 }
 
 inline std::vector<std::string_view> plane_quantities() {

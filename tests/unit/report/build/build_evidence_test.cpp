@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace report {
 namespace {
 
@@ -31,6 +34,32 @@ TEST(Evidence, GroupsAddUpToThePlane) {
   EXPECT_LT(groups[1].average_lx.low, groups[1].average_lx.value);
   const PlaneLook look = build_look(field, calc::DerivedQuantity::none, {}, 0.95);
   EXPECT_DOUBLE_EQ(look.average.value, groups[0].average_lx.value + groups[1].average_lx.value);
+}
+
+TEST(Evidence, GroupsHaveTheirLightAtPoints) {
+  calc::PlaneField field = field_of_groups();
+  std::vector<GroupShare> groups = build_groups(field, calc::DerivedQuantity::none, 0.95);
+  EXPECT_EQ(groups[0].point_lx, (std::vector<double>{99.8, 179.8}));
+  EXPECT_EQ(groups[1].point_lx, (std::vector<double>{22.5, 32.5}));
+  field.direct_exact_lx[2] = 40.123456789;
+  groups = build_groups(field, calc::DerivedQuantity::none, 0.95);
+  EXPECT_EQ(groups[1].point_lx[0], 22.5617);  // 22.5617283945
+  for (calc::LightChannel& channel : field.channels) channel.group = "a";
+  groups = build_groups(field, calc::DerivedQuantity::none, 0.95);
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_TRUE(groups[0].point_lx.empty());  // they are the plane's own
+}
+
+TEST(Evidence, LightAtPointsHasABound) {
+  for (const std::size_t points : {kMostShareValues / 2, kMostShareValues / 2 + 1}) {
+    calc::PlaneField field;
+    field.points = points;
+    field.replicates = 1;
+    field.channels = {{"a", 1.0}, {"b", 1.0}};
+    field.direct_exact_lx.assign(2 * points, 1.0);
+    const auto groups = build_groups(field, calc::DerivedQuantity::none, 0.95);
+    EXPECT_EQ(groups[0].point_lx.size(), points > kMostShareValues / 2 ? 0U : points);
+  }
 }
 
 TEST(Evidence, LookSaysWhatWasDoneAndFound) {

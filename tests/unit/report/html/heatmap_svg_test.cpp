@@ -37,7 +37,7 @@ TEST(HeatmapSvg, StandsAlone) {
   EXPECT_THAT(svg, Not(HasSubstr("currentColor")));
   const pugi::xml_document document = parsed(svg);
   const std::string style = document.child("svg").child_value("style");
-  const std::set<std::string> plain{"plan", "unit"};
+  const std::set<std::string> plain{"plan", "unit", "missed"};
   for (const auto& node : document.select_nodes("//@class")) {
     std::istringstream words(node.attribute().value());
     for (std::string word; words >> word;) {

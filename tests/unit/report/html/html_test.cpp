@@ -491,7 +491,7 @@ TEST(Html, RatingsHaveNoUnit) {
     EXPECT_THAT(html, HasSubstr(words));
   }
   EXPECT_THAT(html, Not(HasSubstr("0.400 lx")));
-  EXPECT_THAT(html, Not(HasSubstr("Uo")));
+  EXPECT_THAT(html, Not(HasSubstr(">Uo")));
   // No colour for what has no value: the list of values remains.
   plane.points[0].measured = no_estimate();
   const std::string without = render_html(document);
