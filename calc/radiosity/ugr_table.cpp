@@ -3,8 +3,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/radiosity/glare.h"
-#include "calc/radiosity/opening.h"
-#include "calc/scene/prepared_scene.h"
+#include "calc/radiosity/mean_luminance.h"
 
 #include <glm/glm.hpp>
 
@@ -117,7 +116,7 @@ double indirect_on_walls(const Shares& direct, const Room& room, const UgrReflec
 }
 
 // Sum of L^2 w / p^2 with H = 1: cd^2 sr / m^4 times H^2.
-double sources(const PlacedLuminaire& luminaire, const Room& room, double spacing, UgrView view) {
+double sources(const MeanLuminance& luminaire, const Room& room, double spacing, UgrView view) {
   const glm::dvec3 look(0.0, 1.0, 0.0);
   double sum = 0.0;
   for (double along = 0.5 * spacing; along < room.y; along += spacing) {
@@ -130,23 +129,14 @@ double sources(const PlacedLuminaire& luminaire, const Room& room, double spacin
                                                              : glm::dvec3(side, along, -1.0);
         const double r2 = glm::dot(to_eye, to_eye);
         const glm::dvec3 out = to_eye / std::sqrt(r2);
-        const double cd = luminaire.web->intensity_cd({out.x, out.y, out.z});
-        const double area_m2 = seen_opening_m2(luminaire, out);
+        const double cd = luminaire.intensity_cd(out);
+        const double area_m2 = luminaire.area_m2(out);
         if (!(area_m2 > 0.0)) continue;
         sum += cd * cd / (area_m2 * r2 * *index * *index);
       }
     }
   }
   return sum;
-}
-
-// A flat opening with its sides: light is taken as flat where they are low (calc/CONVENTIONS.md),
-// but such tables count them, and seen from the side they are much of the area.
-LuminousOpening with_sides(LuminousOpening opening) {
-  if (!(opening.height_m > 0.0)) return opening;
-  if (opening.shape == OpeningShape::rectangle) opening.shape = OpeningShape::box;
-  if (opening.shape == OpeningShape::disk) opening.shape = OpeningShape::cylinder;
-  return opening;
 }
 
 }  // namespace
@@ -160,10 +150,8 @@ double opposite_rectangles_share(double x, double y) {
 }
 
 std::optional<std::vector<UgrRow>> ugr_table(const PhotometricWeb& web, double spacing_per_h) {
-  PlacedLuminaire luminaire;
-  luminaire.web = &web;
-  luminaire.opening = with_sides(web.opening());
-  if (luminaire.opening.shape == OpeningShape::point) return std::nullopt;
+  const MeanLuminance luminaire(web);
+  if (!luminaire.has_area()) return std::nullopt;
   const Pieces pieces = pieces_of(web);
   std::vector<UgrRow> table;
   for (const Room& room : kRooms) {

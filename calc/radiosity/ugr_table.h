@@ -6,7 +6,7 @@
 // luminaires above the eye. The eye is in the middle of a wall that is X long and looks along Y;
 // luminaires stand at half a spacing from the walls. UGR is that of glare.h:
 //   - every source counts as for an eye far away, by the closed form of the position index;
-//   - an opening counts with its sides, however low they are;
+//   - an opening counts with its sides (mean_luminance.h);
 //   - L_b = E_w / pi with E_w the mean indirect illuminance of the walls, by the exact exchange of
 //     light between three surfaces: the walls, the luminaires' plane (ceiling) and the eye's plane
 //     (floor). That is the method's own choice: at an eye it is another one, and such a table is no

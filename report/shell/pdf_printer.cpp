@@ -25,6 +25,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -310,6 +311,24 @@ class PrintingProcess {
 
 }  // namespace
 
+namespace {
+
+// open: makes a printer of that Chromium.
+bool open_or_print(const std::function<void(const std::string&)>& open,
+                   const Environment& environment) {
+  FoundChromium found = find_chromium(environment);
+  try {
+    if (found.problem.empty()) open(found.path);
+  } catch (const std::system_error& error) {
+    found.problem = error.code().message();
+  }
+  if (found.problem.empty()) return true;
+  print_error(calc::DiagnosticId::pdf_not_possible, found.problem);
+  return false;
+}
+
+}  // namespace
+
 FoundChromium find_chromium(const Environment& environment) {
   constexpr std::array<const char*, 4> kNames{"chromium", "chromium-browser", "google-chrome",
                                               "google-chrome-stable"};
@@ -390,17 +409,16 @@ bool open_printer_or_print(OutputOptions& options, const Environment& environmen
                    [](const OutputFormat& item) { return item.format->is_printed; })) {
     return true;
   }
-  FoundChromium found = find_chromium(environment);
-  try {
-    if (found.problem.empty()) {
-      options.printer = std::make_shared<PdfPrinter>(found.path, kMostSeconds);
-    }
-  } catch (const std::system_error& error) {
-    found.problem = error.code().message();
-  }
-  if (found.problem.empty()) return true;
-  print_error(calc::DiagnosticId::pdf_not_possible, found.problem);
-  return false;
+  return open_or_print(
+      [&](const std::string& chromium) {
+        options.printer = std::make_shared<PdfPrinter>(chromium, kMostSeconds);
+      },
+      environment);
+}
+
+bool open_printer_or_print(std::optional<PdfPrinter>& printer, const Environment& environment) {
+  return open_or_print(
+      [&](const std::string& chromium) { printer.emplace(chromium, kMostSeconds); }, environment);
 }
 
 }  // namespace cli

@@ -8,6 +8,7 @@
 #include <sys/types.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cli {
@@ -38,5 +39,7 @@ class PdfPrinter : public report::PagePrinter {
 
 // Where a PDF is asked for: into options.printer. False after an error, which has been printed.
 bool open_printer_or_print(OutputOptions& options, const Environment& environment);
+// Likewise, always.
+bool open_printer_or_print(std::optional<PdfPrinter>& printer, const Environment& environment);
 
 }  // namespace cli

@@ -12,6 +12,7 @@ import time
 import small_designs
 
 PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+EXAMPLES = pathlib.Path(sys.argv[3]).resolve()
 MOST_S = 120
 CHROMIUM = next((path for path in map(shutil.which, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]) if path), None)
 problems = []
@@ -150,9 +151,27 @@ def prints():
             expect(words in text, f"a.pdf does not say {words!r}")
 
 
+def data_sheet():
+    """Of photometry: one page, the same bytes twice, and without Chromium an error that leaves nothing."""
+    done = luxgate("photometry", "spot.ies", "--sheet", "none.pdf", PATH="/nowhere")
+    expect(done.returncode == 2 and b"error[pdf-not-possible]" in done.stderr and not (WORK / "none.pdf").exists(), f"sheet without Chromium: {done.returncode}, {done.stderr}")
+    done = luxgate("photometry", "spot.ies", "--sheet", "spot.pdf", LUXGATE_CHROMIUM=fake("ends", "exit 3"))
+    expect(done.returncode == 2 and b"cannot write 'spot.pdf'" in done.stderr and not (WORK / "spot.pdf").exists(), f"a printer that fails: {done.returncode}, {done.stderr}")
+    is_clean("sheet")
+    if CHROMIUM is None:
+        return
+    sheets = []
+    for paper in ["a4", "letter", "a4"]:
+        done = luxgate("photometry", EXAMPLES / "photometry/batwing_1200.ies", "--sheet", "sheet.pdf", "--paper", paper)
+        expect(done.returncode == 0 and pages("sheet.pdf") == 1, f"sheet on {paper}: {done.returncode}, {pages('sheet.pdf')} pages, {done.stderr}")
+        sheets.append(bytes_of("sheet.pdf"))
+    expect(sheets[0] == sheets[2] and sheets[0] != sheets[1] and b"/CreationDate (D:20000101000000" in sheets[0], "the sheet hangs on the time")
+
+
 without_chromium()
 failures()
 what_it_gets()
+data_sheet()
 kills()
 if CHROMIUM is None:
     print("\n".join(problems) if problems else "skipped: the printing itself, since there is no Chromium")

@@ -174,6 +174,9 @@ class EulumdatReader {
         !lines_.read_number_or_blank("the watts of the lamp set", source_.input_power_w)) {
       return false;
     }
+    // A number for a field that its writer did not know.
+    for (std::string* words : {&source_.colour_temperature, &source_.colour_rendering})
+      if (*words == "0") words->clear();
     if (source_.input_power_w < 0.0)
       return lines_.refuse("the watts of the lamp set", source_.input_power_w, ">= 0");
     if (source_.input_power_w == 0.0)

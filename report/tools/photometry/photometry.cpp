@@ -1,5 +1,6 @@
 #include "report/tools/photometry/photometry.h"
 
+#include "calc/base/file_hash.h"
 #include "calc/base/text.h"
 #include "calc/photometry/write/write_eulumdat.h"
 #include "calc/photometry/write/write_lm63.h"
@@ -7,8 +8,10 @@
 #include "report/images/polar_diagram.h"
 #include "report/shell/exit_code.h"
 #include "report/shell/outputs.h"
+#include "report/shell/pdf_printer.h"
 #include "report/shell/print.h"
 #include "report/shell/recording_reader.h"
+#include "report/tools/photometry/photometry_sheet.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +19,10 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -29,8 +35,9 @@ std::string lower_extension(const std::string& path) {
 
 class Run {
  public:
-  Run(const PhotometryOptions& options, const calc::FileReader& disk, bool colour)
-      : wanted_(options), disk_(disk), colour_(colour) {
+  Run(const PhotometryOptions& options, const calc::FileReader& disk, bool colour,
+      report::PagePrinter* printer)
+      : wanted_(options), disk_(disk), colour_(colour), printer_(printer) {
     choice_.lamp_set = wanted_.lamp_set;
     choice_.variant = wanted_.variant;
     choice_.emitter = wanted_.emitter;
@@ -44,6 +51,7 @@ class Run {
     if (!wanted_.convert_file.empty() && files_[0].web) convert(files_[0]);
     if (!wanted_.polar_file.empty() && files_[0].web) draw(files_[0], wanted_.polar_file);
     if (!wanted_.polar_folder.empty()) draw_all();
+    if (!wanted_.sheet_file.empty() && files_[0].web) write_sheet(files_[0]);
     print();
     return std::move(result_);
   }
@@ -64,7 +72,8 @@ class Run {
     }
   }
   bool wants_one_light() const {
-    return wanted_.compare || !wanted_.convert_file.empty() || !wanted_.polar_file.empty();
+    return wanted_.compare || !wanted_.convert_file.empty() || !wanted_.polar_file.empty() ||
+           !wanted_.sheet_file.empty();
   }
 
   void compare() {
@@ -93,6 +102,24 @@ class Run {
     } catch (const std::exception& error) {
       others_.report(calc::DiagnosticId::output_not_possible, {},
                      fmt::format("cannot draw '{}': {}", path, error.what()));
+    }
+  }
+
+  void write_sheet(const PhotometryFile& file) {
+    const std::string& path = wanted_.sheet_file;
+    const report::Texts t(wanted_.language, wanted_.language == report::Language::german);
+    std::string bytes = render_photometry_sheet(
+        t, file, calc::sha256_hex(disk_.read(file.path).bytes), wanted_.paper);
+    try {
+      if (lower_extension(path) == ".pdf") {
+        if (printer_ == nullptr) throw report::WriteFailure("nothing prints it");
+        bytes = report::with_fixed_dates(
+            printer_->print([&](report::Sink& sink) { sink.write(bytes); }));
+      }
+      write(path, bytes);
+    } catch (const report::WriteFailure& failure) {
+      others_.report(calc::DiagnosticId::output_not_possible, {},
+                     fmt::format("cannot write '{}': {}", path, failure.what()));
     }
   }
 
@@ -164,6 +191,7 @@ class Run {
   const PhotometryOptions& wanted_;
   const RecordingReader disk_;
   const bool colour_;
+  report::PagePrinter* const printer_;
   calc::PhotometryOptions choice_;
   std::vector<PhotometryFile> files_;
   std::optional<calc::WebComparison> comparison_;
@@ -175,16 +203,22 @@ class Run {
 }  // namespace
 
 PhotometryRun run_photometry(const PhotometryOptions& options, const calc::FileReader& files,
-                             bool colour) {
-  return Run(options, files, colour).run();
+                             bool colour, report::PagePrinter* printer) {
+  return Run(options, files, colour, printer).run();
 }
 
 Command photometry_command() {
   const auto options = std::make_shared<PhotometryOptions>();
   Command command = photometry_syntax(*options);
   command.run = [options](const RunContext& context) {
+    std::optional<PdfPrinter> printer;
+    if (lower_extension(options->sheet_file) == ".pdf" &&
+        !open_printer_or_print(printer, context.environment)) {
+      return kNotJudged;
+    }
     const PhotometryRun result = run_photometry(*options, calc::DiskFileReader(),
-                                                use_color(options->color, context.environment));
+                                                use_color(options->color, context.environment),
+                                                printer ? &*printer : nullptr);
     tell("{}", result.err);
     return print_result(result.out) ? result.exit_code : kNotJudged;
   };

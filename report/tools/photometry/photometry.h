@@ -10,6 +10,7 @@
 #include "calc/photometry/web_compare.h"
 #include "calc/photometry/web_hermite.h"
 #include "calc/photometry/web_measures.h"
+#include "report/formats/pdf.h"
 #include "report/shell/command.h"
 #include "report/tools/photometry/photometry_options.h"
 
@@ -95,13 +96,14 @@ std::string render_comparison_text(const PhotometryFile& a, const PhotometryFile
 inline constexpr double kSameLight = 0.005, kNearlySameLight = 0.03;
 
 // A whole run: reads everything, writes the files that are asked for, prints nothing. Exit code 2
-// after any error, 1 after warnings with --strict.
+// after any error, 1 after warnings with --strict. printer: of a data sheet as PDF; null: there is
+// none, which is an error then.
 struct PhotometryRun {
   std::string out, err;
   ExitCode exit_code = kAllMet;
 };
 PhotometryRun run_photometry(const PhotometryOptions& options, const calc::FileReader& files,
-                             bool colour);
+                             bool colour, report::PagePrinter* printer = nullptr);
 
 Command photometry_command();
 

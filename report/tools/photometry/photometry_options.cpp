@@ -33,6 +33,7 @@ std::string photometry_contradiction(const PhotometryOptions& photometry) {
   };
   std::string problem = one_file("--polar", photometry.polar_file, {".svg", ".png"});
   if (problem.empty()) problem = one_file("--convert", photometry.convert_file, {".ies", ".ldt"});
+  if (problem.empty()) problem = one_file("--sheet", photometry.sheet_file, {".html", ".pdf"});
   if (!problem.empty()) return problem;
   if (!photometry.compare) return "";
   if (files != 2) return fmt::format("--compare needs two FILEs; found {}", files);
@@ -53,7 +54,8 @@ Command photometry_syntax(PhotometryOptions& options) {
   for (const calc::PhotometryFormatInfo& format : calc::photometry_formats()) {
     formats += (formats.empty() ? "" : ", ") + std::string(format.name);
   }
-  Command command{"photometry", "Show, check, convert, draw and compare photometry files"};
+  Command command{"photometry",
+                  "Show, check, convert, draw and compare photometry files; data sheets"};
   command.places = {
       {"files", "FILE", fmt::format("Photometry files ({})", formats), &options.files}};
   command.options = {
@@ -71,6 +73,16 @@ Command photometry_syntax(PhotometryOptions& options) {
       {"--convert", "OUT.ies|.ldt",
        "Write one file again as LM-63-2002 or EULUMDAT, by the name; never over an input",
        any_text(options.convert_file)},
+      {"--sheet", "OUT.html|.pdf",
+       "One file's data sheet: figures, polar diagram, light cone, luminances, UGR table; a PDF is "
+       "printed by Chromium",
+       any_text(options.sheet_file)},
+      {"--language", "LANG", "Words of the data sheet: en or de; default en",
+       choice<report::Language>(options.language, {{"en", report::Language::english},
+                                                   {"de", report::Language::german}})},
+      {"--paper", "SIZE", "Of the data sheet: a4 or letter; default a4",
+       choice<report::Paper>(options.paper,
+                             {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
       {"--compare", "",
        "Compare two files: are they one light, and which quarter turn lies between them?",
        &options.compare},
