@@ -137,8 +137,10 @@ std::string html_plan_key(const Texts& t, const PlanSigns& signs) {
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" class=\"sample\"/>"
       "<rect x=\"1\" y=\"1\" width=\"14\" height=\"14\" fill=\"url(#hatch-" +
       signs.anchor + ")\"/>";
-  if (!signs.below.empty()) items += key_item(hatch, escape_html(signs.below));
-  if (!signs.above.empty()) items += key_item(hatch, escape_html(signs.above));
+  if (!signs.below.empty())
+    items += key_item(hatch, escape_html(signs.below), " class=\"calculated\"");
+  if (!signs.above.empty())
+    items += key_item(hatch, escape_html(signs.above), " class=\"calculated\"");
   if (signs.luminaires > 0) {
     items +=
         key_item(signs.has_openings ? "<path class=\"luminaire\" d=\"M1 5.5h14v5h-14z\"/>"

@@ -76,12 +76,12 @@ std::string maintenance_slider(const Texts& t, const ProjectPart& project) {
   const std::optional<double> common = common_maintenance(project);
   const double now = common.value_or(1.0);
   const std::string value = format_shortest(now);
-  return slider(
-      t[common ? Text::part_maintenance_factor : Text::all_maintenance_factors],
-      fmt::format("min=\"{}\" max=\"{}\" step=\"0.01\" value=\"{}\" data-now=\"{}\"{}",
-                  format_shortest(std::min(0.3, now)), format_shortest(std::max(1.0, now)), value,
-                  value, common ? " data-is-common=\"1\"" : ""),
-      t.number((common ? "" : "× ") + format_shortest(std::round(now * 1000) / 1000)));
+  return slider(t[common ? Text::part_maintenance_factor : Text::all_maintenance_factors],
+                fmt::format("min=\"{}\" max=\"{}\" step=\"0.01\" value=\"{}\" data-now=\"{}\"{}",
+                            format_shortest(std::min(0.3, now)),
+                            format_shortest(common ? std::max(1.0, now) : 1.5), value, value,
+                            common ? " data-is-common=\"1\"" : ""),
+                t.number((common ? "" : "× ") + format_shortest(std::round(now * 1000) / 1000)));
 }
 
 double level_of(const SceneRow& scene, const std::string& group) {
@@ -93,15 +93,16 @@ double level_of(const SceneRow& scene, const std::string& group) {
 // One for each light scene of the project, and one back.
 std::string buttons(const Texts& t, const ProjectPart& project,
                     const std::vector<std::string>& groups) {
-  std::string html;
+  std::string html =
+      fmt::format("<button type=\"reset\">{}</button>", t[Text::levels_as_calculated]);
   for (const SceneRow& scene : project.scenes) {
     std::string levels;
     for (const std::string& group : groups)
       levels += (levels.empty() ? "" : " ") + format_shortest(level_of(scene, group));
-    html += fmt::format("<button type=\"button\" data-levels=\"{}\">{}</button> ", levels,
+    html += fmt::format(" <button type=\"button\" data-levels=\"{}\">{}</button>", levels,
                         t.say<Text::levels_of_scene>(escape_html(scene.id)));
   }
-  return html + fmt::format("<button type=\"reset\">{}</button>", t[Text::levels_as_calculated]);
+  return html;
 }
 
 struct LightAtPoints {
@@ -118,6 +119,7 @@ std::vector<LightAtPoints> light_of(const SpacePart& space, const PlanePart& pla
     light.push_back({static_cast<std::size_t>(at), share.average_lx.value, share.point_lx});
   }
   if (light.size() > 1) return light;
+  light.front().average_lx = plane.average.value;
   for (const PointRow& point : plane.points) light.front().point_lx.push_back(point.measured.value);
   return light;
 }
@@ -158,6 +160,14 @@ std::string scale_attributes(const ColourScale& scale) {
                      format_shortest(scale.low), format_shortest(scale.step), colours, inks);
 }
 
+// "≥ 150 lx, ≤ 900 lx"
+std::string limit_words(const Texts& t, const PlanePart& plane) {
+  std::string words;
+  for (const Threshold& threshold : point_thresholds(plane).list)
+    words += (words.empty() ? "" : ", ") + format_required(t, threshold, plane_unit(plane));
+  return words.empty() ? words : " data-limit-words=\"" + escape_html(words) + "\"";
+}
+
 }  // namespace
 
 std::string html_levels(const Texts& t, const ProjectPart& project, const SpacePart& space) {
@@ -167,14 +177,15 @@ std::string html_levels(const Texts& t, const ProjectPart& project, const SpaceP
   for (const std::string& group : groups) sliders += group_slider(t, group, groups.size() == 1);
   return fmt::format(
       "<details class=\"levels\" hidden=\"hidden\" data-decimal=\"{}\" data-preview=\"{}\" "
-      "data-stays=\"{}\" data-note=\"{}\" data-hatched=\"{}\">\n<summary>{}</summary>\n<form>\n<p "
+      "data-stays=\"{}\" data-note=\"{}\" data-missed=\"{}\" "
+      "data-saved=\"{}\">\n<summary>{}</summary>\n<form autocomplete=\"off\">\n<p "
       "class=\"quiet\">{}</p>\n<div class=\"sliders\">\n{}{}</div>\n<p>{}</p>\n<p "
       "role=\"status\" hidden=\"hidden\">{} <code></code></p>\n<p class=\"nameless\" "
       "hidden=\"hidden\">{}</p>\n</form>\n</details>\n",
       t.number("0.1").substr(1, 1), t[Text::preview], t[Text::preview_stays], t[Text::preview_note],
-      t[Text::preview_hatched], t[Text::levels_title], t[Text::levels_words], sliders,
-      maintenance_slider(t, project), buttons(t, project, groups), t[Text::levels_in_the_project],
-      t[Text::levels_need_a_group]);
+      t[Text::preview_missed], t[Text::preview_saved], t[Text::levels_title], t[Text::levels_words],
+      sliders, maintenance_slider(t, project), buttons(t, project, groups),
+      t[Text::levels_in_the_project], t[Text::levels_need_a_group]);
 }
 
 std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& plane,
@@ -193,7 +204,7 @@ std::string level_attributes(const Texts& t, const SpacePart& space, const Plane
     for (std::size_t i = 0; i < plane.points.size(); ++i) order.push_back(i);
   }
   return light_attribute(space, plane, order) + scale + limits_attribute(point_thresholds(plane)) +
-         " data-unit=\"" + escape_html(t.number(plane_unit(plane))) + "\"";
+         limit_words(t, plane) + " data-unit=\"" + escape_html(t.number(plane_unit(plane))) + "\"";
 }
 
 std::string limits_attribute(const Thresholds& thresholds) {

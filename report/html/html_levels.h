@@ -21,7 +21,7 @@ std::string html_levels(const Texts& t, const ProjectPart& project, const SpaceP
 //   number
 //                 of a group in the room's panel, point by point as they are drawn
 //   data-cells    the same points' places in the table of values; absent of lists
-//   data-limits   "at_least 500;...": of single points
+//   data-limits   "at_least 500;...": of single points, at full output; data-limit-words: to read
 //   data-scale    "LOW STEP", with data-colours and data-inks: by band; absent of lists
 // "" where the plane does not follow: ratings and ratios, and too many points.
 std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& plane,

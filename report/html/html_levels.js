@@ -5,6 +5,7 @@
   'use strict';
   var kMostDecimals = 9;
   var changes = [];  // of the page: how each is taken back
+  var active = null;  // of the panel whose levels the page shows: how it is settled
 
   function put(node, name, value) {
     var old = node.getAttribute(name);
@@ -66,19 +67,23 @@
       return { group: Number(parts[0]), average: Number(parts[1]), values: numbers(parts[2]) };
     });
     var scale = home.getAttribute('data-scale'), cells = home.getAttribute('data-cells');
+    var matrix = home.querySelector('table.matrix'), list = home.querySelectorAll('table.points td.strong');
+    var places = cells === null ? null : numbers(cells), all = matrix === null ? [] : matrix.tBodies[0].querySelectorAll('td');
     return {
       home: home, article: home.closest('.plane'), light: light, limits: limits_of(home), unit: home.getAttribute('data-unit'),
       low: scale === null ? 0 : numbers(scale)[0], step: scale === null ? 1 : numbers(scale)[1],
       colours: scale === null ? [] : home.getAttribute('data-colours').split(' '),
       inks: scale === null ? [] : home.getAttribute('data-inks').split(' '),
-      places: cells === null ? null : numbers(cells)
+      is_list: places === null, title: home.closest('.plane').querySelector('h4').textContent.trim(),
+      limit_words: home.getAttribute('data-limit-words'),
+      cells: places === null ? Array.from(list) : matrix === null ? [] : places.map(function (place) { return all[place]; })
     };
   }
 
   function draw(plane, values, words) {
     var svg = plane.home.querySelector('svg.plan');
     if (svg === null) return;
-    put(svg, 'aria-label', words.preview);
+    put(svg, 'aria-label', plane.title + ', ' + words.preview);
     var cells = svg.querySelectorAll('.cells path'), texts = svg.querySelectorAll('.numbers text');
     var hatched = '', lowest = 0;
     values.forEach(function (value, i) {
@@ -109,14 +114,9 @@
   }
 
   function tabulate(plane, values, words) {
-    var matrix = plane.home.querySelector('table.matrix');
-    var list = plane.home.querySelectorAll('table.points td.strong');
-    values.forEach(function (value, i) {
-      var text = words.number(digits(value, 3, 3, plane.limits));
-      if (plane.places === null) write(list[i], text + ' ' + plane.unit);
-      else if (matrix !== null) write(matrix.tBodies[0].querySelectorAll('td')[plane.places[i]], text);
+    plane.cells.forEach(function (cell, i) {
+      write(cell, words.number(digits(values[i], 3, 3, plane.limits)) + (plane.is_list ? ' ' + plane.unit : ''));
     });
-    if (plane.places !== null) return;
     plane.home.querySelectorAll('table.points td.part').forEach(function (cell) { write(cell, '–'); });
   }
 
@@ -124,13 +124,21 @@
     var lowest = Math.min.apply(null, values), highest = Math.max.apply(null, values);
     var of = { average: average, minimum: lowest, maximum: highest,
       Uo: average > 0 ? lowest / average : NaN, Ud: highest > 0 ? lowest / highest : NaN };
+    var brief = words.preview;
     plane.home.querySelectorAll('tr[data-statistic]').forEach(function (row) {
       var name = row.getAttribute('data-statistic'), value = of[name], is_ratio = name.charAt(0) === 'U';
       var text = Number.isNaN(value) ? '–' : is_ratio ? digits(value, 3, 3, limits_of(row)) :
-        digits(value, 4, 3, limits_of(row)) + ' ' + plane.unit;
-      write(row.cells[1], words.number(text));
+        digits(value, 3, 3, limits_of(row)) + ' ' + plane.unit;
+      text = words.number(text);
+      if (name === 'average') brief += ': Ē ' + text;
+      if (name === 'Uo') brief += ' · Uo ' + text;
+      write(row.cells[1], text);
       write(row.cells[2], words.preview);
     });
+    var summary = document.createElement('span');
+    summary.className = 'brief-preview';
+    summary.textContent = brief;
+    insert(plane.home.parentNode.querySelector('summary'), summary, null);
   }
 
   function note(article, home, text) {
@@ -149,13 +157,24 @@
       light.values.forEach(function (value, i) { values[i] += level * value; });
     });
     var is_missed = values.some(function (value) { return plane.limits.some(function (limit) { return misses(limit, value); }); });
-    note(plane.article, plane.home, !is_missed ? words.note : plane.places === null ? words.note : words.note + ' ' + words.hatched);
+    note(plane.article, plane.home, is_missed ? words.note + ' ' + words.missed.replace('{}', plane.limit_words) : words.note);
     draw(plane, values, words);
     tabulate(plane, values, words);
     state(plane, values, average, words);
   }
 
-  document.querySelectorAll('details.levels').forEach(function (panel) {
+  // What is saved of a page during a preview has no way back.
+  var panels = Array.from(document.querySelectorAll('details.levels'));
+  if (document.querySelector('.plane.preview') !== null) {
+    var saved = document.createElement('p');
+    saved.className = 'message';
+    saved.textContent = panels[0].getAttribute('data-saved');
+    document.querySelector('main').prepend(saved);
+    panels.forEach(function (panel) { panel.hidden = true; });
+    return;
+  }
+
+  panels.forEach(function (panel) {
     var room = panel.closest('.space'), planes = null;
     var sliders = Array.from(panel.querySelectorAll('input[data-group]'));
     var maintenance = panel.querySelector('input[data-now]'), now = Number(maintenance.getAttribute('data-now'));
@@ -163,7 +182,7 @@
     var decimal = panel.getAttribute('data-decimal');
     var words = {
       preview: panel.getAttribute('data-preview'), stays: panel.getAttribute('data-stays'), note: panel.getAttribute('data-note'),
-      hatched: panel.getAttribute('data-hatched'),
+      missed: panel.getAttribute('data-missed'),
       number: function (text) { return text.replace('.', decimal); }
     };
     function told(slider, text) { slider.parentNode.querySelector('output').textContent = words.number(text); }
@@ -191,9 +210,10 @@
     }
     function update() {
       take_back();
-      document.querySelectorAll('details.levels').forEach(function (other) {
-        if (other !== panel) other.dispatchEvent(new CustomEvent('calculated'));
-      });
+      if (active !== null) {
+        if (active !== settle) active();
+      }
+      active = settle;
       var factor = now > 0 ? kept / now : 1;
       var is_moved = levels.some(function (level) { return level !== 1; }) || factor !== 1;
       sliders.forEach(function (slider, i) { told(slider, percent(levels[i]) + ' %'); });
@@ -210,8 +230,13 @@
     }
     function settle() {
       levels = levels.map(function () { return 1; });
-      sliders.forEach(function (slider) { slider.value = 100; });
+      sliders.forEach(function (slider) {
+        slider.value = 100;
+        told(slider, '100 %');
+      });
       maintenance.value = kept = now;
+      told(maintenance, factor_words(now));
+      tell(false);
     }
     sliders.forEach(function (slider, i) {
       slider.addEventListener('input', function () {
@@ -235,17 +260,13 @@
       settle();
       update();
     });
-    // Another room is looked at, or the page is printed: a preview is never printed.
-    panel.addEventListener('calculated', function () {
-      settle();
-      sliders.forEach(function (slider) { told(slider, '100 %'); });
-      told(maintenance, factor_words(now));
-      tell(false);
-    });
-    addEventListener('beforeprint', function () {
-      settle();
-      update();
-    });
     panel.hidden = false;
+  });
+  // A preview is never printed.
+  addEventListener('beforeprint', function () {
+    if (active === null) return;
+    take_back();
+    active();
+    active = null;
   });
 })();

@@ -18,6 +18,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -181,6 +183,12 @@ std::string route_facts(const Texts& t, const calc::RouteGrid& route) {
               t.say<Text::above_walking_surface>(format_metres(t, route.height_m)));
 }
 
+// Of the calculation, and so not of a preview.
+std::string calculated_fact(std::string_view name, std::string_view value) {
+  std::string row = fact(name, value);
+  return row.insert(std::string_view("<tr").size(), " class=\"calculated\"");
+}
+
 std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
   std::string rows = fact(t[Text::quantity], quantity_fact(t, plane));
@@ -196,16 +204,16 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
     rows += grid.route ? route_facts(t, *grid.route) : place_facts(t, space, grid);
   }
   for (const std::string& remark : plane.remarks)
-    rows += fact(t[Text::method], t.english_html(escape_html(remark)));
+    rows += calculated_fact(t[Text::method], t.english_html(escape_html(remark)));
   rows += fact(t[Text::points], fmt::format("{}", plane.points.size()));
   rows += fact(t[Text::left_out], dropped_words(t, grid));
-  rows += fact(t[Text::sampling], stop_words(t, plane.stop));
+  rows += calculated_fact(t[Text::sampling], stop_words(t, plane.stop));
   if (const std::string looks = looks_words(t, plane); !looks.empty())
-    rows += fact(t[Text::looks], looks);
+    rows += calculated_fact(t[Text::looks], looks);
   if (const std::string doubt = doubt_words(t, plane); !doubt.empty())
-    rows += fact(t[Text::doubt], doubt);
+    rows += calculated_fact(t[Text::doubt], doubt);
   if (plane.counters.paths > 0)
-    rows += fact(t[Text::light_paths], format_count(plane.counters.paths));
+    rows += calculated_fact(t[Text::light_paths], format_count(plane.counters.paths));
   return std::string("<table class=\"facts\"><caption>") + t[Text::grid_and_sampling] +
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }

@@ -180,6 +180,36 @@ void check_last_look(const Place& place, const PlanePart& plane) {
   }
 }
 
+// Groups give the plane's light together, at every point: previews are made of it.
+void check_groups(const Place& place, const PlanePart& plane) {
+  // Of kShareDigits digits, and of very small shares.
+  constexpr double kRounding = 5e-6, kDark_lx = 1e-9;
+  const auto differ = [](double sum, double all) {
+    return std::abs(sum - all) > kRounding * std::abs(all) + kDark_lx;
+  };
+  double average = 0.0;
+  std::vector<double> sum(plane.points.size(), 0.0);
+  for (std::size_t g = 0; g < plane.groups.size(); ++g) {
+    const GroupShare& share = plane.groups[g];
+    if (share.point_lx.empty()) return;
+    average += share.average_lx.value;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (!(share.point_lx[i] >= 0.0))
+        refuse_place(place.at("groups", g), "point_lx", "a light is not below 0");
+      sum[i] += share.point_lx[i];
+    }
+  }
+  if (plane.groups.empty()) return;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    if (differ(sum[i], plane.points[i].measured.value)) {
+      refuse_place(place, "groups",
+                   fmt::format("their light at point {} does not add up to the point's", i + 1));
+    }
+  }
+  if (differ(average, plane.average.value))
+    refuse_place(place, "groups", "their averages do not add up to the plane's");
+}
+
 void check_plane(const Place& place, const ProjectPart& project, const SpacePart& space,
                  const PlanePart& plane, std::string_view day) {
   for (std::size_t i = 0; i < plane.findings.size(); ++i) {
@@ -197,6 +227,7 @@ void check_plane(const Place& place, const ProjectPart& project, const SpacePart
     check_look(place.at("look_results", i), plane.looks[i], plane);
   }
   if (!plane.looks.empty()) check_last_look(place, plane);
+  check_groups(place, plane);
 }
 
 // ---- what is made of findings

@@ -80,6 +80,8 @@ function say(name) {
     one.missed = article.querySelectorAll('.missed').length > 0 ? article.querySelector('.missed').getAttribute('d').split('M').length - 1 : 0;
     one.seen = Array.from(article.querySelectorAll('svg.plan, tr[data-statistic]')).every(function (n) { return n.getClientRects().length > 0; });
     one.verdicts = Array.from(article.querySelectorAll('.badge, .gauge, .share-bar, .isolux')).filter(function (n) { return n.getClientRects().length > 0; }).length;
+    one.brief = Array.from(article.querySelectorAll('.brief-preview')).map(function (n) { return n.textContent; });
+    one.key = Array.from(article.querySelectorAll('.key li')).filter(function (n) { return n.getClientRects().length > 0; }).map(function (n) { return n.textContent; });
     one.preview = article.classList.contains('preview');
     one.note = Array.from(article.querySelectorAll('details.card > div > p.message')).map(function (p) { return p.textContent; });
     out[article.querySelector('h4').textContent.trim()] = one;
@@ -105,6 +107,7 @@ panels[0].querySelectorAll('.sliders label').forEach(function (label) {
   if (name.indexOf('a"b') === 0) move(label.querySelector('input'), 60);
 });
 told.moved = say('moved');
+told.saved = '<!DOCTYPE html>' + document.documentElement.outerHTML;
 move(sliders(panels[0]).pop(), 0.6);
 told.maintained = say('maintained');
 panels[1].querySelector('button[data-levels]').click();
@@ -128,12 +131,17 @@ def look(page):
     expect(text.count("Content-Security-Policy") == 1, "the page has no policy")
     text = re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*/>', "", text)
     (WORK / "probe.html").write_text(text.replace("</body>", "<script>" + PROBE + "</script></body>"))
-    done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-                           "--disable-component-update", "--disable-sync", "--virtual-time-budget=20000", f"--user-data-dir={WORK}/profile", "--dump-dom", f"file://{WORK}/probe.html"],
-                          capture_output=True, timeout=MOST_S, check=False)
-    found = re.search(r'<pre id="told">(.*?)</pre>', done.stdout.decode(), re.S)
-    expect(found is not None, f"the page told nothing: {done.stderr[-600:]}")
+    found = re.search(r'<pre id="told">(.*?)</pre>', browse("probe.html"), re.S)
+    expect(found is not None, "the page told nothing")
     return json.loads(html.unescape(found.group(1))) if found else None
+
+
+def browse(page):
+    done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+                           "--disable-component-update", "--disable-sync", "--virtual-time-budget=20000", f"--user-data-dir={WORK}/profile", "--dump-dom", f"file://{WORK}/{page}"],
+                          capture_output=True, timeout=MOST_S, check=False)
+    expect(b"Uncaught" not in done.stderr, f"{page}: {done.stderr[-600:]}")
+    return done.stdout.decode()
 
 
 def of(told, name):
@@ -193,6 +201,14 @@ def against_check():
     expect(group is not None and html.unescape(group.group(1)) == GROUP, f"the group's name in the line: {status}")
     expect("30 %" not in told["moved"]["outputs"] and "35 %" in told["moved"]["outputs"], f"levels: {told['moved']['outputs']}")
     expect(told["dark"]["nameless"][0] and not told["moved"]["nameless"][0], "luminaires without a group are not named")
+    expect(seen["brief"] == ["preview, no verdict: Ē " + seen["average"][0] + " · Uo " + seen["Uo"][0]], f"a folded card says {seen['brief']}")
+    expect("≥ 200 lx" in seen["note"][0] and not any("200" in words for words in seen["key"]), f"what is hatched: {seen['note']}, {seen['key']}")
+    # A copy that was saved then has no sliders and says what it is.
+    saved = re.sub(r"<script>function say.*?</script>|<script>\s*function say.*?</script>", "", told["saved"], flags=re.S)
+    (WORK / "saved.html").write_text(saved.replace("</body>", """<pre id="told2"></pre><script>
+document.getElementById('told2').textContent = [document.querySelector('main').firstChild.textContent, document.querySelectorAll('.levels:not([hidden])').length].join('|');</script></body>"""))
+    found = re.search(r'<pre id="told2">(.*?)</pre>', browse("saved.html"), re.S)
+    expect(found is not None and found.group(1).startswith("This copy was saved during a preview") and found.group(1).endswith("|0"), f"a saved copy: {found and found.group(1)}")
     # Only one preview at a time; paper has none.
     expect(of(told["other"], "grid") == {**before} and of(told["other"], "other")["preview"], "two previews at a time")
     for name in ["grid", "list", "other"]:
@@ -228,6 +244,13 @@ def read_again():
     for i, point in enumerate(points):
         total = sum(group["point_lx"][i] for group in groups)
         expect(abs(total - point[8]) <= 3e-6 * point[8], f"groups of point {i} give {total}, it has {point[8]}")
+    for change, said in [(-1.0, b"below 0"), (10.0, b"add up")]:
+        doctored = json.loads((WORK / "r.json").read_text())
+        light = doctored["projects"][0]["spaces"][0]["planes"][0]["groups"][1]["point_lx"]
+        light[3] *= change
+        (WORK / "doctored.json").write_text(json.dumps(doctored))
+        done = subprocess.run([PROGRAM, "report", "doctored.json"], cwd=WORK, capture_output=True, timeout=MOST_S, check=False)
+        expect(done.returncode == 2 and said in done.stderr, f"light times {change} is read: {done.returncode}, {done.stderr}")
     groups[0]["point_lx"].pop()
     (WORK / "short.json").write_text(json.dumps(result))
     done = subprocess.run([PROGRAM, "report", "short.json"], cwd=WORK, capture_output=True, timeout=MOST_S, check=False)

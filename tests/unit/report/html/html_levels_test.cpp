@@ -114,7 +114,7 @@ TEST(HtmlLevels, MaintenanceIsOneFactorOrAllOfThem) {
   EXPECT_THAT(panel(document), HasSubstr("data-now=\"0.8\" data-is-common"));
   rows[1].maintenance_factor = 0.7;
   EXPECT_THAT(panel(document), HasSubstr("all maintenance factors"));
-  EXPECT_THAT(panel(document), HasSubstr("data-now=\"1\"/>"));
+  EXPECT_THAT(panel(document), HasSubstr("data-now=\"1\""));
   rows[1].count = 0;  // of a type that is not used
   EXPECT_THAT(panel(document), HasSubstr("data-now=\"0.8\" data-is-common"));
 }

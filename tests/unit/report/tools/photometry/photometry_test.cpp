@@ -1,4 +1,5 @@
 #include "report/tools/photometry/photometry.h"
+#include "report/tools/photometry/photometry_sheet.h"
 #include "tests/support/gldf_samples.h"
 #include "tests/support/web_changes.h"
 
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -324,6 +326,60 @@ std::string type_b_ies() {
                     1000.0 * (1.0 - v * v / 1600.0) * (1.0 - h * h / 900.0) * (1.0 + 0.01 * h));
   };
   return test_support::ies_text(sample);
+}
+
+TEST_F(PhotometryCommand, WritesADataSheet) {
+  cli::PhotometryOptions options = for_files({path("a.ies")});
+  options.sheet_file = path("sheet.html");
+  EXPECT_EQ(run(options).exit_code, 0);
+  const std::string sheet = content("sheet.html");
+  for (const char* words : {"<h1>formula</h1>", "luxgate examples", "300 × 1200 mm", "lm/W",
+                            "CIE flux code", "4 H × 8 H", "C315", "data:image/svg+xml;base64,"}) {
+    EXPECT_THAT(sheet, HasSubstr(words));
+  }
+  EXPECT_THAT(sheet, Not(HasSubstr("<script")));
+  options.language = report::Language::german;
+  EXPECT_EQ(run(options).exit_code, 0);
+  EXPECT_THAT(content("sheet.html"), HasSubstr("Lichttechnisches Datenblatt"));
+  options.sheet_file = path("a.ies");  // never over an input
+  EXPECT_EQ(run(options).exit_code, 2);
+  options.sheet_file = path("sheet.pdf");  // nobody prints it here
+  const cli::PhotometryRun unprinted = run(options);
+  EXPECT_EQ(unprinted.exit_code, 2);
+  EXPECT_THAT(unprinted.err, HasSubstr("nothing prints it"));
+  EXPECT_FALSE(fs::exists(path("sheet.pdf")));
+}
+
+TEST_F(PhotometryCommand, ADataSheetSaysWhatItDoesNotKnow) {
+  const calc::PhotometricWeb point =
+      calc::PhotometricWeb::make({0.0}, {0.0, 3.0}, {1.0, 1.0}, {}, {});
+  cli::PhotometryFile file;
+  file.path = "p.ies";
+  file.web = point;
+  file.facts = cli::photometry_facts(point);
+  const std::string sheet = cli::render_photometry_sheet({}, file, "00", report::Paper::letter);
+  EXPECT_THAT(sheet, HasSubstr("not stated"));
+  EXPECT_THAT(sheet, HasSubstr("a point: the file states no size"));
+  EXPECT_THAT(sheet, HasSubstr("No luminances and no UGR"));
+  EXPECT_THAT(sheet, HasSubstr("No light cone"));
+  EXPECT_THAT(sheet, HasSubstr("size: letter"));
+  EXPECT_THAT(sheet, Not(HasSubstr("nan")));
+}
+
+// Half of the light to either side of the horizon; of what goes down, by cosine law, 44 % within
+// 41.4 degrees (sin^2), 75 % within 60 and 94 % within 75.5.
+TEST_F(PhotometryCommand, TheFluxCodeIsThatOfCosineLight) {
+  std::vector<double> gamma, cd;
+  for (int k = 0; k <= 180; ++k) {
+    gamma.push_back(k * 3.14159265358979 / 180.0);
+    cd.push_back(std::abs(std::cos(gamma.back())));
+  }
+  const calc::PhotometricWeb web = calc::PhotometricWeb::make({0.0}, gamma, cd, {}, {});
+  cli::PhotometryFile file;
+  file.web = web;
+  file.facts = cli::photometry_facts(web);
+  EXPECT_THAT(cli::render_photometry_sheet({}, file, "00", report::Paper::a4),
+              HasSubstr(">44 75 94 50 100<"));
 }
 
 TEST_F(PhotometryCommand, ShowsTheAnglesOfTypeB) {
