@@ -15,11 +15,12 @@ struct Entry {
   std::string_view text;
 };
 
-constexpr std::array kEntries{
+// No std::array{...}: Clang 14 deduces the type of no more than 256 elements.
+constexpr auto kEntries = std::to_array<Entry>({
 #define LUXGATE_DIAGNOSTIC(id, severity, text) Entry{#id, Severity::severity, text},
 #include "calc/base/diagnostics.def"
 #undef LUXGATE_DIAGNOSTIC
-};
+});
 
 const Entry& entry(DiagnosticId id) { return kEntries[static_cast<std::size_t>(id)]; }
 

@@ -158,7 +158,8 @@ class PolicyJudge {
   }
 
   void judge_facts(const rules::Requirement& asked, const std::string& name) {
-    for (const auto& [id, value] : asked.origin.facts) {
+    for (const auto& [fact_id, value] : asked.origin.facts) {
+      const std::string& id = fact_id;  // Clang 14 takes no binding into a lambda
       const auto allowed = std::find_if(
           policy_.facts.begin(), policy_.facts.end(),
           [&](const PolicyFact& fact) { return fact.pack == asked.origin.pack && fact.id == id; });

@@ -25,11 +25,12 @@ struct TextEntry {
   const char* english;
   const char* german;
 };
-inline constexpr std::array kTexts{
+// No std::array{...}: Clang 14 deduces the type of no more than 256 elements.
+inline constexpr auto kTexts = std::to_array<TextEntry>({
 #define TEXT(id, english, german) TextEntry{#id, english, german},
 #include "report/text/texts.def"
 #undef TEXT
-};
+});
 
 constexpr const TextEntry& text_entry(Text id) { return kTexts[static_cast<std::size_t>(id)]; }
 
