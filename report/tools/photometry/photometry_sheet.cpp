@@ -240,7 +240,7 @@ std::string luminance_table(const Texts& t, const PhotometryFile& file) {
     }
   }
   return fmt::format(
-      "<table class=\"facts\"><caption>{}</caption><thead><tr><th scope=\"col\"></th>{}</tr></"
+      "<table class=\"facts\"><caption>{}</caption><thead><tr><td></td>{}</tr></"
       "thead><tbody>\n{}</tbody></table>\n<p class=\"quiet\">{}</p>\n",
       t[Text::sheet_luminance], heads, rows,
       t.say<Text::sheet_highest_luminance>(candela_by_area(t, highest)));
@@ -278,8 +278,8 @@ std::string glare_table(const Texts& t, const PhotometryFile& file) {
   }
   return report::scroll_box(
              t[Text::sheet_ugr],
-             fmt::format("<table class=\"ugr\"><caption>{}</caption><thead><tr><th "
-                         "scope=\"col\"></th>{}</tr><tr><th "
+             fmt::format("<table class=\"ugr\"><caption>{}</caption><thead><tr><td></td>{}"
+                         "</tr><tr><th "
                          "scope=\"col\">X × Y</th>{}</tr></thead><tbody>\n{}</tbody></table>",
                          t[Text::sheet_ugr_caption], views, heads, rows)) +
          fmt::format("<p class=\"quiet\">{}</p>\n", t[Text::sheet_ugr_note]);
