@@ -175,12 +175,13 @@ std::string notes_html(const Texts& t, const SpacePart& space) {
 std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p, std::size_t s,
                        const ColourScales& scales, bool folds_passed) {
   const SpacePart& space = project.spaces[s];
+  const std::vector<std::string> groups = level_groups(space);
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
                                  space_anchor(p, s), space_title(space));
   html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space) +
-          html_levels(t, project, space);
+          html_levels(t, project, groups);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
-    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed);
+    html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups);
   return html + "</section>\n";
 }
 
@@ -441,6 +442,7 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
                              const HtmlPage& room, const std::string& index, const Texts& t,
                              const PageStyle& style) {
   const SpacePart& space = project.spaces[room.space];
+  const std::vector<std::string> groups = level_groups(space);
   const std::string title = escape_html(title_of(space.name, space.id));
   const std::string head = "<header>\n<p class=\"eyebrow\"><a href=\"" + escape_html(index) +
                            "\">" + t[Text::all_results] + "</a> · luxgate · " +
@@ -453,10 +455,11 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   if (room.first_plane == 0) {
     body += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
   }
-  body += html_levels(t, project, space);
+  body += html_levels(t, project, groups);
   const ColourScales scales(project, style.scale);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
-    body += html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true);
+    body +=
+        html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true, groups);
   }
   RegionNames regions;
   const PageWords words{running_head(t), std::string(title_of(space.name, space.id)),

@@ -31,19 +31,6 @@ bool follows_levels(const PlanePart& plane) {
                       [](const GroupShare& share) { return share.point_lx.empty(); });
 }
 
-// Of all planes that follow, in order of first use.
-std::vector<std::string> level_groups(const SpacePart& space) {
-  std::vector<std::string> groups;
-  for (const PlanePart& plane : space.planes) {
-    if (!follows_levels(plane)) continue;
-    for (const GroupShare& share : plane.groups) {
-      if (std::find(groups.begin(), groups.end(), share.group) == groups.end())
-        groups.push_back(share.group);
-    }
-  }
-  return groups;
-}
-
 // That all luminaires share; empty: they do not.
 std::optional<double> common_maintenance(const ProjectPart& project) {
   std::optional<double> common;
@@ -106,13 +93,13 @@ std::string buttons(const Texts& t, const ProjectPart& project,
 }
 
 struct LightAtPoints {
-  std::size_t group = 0;  // of level_groups()
+  std::size_t group = 0;  // of the room's
   double average_lx = 0;
   std::vector<double> point_lx;
 };
 
-std::vector<LightAtPoints> light_of(const SpacePart& space, const PlanePart& plane) {
-  const std::vector<std::string> groups = level_groups(space);
+std::vector<LightAtPoints> light_of(const PlanePart& plane,
+                                    const std::vector<std::string>& groups) {
   std::vector<LightAtPoints> light;
   for (const GroupShare& share : plane.groups) {
     const auto at = std::find(groups.begin(), groups.end(), share.group) - groups.begin();
@@ -126,10 +113,10 @@ std::vector<LightAtPoints> light_of(const SpacePart& space, const PlanePart& pla
 
 std::string share_digits(double value) { return fmt::format("{:.{}g}", value, kShareDigits); }
 
-std::string light_attribute(const SpacePart& space, const PlanePart& plane,
+std::string light_attribute(const PlanePart& plane, const std::vector<std::string>& groups,
                             const std::vector<std::size_t>& order) {
   std::string text;
-  for (const LightAtPoints& light : light_of(space, plane)) {
+  for (const LightAtPoints& light : light_of(plane, groups)) {
     text += fmt::format("{}{}:{}:", text.empty() ? "" : ";", light.group,
                         share_digits(light.average_lx));
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -170,8 +157,20 @@ std::string limit_words(const Texts& t, const PlanePart& plane) {
 
 }  // namespace
 
-std::string html_levels(const Texts& t, const ProjectPart& project, const SpacePart& space) {
-  const std::vector<std::string> groups = level_groups(space);
+std::vector<std::string> level_groups(const SpacePart& space) {
+  std::vector<std::string> groups;
+  for (const PlanePart& plane : space.planes) {
+    if (!follows_levels(plane)) continue;
+    for (const GroupShare& share : plane.groups) {
+      if (std::find(groups.begin(), groups.end(), share.group) == groups.end())
+        groups.push_back(share.group);
+    }
+  }
+  return groups;
+}
+
+std::string html_levels(const Texts& t, const ProjectPart& project,
+                        const std::vector<std::string>& groups) {
   if (groups.empty()) return {};
   std::string sliders;
   for (const std::string& group : groups) sliders += group_slider(t, group, groups.size() == 1);
@@ -189,7 +188,7 @@ std::string html_levels(const Texts& t, const ProjectPart& project, const SpaceP
 }
 
 std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                             const ColourScales& scales) {
+                             const ColourScales& scales, const std::vector<std::string>& groups) {
   if (!follows_levels(plane)) return {};
   std::vector<std::size_t> order;
   std::string scale;
@@ -203,7 +202,7 @@ std::string level_attributes(const Texts& t, const SpacePart& space, const Plane
   } else {
     for (std::size_t i = 0; i < plane.points.size(); ++i) order.push_back(i);
   }
-  return light_attribute(space, plane, order) + scale + limits_attribute(point_thresholds(plane)) +
+  return light_attribute(plane, groups, order) + scale + limits_attribute(point_thresholds(plane)) +
          limit_words(t, plane) + " data-unit=\"" + escape_html(t.number(plane_unit(plane))) + "\"";
 }
 

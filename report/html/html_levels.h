@@ -9,12 +9,18 @@
 #include "report/text/texts.h"
 
 #include <string>
+#include <vector>
 
 namespace report {
 
-// A room's dimming groups, its maintenance factor, and the project's light scenes. Hidden, until
-// the script shows it; "" where no plane of the room follows.
-std::string html_levels(const Texts& t, const ProjectPart& project, const SpacePart& space);
+// The dimming groups of all planes of a room that follow, in order of first use: those of its
+// panel.
+std::vector<std::string> level_groups(const SpacePart& space);
+
+// A slider for each of these groups, one for the maintenance factor, and the project's light
+// scenes. Hidden, until the script shows it; "" without groups: no plane of the room follows.
+std::string html_levels(const Texts& t, const ProjectPart& project,
+                        const std::vector<std::string>& groups);
 
 // What the script needs of a plane, as attributes of the element that holds its results:
 //   data-light    "GROUP:AVERAGE:VALUE VALUE ...;GROUP:...": lx at full output, maintained, by
@@ -25,7 +31,7 @@ std::string html_levels(const Texts& t, const ProjectPart& project, const SpaceP
 //   data-scale    "LOW STEP", with data-colours and data-inks: by band; absent of lists
 // "" where the plane does not follow: ratings and ratios, and too many points.
 std::string level_attributes(const Texts& t, const SpacePart& space, const PlanePart& plane,
-                             const ColourScales& scales);
+                             const ColourScales& scales, const std::vector<std::string>& groups);
 
 // " data-limits=\"at_least 500;at_most 800\""; "" without any.
 std::string limits_attribute(const Thresholds& thresholds);

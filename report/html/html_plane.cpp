@@ -211,7 +211,7 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
   if (const std::string looks = looks_words(t, plane); !looks.empty())
     rows += calculated_fact(t[Text::looks], looks);
   if (const std::string doubt = doubt_words(t, plane); !doubt.empty())
-    rows += calculated_fact(t[Text::doubt], doubt);
+    rows += fact(t[Text::doubt], doubt);
   if (plane.counters.paths > 0)
     rows += calculated_fact(t[Text::light_paths], format_count(plane.counters.paths));
   return std::string("<table class=\"facts\"><caption>") + t[Text::grid_and_sampling] +
@@ -356,7 +356,8 @@ std::string badges(const Texts& t, const PlanePart& plane) {
 
 // The anchor is inside the fold: a browser that goes there opens it.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, const ColourScales& scales, bool folds_passed) {
+                       const PlanePart& plane, const ColourScales& scales, bool folds_passed,
+                       const std::vector<std::string>& groups) {
   const std::string anchor = plane_anchor(index);
   const std::string title = escape_html(title_of(plane.name, plane.id));
   std::string html = fmt::format(
@@ -365,7 +366,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
       "<div id=\"{0}\"{5}>\n",
       anchor, title, plane.name.empty() ? "" : escape_html(plane.id),
       folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane),
-      level_attributes(t, space, plane, scales));
+      level_attributes(t, space, plane, scales, groups));
   if (!plane.is_computed) {
     html += "<p class=\"message\">" +
             t.say<Text::not_computed_because>(t.english_html(escape_html(plane.reason))) + "</p>\n";

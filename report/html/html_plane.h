@@ -7,13 +7,15 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace report {
 
 // A card that can be folded. Folded from the start: with folds_passed, one all of whose
-// requirements are met or waived.
+// requirements are met or waived. groups: level_groups() of the room.
 std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
-                       const PlanePart& plane, const ColourScales& scales, bool folds_passed);
+                       const PlanePart& plane, const ColourScales& scales, bool folds_passed,
+                       const std::vector<std::string>& groups);
 
 // A report of so few planes has room for them all.
 inline constexpr std::size_t kFewPlanes = 3;

@@ -82,6 +82,8 @@ function say(name) {
     one.verdicts = Array.from(article.querySelectorAll('.badge, .gauge, .share-bar, .isolux')).filter(function (n) { return n.getClientRects().length > 0; }).length;
     one.brief = Array.from(article.querySelectorAll('.brief-preview')).map(function (n) { return n.textContent; });
     one.key = Array.from(article.querySelectorAll('.key li')).filter(function (n) { return n.getClientRects().length > 0; }).map(function (n) { return n.textContent; });
+    var cells = Array.from(article.querySelectorAll('.cells path')), mark = article.querySelector('.min-mark');
+    one.frame = mark === null ? -1 : cells.findIndex(function (cell) { return cell.getAttribute('d') === mark.getAttribute('d'); });
     one.preview = article.classList.contains('preview');
     one.note = Array.from(article.querySelectorAll('details.card > div > p.message')).map(function (p) { return p.textContent; });
     out[article.querySelector('h4').textContent.trim()] = one;
@@ -209,6 +211,9 @@ def against_check():
 document.getElementById('told2').textContent = [document.querySelector('main').firstChild.textContent, document.querySelectorAll('.levels:not([hidden])').length].join('|');</script></body>"""))
     found = re.search(r'<pre id="told2">(.*?)</pre>', browse("saved.html"), re.S)
     expect(found is not None and found.group(1).startswith("This copy was saved during a preview") and found.group(1).endswith("|0"), f"a saved copy: {found and found.group(1)}")
+    lowest = min(range(len(seen["numbers"])), key=lambda i: number(seen["numbers"][i]))
+    expect(number(seen["numbers"][seen["frame"]]) == number(seen["numbers"][lowest]), f"the frame is at cell {seen['frame']}, the minimum at {lowest}")
+    expect(told["other"]["outputs"][:4] == ["100 %", "100 %", "100 %", "0.8"], f"another room's sliders: {told['other']['outputs']}")
     # Only one preview at a time; paper has none.
     expect(of(told["other"], "grid") == {**before} and of(told["other"], "other")["preview"], "two previews at a time")
     for name in ["grid", "list", "other"]:

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -108,16 +109,18 @@ class Run {
   void write_sheet(const PhotometryFile& file) {
     const std::string& path = wanted_.sheet_file;
     const report::Texts t(wanted_.language, wanted_.language == report::Language::german);
-    std::string bytes = render_photometry_sheet(
-        t, file, calc::sha256_hex(disk_.read(file.path).bytes), wanted_.paper);
     try {
+      const calc::FileContent content = disk_.read(file.path);
+      if (!content.ok()) throw std::runtime_error(file.path + ": " + content.error);
+      std::string bytes =
+          render_photometry_sheet(t, file, calc::sha256_hex(content.bytes), wanted_.paper);
       if (lower_extension(path) == ".pdf") {
         if (printer_ == nullptr) throw report::WriteFailure("nothing prints it");
         bytes = report::with_fixed_dates(
             printer_->print([&](report::Sink& sink) { sink.write(bytes); }));
       }
       write(path, bytes);
-    } catch (const report::WriteFailure& failure) {
+    } catch (const std::exception& failure) {
       others_.report(calc::DiagnosticId::output_not_possible, {},
                      fmt::format("cannot write '{}': {}", path, failure.what()));
     }

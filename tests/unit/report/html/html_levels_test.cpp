@@ -31,13 +31,15 @@ Document dimmed() {
 }
 
 std::string panel(const Document& document) {
-  return html_levels({}, document.projects[0], document.projects[0].spaces[0]);
+  const ProjectPart& project = document.projects[0];
+  return html_levels({}, project, level_groups(project.spaces[0]));
 }
 
 std::string attributes(const Document& document, const Texts& t = {}) {
   const ProjectPart& project = document.projects[0];
   const ColourScales scales(project, ScaleSharing::plane);
-  return level_attributes(t, project.spaces[0], project.spaces[0].planes[0], scales);
+  return level_attributes(t, project.spaces[0], project.spaces[0].planes[0], scales,
+                          level_groups(project.spaces[0]));
 }
 
 TEST(HtmlLevels, HasASliderForEachGroupAndAButtonForEachScene) {
