@@ -114,6 +114,9 @@ move(sliders(panels[0]).pop(), 0.6);
 told.maintained = say('maintained');
 panels[1].querySelector('button[data-levels]').click();
 told.other = say('other');
+move(sliders(panels[0])[0], 0);
+told.uneven = say('uneven');
+panels[1].querySelector('button[data-levels]').click();
 dispatchEvent(new Event('beforeprint'));
 told.printed = say('printed');
 panels[0].querySelector('button[data-levels]').click();
@@ -211,8 +214,10 @@ def against_check():
 document.getElementById('told2').textContent = [document.querySelector('main').firstChild.textContent, document.querySelectorAll('.levels:not([hidden])').length].join('|');</script></body>"""))
     found = re.search(r'<pre id="told2">(.*?)</pre>', browse("saved.html"), re.S)
     expect(found is not None and found.group(1).startswith("This copy was saved during a preview") and found.group(1).endswith("|0"), f"a saved copy: {found and found.group(1)}")
-    lowest = min(range(len(seen["numbers"])), key=lambda i: number(seen["numbers"][i]))
-    expect(number(seen["numbers"][seen["frame"]]) == number(seen["numbers"][lowest]), f"the frame is at cell {seen['frame']}, the minimum at {lowest}")
+    for state in ["moved", "uneven"]:  # the minimum of the second one is another cell
+        drawn = of(told[state], "grid")
+        least = min(map(number, drawn["numbers"]))
+        expect(number(drawn["numbers"][drawn["frame"]]) == least, f"{state}: the frame is at {drawn['numbers'][drawn['frame']]} lx, the minimum is {least}")
     expect(told["other"]["outputs"][:4] == ["100 %", "100 %", "100 %", "0.8"], f"another room's sliders: {told['other']['outputs']}")
     # Only one preview at a time; paper has none.
     expect(of(told["other"], "grid") == {**before} and of(told["other"], "other")["preview"], "two previews at a time")
