@@ -14,9 +14,10 @@
 
 namespace calc {
 
-// Vertices first..last of the sorted pool. Children, if any, are `child` and `child` + 1; leaves are
-// single vertices. [leaves of up to four made half widths in offices 1.3 to 1.45 times as wide, in
-// 0 to 20 % less time: measured; a cut of all leaves, exact weights, makes them 2 to 4 % narrower]
+// Vertices first..last of the sorted pool. Children, if any, are `child` and `child` + 1; leaves
+// are single vertices. [leaves of up to four made half widths in offices 1.3 to 1.45 times as wide,
+// in 0 to 20 % less time: measured; a cut of all leaves, exact weights, makes them 2 to 4 %
+// narrower]
 struct VertexNode {
   std::uint32_t first = 0, last = 0;
   std::uint32_t child = 0;  // 0 = leaf
