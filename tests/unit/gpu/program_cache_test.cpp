@@ -4,9 +4,9 @@
 #include "gpu/gl_program.h"
 #include "gpu/gl_render_program.h"
 #include "tests/support/opengl.h"
+#include "tests/support/scratch_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,15 +21,9 @@ namespace fs = std::filesystem;
 
 // A folder of this test alone, gone afterwards.
 struct Folder {
-  fs::path path =
-      fs::temp_directory_path() / ("luxgate_programs_" + std::to_string(getpid()) + "_" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const test_support::ScratchFolder whole;
+  const fs::path path = whole.path() / "programs";
 
-  Folder() { fs::remove_all(path); }
-  ~Folder() {
-    std::error_code error;
-    fs::remove_all(path, error);
-  }
   std::vector<fs::path> files() const {
     std::vector<fs::path> result;
     if (!fs::exists(path)) return result;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/scratch_folder.h"
+
 namespace calc {
 namespace {
 
@@ -14,19 +16,17 @@ namespace fs = std::filesystem;
 class RealPath : public testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "a/b");
-    folder_ = fs::canonical(folder_);
     std::ofstream(folder_ / "a/file") << "x";
   }
-  void TearDown() override { fs::remove_all(folder_); }
   void link(const std::string& name, const fs::path& to) const {
     fs::create_symlink(to, folder_ / name);
   }
   std::string of(const std::string& name) const { return real_path(folder_ / name).string(); }
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "real_path";
+  const test_support::ScratchFolder scratch_;
+  const fs::path folder_ = fs::canonical(scratch_.path());
 };
 
 TEST_F(RealPath, IsTheCanonicalOneOfWhatIsThere) {

@@ -12,6 +12,8 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/scratch_folder.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,9 +25,6 @@ using testing::IsEmpty;
 class GitTreeReaderTest : public testing::Test {
  protected:
   GitTreeReaderTest() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    base_ = fs::temp_directory_path() / fmt::format("luxgate_git_{}", test->name());
-    fs::remove_all(base_);
     fs::create_directories(base_ / "home");
     setenv("HOME", (base_ / "home").c_str(), 1);
     setenv("GIT_CONFIG_NOSYSTEM", "1", 1);
@@ -33,7 +32,6 @@ class GitTreeReaderTest : public testing::Test {
     root_ = fs::canonical(base_) / "work";
     sh(fmt::format("git init -q -b main '{}'", root_.string()));
   }
-  ~GitTreeReaderTest() override { fs::remove_all(base_); }
 
   void sh(const std::string& command) const {
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
@@ -66,7 +64,9 @@ class GitTreeReaderTest : public testing::Test {
     return content.ok() ? content.bytes : "error: " + content.error;
   }
 
-  fs::path base_, root_;
+  const test_support::ScratchFolder scratch_;
+  const fs::path base_ = scratch_.path();
+  fs::path root_;
   std::string problem_;
   std::size_t failures_ = 0;
 };

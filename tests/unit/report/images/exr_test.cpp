@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/support/scratch_folder.h"
+
 namespace report {
 namespace {
 
@@ -30,7 +32,8 @@ TEST(Exr, ReadsBackValuesAndAttributes) {
   plane.kernel = calc::ReceiverKernel::scalar;
   plane.grid.rows = 2;
   plane.points[1].row = 1;  // now (0, 0) and (1, 1)
-  const std::string path = testing::TempDir() + "luxgate_exr_test.exr";
+  const test_support::ScratchFolder folder;
+  const std::string path = folder.path() / "plane.exr";
   ASSERT_EQ(write_file_atomically(path, rendered(document)), "");
   {
     Imf::InputFile file(path.c_str());
@@ -56,7 +59,6 @@ TEST(Exr, ReadsBackValuesAndAttributes) {
     EXPECT_EQ(read[1], (std::vector<float>{0.0F, 428.75F, 606.75F, 0.0F}));
     EXPECT_EQ(read[2], (std::vector<float>{0.0F, 1.0F, 1.0F, 0.0F}));
   }
-  std::remove(path.c_str());
 }
 
 TEST(Exr, SameDocumentSameBytes) {
@@ -71,7 +73,8 @@ TEST(Exr, PlaneWithoutCellsIsRefused) {
 
 TEST(ColourExr, HoldsLinearLightTimesOpacity) {
   const Raster raster{2, 1, {255, 188, 0, 255, 255, 255, 255, 51}};
-  const std::string path = testing::TempDir() + "luxgate_colour_exr_test.exr";
+  const test_support::ScratchFolder folder;
+  const std::string path = folder.path() / "picture.exr";
   ASSERT_EQ(write_file_atomically(path, render_colour_exr("a.xml", "s", "vertices", raster)), "");
   {
     Imf::InputFile file(path.c_str());
@@ -92,7 +95,6 @@ TEST(ColourExr, HoldsLinearLightTimesOpacity) {
     EXPECT_NEAR(values[0][1], 0.2, 1e-6);
     EXPECT_NEAR(values[3][1], 0.2, 1e-6);
   }
-  std::remove(path.c_str());
   EXPECT_THROW(render_colour_exr("a.xml", "s", "vertices", {}), std::runtime_error);
 }
 

@@ -11,6 +11,8 @@
 #include <set>
 #include <string>
 
+#include "tests/support/scratch_folder.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,21 +20,15 @@ using ::testing::HasSubstr;
 
 class Outputs : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("luxgate_outputs_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    inputs_ = {path("project.xml")};
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { inputs_ = {path("project.xml")}; }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void add(const char* format, const std::string& name) {
     options_.formats.push_back({report::find_format(format), path(name)});
   }
 
-  fs::path folder_;
+  const test_support::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   cli::OutputOptions options_;
   std::vector<std::string> inputs_;
 };

@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "tests/support/scratch_folder.h"
+
 namespace cli {
 namespace {
 
@@ -56,7 +58,8 @@ TEST(ProjectList, IsReadAsItIsWritten) {
 }
 
 TEST(ProjectOptions, TakeTheListBehindTheOthers) {
-  const std::string file = testing::TempDir() + "/projects.txt";
+  const test_support::ScratchFolder folder;
+  const std::string file = folder.path() / "projects.txt";
   std::ofstream(file) << "b.xml\nc.xml\n";
   ProjectOptions options{{"a.xml"}, file, {}, {}};
   EXPECT_EQ(complete_projects(options), "");

@@ -25,6 +25,8 @@
 #include <string>
 #include <thread>
 
+#include "tests/support/scratch_folder.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,18 +75,15 @@ class Sandbox : public ::testing::Test {
         !problem.empty()) {
       GTEST_SKIP() << problem;
     }
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::path(::testing::TempDir()) / (std::string("luxgate_sandbox_") + info->name());
-    fs::remove_all(root_);
     for (const char* folder : {"design", "design/below", "out", "out/below", "secret"}) {
       fs::create_directories(root_ / folder);
       std::ofstream(root_ / folder / "file") << "text";
     }
     rules_ = {{(root_ / "design").string()}, {(root_ / "out").string()}};
   }
-  void TearDown() override { fs::remove_all(root_); }
 
-  fs::path root_;
+  const test_support::ScratchFolder scratch_;
+  const fs::path root_ = scratch_.path();
   cli::SandboxRules rules_;
 };
 

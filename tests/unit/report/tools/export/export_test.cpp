@@ -8,6 +8,7 @@
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/solve.h"
 #include "report/tools/export/radiance_lights.h"
+#include "tests/support/scratch_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -285,9 +286,8 @@ class Estimator {
 };
 
 fs::path scratch(const std::string& name) {
-  const fs::path folder = fs::temp_directory_path() / ("luxgate_export_test_" + name);
-  fs::remove_all(folder);
-  return folder;
+  static const test_support::ScratchFolder folder;
+  return folder.path() / name;
 }
 
 cli::ExportOptions options_for(const std::string& project, const fs::path& folder) {
@@ -502,8 +502,7 @@ TEST(RadianceExport, KnowsTheUsersRulePacks) {
 TEST(RadianceExport, TheScriptRuns) {
   const auto shell = [](const std::string& command) { return std::system(command.c_str()); };
   const fs::path folder = scratch("script it's");
-  const std::string name =
-      "'" + (folder.parent_path() / "luxgate_export_test_script it'\\''s").string() + "'";
+  const std::string name = "'" + (folder.parent_path() / "script it'\\''s").string() + "'";
   ASSERT_EQ(cli::run_export(options_for(std::string(LUXGATE_SOURCE_DIR) +
                                             "/examples/01-one-luminaire/project.xml",
                                         folder),
