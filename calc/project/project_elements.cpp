@@ -75,6 +75,8 @@ const ValueType kPositiveFractionType{.name = "positiveFraction",
                                       .base = &kDecimalType,
                                       .meaning = "Above 0, up to 1.",
                                       .range = kPositiveFraction};
+const ValueType kTurnType{
+    .name = "turn", .base = &kDecimalType, .meaning = "Degrees from -360 to 360.", .range = kTurn};
 const ValueType kHoursType{.name = "hoursOfYear", .base = &kDecimalType, .range = kHours};
 const ValueType kCountType{
     .name = "count", .base = &kAnyInt, .meaning = "A whole number from 1.", .range = kFromOne};
@@ -251,6 +253,22 @@ const ElementRow kAboutElement{
                    {"logo", &kTextType, optional,
                     "A PNG of at most 4096 pixels each way or an SVG without script, links and "
                     "animation; at most 1 MiB."}}};
+
+const ElementRow kMaintenancePlanElement{
+    .type = "maintenancePlan",
+    .meaning =
+        "How the installation is to be kept: what its maintenance factors rest on, for the "
+        "report's "
+        "maintenance plan, at most once. No light and no verdict hangs on it.",
+    .attributes = {{"environment", &kAnyText, optional, "Where it stands: clean office."},
+                   {"clean-luminaires-months", &kPositiveType, optional,
+                    "Between two cleanings of the luminaires."},
+                   {"clean-surfaces-months", &kPositiveType, optional,
+                    "Between two cleanings of the room's surfaces."},
+                   {"replace-lights-hours", &kPositiveType, optional,
+                    "Hours of use after which light sources or luminaires are replaced."},
+                   {"hours-in-a-year", &kHoursType, optional, "Hours of use in a year."},
+                   {"note", &kAnyText}}};
 
 const ElementRow kMaterialElement{
     .type = "material",
@@ -681,8 +699,12 @@ const ElementRow kProjectElement{
           "metres; meshes may have their own.",
           "m"},
          {"maintenance-factor", &kPositiveFractionType, optional,
-          "Of all luminaire types that state none of their own."}},
+          "Of all luminaire types that state none of their own."},
+         {"north", &kTurnType, optional,
+          "Where north lies in plan, degrees from +x counter-clockwise: 90 is +y. For drawings "
+          "alone."}},
     .children = {{kAboutName, &kAboutElement},
+                 {kMaintenancePlanName, &kMaintenancePlanElement},
                  {"material", &kMaterialElement},
                  {"luminaire-type", &kLuminaireTypeElement},
                  {"scene", &kSceneElement, kOfScene},

@@ -17,6 +17,9 @@ inline constexpr std::size_t kRouteCornerLimit = 200;
 inline constexpr double kYear_h = 8760.0;
 inline constexpr NumberRange kHours{0.0, kYear_h, false,
                                     "a number from 0 to 8760 (hours in a year)"};
+inline constexpr double kFullTurn_deg = 360.0;
+inline constexpr NumberRange kTurn{-kFullTurn_deg, kFullTurn_deg, false,
+                                   "a number from -360 to 360 (degrees)"};
 
 // Types that others need, too: words of choices, and what attributes of requirements hold.
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kVectorType;
@@ -36,7 +39,9 @@ extern const ElementRow kProjectElement;
 extern const ElementRow kMaterialElement, kLuminaireTypeElement, kSceneElement, kDimElement;
 // What project data are called, see scene/about_project.h.
 inline constexpr std::string_view kAboutName = "about";
+inline constexpr std::string_view kMaintenancePlanName = "maintenance-plan";
 extern const ElementRow kAboutElement;
+extern const ElementRow kMaintenancePlanElement;
 extern const ElementRow kEnergyElement, kEnergyPartElement;
 
 // Everything that can stand in a room, in the open space or in an assembly.

@@ -7,6 +7,7 @@
 #include "calc/project/about_xml.h"
 #include "calc/project/energy_xml.h"
 #include "calc/project/library_xml.h"
+#include "calc/project/maintenance_plan_xml.h"
 #include "calc/project/project_context.h"
 #include "calc/project/project_elements.h"
 #include "calc/project/project_files.h"
@@ -39,12 +40,14 @@ void read_root(ProjectContext& context, const XmlElement& root) {
   reader.choice("version", kVersionType.words);
   context.project.name = reader.text_or("name", "");
   context.maintenance_factor = reader.optional_number("maintenance-factor", kPositiveFraction);
+  context.project.north_deg = reader.optional_number("north", kTurn);
   context.metres_per_unit = metres_per_unit(reader.choice_or("units", kUnitsType.words, 0));
 }
 
 void read_contents(ProjectContext& context, const XmlElement& root) {
   read_root(context, root);
   read_about(context, root);
+  read_maintenance_plan(context, root);
   read_materials(context, root);
   read_luminaire_types(context, root);
   read_rooms(context, root);

@@ -7,6 +7,7 @@
 #include "calc/photometry/luminaire_light.h"
 #include "calc/photometry/web.h"
 #include "calc/scene/about_project.h"
+#include "calc/scene/maintenance_plan.h"
 #include "calc/scene/receiver_kernel.h"
 #include "calc/scene/route_shape.h"
 #include "calc/scene/waiver.h"
@@ -276,6 +277,9 @@ struct Project {
   std::string path;
   std::string name;
   AboutProject about;
+  // Where north lies in plan, degrees from +x counter-clockwise, [-360, 360]; for drawings alone.
+  std::optional<double> north_deg;
+  MaintenancePlan maintenance_plan;
   std::vector<Material> materials;
   std::vector<PhotometricWeb> webs;  // one per light of a file, with or without opening
   std::vector<LuminaireType> luminaire_types;

@@ -326,6 +326,8 @@ ProjectPart build_project(const calc::Project& project) {
   part.path = project.path;
   part.name = project.name;
   part.about = project.about;
+  part.north_deg = project.north_deg;
+  part.maintenance_plan = project.maintenance_plan;
   part.inputs = project.inputs;
   for (std::size_t i = 0; i < project.luminaire_types.size(); ++i) {
     if (!project.luminaire_types[i].counts_as_luminaire()) continue;

@@ -342,6 +342,7 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   if (!not_apart.empty()) part.notes.push_back(not_apart);
   report::add_plan_marks(loaded.project, space, scene, part);
   part.power = calc::installed_power(loaded.project, space);
+  if (space.energy) part.energy = calc::lighting_energy(loaded.project, space, part.power);
   part.price = calc::installed_price(loaded.project, space);
   const std::string& day = context.settings.today;
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);

@@ -9,6 +9,8 @@
 #include "calc/scene/about_project.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/installed_price.h"
+#include "calc/scene/lighting_energy.h"
+#include "calc/scene/maintenance_plan.h"
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/document/revision.h"
@@ -216,6 +218,7 @@ struct RoomPictures {
 struct SpacePart {
   std::string id, was, name;  // was: its id in earlier revisions; "" = the same
   calc::InstalledPower power;
+  std::optional<calc::LightingEnergy> energy;  // of a year, where the project states its use
   calc::InstalledPrice price;           // for sweeps: nothing is judged by it, and no result has it
   std::vector<glm::dvec2> footprint_m;  // empty for the open space
   double floor_z_m = 0, height_m = 0;
@@ -240,6 +243,8 @@ struct SceneRow {  // luminaires that are dimmed
 struct ProjectPart {
   std::string path, name;
   calc::AboutProject about;
+  std::optional<double> north_deg;  // as of calc::Project
+  calc::MaintenancePlan maintenance_plan;
   bool is_judged = false;  // false: it could not be read or calculated; see diagnostics
   std::vector<calc::Diagnostic> diagnostics;  // warnings and errors, in order
   // Ids of those warnings that count like errors, because somebody asked for it (--strict).

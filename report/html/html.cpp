@@ -3,9 +3,15 @@
 #include "calc/base/file_hash.h"
 #include "report/html/html_about.h"
 #include "report/html/html_aggregates.h"
+#include "report/html/html_deviations.h"
+#include "report/html/html_emergency.h"
+#include "report/html/html_energy.h"
 #include "report/html/html_findings.h"
+#include "report/html/html_layout.h"
 #include "report/html/html_levels.h"
+#include "report/html/html_maintenance.h"
 #include "report/html/html_markup.h"
+#include "report/html/html_method.h"
 #include "report/html/html_pages.h"
 #include "report/html/html_plane.h"
 #include "report/html/html_project.h"
@@ -14,6 +20,7 @@
 #include "report/html/html_room_data.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
+#include "report/html/html_values.h"
 #include "report/html/print_pages.h"
 #include "report/text/base64.h"
 #include "report/text/markup.h"
@@ -43,8 +50,8 @@ std::string script_source(const std::string& script) {
   return "'sha256-" + base64(bytes) + "'";
 }
 
-// German words are longer, and broken only between syllables where the browser can. Only there, so
-// that English pages stay as they are.
+// Long words are broken only between syllables where the browser can. Only in languages that have
+// them, so that the other pages stay as they are.
 constexpr const char* kLongWords =
     "@media (min-width: 40.01rem) { .attention li { grid-template-columns: 10.4rem 1fr; } }\n"
     "tbody th, tbody td:not(.num, .gauge-cell) { overflow-wrap: break-word; }\n";
@@ -60,7 +67,7 @@ std::string head_start(const Texts& t, const std::string& title, const std::stri
          "script-src " +
          script_source(html_script(t)) + "\"/>\n<title>" + title + " – " + t[Text::compliance] +
          "</title>\n<style>\n" + html_style() +
-         (t.language() == Language::german ? kLongWords : "") + pages;
+         (language_row(t.language()).has_long_words ? kLongWords : "") + pages;
 }
 
 // Regions are landmarks, which must differ in name; planes of several rooms may have one name.
@@ -114,7 +121,7 @@ class RegionNames {
 
 // What comes before and after the main part of a page; the style sheet may go on in between.
 std::string page_start(const Texts& t, const std::string& title, const std::string& pages) {
-  return std::string("<!DOCTYPE html>\n<html lang=\"") + t.language_tag() + "\">\n" +
+  return fmt::format("<!DOCTYPE html>\n<html lang=\"{}\">\n", t.language_tag()) +
          head_start(t, title, pages);
 }
 
@@ -138,16 +145,16 @@ std::string page_end(const Texts& t, const Provenance& provenance) {
 
 struct Section {
   std::string address, words;  // words: escaped
-  bool is_room = false;        // which the contents list on paper alone
+  bool is_on_paper = false;    // alone
 };
 
 std::string contents(const Texts& t, const std::vector<Section>& sections) {
   std::string html =
       std::string("<nav aria-label=\"") + t[Text::contents] + "\"><ul class=\"contents\">";
   for (const Section& section : sections)
-    html +=
-        fmt::format("<li{}><a href=\"{}\">{}</a></li>",
-                    section.is_room ? " class=\"on-paper\"" : "", section.address, section.words);
+    html += fmt::format("<li{}><a href=\"{}\">{}</a></li>",
+                        section.is_on_paper ? " class=\"on-paper\"" : "", section.address,
+                        section.words);
   return html + "</ul></nav>\n";
 }
 
@@ -178,8 +185,8 @@ std::string space_html(const Texts& t, const ProjectPart& project, std::size_t p
   const std::vector<std::string> groups = level_groups(space);
   std::string html = fmt::format("<section class=\"space\"><h3 id=\"{}\">{}</h3>\n",
                                  space_anchor(p, s), space_title(space));
-  html += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space) +
-          html_levels(t, project, groups);
+  html += html_room(t, space) + html_room_data(t, project, space) + html_layout(t, project, space) +
+          notes_html(t, space) + html_levels(t, project, groups);
   for (std::size_t k = 0; k < space.planes.size(); ++k)
     html += html_plane(t, {p, s, k}, space, space.planes[k], scales, folds_passed, groups);
   return html + "</section>\n";
@@ -220,6 +227,7 @@ class HtmlWriter : public FormatWriter {
   std::string section_name(const ProjectPart& project);
   std::string project_html(const ProjectPart& project, const std::string& section,
                            bool folds_passed) const;
+  std::string annex_of(const ProjectPart& project) const;
   void add_project(const ProjectPart& project);
   void add_to_masthead(const ProjectPart& project);
   void write_masthead(const DocumentEnd& end, Sink& sink) const;
@@ -332,8 +340,11 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
   if (!folder_.empty() && !project.spaces.empty()) {
     html += page_links(t_, project, project_, folder_);
   }
-  html += html_aggregates(t_, project, project_) + html_luminaires(t_, project, project_) +
+  html += html_aggregates(t_, project, project_) + html_emergency(t_, project, project_, folder_) +
+          html_luminaires(t_, project, project_) + html_maintenance(t_, project, project_) +
+          html_energy(t_, project, project_) + html_deviations(t_, project, project_, folder_) +
           html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project);
+  if (folder_.empty()) html += annex_of(project);
   return html + (!runs.empty() && runs.front().is_all ? "</div>\n" : "") + "</section>\n";
 }
 
@@ -353,8 +364,28 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project) {
     sections_.push_back(
         {"#" + space_anchor(project_, s), escape_html(title_of(space.name, space.id)), true});
   }
-  if (!project.luminaires.empty()) sections_.push_back({"#luminaires1", t_[Text::luminaires]});
+  // The chapters that the project has, by their headings.
+  const auto add = [&](const std::string& html, const char* address, Text words) {
+    if (!html.empty()) sections_.push_back({address, t_[words]});
+  };
+  add(html_emergency(t_, project, project_, folder_), "#emergency1", Text::emergency);
+  if (!project.luminaires.empty()) {
+    sections_.push_back({"#luminaires1", t_[Text::luminaires]});
+    sections_.push_back({"#maintenance1", t_[Text::maintenance_plan]});
+  }
+  add(html_energy(t_, project, project_), "#energy1", Text::energy);
+  add(html_deviations(t_, project, project_, folder_), "#deviations1", Text::deviations);
   if (!project.spaces.empty()) sections_.push_back({"#calculation1", t_[Text::calculation]});
+  if (folder_.empty() && !annex_of(project).empty())
+    sections_.push_back({"#annex1", t_[Text::annex], true});
+}
+
+std::string HtmlWriter::annex_of(const ProjectPart& project) const {
+  std::vector<AnnexPlane> planes;
+  for (const SpacePart& space : project.spaces) {
+    for (const PlanePart& plane : space.planes) planes.push_back({&space, &plane});
+  }
+  return html_annex(t_, planes, style_.annex, fmt::format("annex{}", project_ + 1));
 }
 
 std::string HtmlWriter::page_title() const {
@@ -375,6 +406,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   if (!attention_.is_empty()) sections.push_back({"#attention", t_[Text::needs_attention]});
   sections.push_back({"#summary", t_[Text::summary]});
   sections.insert(sections.end(), sections_.begin(), sections_.end());
+  sections.push_back({"#method", t_[Text::method_title]});
   sections.push_back({"#provenance", t_[Text::provenance]});
   sink.write("</p>\n" + about_ + html_verdict_banner(t_, frame_, end.totals) +
              contents(t_, sections) + "</header>\n");
@@ -394,7 +426,8 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   summary_rows_.copy_to(sink);
   sink.write(html_summary_end());
   (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
-  sink.write(regions_.with_unique_regions(html_provenance(t_, end.provenance)) +
+  sink.write(html_method(t_, end.provenance.confidence) +
+             regions_.with_unique_regions(html_provenance(t_, end.provenance)) +
              page_end(t_, end.provenance));
 }
 
@@ -453,19 +486,23 @@ std::string render_html_page(const Provenance& provenance, const ProjectPart& pr
   std::string body = std::string("<section class=\"space\"><h2 class=\"unseen\">") +
                      t[Text::planes] + "</h2>\n<h3 class=\"unseen\">" + title + "</h3>\n";
   if (room.first_plane == 0) {
-    body += html_room(t, space) + html_room_data(t, project, space) + notes_html(t, space);
+    body += html_room(t, space) + html_room_data(t, project, space) +
+            html_layout(t, project, space) + notes_html(t, space);
   }
   body += html_levels(t, project, groups);
+  std::vector<AnnexPlane> annex;
   const ColourScales scales(project, style.scale);
   for (std::size_t k = room.first_plane; k < room.first_plane + room.planes; ++k) {
     body +=
         html_plane(t, {room.project, room.space, k}, space, space.planes[k], scales, true, groups);
+    annex.push_back({&space, &space.planes[k]});
   }
   RegionNames regions;
   const PageWords words{running_head(t), std::string(title_of(space.name, space.id)),
                         foot_words(t, project)};
   return page_start(t, title, page_rules(t, style.paper, words)) + body_start(t) + head +
-         kMainStart + regions.with_unique_regions(body + "</section>\n") + page_end(t, provenance);
+         kMainStart + regions.with_unique_regions(body + "</section>\n") +
+         html_annex(t, annex, style.annex, "annex") + page_end(t, provenance);
 }
 
 }  // namespace report

@@ -209,7 +209,7 @@ std::string room_words(const Texts& t, const SpacePart& space) {
   const VerdictCounts counts = count_verdicts(space);
   std::string words;
   const auto add = [&](int count, const char* word) {
-    if (count > 0) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
+    if (count > 0) words += (words.empty() ? "" : ", ") + t.say<Text::count_of>(count, word);
   };
   for (const rules::Verdict verdict : rules::kGravestFirst)
     add(counts.of(verdict), verdict_words(t, verdict));

@@ -192,8 +192,8 @@ std::string svg_luminaires(const Drawing& drawing) {
 
 constexpr double kNumberSize = 10;  // px
 
-// Of luminaires, to the lower right of their signs; where they are too many to be read apart there
-// are none.
+// Of luminaires, to the lower right of their signs. There are none where they are too many to be
+// read apart, and none among the values of cells: the room's layout has them, too.
 glm::dvec2 sign_number_px(const Drawing& drawing, const PlanLuminaire& sign) {
   constexpr double kAside = 8;
   return drawing.layout.pixel(sign.place_m) + glm::dvec2(kAside, kAside + 0.36 * kNumberSize);
@@ -201,7 +201,7 @@ glm::dvec2 sign_number_px(const Drawing& drawing, const PlanLuminaire& sign) {
 
 bool has_sign_numbers(const Drawing& drawing) {
   constexpr std::size_t kMost = 80;
-  return drawing.layout.luminaires_m.size() <= kMost;
+  return drawing.layout.luminaires_m.size() <= kMost && number_size_px(drawing) == 0.0;
 }
 
 std::string svg_sign_numbers(const Drawing& drawing) {

@@ -5,6 +5,7 @@
 #include "report/html/html_findings.h"
 #include "report/html/html_levels.h"
 #include "report/html/html_plan.h"
+#include "report/html/html_values.h"
 #include "report/html/pass_factor.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
@@ -25,8 +26,6 @@
 
 namespace report {
 namespace {
-
-constexpr std::size_t kMostValues = 2500;  // longer tables are for the CSV file
 
 // With "±", or without anything where the ends, which the next cell has, are needed to say it.
 std::string value_cell(const Texts& t, const calc::Estimate& estimate, const char* unit,
@@ -218,101 +217,6 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }
 
-std::string matrix_caption(const Texts& t, const PlanePart& plane) {
-  const std::string words = values_words(t, plane);
-  return plane.grid.route ? t.say<Text::route_matrix_caption>(words)
-                          : t.say<Text::matrix_caption>(words);
-}
-
-// What stands above the columns and before the rows: of a route the stations along its line and
-// the distances from it, as if it were straight.
-struct MatrixHeads {
-  std::vector<double> u_m, v_m;
-};
-
-MatrixHeads matrix_heads(const calc::SensorGrid& grid) {
-  MatrixHeads heads;
-  if (grid.route) {
-    const calc::RouteCells cells = grid.route->cells(grid.rows);
-    for (int column = 0; column < grid.columns; ++column)
-      heads.u_m.push_back(cells.station_m(column));
-    for (int row = 0; row < grid.rows; ++row) heads.v_m.push_back(cells.offset_m(row));
-    return heads;
-  }
-  for (int column = 0; column < grid.columns; ++column)
-    heads.u_m.push_back((column + 0.5) * grid.spacing_u_m);
-  for (int row = 0; row < grid.rows; ++row) heads.v_m.push_back((row + 0.5) * grid.spacing_v_m);
-  return heads;
-}
-
-// Values as they lie in the plane: rows from large v to small, as in the drawing.
-std::string value_matrix(const Texts& t, const PlanePart& plane) {
-  const calc::SensorGrid& grid = plane.grid;
-  const Thresholds thresholds = point_thresholds(plane);
-  std::map<std::pair<int, int>, double> value_of_cell;
-  for (const PointRow& point : plane.points)
-    value_of_cell[{point.row, point.column}] = point.measured.value;
-  std::string html = "<table class=\"matrix\"><caption>" + matrix_caption(t, plane) +
-                     "</caption><thead><tr><th scope=\"col\">v \\ u</th>";
-  const MatrixHeads heads = matrix_heads(grid);
-  for (int column = 0; column < grid.columns; ++column) {
-    html += fmt::format("<th scope=\"col\">{}</th>",
-                        format_metres(t, heads.u_m[static_cast<std::size_t>(column)]));
-  }
-  html += "</tr></thead><tbody>\n";
-  for (int row = grid.rows - 1; row >= 0; --row) {
-    html += fmt::format("<tr><th scope=\"row\">{}</th>",
-                        with_minus(format_metres(t, heads.v_m[static_cast<std::size_t>(row)])));
-    for (int column = 0; column < grid.columns; ++column) {
-      const auto found = value_of_cell.find({row, column});
-      html += found == value_of_cell.end()
-                  ? "<td></td>"
-                  : "<td>" + format_cell(t, found->second, thresholds) + "</td>";
-    }
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table>";
-}
-
-std::string value_list(const Texts& t, const PlanePart& plane) {
-  std::string html = "<table class=\"findings points\"><caption>" +
-                     t.say<Text::list_caption>(state_plane_words(t, plane)) +
-                     "</caption><thead><tr>" +
-                     fmt::format(
-                         "<th scope=\"col\">{}</th><th scope=\"col\" class=\"num\">{}</th>"
-                         "<th scope=\"col\" class=\"num\">{}</th><th scope=\"col\" "
-                         "class=\"num\">{}</th><th scope=\"col\" class=\"num\">{}</th><th "
-                         "scope=\"col\" class=\"num\">{}</th></tr></thead><tbody>\n",
-                         t[Text::point], t[Text::position_m], t[Text::normal], t[Text::value],
-                         t[Text::direct_light], t[Text::indirect_light]);
-  const Thresholds thresholds = point_thresholds(plane);
-  for (std::size_t i = 0; i < plane.points.size(); ++i) {
-    const PointRow& point = plane.points[i];
-    html += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td><td class=\"num quiet\">{}</td>"
-        "<td class=\"num strong\">{}</td><td class=\"num part\">{} lx</td><td class=\"num "
-        "part\">{} "
-        "lx</td></tr>\n",
-        i + 1, with_minus(format_position(t, point.position_m)),
-        with_minus(format_position(t, point.normal)),
-        format_measured(t, point.measured, plane_unit(plane), thresholds),
-        format_cell(t, point.direct_lx), format_cell(t, point.indirect_lx));
-  }
-  return html + "</tbody></table>";
-}
-
-std::string values(const Texts& t, const PlanePart& plane, const std::string& title) {
-  if (plane.points.size() > kMostValues) {
-    return "<p class=\"elsewhere\">" + t.say<Text::values_in_csv>(plane.points.size()) + "</p>\n";
-  }
-  const bool is_list = !has_cells(plane);
-  return fmt::format("<details class=\"{}\"{}><summary>{}</summary>\n{}</details>\n",
-                     is_list ? "list" : "grid", is_list ? " open=\"open\"" : "",
-                     t.say<Text::values_at_points>(plane.points.size()),
-                     scroll_box(t.say<Text::values_of>(title),
-                                is_list ? value_list(t, plane) : value_matrix(t, plane)));
-}
-
 // Nothing of it needs a look: passes that are waived, close or due to a tolerance do.
 bool is_all_passed(const PlanePart& plane) {
   return plane.is_computed && !plane.findings.empty() && doubt_words(plane).empty() &&
@@ -377,7 +281,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
     html += html_plan(t, space, plane, scales.of(space, plane), anchor);
   html += "<div class=\"side\">\n" + statistics_table(t, plane) + share_bar(t, plane) +
           groups_table(t, plane) + grid_table(t, space, plane) + "</div>\n</div>\n";
-  return html + html_contributions(t, plane) + html_looks(t, plane) + values(t, plane, title) +
+  return html + html_contributions(t, plane) + html_looks(t, plane) + html_values(t, plane) +
          "</div></details></article>\n";
 }
 

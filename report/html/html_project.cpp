@@ -3,6 +3,7 @@
 #include "report/html/html_convergence.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_polar.h"
+#include "report/text/factor_words.h"
 #include "report/text/markup.h"
 #include "report/text/words.h"
 
@@ -35,10 +36,7 @@ std::string maintenance_html(const Texts& t, const LuminaireRow& row) {
   add(t[Text::lsf], row.maintenance.lsf);
   add(t[Text::lmf], row.maintenance.lmf);
   add(t[Text::rsmf], row.maintenance.rsmf);
-  // A product of four factors has more digits than anybody states.
-  const std::string factor = format_fixed(row.maintenance_factor, 3);
-  const std::string text =
-      t.number(factor.ends_with('0') ? factor.substr(0, factor.size() - 1) : factor);
+  const std::string text = factor_words(t, row.maintenance_factor);
   if (!row.maintenance.is_stated) parts = t[Text::not_stated];
   return parts.empty() ? text : text + "<span class=\"note\">" + parts + "</span>";
 }

@@ -15,7 +15,7 @@ namespace {
 // Titles of our own are English in results.
 std::string picture_title(const Texts& t, const RoomPicture& picture) {
   for (const Text id : {Text::from_a_corner, Text::from_above})
-    if (picture.title == text_entry(id).english) return t[id];
+    if (picture.title == english_text(id)) return t[id];
   return picture.title;
 }
 

@@ -5,6 +5,7 @@
 #include "report/html/html_markup.h"
 #include "report/text/luminaire_aim.h"
 #include "report/text/markup.h"
+#include "report/text/room_power.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -101,24 +102,6 @@ std::string surface_facts(const Texts& t, const ProjectPart& project, const Spac
   return html;
 }
 
-// The largest one that people see from above, of those that something is asked of if there are any;
-// null: there is none with light.
-const PlanePart* reference_plane(const SpacePart& space) {
-  const PlanePart* largest = nullptr;
-  std::pair<bool, double> most{false, 0.0};
-  for (const PlanePart& plane : space.planes) {
-    if (!plane.is_computed || !is_plain_illuminance(plane) || plane.outline_m.empty() ||
-        !is_horizontal(glm::cross(plane.grid.u, plane.grid.v)) || !(plane.average.low > 0.0)) {
-      continue;
-    }
-    const std::pair of(!plane.findings.empty(), std::abs(calc::signed_area(plane.outline_m)));
-    if (of <= most) continue;
-    largest = &plane;
-    most = of;
-  }
-  return largest;
-}
-
 std::string power_facts(const Texts& t, const SpacePart& space) {
   const calc::InstalledPower& power = space.power;
   if (power.luminaires == 0) return {};
@@ -130,15 +113,11 @@ std::string power_facts(const Texts& t, const SpacePart& space) {
   const std::optional<double> density = power.density_w_m2();
   if (!density) return html;
   html += fact(t[Text::power_by_area], format_fixed(t, *density, 2) + " W/m²");
-  if (const PlanePart* plane = reference_plane(space)) {
-    const auto at = [&](double average_lx) {
-      return calc::power_per_100_lx_w_m2(*density, average_lx);
-    };
-    const calc::Estimate& average = plane->average;  // the quotient falls with it
-    const calc::Estimate per_100_lx{at(average.value), at(average.high), at(average.low)};
-    html += fact(t[Text::power_by_light],
-                 t.say<Text::of_plane>(format_measured(t, per_100_lx, "W/m²"),
-                                       escape_html(title_of(plane->name, plane->id))));
+  if (const std::optional<PowerByLight> by_light = power_by_light(space)) {
+    html += fact(
+        t[Text::power_by_light],
+        t.say<Text::of_plane>(format_measured(t, by_light->w_m2, "W/m²"),
+                              escape_html(title_of(by_light->plane->name, by_light->plane->id))));
   }
   return html;
 }

@@ -12,25 +12,38 @@
 namespace report {
 namespace {
 
-// The side between two neighbouring centres: from (column, row) to the right or upwards.
+// The side between two neighbouring nodes: from (column, row) to the right or upwards.
 struct Side {
   int column = 0, row = 0;
   bool is_upright = false;
   auto operator<=>(const Side&) const = default;
 };
 
+// Nodes are the cells' centres and, around those of a grid, the edge of the outermost cells, where
+// the value is that of the cell.
 class Squares {
  public:
   Squares(const PlanePart& plane, double level)
-      : grid_(plane.grid), level_(level), value_(cells(), kNone) {
+      : grid_(plane.grid),
+        level_(level),
+        edge_(plane.grid.route ? 0 : 1),
+        columns_(plane.grid.columns + 2 * edge_),
+        rows_(plane.grid.rows + 2 * edge_),
+        value_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNone) {
     for (const PointRow& point : plane.points)
-      value_[index(point.column, point.row)] = point.measured.value;
+      value_[index(point.column + edge_, point.row + edge_)] = point.measured.value;
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        value_[index(column, row)] = at(std::clamp(column, edge_, columns_ - 1 - edge_),
+                                        std::clamp(row, edge_, rows_ - 1 - edge_));
+      }
+    }
     if (grid_.route) cells_of_route_.emplace(grid_.route->cells(grid_.rows));
   }
 
   std::vector<IsoluxLine> lines() {
-    for (int row = 0; row + 1 < grid_.rows; ++row) {
-      for (int column = 0; column + 1 < grid_.columns; ++column) cross(column, row);
+    for (int row = 0; row + 1 < rows_; ++row) {
+      for (int column = 0; column + 1 < columns_; ++column) cross(column, row);
     }
     return chained();
   }
@@ -38,28 +51,30 @@ class Squares {
  private:
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-  std::size_t cells() const {
-    return static_cast<std::size_t>(grid_.columns) * static_cast<std::size_t>(grid_.rows);
-  }
   std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
   double at(int column, int row) const { return value_[index(column, row)]; }
+
+  // From grid.origin_m along u and v.
+  glm::dvec2 node_m(int column, int row) const {
+    if (cells_of_route_)
+      return glm::dvec2(cells_of_route_->centre_m(column, row)) - glm::dvec2(grid_.origin_m);
+    const auto along = [this](int node, int cells, double spacing_m) {
+      return std::clamp(node - edge_ + 0.5, 0.0, static_cast<double>(cells)) * spacing_m;
+    };
+    return {along(column, grid_.columns, grid_.spacing_u_m),
+            along(row, grid_.rows, grid_.spacing_v_m)};
+  }
 
   // Where the level lies on a side whose ends are on different sides of it.
   glm::dvec2 place(const Side& side) const {
     const int dx = side.is_upright ? 0 : 1, dy = side.is_upright ? 1 : 0;
     const double from = at(side.column, side.row), to = at(side.column + dx, side.row + dy);
     const double part = (level_ - from) / (to - from);
-    if (cells_of_route_) {
-      const glm::dvec2 origin_m(grid_.origin_m);
-      const glm::dvec2 start_m(cells_of_route_->centre_m(side.column, side.row));
-      const glm::dvec2 end_m(cells_of_route_->centre_m(side.column + dx, side.row + dy));
-      return start_m + part * (end_m - start_m) - origin_m;
-    }
-    return {(side.column + 0.5 + part * dx) * grid_.spacing_u_m,
-            (side.row + 0.5 + part * dy) * grid_.spacing_v_m};
+    const glm::dvec2 start_m = node_m(side.column, side.row);
+    return start_m + part * (node_m(side.column + dx, side.row + dy) - start_m);
   }
 
   void join(const Side& a, const Side& b) {
@@ -67,7 +82,7 @@ class Squares {
     neighbours_[b].push_back(a);
   }
 
-  // The square whose lower left corner is a cell's centre.
+  // The square whose lower left corner is that node.
   void cross(int column, int row) {
     const std::array corner{at(column, row), at(column + 1, row), at(column + 1, row + 1),
                             at(column, row + 1)};
@@ -153,8 +168,9 @@ class Squares {
 
   const calc::SensorGrid& grid_;
   double level_;
-  std::vector<double> value_;
-  std::optional<calc::RouteCells> cells_of_route_;  // NaN: no point
+  int edge_, columns_, rows_;  // nodes beyond the centres on each side; nodes of all
+  std::vector<double> value_;  // NaN: no point
+  std::optional<calc::RouteCells> cells_of_route_;
   std::map<Side, std::vector<Side>> neighbours_;
 };
 

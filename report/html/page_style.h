@@ -6,9 +6,13 @@
 
 namespace report {
 
+// Tables of all values at the end of what is printed. automatic: where they are not too long.
+enum class Annex { automatic, always, never };
+
 struct PageStyle {
   Paper paper = Paper::a4;                     // when it is printed
   ScaleSharing scale = ScaleSharing::project;  // among whom planes share their colours
+  Annex annex = Annex::automatic;
 };
 
 }  // namespace report

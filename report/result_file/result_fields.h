@@ -206,6 +206,16 @@ void describe(auto& v, Is<calc::InstalledPower> auto& power) {
   v.field("without_power", power.without_power);
 }
 
+void describe(auto& v, Is<calc::LightingEnergy> auto& energy) {
+  v.field("lighting_kwh", energy.lighting_kwh, {.words = "In a year.", .least = 0.0});
+  v.field("leni_kwh_m2", energy.leni_kwh_m2,
+          {.words = "By floor area, with the parasitic part.", .least = 0.0});
+  v.field("problem", energy.problem,
+          {.words = "Why there is none; the numbers are then 0.",
+           .presence = only_if(!energy.problem.empty())});
+  v.field("words", energy.words, {.presence = only_if(!energy.words.empty())});
+}
+
 void describe(auto& v, Is<calc::FluxBalance> auto& balance) {
   v.field("emitted_lm", or_null(balance.emitted_lm));
   v.field("untraced_lm", or_null(balance.untraced_lm));
@@ -234,6 +244,9 @@ void describe(auto& v, Is<SpacePart> auto& space) {
                     "state none, which power_w is then without. area_m2: of the floor, 0 = not "
                     "known.",
            .presence = kSinceLater});
+  v.field("energy", space.energy,
+          {.words = "Of a year, after EN 15193, where the project states how the light is used.",
+           .presence = only_if(space.energy.has_value())});
   v.field("height_m", space.height_m);
   v.field("triangles", space.triangles);
   v.field("degenerate_triangles", space.degenerate_triangles);
@@ -295,11 +308,26 @@ void describe(auto& v, Is<calc::AboutProject> auto& about) {
   v.field("logo", about.logo, {.presence = only_if(!about.logo.bytes.empty())});
 }
 
+void describe(auto& v, Is<calc::MaintenancePlan> auto& plan) {
+  v.field("environment", plan.environment, {.presence = only_if(!plan.environment.empty())});
+  for (const calc::MaintenanceNumber& one : calc::kMaintenanceNumbers) {
+    v.field(one.result_key, plan.*one.number,
+            {.presence = only_if((plan.*one.number).has_value()), .least = 0.0});
+  }
+  v.field("note", plan.note, {.presence = only_if(!plan.note.empty())});
+}
+
 void describe(auto& v, Is<ProjectPart> auto& project) {
   v.is("project");
   v.field("path", project.path, {.holds = Holds::file});
   v.field("name", project.name);
   v.field("about", project.about, {.presence = only_if(!project.about.is_empty())});
+  v.field("north_deg", project.north_deg,
+          {.words = "Where north lies in plan, from +x counter-clockwise.",
+           .presence = only_if(project.north_deg.has_value())});
+  v.field("maintenance_plan", project.maintenance_plan,
+          {.words = "How the installation is to be kept, as the project says; what it says only.",
+           .presence = only_if(!project.maintenance_plan.is_empty())});
   v.field("is_judged", project.is_judged);
   v.written("counts", [&] { return count_verdicts(project); });
   v.field("diagnostics", project.diagnostics);

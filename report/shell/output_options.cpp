@@ -1,5 +1,6 @@
 #include "report/shell/output_options.h"
 
+#include "report/shell/language_option.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -81,18 +82,24 @@ std::vector<Option> output_options(OutputOptions& options) {
        "a folder '<name>-rooms' beside it: for hundreds of planes",
        &options.html_split},
       {"--language", "LANG",
-       "Words of html, pdf, markdown and text: en or de; default en. All other formats are\n"
-       "English, and so are messages, reasons and the texts of projects and rule packs",
-       choice<report::Language>(options.language, {{"en", report::Language::english},
-                                                   {"de", report::Language::german}})},
+       "Words of html, pdf, markdown and text: " + language_names() +
+           "; default en. All other\nformats are English, and so are messages, reasons and the "
+           "texts of projects and\nrule packs",
+       language_choice(options.language)},
       {"--decimal", "SIGN",
-       "Decimal sign of html, pdf, markdown and text: point or comma; default comma with\n"
-       "--language de, else point. All other formats have points",
+       "Decimal sign of html, pdf, markdown and text: point or comma; default as in the\n"
+       "language (point in English). All other formats have points",
        choice<DecimalSign>(options.decimal,
                            {{"point", DecimalSign::point}, {"comma", DecimalSign::comma}})},
       {"--paper", "SIZE", "Of pdf, and of html when it is printed: a4 or letter; default a4",
        choice<report::Paper>(options.page.paper,
                              {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
+      {"--annex", "WHEN",
+       "Tables of all values at the end of pdf, and of html when it is printed: auto, always or\n"
+       "never; default auto: where they are at most 2,500 values",
+       choice<report::Annex>(options.page.annex, {{"auto", report::Annex::automatic},
+                                                  {"always", report::Annex::always},
+                                                  {"never", report::Annex::never}})},
       {"--scale", "OF",
        "Planes that share one colour scale in html, pdf and images: those of the project, of the\n"
        "room, or each plane for itself; default project",
@@ -138,7 +145,7 @@ std::string output_contradiction(const OutputOptions& options) {
 
 report::Texts report_texts(const OutputOptions& options) {
   const bool has_comma = options.decimal == DecimalSign::of_language
-                             ? options.language == report::Language::german
+                             ? report::language_row(options.language).has_decimal_comma
                              : options.decimal == DecimalSign::comma;
   return {options.language, has_comma};
 }

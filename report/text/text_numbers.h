@@ -23,7 +23,7 @@ inline std::string format_measured(const Texts& t, const calc::Estimate& estimat
 inline std::string format_interval(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {
   const std::string text = format_interval(estimate, unit, thresholds);
-  return text == text_entry(Text::exact).english ? t[Text::exact] : t.number(text);
+  return text == english_text(Text::exact) ? t[Text::exact] : t.number(text);
 }
 inline std::string format_cell(const Texts& t, double value, const Thresholds& thresholds = {}) {
   return t.number(format_cell(value, thresholds));
@@ -34,7 +34,7 @@ inline std::string format_limit(const Texts& t, double limit, std::string_view u
 inline std::string format_required(const Texts& t, const Threshold& threshold,
                                    std::string_view unit) {
   const std::string text = format_required(threshold, unit);
-  return text == text_entry(Text::unknown_limit).english ? t[Text::unknown_limit] : t.number(text);
+  return text == english_text(Text::unknown_limit) ? t[Text::unknown_limit] : t.number(text);
 }
 inline std::string format_margin(const Texts& t, double margin) {
   return t.number(format_margin(margin));

@@ -1,6 +1,43 @@
 #include "report/text/texts.h"
 
 namespace report {
+namespace {
+
+#define TEXT(id, text) TextEntry{#id, text},
+constexpr auto kGermanTexts = std::to_array<TextEntry>({
+#include "report/text/german.def"
+});
+constexpr auto kFrenchTexts = std::to_array<TextEntry>({
+#include "report/text/french.def"
+});
+#undef TEXT
+
+constexpr bool has_all_ids(std::span<const TextEntry> texts) {
+  return std::equal(texts.begin(), texts.end(), kEnglishTexts.begin(), kEnglishTexts.end(),
+                    [](const TextEntry& a, const TextEntry& b) { return a.id == b.id; });
+}
+static_assert(has_all_ids(kGermanTexts),
+              "german.def has not the ids of english.def in their order");
+static_assert(has_all_ids(kFrenchTexts),
+              "french.def has not the ids of english.def in their order");
+
+}  // namespace
+
+std::span<const TextEntry> texts_of(Language language) {
+  switch (language) {
+    case Language::english:
+      return kEnglishTexts;
+    case Language::german:
+      return kGermanTexts;
+    case Language::french:
+      return kFrenchTexts;
+  }
+  return {};
+}
+
+const char* Texts::operator[](Text id) const {
+  return texts_of(language_)[static_cast<std::size_t>(id)].text;
+}
 
 std::string Texts::number(std::string text) const {
   if (!has_decimal_comma_) return text;

@@ -33,9 +33,9 @@ struct MetricText {
   Text text;
 };
 constexpr std::array kMetricTexts{
-#define TEXT(id, english, german)
-#define METRIC_TEXT(id, english, german) MetricText{rules::Metric::id, Text::id},
-#include "report/text/texts.def"
+#define TEXT(id, text)
+#define METRIC_TEXT(id, text) MetricText{rules::Metric::id, Text::id},
+#include "report/text/english.def"
 #undef TEXT
 };
 
@@ -350,7 +350,7 @@ std::string summary_words(const Texts& t, const Totals& totals) {
   const char* separator = ": ";
   const auto add = [&](int count, Text word) {
     if (count == 0) return;
-    text += fmt::format("{}{} {}", separator, count, t[word]);
+    text += separator + t.say<Text::count_of>(count, t[word]);
     separator = ", ";
   };
   add(counts.pass, Text::verdict_pass);

@@ -1,7 +1,7 @@
 #pragma once
 // What may be required of a plane: one row for each statistic, with its name. Readers, judging,
 // reports and schemas ask the row. Elsewhere stand only how a statistic is measured
-// (rules/measure) and its words (METRIC_TEXT in report/text/texts.def).
+// (rules/measure) and its words (METRIC_TEXT in report/text/english.def).
 
 #include "calc/base/names.h"
 #include "calc/base/xml_reader.h"

@@ -108,7 +108,8 @@ class Run {
 
   void write_sheet(const PhotometryFile& file) {
     const std::string& path = wanted_.sheet_file;
-    const report::Texts t(wanted_.language, wanted_.language == report::Language::german);
+    const report::Texts t(wanted_.language,
+                          report::language_row(wanted_.language).has_decimal_comma);
     try {
       const calc::FileContent content = disk_.read(file.path);
       if (!content.ok()) throw std::runtime_error(file.path + ": " + content.error);

@@ -2,6 +2,7 @@
 
 #include "calc/base/text.h"
 #include "calc/photometry/read/photometry_file.h"
+#include "report/shell/language_option.h"
 #include "report/shell/option_values.h"
 #include "report/shell/output_options.h"
 
@@ -77,9 +78,8 @@ Command photometry_syntax(PhotometryOptions& options) {
        "One file's data sheet: figures, polar diagram, light cone, luminances, UGR table; a PDF is "
        "printed by Chromium",
        any_text(options.sheet_file)},
-      {"--language", "LANG", "Words of the data sheet: en or de; default en",
-       choice<report::Language>(options.language, {{"en", report::Language::english},
-                                                   {"de", report::Language::german}})},
+      {"--language", "LANG", "Words of the data sheet: " + language_names() + "; default en",
+       language_choice(options.language)},
       {"--paper", "SIZE", "Of the data sheet: a4 or letter; default a4",
        choice<report::Paper>(options.paper,
                              {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},

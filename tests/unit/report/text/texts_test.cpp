@@ -88,8 +88,8 @@ TEST(Texts, AreFilledInInTheirLanguage) {
   EXPECT_EQ(kGerman.say<Text::looks_of_planned>(3, 9), "3 von 9 geplanten");
   EXPECT_STREQ(kEnglish[Text::verdict_fail], "fail");
   EXPECT_STREQ(kGerman[Text::verdict_fail], "nicht erfüllt");
-  EXPECT_STREQ(kEnglish.language_tag(), "en");
-  EXPECT_STREQ(kGerman.language_tag(), "de");
+  EXPECT_EQ(kEnglish.language_tag(), "en");
+  EXPECT_EQ(kGerman.language_tag(), "de");
 }
 
 TEST(Texts, DecimalSignsChangeAndListsStayReadable) {

@@ -1,0 +1,16 @@
+#pragma once
+// Emergency lighting in one table: what holds at the end of what its batteries last.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <cstddef>
+#include <string>
+
+namespace report {
+
+// "" where nothing of the kind is asked. index: of the project. folder: see plane_href().
+std::string html_emergency(const Texts& t, const ProjectPart& project, std::size_t index,
+                           const std::string& folder);
+
+}  // namespace report

@@ -1,0 +1,20 @@
+#pragma once
+// A room as fitters need it: plan and elevation to a scale of drawings, with dimensions, north,
+// numbered luminaires, furniture and calculation planes.
+
+#include "report/document/document.h"
+#include "report/text/texts.h"
+
+#include <string>
+
+namespace report {
+
+// A figure for paper, where its scale holds: views of at most 150 mm by 140 mm together, or 122 mm by
+// 52 mm in projects with many rooms or planes. "" where there is nothing to draw.
+std::string html_layout(const Texts& t, const ProjectPart& project, const SpacePart& space);
+
+// The n of the scale 1:n, from 1, 2, 2.5 and 5 times powers of ten, with which so many metres fit
+// into so many millimetres. size_m, room_mm: each > 0.
+double drawing_scale(const glm::dvec2& size_m, const glm::dvec2& room_mm);
+
+}  // namespace report
