@@ -13,17 +13,29 @@ namespace {
 
 class PdfWriter : public FormatWriter {
  public:
-  PdfWriter(std::unique_ptr<FormatWriter> page, PagePrinter* printer)
-      : page_(std::move(page)), printer_(printer) {}
+  PdfWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
+            const PageStyle& style, PagePrinter* printer)
+      : page_(html_writer(frame, place, t, "", style, &numbers_)), printer_(printer) {}
 
   void add(const ProjectPart& project) override { page_->add(project); }
   void finish(const DocumentEnd& end, Sink& sink) override {
     const auto write_page = [&](Sink& to) { page_->finish(end, to); };
     if (printer_ == nullptr) return write_page(sink);
-    sink.write(with_fixed_dates(printer_->print(write_page)));
+    std::string pdf = printer_->print(write_page);
+    PageNumbers numbers = printer_->places_in(pdf);
+    const bool is_long = std::any_of(numbers.begin(), numbers.end(),
+                                     [](const auto& place) { return place.second > kFewPages; });
+    if (is_long) {
+      numbers_ = std::move(numbers);
+      pdf = printer_->print(write_page);
+    }
+    sink.write(with_fixed_dates(std::move(pdf)));
   }
 
  private:
+  static constexpr int kFewPages = 4;  // among which nobody needs a number
+
+  PageNumbers numbers_;  // before the page, which refers to it
   std::unique_ptr<FormatWriter> page_;
   PagePrinter* printer_;
 };
@@ -33,7 +45,7 @@ class PdfWriter : public FormatWriter {
 std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
                                          const Texts& t, const PageStyle& style,
                                          PagePrinter* printer) {
-  return std::make_unique<PdfWriter>(html_writer(frame, place, t, "", style), printer);
+  return std::make_unique<PdfWriter>(frame, place, t, style, printer);
 }
 
 // In a text of the page the bracket would have a backslash before it.

@@ -22,9 +22,12 @@ class PagePrinter {
 
   // write_page: writes HTML. The PDF. Throws WriteFailure, and what write_page throws.
   virtual std::string print(const std::function<void(Sink&)>& write_page) = 0;
+  // On which pages of a PDF that it made the targets of links are; empty if it cannot tell.
+  virtual PageNumbers places_in(const std::string& pdf) = 0;
 };
 
-// Same document and same printer, same bytes. printer: null: what it would print, as HTML.
+// Same document and same printer, same bytes. Longer ones are printed twice: the contents name
+// pages that are known only then. printer: null: what it would print, as HTML.
 std::unique_ptr<FormatWriter> pdf_writer(const DocumentFrame& frame, const SpillPlace& place,
                                          const Texts& t, const PageStyle& style,
                                          PagePrinter* printer);

@@ -148,13 +148,21 @@ struct Section {
   bool is_on_paper = false;    // alone
 };
 
-std::string contents(const Texts& t, const std::vector<Section>& sections) {
+std::string page_number(const Section& section, const PageNumbers* numbers) {
+  if (numbers == nullptr) return {};
+  const auto page = numbers->find(section.address.substr(1));  // without '#'
+  if (page == numbers->end()) return {};
+  return fmt::format("<span class=\"page-number\">{}</span>", page->second);
+}
+
+std::string contents(const Texts& t, const std::vector<Section>& sections,
+                     const PageNumbers* numbers) {
   std::string html =
       std::string("<nav aria-label=\"") + t[Text::contents] + "\"><ul class=\"contents\">";
   for (const Section& section : sections)
-    html += fmt::format("<li{}><a href=\"{}\">{}</a></li>",
+    html += fmt::format("<li{}><a href=\"{}\">{}</a>{}</li>",
                         section.is_on_paper ? " class=\"on-paper\"" : "", section.address,
-                        section.words);
+                        section.words, page_number(section, numbers));
   return html + "</ul></nav>\n";
 }
 
@@ -217,7 +225,7 @@ std::string run_start(const RoomRun& run) {
 class HtmlWriter : public FormatWriter {
  public:
   HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
-             const PageStyle& style, std::string folder);
+             const PageStyle& style, std::string folder, const PageNumbers* numbers);
 
   void add(const ProjectPart& project) override;
   void finish(const DocumentEnd& end, Sink& sink) override;
@@ -237,6 +245,7 @@ class HtmlWriter : public FormatWriter {
   Texts t_;
   PageStyle style_;
   std::string folder_;
+  const PageNumbers* numbers_;
   RegionNames regions_;
   std::size_t project_ = 0;            // the next one
   std::map<std::string, int> titles_;  // how many projects have each
@@ -256,11 +265,12 @@ class HtmlWriter : public FormatWriter {
 };
 
 HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, const Texts& t,
-                       const PageStyle& style, std::string folder)
+                       const PageStyle& style, std::string folder, const PageNumbers* numbers)
     : frame_(frame),
       t_(t),
       style_(style),
       folder_(std::move(folder)),
+      numbers_(numbers),
       paths_(place),
       room_rules_(place),
       attention_(t, folder_, place),
@@ -409,7 +419,7 @@ void HtmlWriter::write_masthead(const DocumentEnd& end, Sink& sink) const {
   sections.push_back({"#method", t_[Text::method_title]});
   sections.push_back({"#provenance", t_[Text::provenance]});
   sink.write("</p>\n" + about_ + html_verdict_banner(t_, frame_, end.totals) +
-             contents(t_, sections) + "</header>\n");
+             contents(t_, sections, numbers_) + "</header>\n");
 }
 
 void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
@@ -426,8 +436,9 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
   summary_rows_.copy_to(sink);
   sink.write(html_summary_end());
   (planes_ > kFewPlanes ? projects_ : projects_unfolded_).copy_to(sink);
+  RegionNames regions = regions_;
   sink.write(html_method(t_, end.provenance.confidence) +
-             regions_.with_unique_regions(html_provenance(t_, end.provenance)) +
+             regions.with_unique_regions(html_provenance(t_, end.provenance)) +
              page_end(t_, end.provenance));
 }
 
@@ -435,8 +446,8 @@ void HtmlWriter::finish(const DocumentEnd& end, Sink& sink) {
 
 std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const Texts& t, const std::string& folder,
-                                          const PageStyle& style) {
-  return std::make_unique<HtmlWriter>(frame, place, t, style, folder);
+                                          const PageStyle& style, const PageNumbers* numbers) {
+  return std::make_unique<HtmlWriter>(frame, place, t, style, folder, numbers);
 }
 
 std::string render_html(const Document& document, const Texts& t) {

@@ -16,8 +16,11 @@ namespace report {
 // holds them; same document, same bytes.
 std::string render_html(const Document& document, const Texts& t = {});
 // folder: as of render_html_index() in html_pages.h, or "" for one page that holds everything.
+// numbers: what the contents name on paper, read by each finish(), which may be called again; null
+// or empty: none.
 std::unique_ptr<FormatWriter> html_writer(const DocumentFrame& frame, const SpillPlace& place,
                                           const Texts& t, const std::string& folder = "",
-                                          const PageStyle& style = {});
+                                          const PageStyle& style = {},
+                                          const PageNumbers* numbers = nullptr);
 
 }  // namespace report

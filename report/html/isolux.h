@@ -21,9 +21,9 @@ struct IsoluxLine {
 // Lines where the plane's values cross level: marching squares over neighbouring cell centres,
 // values linear between two of them, so that a linear field is met exactly and any other one within
 // h^2 / 8 * max|E''| / |E'|, h = the distance of two centres. Where four centres form a saddle, the
-// mean of the four says which sides belong together. From the outermost centres of a grid they go on
-// straight to its edge, as the cells' colours do; nothing is drawn beside a cell without a point, and
-// nothing beyond the outermost centres of a route. Needs has_cells(plane).
+// mean of the four says which sides belong together. From the outermost centres of a grid they go
+// on straight to its edge, as the cells' colours do; nothing is drawn beside a cell without a
+// point, and nothing beyond the outermost centres of a route. Needs has_cells(plane).
 std::vector<IsoluxLine> isolux_lines(const PlanePart& plane, double level);
 
 struct IsoluxLevel {

@@ -4,10 +4,16 @@
 #include "report/html/print_pages.h"
 #include "report/html/shared_scale.h"
 
+#include <map>
+#include <string>
+
 namespace report {
 
 // Tables of all values at the end of what is printed. automatic: where they are not too long.
 enum class Annex { automatic, always, never };
+
+// Pages on paper, from 1, by the names of places in a page ("luminaires1").
+using PageNumbers = std::map<std::string, int>;
 
 struct PageStyle {
   Paper paper = Paper::a4;                     // when it is printed

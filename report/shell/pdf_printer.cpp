@@ -1,5 +1,7 @@
 #include "report/shell/pdf_printer.h"
 
+#include "report/shell/pdf_places.h"
+
 #include "calc/base/diagnostics.h"
 #include "calc/base/utf8.h"
 #include "report/shell/print.h"
@@ -402,6 +404,8 @@ std::string PdfPrinter::print(const std::function<void(report::Sink&)>& write_pa
   }
   throw report::WriteFailure("the printing process has ended");
 }
+
+report::PageNumbers PdfPrinter::places_in(const std::string& pdf) { return places_in_pdf(pdf); }
 
 bool open_printer_or_print(OutputOptions& options, const Environment& environment) {
   const std::vector<OutputFormat>& asked = options.formats;

@@ -31,6 +31,7 @@ class PdfPrinter : public report::PagePrinter {
   ~PdfPrinter() override;
 
   std::string print(const std::function<void(report::Sink&)>& write_page) override;
+  report::PageNumbers places_in(const std::string& pdf) override;
 
  private:
   int socket_ = -1;

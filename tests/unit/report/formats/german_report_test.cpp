@@ -15,6 +15,7 @@
 #include <pugixml.hpp>
 
 #include <functional>
+#include <map>
 #include <regex>
 #include <string>
 #include <string_view>
@@ -42,6 +43,10 @@ Document rich_document() {
   ProjectPart& project = document.projects[0];
   project.times.maps_s = project.times.total_s = 1.5;
   SpacePart& space = project.spaces[0];
+  project.north_deg = 90.0;
+  project.maintenance_plan = {"clean office", "by the house", 12.0, {}, 50000.0, {}};
+  space.energy = calc::LightingEnergy{1000.0, 12.5, "", "by EN 15193"};
+  project.spaces[1].energy = calc::LightingEnergy{0.0, 0.0, "power is not known", ""};
   space.notes = {"workplace desk: nothing to do"};
   space.bodies_left_out = 3;
   space.bodies = {{"desk", 0.0, 0.7, {{glm::dvec2(1, 1), glm::dvec2(3, 2)}}},
@@ -71,6 +76,16 @@ Document rich_document() {
   finding.requirement.comparison = rules::Comparison::at_most;
   finding.by_tolerance = true;
   finding.is_waived = true;
+  finding.requirement.waiver = calc::Waiver{"old hall", "A. Meier", "2099-12-31"};
+  finding.requirement.origin.is_weakened = true;
+  plane.findings.push_back(finding);
+  finding.is_waived = false;
+  plane.findings.push_back(finding);
+  finding.verdict = rules::Verdict::pass;
+  finding.requirement.state = rules::LightState::end_of_duration;
+  finding.requirement.deviations = {
+      {rules::FitAspect::grid, "a grid of its own", finding.requirement.waiver, true},
+      {rules::FitAspect::height, "too high", {}, false}};
   plane.findings.push_back(finding);
   for (const rules::Metric metric :
        {rules::Metric::percentile, rules::Metric::share, rules::Metric::power_density,
@@ -142,23 +157,27 @@ std::vector<std::string> fragments(const std::string& text) {
   return parts;
 }
 
-// English words of the table that are not German as well. Short ones may be parts of German words.
-std::vector<std::string> english_words() {
+// English words of the table that are in no text of that language as well. Short ones may be parts
+// of its words.
+std::vector<std::string> english_words(Language language) {
   constexpr std::size_t kLong = 8;
+  std::string all;
+  for (const TextEntry& entry : texts_of(language)) all += std::string(entry.text) + "\n";
   std::vector<std::string> found;
-  for (const TextEntry& entry : kTexts) {
-    for (const std::string& words : fragments(entry.english)) {
-      const bool is_german = std::string_view(entry.german).find(words) != std::string_view::npos;
-      if (words.size() >= kLong && !is_german) found.push_back(words);
+  for (const TextEntry& entry : kEnglishTexts) {
+    for (const std::string& words : fragments(entry.text)) {
+      if (words.size() >= kLong && all.find(words) == std::string::npos) found.push_back(words);
     }
   }
   return found;
 }
 
 // One of them in the text, or "" if there is none.
-std::string english_in(const std::string& told) {
-  static const std::vector<std::string> kWords = english_words();
-  for (const std::string& words : kWords) {
+std::string english_in(const std::string& told, Language language = Language::german) {
+  static std::map<Language, std::vector<std::string>> words_of;
+  std::vector<std::string>& known = words_of[language];
+  if (known.empty()) known = english_words(language);
+  for (const std::string& words : known) {
     if (told.find(words) != std::string::npos) return words + "' in '" + told;
   }
   return "";
@@ -170,14 +189,21 @@ TEST(GermanReport, TheCheckForEnglishFindsSome) {
   EXPECT_THAT(found, HasSubstr("Not everything could be judged"));
 }
 
-TEST(GermanReport, NothingOfTheTableIsEnglish) {
+TEST(TranslatedReport, NothingOfTheTableIsEnglish) {
   const Document document = rich_document();
-  std::vector<std::string> pages{render_html(document, kGerman),
-                                 render_html_index(document, "x-rooms", kGerman)};
-  for (const HtmlPage& page : html_pages(document))
-    pages.push_back(render_html_page(document, page, "../x.html", kGerman));
-  for (const std::string& page : pages) {
-    for (const std::string& told : told_by(page)) EXPECT_EQ(english_in(told), "");
+  for (const LanguageRow& row : kLanguages) {
+    if (row.language == Language::english) continue;
+    const Texts t(row.language, row.has_decimal_comma);
+    std::vector<std::string> pages{render_html(document, t),
+                                   render_html_index(document, "x-rooms", t)};
+    for (const HtmlPage& page : html_pages(document))
+      pages.push_back(render_html_page(document, page, "../x.html", t));
+    for (const std::string& page : pages) {
+      EXPECT_THAT(page, HasSubstr("<html lang=\"" + std::string(row.tag) + "\">"));
+      for (const std::string& told : told_by(page)) {
+        EXPECT_EQ(english_in(told, row.language), "") << row.tag;
+      }
+    }
   }
 }
 

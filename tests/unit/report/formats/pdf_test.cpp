@@ -15,8 +15,13 @@ class PrinterOfTest : public PagePrinter {
   std::string print(const std::function<void(Sink&)>& write_page) override {
     TextSink page;
     write_page(page);
+    ++prints;
     return "%PDF of " + page.text + "/CreationDate (D:20261125141516+00'00')";
   }
+  PageNumbers places_in(const std::string&) override { return places; }
+
+  PageNumbers places;
+  int prints = 0;
 };
 
 std::string rendered(PagePrinter* printer) {
@@ -30,6 +35,28 @@ TEST(Pdf, IsThePageAsItsPrinterMakesIt) {
   PrinterOfTest printer;
   EXPECT_EQ(rendered(&printer), "%PDF of " + page + "/CreationDate (D:20000101000000+00'00')");
   EXPECT_EQ(rendered(nullptr), page);
+}
+
+TEST(Pdf, ContentsOfLongOnesNamePages) {
+  PrinterOfTest printer;
+  printer.places = {{"summary", 4}};
+  EXPECT_EQ(rendered(&printer).find("<span class=\"page-number\""), std::string::npos);
+  EXPECT_EQ(printer.prints, 1);
+  printer.places["provenance"] = 17;
+  const std::string pdf = rendered(&printer);
+  EXPECT_EQ(printer.prints, 3);
+  for (const char* words : {"<a href=\"#summary\">Summary</a><span class=\"page-number\">4</span>",
+                            "Provenance</a><span class=\"page-number\">17</span>"}) {
+    EXPECT_NE(pdf.find(words), std::string::npos) << words;
+  }
+  // Nothing else changes from the first time to the second.
+  printer.places.clear();
+  std::string plain = pdf;
+  for (std::size_t at = plain.find("<span class=\"page-number\""); at != std::string::npos;
+       at = plain.find("<span class=\"page-number\"")) {
+    plain.erase(at, plain.find("</span>", at) + 7 - at);
+  }
+  EXPECT_EQ(plain, rendered(&printer));
 }
 
 TEST(Pdf, DatesOfOurOwnAreFixed) {

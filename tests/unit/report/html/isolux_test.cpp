@@ -28,6 +28,12 @@ PlanePart field_plane(int columns, int rows, double spacing_m,
   return plane;
 }
 
+bool is_between_centres(const PlanePart& plane, const glm::dvec2& p) {
+  const double half = 0.5 * plane.grid.spacing_u_m;
+  return p.x >= half && p.y >= half && p.x <= (2 * plane.grid.columns - 1) * half &&
+         p.y <= (2 * plane.grid.rows - 1) * half;
+}
+
 TEST(Isolux, LinearFieldIsMetExactly) {
   const auto lx = [](double u, double v) { return 100 + 31 * u - 17 * v; };
   const PlanePart plane = field_plane(13, 9, 0.7, lx);
@@ -35,7 +41,21 @@ TEST(Isolux, LinearFieldIsMetExactly) {
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_FALSE(lines[0].is_closed);
   EXPECT_GT(lines[0].points_m.size(), 10U);
-  for (const glm::dvec2& p : lines[0].points_m) EXPECT_NEAR(lx(p.x, p.y), 140, 1e-9);
+  for (const glm::dvec2& p : lines[0].points_m) {
+    if (!is_between_centres(plane, p)) continue;
+    EXPECT_NEAR(lx(p.x, p.y), 140, 1e-9);
+  }
+}
+
+// Straight on, as the colours of the outermost cells do.
+TEST(Isolux, LinesReachTheEdgeOfTheGrid) {
+  const PlanePart plane = field_plane(13, 9, 0.7, [](double u, double) { return 100 + 31 * u; });
+  const std::vector<IsoluxLine> lines = isolux_lines(plane, 240);
+  ASSERT_EQ(lines.size(), 1U);
+  const std::vector<glm::dvec2>& line = lines[0].points_m;
+  EXPECT_NEAR(std::min(line.front().y, line.back().y), 0.0, 1e-12);
+  EXPECT_NEAR(std::max(line.front().y, line.back().y), 9 * 0.7, 1e-12);
+  for (const glm::dvec2& p : line) EXPECT_NEAR(p.x, 140.0 / 31, 1e-9);
 }
 
 // A point source 2.5 m above the middle: E = I cos^3 / h^2, so that isolux lines are circles. On
@@ -88,7 +108,12 @@ TEST(Isolux, SaddleIsResolvedByItsMean) {
     // The middle is above 199: lines keep away from the low corners' diagonal, one for each.
     const bool is_joined = level < 200;
     for (const IsoluxLine& line : lines) {
-      const glm::dvec2 middle = 0.5 * (line.points_m[0] + line.points_m[1]);
+      std::vector<glm::dvec2> inner;
+      for (const glm::dvec2& p : line.points_m) {
+        if (is_between_centres(plane, p)) inner.push_back(p);
+      }
+      ASSERT_EQ(inner.size(), 2U);
+      const glm::dvec2 middle = 0.5 * (inner[0] + inner[1]);
       const bool is_by_low_corner = (middle.x < 1) != (middle.y < 1);
       EXPECT_EQ(is_by_low_corner, is_joined);
     }
@@ -108,9 +133,16 @@ TEST(Isolux, MissingPointsEndTheLine) {
   }
 }
 
-TEST(Isolux, EvenFieldAndSingleRowsHaveNone) {
+TEST(Isolux, EvenFieldHasNone) {
   EXPECT_TRUE(isolux_lines(field_plane(5, 5, 1, [](double, double) { return 300; }), 300).empty());
-  EXPECT_TRUE(isolux_lines(field_plane(9, 1, 1, [](double u, double) { return u; }), 4).empty());
+}
+
+TEST(Isolux, SingleRowHasOneAcrossIt) {
+  const std::vector<IsoluxLine> lines =
+      isolux_lines(field_plane(9, 1, 1, [](double u, double) { return u; }), 4);
+  ASSERT_EQ(lines.size(), 1U);
+  for (const glm::dvec2& p : lines[0].points_m) EXPECT_NEAR(p.x, 4.0, 1e-12);
+  EXPECT_NEAR(glm::distance(lines[0].points_m.front(), lines[0].points_m.back()), 1.0, 1e-12);
 }
 
 TEST(Isolux, TooManyCornersAreLeftOutTheRequiredLevelLast) {
@@ -119,7 +151,7 @@ TEST(Isolux, TooManyCornersAreLeftOutTheRequiredLevelLast) {
   std::vector<IsoluxLevel> few = levels;
   EXPECT_TRUE(trace_isolux(plane, 1000, levels));
   EXPECT_EQ(levels.size(), 3U);
-  EXPECT_EQ(levels[0].lines.at(0).points_m.size(), 40U);
+  EXPECT_EQ(levels[0].lines.at(0).points_m.size(), 42U);  // centres and both edges
   EXPECT_FALSE(trace_isolux(plane, 60, few));
   ASSERT_EQ(few.size(), 1U);
   EXPECT_TRUE(few[0].is_required);

@@ -39,6 +39,9 @@ Document rich_document() {
   ProjectPart& project = document.projects[0];
   project.times = {0.1, 0.2, 0.3, 0.4, 0.45, 0.5, 0.6, 0.7, 2.8};
   project.about = {"A. Meier", "4711", "b", "2026-03-31", "Z", "Office", "Way 1", "draft", {}};
+  project.north_deg = -30.0;
+  project.maintenance_plan = {"clean office", "by the house", 12.0, 36.0, 50000.0, 2500.0};
+  project.spaces[0].energy = calc::LightingEnergy{150.0, 8.0, "", "2500 h by day"};
   project.about.logo = {"logo.svg", calc::LogoFormat::svg,
                         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h1v1z\"/></svg>"};
   project.spaces[0].balance.untraced_lm = 12.5;

@@ -12,7 +12,9 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace report {
@@ -45,24 +47,61 @@ std::string sources() {
   return all;
 }
 
-TEST(Texts, EveryEntryHasBothLanguagesWithTheSamePlaceholders) {
-  for (const TextEntry& entry : kTexts) {
-    EXPECT_STRNE(entry.english, "") << entry.id;
-    EXPECT_STRNE(entry.german, "") << entry.id;
-    EXPECT_EQ(placeholders(entry.english), placeholders(entry.german)) << entry.id;
-    const std::string both = std::string(entry.english) + entry.german;
-    EXPECT_EQ(both.find_first_of("<>&\""), std::string::npos)
-        << entry.id << ": would have to be escaped";
+TEST(Texts, EveryLanguageHasARowAndItsTexts) {
+  std::set<std::string_view> tags;
+  for (const LanguageRow& row : kLanguages) {
+    EXPECT_EQ(language_row(row.language).tag, row.tag);
+    EXPECT_TRUE(tags.insert(row.tag).second) << row.tag;
+    EXPECT_EQ(texts_of(row.language).size(), kEnglishTexts.size()) << row.tag;
+  }
+  EXPECT_EQ(kLanguages.front().language, Language::english);
+}
+
+TEST(Texts, EveryLanguageHasTheSamePlaceholders) {
+  for (const LanguageRow& row : kLanguages) {
+    const std::span<const TextEntry> texts = texts_of(row.language);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::string text = texts[i].text, english = kEnglishTexts[i].text;
+      EXPECT_EQ(texts[i].id, kEnglishTexts[i].id) << row.tag;
+      EXPECT_NE(text, "") << row.tag << " " << texts[i].id;
+      EXPECT_EQ(placeholders(text), placeholders(english)) << row.tag << " " << texts[i].id;
+      EXPECT_EQ(text.find_first_of("<>&\""), std::string::npos)
+          << row.tag << " " << texts[i].id << ": would have to be escaped";
+      EXPECT_EQ(text.front() == ' ', english.front() == ' ') << row.tag << " " << texts[i].id;
+      EXPECT_EQ(text.back() == ' ', english.back() == ' ') << row.tag << " " << texts[i].id;
+    }
   }
 }
 
-// Words that are the same in both languages.
-TEST(Texts, NoGermanTextIsEnglishUnlessItIsALoanword) {
-  const std::set<std::string> loanwords{"in_lx",      "statistic_minimum", "statistic_ud",
-                                        "about_logo", "about_revision",    "statistic_maximum"};
-  for (const TextEntry& entry : kTexts) {
-    const bool is_same = std::string(entry.english) == entry.german;
-    EXPECT_EQ(is_same, loanwords.contains(entry.id)) << entry.id << ": " << entry.german;
+// Words that are the same as in English.
+std::set<std::string_view> loanwords(Language language) {
+  std::set<std::string_view> words{
+      "in_lx", "count_of", "statistic_minimum", "statistic_maximum", "statistic_ud", "about_logo"};
+  if (language == Language::german) words.insert("about_revision");
+  if (language == Language::french) {
+    words.erase("count_of");
+    words.erase("in_lx");
+    words.insert(
+        {"about_client",  "about_date",     "page_on_paper",  "minimum",        "maximum",
+         "exact",         "luminaires",     "verdict",        "direct_share",   "indirect_share",
+         "direct",        "position",       "points",         "point",          "position_m",
+         "direct_light",  "indirect_light", "one_point",      "many_points",    "key_minimum",
+         "key_luminaire", "type",           "sheet_distance", "llmf",           "lsf",
+         "lmf",           "rsmf",           "messages",       "triangles",      "time_verdicts",
+         "time_total",    "brief_extremes", "head_verdict",   "class_possible", "direct_lx"});
+  }
+  return words;
+}
+
+TEST(Texts, NoTextIsEnglishUnlessItIsALoanword) {
+  for (const LanguageRow& row : kLanguages) {
+    if (row.language == Language::english) continue;
+    const std::set<std::string_view> same = loanwords(row.language);
+    for (std::size_t i = 0; i < kEnglishTexts.size(); ++i) {
+      const TextEntry& entry = texts_of(row.language)[i];
+      EXPECT_EQ(std::string(entry.text) == kEnglishTexts[i].text, same.contains(entry.id))
+          << row.tag << " " << entry.id << ": " << entry.text;
+    }
   }
 }
 
@@ -71,16 +110,17 @@ TEST(Texts, EveryEntryIsUsed) {
   const std::regex name(R"(\bText::(\w+))");
   // Those of statistics by their rows, which the compiler checks.
   std::set<std::string> used{
-#define TEXT(id, english, german)
-#define METRIC_TEXT(id, english, german) #id,
-#include "report/text/texts.def"
+#define TEXT(id, text)
+#define METRIC_TEXT(id, text) #id,
+#include "report/text/english.def"
 #undef TEXT
   };
   for (auto i = std::sregex_iterator(text.begin(), text.end(), name); i != std::sregex_iterator();
        ++i) {
     used.insert((*i)[1]);
   }
-  for (const TextEntry& entry : kTexts) EXPECT_TRUE(used.contains(entry.id)) << entry.id;
+  for (const TextEntry& entry : kEnglishTexts)
+    EXPECT_TRUE(used.contains(std::string(entry.id))) << entry.id;
 }
 
 TEST(Texts, AreFilledInInTheirLanguage) {
@@ -90,6 +130,9 @@ TEST(Texts, AreFilledInInTheirLanguage) {
   EXPECT_STREQ(kGerman[Text::verdict_fail], "nicht erfüllt");
   EXPECT_EQ(kEnglish.language_tag(), "en");
   EXPECT_EQ(kGerman.language_tag(), "de");
+  const Texts french(Language::french, true);
+  EXPECT_STREQ(french[Text::verdict_fail], "non conforme");
+  EXPECT_EQ(french.say<Text::count_of>(2, "conforme"), "conforme\u00a0: 2");
 }
 
 TEST(Texts, DecimalSignsChangeAndListsStayReadable) {
