@@ -31,7 +31,7 @@ std::string asked_words(const Texts& t, const PlanePart& plane, const rules::Fin
   if (finding.verdict != rules::Verdict::not_judged) {
     words += ", " + t.say<Text::measured_is>(format_measured(t, finding.measured, unit, threshold));
   }
-  words += ": " + std::string(verdict_words(t, finding.verdict));
+  words += std::string(t[Text::colon]) + verdict_words(t, finding.verdict);
   if (!requirement.clause.empty())
     words += "<span class=\"note\">" + escape_html(requirement.clause) + "</span>";
   return words;
@@ -61,7 +61,8 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
                      deviation.stated ? by_words(t, *deviation.stated) : "");
   }
   if (requirement.origin.is_weakened)
-    rows += row_html(t[Text::weaker_than_row], where, asked, "", "");
+    rows += row_html(t[Text::weaker_than_row], where, asked,
+                     t.english_html(escape_html(requirement.note)), "");
   if (finding.by_tolerance) rows += row_html(t[Text::met_by_tolerance], where, asked, "", "");
   return rows;
 }
@@ -104,7 +105,11 @@ std::string html_deviations(const Texts& t, const ProjectPart& project, std::siz
       }
     }
     for (const rules::RowCoverage& row : space.coverage) {
-      for (const rules::RoleCoverage& role : row.roles) rows += role_rows(t, room, row, role);
+      const std::string of =
+          row.workplace.empty()
+              ? room
+              : escape_html(row.workplace) + " <span class=\"quiet\">" + room + "</span>";
+      for (const rules::RoleCoverage& role : row.roles) rows += role_rows(t, of, row, role);
     }
   }
   if (!is_anything_asked) return {};

@@ -29,6 +29,19 @@ std::size_t lit_luminaires(const ProjectPart& project, const SpacePart& space,
       std::count_if(space.luminaires.begin(), space.luminaires.end(), is_lit));
 }
 
+// Clause, notes and reason: what must be read with the verdict.
+std::string remarks_on(const Texts& t, const rules::Finding& finding) {
+  std::string html = escape_html(finding.requirement.clause);
+  const auto add = [&](const std::string& words) { html += (html.empty() ? "" : " · ") + words; };
+  for (const NotePart& part : note_parts(t, finding)) {
+    const std::string words = escape_html(part.text);
+    add(part.is_english ? t.english_html(words) : words);
+  }
+  if (!finding.reason.empty()) add(t.english_html(escape_html(finding.reason)));
+  if (finding.is_waived) add(t[Text::waived]);
+  return html;
+}
+
 }  // namespace
 
 std::string html_emergency(const Texts& t, const ProjectPart& project, std::size_t index,
@@ -50,7 +63,7 @@ std::string html_emergency(const Texts& t, const ProjectPart& project, std::size
             "class=\"num\">{}</td><td class=\"num strong\">{}</td><td>{}</td></tr>\n",
             plane_href({index, s, k}, folder), escape_html(title_of(plane.name, plane.id)),
             escape_html(title_of(space.name, space.id)),
-            escape_html(quantity_words(t, asked, plane.kernel)), escape_html(asked.clause),
+            escape_html(quantity_words(t, asked, plane.kernel)), remarks_on(t, finding),
             asked.scene.empty() ? t[Text::full_output] : escape_html(asked.scene),
             lit_luminaires(project, space, asked.scene),
             escape_html(format_required(t, threshold, unit)),

@@ -21,10 +21,17 @@ std::string power_words(const Texts& t, const calc::InstalledPower& power) {
   return format_watts(t, power.power_w) + " W";
 }
 
+// Of a year, with the parasitic part; empty: not stated or not known.
+std::optional<double> energy_kwh(const SpacePart& space) {
+  if (!space.energy || !space.energy->problem.empty()) return {};
+  return space.energy->leni_kwh_m2 * space.power.area_m2;
+}
+
 std::string energy_cells(const Texts& t, const SpacePart& space) {
   if (!space.energy) return number_cell(t[Text::not_stated]) + number_cell("");
-  if (!space.energy->problem.empty()) return number_cell(t[Text::not_known]) + number_cell("");
-  return number_cell(format_fixed(t, space.energy->lighting_kwh, 0) + " kWh") +
+  const std::optional<double> energy = energy_kwh(space);
+  if (!energy) return number_cell(t[Text::not_known]) + number_cell("");
+  return number_cell(format_fixed(t, *energy, 0) + " kWh") +
          number_cell(format_fixed(t, space.energy->leni_kwh_m2, 1) + " kWh/m²");
 }
 
@@ -38,8 +45,11 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
             escape_html(title_of(by_light->plane->name, by_light->plane->id)) + "</span>";
   }
   std::string words = escape_html(title_of(space.name, space.id));
-  if (space.energy && !space.energy->words.empty()) {
-    words += "<span class=\"note\">" + t.english_html(escape_html(space.energy->words)) + "</span>";
+  if (space.energy) {
+    const std::string& remark =
+        space.energy->problem.empty() ? space.energy->words : space.energy->problem;
+    if (!remark.empty())
+      words += "<span class=\"note\">" + t.english_html(escape_html(remark)) + "</span>";
   }
   return "<tr><th scope=\"row\">" + words + "</th>" +
          number_cell(power.area_m2 > 0.0 ? format_fixed(t, power.area_m2, 2) + " m²" : "") +
@@ -49,9 +59,9 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
          energy_cells(t, space) + "</tr>\n";
 }
 
-// Sums of what is known of every room; a cell stays empty where it is not.
+// Sums of what is known of every room, and of the open space; a cell says where it is not.
 std::string sums_row(const Texts& t, const ProjectPart& project) {
-  double area_m2 = 0.0, power_w = 0.0, energy_kwh = 0.0;
+  double area_m2 = 0.0, power_w = 0.0, all_kwh = 0.0;
   int luminaires = 0;
   bool has_areas = true, has_power = true, has_energy = true;
   for (const SpacePart& space : project.spaces) {
@@ -60,16 +70,18 @@ std::string sums_row(const Texts& t, const ProjectPart& project) {
     luminaires += space.power.luminaires;
     has_areas &= space.power.area_m2 > 0.0;
     has_power &= space.power.without_power == 0;
-    has_energy &= space.energy && space.energy->problem.empty();
-    if (space.energy) energy_kwh += space.energy->lighting_kwh;
+    const std::optional<double> energy = energy_kwh(space);
+    has_energy &= energy.has_value();
+    all_kwh += energy.value_or(0.0);
   }
-  return std::string("<tfoot><tr class=\"total\"><th scope=\"row\">") + t[Text::all_rooms] +
-         "</th>" + number_cell(has_areas ? format_fixed(t, area_m2, 2) + " m²" : "") +
+  return std::string("<tfoot><tr class=\"total\"><th scope=\"row\">") + t[Text::whole_project] +
+         "</th>" +
+         number_cell(has_areas ? format_fixed(t, area_m2, 2) + " m²" : t[Text::not_known]) +
          number_cell(fmt::format("{}", luminaires)) +
-         number_cell(has_power ? format_watts(t, power_w) + " W" : "") +
+         number_cell(has_power ? format_watts(t, power_w) + " W" : t[Text::not_known]) +
          number_cell(has_areas && has_power ? format_fixed(t, power_w / area_m2, 2) + " W/m²"
                                             : "") +
-         number_cell("") + number_cell(has_energy ? format_fixed(t, energy_kwh, 0) + " kWh" : "") +
+         number_cell("") + number_cell(has_energy ? format_fixed(t, all_kwh, 0) + " kWh" : "") +
          number_cell("") + "</tr></tfoot>";
 }
 

@@ -129,6 +129,12 @@ std::string head_cells(const Texts& t, bool is_sortable) {
       t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
 }
 
+// A verdict that does not count says so.
+std::string verdict_badge(const Texts& t, const rules::Finding& finding) {
+  const std::string html = badge(t, finding.verdict);
+  return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
+}
+
 std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
   const Cells cells = cells_of(t, plane, finding);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
@@ -136,7 +142,7 @@ std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::F
       "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
       "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
       "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
-      rules::gravity_rank(finding.verdict), badge(t, finding.verdict),
+      rules::gravity_rank(finding.verdict), verdict_badge(t, finding),
       escape_html(quantity_words(t, finding.requirement)), cells.requirement,
       format_shortest(finding.requirement.limit), cells.required,
       is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,

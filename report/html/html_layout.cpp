@@ -26,12 +26,14 @@ namespace report {
 namespace {
 
 // All in millimetres on paper; y points down.
-constexpr glm::dvec2 kRoomOfFew_mm{150, 140}, kRoomOfMany_mm{122, 52};
+constexpr glm::dvec2 kBelowOfFew_mm{150, 140}, kBelowOfMany_mm{122, 78}, kBesideOfMany_mm{122, 52};
+constexpr double kLeastWidth_mm = 34;  // of the plan, for words below it
+constexpr double kWide = 1.15;         // bold words against plain ones
 constexpr std::size_t kFewRooms = 8, kFewPlanesOfAll = 24;
 constexpr double kText_mm = 2.5, kDigit = 0.6;  // the width of a digit, of the size
 constexpr double kLeft_mm = 15, kTop_mm = 6, kRight_mm = 22, kGap_mm = 4;
 constexpr double kChain_mm = 4, kWhole_mm = 9.5;  // dimension lines, from the room
-constexpr std::size_t kMostNumbers = 200, kMostPoints = 1200, kMostSteps = 9, kMostLevels = 10;
+constexpr std::size_t kMostNumbers = 200, kMostPoints = 1200, kMostSteps = 9, kMostLevels = 16;
 
 struct Extent {
   glm::dvec2 low{std::numeric_limits<double>::max()};
@@ -93,8 +95,16 @@ std::vector<glm::dvec3> corners_of(const PlanePart& plane) {
 }
 
 std::vector<glm::dvec3> corners_of(const LuminaireMark& mark) {
+  // The outline is seen from above; the opening is at right angles to the axis, if one is known.
+  constexpr double kUpright = 0.02;  // an axis so level leaves no outline from above
   std::vector<glm::dvec3> corners;
-  for (const glm::dvec2& corner : mark.outline_m) corners.emplace_back(corner, mark.position_m.z);
+  for (const glm::dvec2& corner : mark.outline_m) {
+    const glm::dvec2 aside = corner - glm::dvec2(mark.position_m);
+    const double rise = std::abs(mark.axis.z) > kUpright
+                            ? -glm::dot(aside, glm::dvec2(mark.axis)) / mark.axis.z
+                            : 0.0;
+    corners.emplace_back(corner, mark.position_m.z + rise);
+  }
   return corners;
 }
 
@@ -256,9 +266,9 @@ std::string corner_words(const Texts& t, const View& view, double below_mm) {
                   "start", "minor");
 }
 
-std::string north_arrow(const View& view, double north_deg) {
+std::string north_arrow(double right_mm, double north_deg) {
   constexpr double kLength_mm = 9, kDegree = 3.14159265358979323846 / 180.0;
-  const glm::dvec2 middle(view.right_mm() + 0.55 * kRight_mm, view.corner_mm.y + 8);
+  const glm::dvec2 middle(right_mm + 0.55 * kRight_mm, kTop_mm + 8);
   const double angle = north_deg * kDegree;
   const glm::dvec2 ahead(std::cos(angle), -std::sin(angle)), beside(-ahead.y, ahead.x);
   const glm::dvec2 tip = middle + 0.5 * kLength_mm * ahead,
@@ -432,9 +442,9 @@ std::string plane_signs(const View& view, const std::vector<PlaneGroup>& groups,
   return stroke("area", outlines) + letters;
 }
 
-// Heights over the floor beside the elevation: of the room, of luminaires, of level planes.
-std::string levels(const Texts& t, const View& view, const SpacePart& space) {
-  std::map<long long, double> heights;  // by centimetres over the floor
+// By centimetres over the floor: of the room, of luminaires, of level planes.
+std::map<long long, double> heights_of(const SpacePart& space) {
+  std::map<long long, double> heights;
   const auto add = [&](double z_m) {
     heights.emplace(std::llround((z_m - space.floor_z_m) * 100.0), z_m);
   };
@@ -447,6 +457,12 @@ std::string levels(const Texts& t, const View& view, const SpacePart& space) {
     if (plane.outline_m.empty() || plane.grid.route) continue;
     if (is_horizontal(glm::cross(plane.grid.u, plane.grid.v))) add(plane.grid.origin_m.z);
   }
+  return heights;
+}
+
+// Heights over the floor beside the elevation.
+std::string levels(const Texts& t, const View& view, const SpacePart& space) {
+  std::map<long long, double> heights = heights_of(space);
   if (heights.size() > kMostLevels) {
     const std::pair low = *heights.begin(), high = *heights.rbegin();
     heights = {low, high};
@@ -536,25 +552,36 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   const Sight sight = ground.x >= ground.y ? Sight::towards_plus_y : Sight::towards_minus_x;
   side.extent_m = extent_of(space, sight);
   const glm::dvec2 standing = side.extent_m.size();
-  // Both views in one scale: below each other, or beside each other where pages are to be saved.
-  const bool is_below = is_small(project);
-  const glm::dvec2 whole = is_below
-                               ? glm::dvec2(std::max(ground.x, standing.x), ground.y + standing.y)
-                               : glm::dvec2(ground.x + standing.x, std::max(ground.y, standing.y));
-  if (!(whole.x > 0.0) || !(whole.y > 0.0) || !std::isfinite(whole.x + whole.y)) return {};
-  const double scale = drawing_scale(whole, is_below ? kRoomOfFew_mm : kRoomOfMany_mm);
+  // Both views in one scale: below each other, or beside each other where pages are to be saved and
+  // the drawing does not get smaller by it.
+  const glm::dvec2 below(std::max(ground.x, standing.x), ground.y + standing.y);
+  const glm::dvec2 beside(ground.x + standing.x, std::max(ground.y, standing.y));
+  if (!(below.x > 0.0) || !(below.y > 0.0) || !std::isfinite(below.x + below.y)) return {};
+  const double beside_scale = drawing_scale(beside, kBesideOfMany_mm);
+  double scale = drawing_scale(below, is_small(project) ? kBelowOfFew_mm : kBelowOfMany_mm);
+  const bool is_below = is_small(project) || scale < beside_scale;
+  if (!is_below) scale = beside_scale;
   plan.mm_by_m = side.mm_by_m = 1000.0 / scale;
   plan.corner_mm = {kLeft_mm, kTop_mm};
   const Dimensions lengths = dimensions(t, plan, space);
   const double plan_end_mm = plan.bottom_mm() + lengths.below_mm + kGap_mm;
+  const double plan_right_mm = std::max(plan.right_mm(), kLeft_mm + kLeastWidth_mm);
   side.corner_mm = is_below ? glm::dvec2(kLeft_mm, plan_end_mm + kTop_mm)
-                            : glm::dvec2(plan.right_mm() + kRight_mm, kTop_mm);
-  const double width = std::max(plan.right_mm(), side.right_mm()) + kRight_mm;
+                            : glm::dvec2(plan_right_mm + kRight_mm, kTop_mm);
+  const std::string side_title =
+      t.say<Text::layout_elevation>(sight == Sight::towards_plus_y ? "+y" : "−x");
+  const double width = std::max({plan_right_mm + kRight_mm, side.right_mm() + kRight_mm,
+                                 side.corner_mm.x + kWide * width_of(side_title, kText_mm)});
   const double height = std::max(plan_end_mm, side.bottom_mm() + 2);
 
   const std::vector<PlaneGroup> groups = groups_of(space);
   const bool has_points = points_of(space) <= kMostPoints;
   Labels labels;
+  // Numbers keep away from the heading and the dimensions.
+  labels.take({kLeft_mm + 0.5 * kLeastWidth_mm, 0.5 * kTop_mm}, {kLeastWidth_mm, kTop_mm - 1});
+  labels.take(
+      {0.5 * (plan.corner_mm.x + plan_right_mm), 0.5 * (plan.bottom_mm() + 1 + plan_end_mm)},
+      {plan_right_mm - plan.corner_mm.x, plan_end_mm - plan.bottom_mm() - 1});
   const std::string title = escape_html(title_of(space.name, space.id));
   std::string svg = fmt::format(
       "<svg class=\"layout\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
@@ -567,16 +594,16 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   const std::string luminaires = luminaire_signs(plan, space, Sight::plan, labels);
   svg += plane_signs(plan, groups, labels) + luminaires + lengths.svg +
          corner_words(t, plan, lengths.below_mm);
-  if (project.north_deg) svg += north_arrow(plan, *project.north_deg);
-  svg += words_at({side.corner_mm.x, side.corner_mm.y - 2.2},
-                  t.say<Text::layout_elevation>(sight == Sight::towards_plus_y ? "+y" : "−x"),
-                  "start", "view") +
+  if (project.north_deg) svg += north_arrow(plan_right_mm, *project.north_deg);
+  svg += words_at({side.corner_mm.x, side.corner_mm.y - 2.2}, side_title, "start", "view") +
          elevation(t, side, space, sight) + "</svg>\n";
 
   std::string notes;
   if (space.luminaires.size() > kMostNumbers)
     notes += std::string(" ") + t[Text::layout_no_numbers];
-  if (!has_points) notes += std::string(" ") + t[Text::layout_no_points];
+  notes += std::string(" ") + t[has_points ? Text::layout_points : Text::layout_no_points];
+  if (heights_of(space).size() > kMostLevels)
+    notes += std::string(" ") + t[Text::layout_no_heights];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
   return "<figure class=\"layout-figure\">\n" + svg + key_of(t, space, groups) + "<figcaption>" +

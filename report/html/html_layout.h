@@ -10,7 +10,7 @@
 namespace report {
 
 // A figure for paper, where its scale holds: views of at most 150 mm by 140 mm together, or 122 mm
-// by 52 mm in projects with many rooms or planes. "" where there is nothing to draw.
+// by 78 mm in projects with many rooms or planes. "" where there is nothing to draw.
 std::string html_layout(const Texts& t, const ProjectPart& project, const SpacePart& space);
 
 // The n of the scale 1:n, from 1, 2, 2.5 and 5 times powers of ten, with which so many metres fit

@@ -15,6 +15,8 @@ namespace {
 
 // What is to be done, as the project states it; what it does not state is said.
 std::string plan_table(const Texts& t, const calc::MaintenancePlan& plan) {
+  if (plan.is_empty())
+    return std::string("<p class=\"quiet\">") + t[Text::maintenance_not_stated] + "</p>\n";
   const auto months = [&](const std::optional<double>& every) {
     return every ? t.say<Text::every_months>(format_shortest(t, *every))
                  : std::string(t[Text::not_stated]);

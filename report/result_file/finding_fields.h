@@ -124,6 +124,10 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
              .presence = kSinceLater,
              .choices = rules::level_names()});
     assign(requirement.origin.level, rules::level_named(level));
+    o.field("is_weakened", requirement.origin.is_weakened,
+            {.words = "Its limit is easier than what the row requires.",
+             .presence = only_if(requirement.origin.is_weakened),
+             .is_mark = true});
     o.field("workplaces", requirement.origin.workplaces,
             {.words = "Ids of those that ask for it; none: a <require>.",
              .presence = only_if(!requirement.origin.workplaces.empty())});

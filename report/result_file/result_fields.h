@@ -324,7 +324,9 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("about", project.about, {.presence = only_if(!project.about.is_empty())});
   v.field("north_deg", project.north_deg,
           {.words = "Where north lies in plan, from +x counter-clockwise.",
-           .presence = only_if(project.north_deg.has_value())});
+           .presence = only_if(project.north_deg.has_value()),
+           .least = -360.0,
+           .most = 360.0});
   v.field("maintenance_plan", project.maintenance_plan,
           {.words = "How the installation is to be kept, as the project says; what it says only.",
            .presence = only_if(!project.maintenance_plan.is_empty())});

@@ -28,7 +28,7 @@ std::vector<AboutWords> about_words(const Texts& t, const calc::AboutProject& ab
 std::string about_line(const Texts& t, const calc::AboutProject& about) {
   std::string line;
   for (const AboutWords& one : about_words(t, about)) {
-    line += (line.empty() ? "" : " · ") + std::string(one.name) + ": " + one.words;
+    line += (line.empty() ? "" : " · ") + std::string(one.name) + t[Text::colon] + one.words;
   }
   return line;
 }

@@ -6,26 +6,42 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace report {
 namespace {
 
+// Something is asked of its average in normal operation.
+bool is_asked_for_average(const PlanePart& plane) {
+  return std::any_of(plane.findings.begin(), plane.findings.end(), [](const auto& finding) {
+    const rules::Requirement& asked = finding.requirement;
+    return asked.metric == rules::Metric::average && asked.scene.empty() &&
+           asked.state == rules::LightState::maintained;
+  });
+}
+
 const PlanePart* reference_plane(const SpacePart& space) {
-  const PlanePart* largest = nullptr;
-  std::pair<bool, double> most{false, 0.0};
+  constexpr double kLarger = 1 + 1e-9;  // of equal planes the first one counts
+  const PlanePart* best = nullptr;
+  std::pair<bool, bool> asked{false, false};
+  double area_m2 = 0.0;
   for (const PlanePart& plane : space.planes) {
+    const glm::dvec3 normal = glm::cross(plane.grid.u, plane.grid.v);
     if (!plane.is_computed || !is_plain_illuminance(plane) || plane.outline_m.empty() ||
-        !is_horizontal(glm::cross(plane.grid.u, plane.grid.v)) || !(plane.average.low > 0.0)) {
+        plane.grid.route || !is_horizontal(normal) || !(normal.z > 0.0) ||
+        !(plane.average.low > 0.0)) {
       continue;
     }
-    const std::pair of(!plane.findings.empty(), std::abs(calc::signed_area(plane.outline_m)));
-    if (of <= most) continue;
-    largest = &plane;
-    most = of;
+    const std::pair of(is_asked_for_average(plane), !plane.findings.empty());
+    const double its_m2 = std::abs(calc::signed_area(plane.outline_m));
+    if (best != nullptr && (of < asked || (of == asked && its_m2 <= area_m2 * kLarger))) continue;
+    best = &plane;
+    asked = of;
+    area_m2 = its_m2;
   }
-  return largest;
+  return best;
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ struct PowerByLight {
   calc::Estimate w_m2;
 };
 
-// Of the largest plane that is looked at from above, among those that something is asked of if
-// there are any. Empty: power or area are not known, or no such plane has light.
+// Of the largest plane that faces up, among those of which an average is asked in normal operation
+// if there are any, else of which anything is asked; the first of equal ones. Empty: power or area
+// are not known, or no such plane has light.
 std::optional<PowerByLight> power_by_light(const SpacePart& space);
 
 }  // namespace report

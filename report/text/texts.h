@@ -25,7 +25,7 @@ struct LanguageRow {
 };
 inline constexpr std::array kLanguages{LanguageRow{Language::english, "en", false, false},
                                        LanguageRow{Language::german, "de", true, true},
-                                       LanguageRow{Language::french, "fr", true, false}};
+                                       LanguageRow{Language::french, "fr", true, true}};
 
 constexpr const LanguageRow& language_row(Language language) {
   return *std::find_if(kLanguages.begin(), kLanguages.end(),

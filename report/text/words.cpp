@@ -347,7 +347,7 @@ std::string summary_words(const Texts& t, const Totals& totals) {
   const int total = counts.all();
   std::string text =
       total == 1 ? t.say<Text::one_requirement>(total) : t.say<Text::requirements>(total);
-  const char* separator = ": ";
+  const char* separator = t[Text::colon];
   const auto add = [&](int count, Text word) {
     if (count == 0) return;
     text += separator + t.say<Text::count_of>(count, t[word]);

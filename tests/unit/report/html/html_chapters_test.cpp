@@ -5,6 +5,7 @@
 #include "report/html/html_maintenance.h"
 #include "report/html/html_method.h"
 #include "report/html/html_values.h"
+#include "report/text/room_power.h"
 #include "tests/support/sample_document.h"
 
 #include <fmt/format.h>
@@ -105,11 +106,13 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   std::string html = html_energy({}, project, 0);
   EXPECT_THAT(rows_of_table(html)[0],
               HasSubstr("Office 2500 h | 20.00 m² | 2 | 60.0 W | 3.00 W/m² | 0.5854"));
-  EXPECT_THAT(rows_of_table(html)[0], HasSubstr("| 150 kWh | 8.0 kWh/m²"));
+  EXPECT_THAT(rows_of_table(html)[0], HasSubstr("| 160 kWh | 8.0 kWh/m²"));
   EXPECT_THAT(rows_of_table(html)[1], HasSubstr("Store | 30.00 m²"));
   EXPECT_THAT(html, HasSubstr("50.00 m²"));
   EXPECT_THAT(html, HasSubstr("100.0 W"));
   EXPECT_THAT(html, HasSubstr("2.00 W/m²"));  // of both
+  EXPECT_THAT(html,
+              Not(HasSubstr("<td class=\"num\">160 kWh</td><td class=\"num\"></td></tr></tfoot>")));
   project.spaces[1].power.without_power = 1;
   html = html_energy({}, project, 0);
   EXPECT_THAT(html, Not(HasSubstr("100.0 W")));
@@ -117,6 +120,26 @@ TEST(HtmlEnergy, HasARowForEachRoomAndSumsOfWhatIsKnown) {
   project.spaces[1].energy = calc::LightingEnergy{0, 0, "power is not known", ""};
   EXPECT_THAT(rows_of_table(html_energy({}, project, 0))[1], HasSubstr("not known"));
   EXPECT_THAT(html, Not(HasSubstr("<td class=\"num\">0 kWh")));
+}
+
+// Those that face up; of equal ones the first.
+TEST(HtmlEnergy, HundredLuxAreThoseOfAPlaneThatPeopleUse) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.power = {60.0, 20.0, 2, 0};
+  space.planes.resize(4, space.planes[0]);
+  for (std::size_t k = 0; k < 4; ++k) space.planes[k].name = fmt::format("plane {}", k);
+  space.planes[0].findings.clear();
+  for (glm::dvec2& corner : space.planes[0].outline_m) corner *= 3.0;
+  std::swap(space.planes[1].grid.u, space.planes[1].grid.v);  // the ceiling
+  space.planes[1].grid.origin_m.z = 3.0;
+  ASSERT_TRUE(power_by_light(space));
+  EXPECT_EQ(power_by_light(space)->plane->name, "plane 2");
+  space.planes[2].findings.clear();
+  space.planes[3].findings[0].requirement.scene = "night";
+  EXPECT_EQ(power_by_light(space)->plane->name, "plane 3");  // something is asked of it
+  space.planes[3].findings.clear();
+  EXPECT_EQ(power_by_light(space)->plane->name, "plane 0");
 }
 
 TEST(HtmlEnergy, IsNotThereWithoutLuminaires) {
@@ -136,6 +159,7 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
   row.maintenance.lmf = 0.95;
   row.maintenance.rsmf = 0.97;
   project.luminaires = {row};
+  EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr("is not stated in the project"));
   project.maintenance_plan = {"clean office", "", 12.0, {}, 50000.0, {}};
   const std::string html = html_maintenance({}, project, 0);
   EXPECT_THAT(html, HasSubstr("0.857"));
@@ -158,9 +182,26 @@ TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   rules::Requirement& asked = space.planes[0].findings[1].requirement;
   asked.state = rules::LightState::end_of_duration;
   asked.scene = "battery";
+  space.planes[0].findings[1].reason = "";
   EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "")),
               ElementsAre("Work plane Office | minimum | battery | 2 | ≥ 450 lx | 424.5 ± 4.2 lx "
                           "| ✗ fail"));
+}
+
+TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
+  Document document = small_document();
+  rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[1];
+  finding.requirement.state = rules::LightState::end_of_duration;
+  finding.requirement.clause = "EN 1838 risk";
+  finding.requirement.note = "national readings differ";
+  finding.requirement.direct_only = true;
+  finding.verdict = rules::Verdict::not_judged;
+  finding.reason = "the scene does not say what 1 luminaire does";
+  const std::string html = html_emergency({}, document.projects[0], 0, "");
+  for (const char* words : {"EN 1838 risk · national readings differ", "direct light only",
+                            "the scene does not say what 1 luminaire does", "not judged"}) {
+    EXPECT_THAT(html, HasSubstr(words));
+  }
 }
 
 TEST(HtmlMethod, NamesTheConfidence) {

@@ -172,7 +172,41 @@ TEST(HtmlLayout, WhatIsTooMuchIsTold) {
 TEST(HtmlLayout, ManyRoomsHaveSmallDrawings) {
   Document document = hall();
   document.projects[0].spaces.resize(9, document.projects[0].spaces[0]);
-  EXPECT_THAT(shown(document), HasSubstr("1:250"));  // (14 + 14) m in 122 mm
+  EXPECT_THAT(shown(document), HasSubstr("1:200"));  // 9.5 m + 4 m in 78 mm
+  // Beside each other where that is as large.
+  for (SpacePart& space : document.projects[0].spaces)
+    space.footprint_m = {{0, 0}, {12, 0}, {12, 9.5}, {0, 9.5}};
+  document.projects[0].spaces[0].luminaires.clear();
+  const Drawing drawing(shown(document));
+  EXPECT_NEAR(drawing.numbers("wall")[5], drawing.numbers("wall", 1)[5], 60.0);
+  EXPECT_GT(drawing.numbers("wall", 1)[0], drawing.numbers("wall")[2]);
+}
+
+// At 45 degrees an opening of 0.6 m is as high as it is deep.
+TEST(HtmlLayout, TiltedLuminairesAreTiltedInTheElevation) {
+  Document document = hall();
+  SpacePart& space = document.projects[0].spaces[0];
+  LuminaireMark& mark = space.luminaires[0];
+  mark.axis = glm::normalize(glm::dvec3(1, 0, -1));
+  space.luminaires.resize(1);
+  const std::vector<double> flat = Drawing(shown(document)).numbers("luminaire");
+  const std::vector<double> side = Drawing(shown(document)).numbers("luminaire", 1);
+  ASSERT_EQ(side.size(), 8U);
+  EXPECT_NEAR(side[2] - side[0], 12.0, 0.02);            // 1.2 m at 1:100
+  EXPECT_NEAR(std::abs(side[3] - side[1]), 12.0, 0.02);  // and as high
+  EXPECT_LT(side[3], side[1]);                           // light goes to +x: up there
+  EXPECT_NEAR(flat[2] - flat[0], 12.0, 0.02);
+}
+
+TEST(HtmlLayout, HighRoomsKeepTheirHeading) {
+  Document document = hall();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.footprint_m = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  space.height_m = 25.0;
+  space.luminaires.clear();
+  space.planes.clear();
+  const Drawing drawing(shown(document));
+  EXPECT_GT(drawing.tree.select_node("//svg").node().attribute("width").as_double(), 54.0);
 }
 
 TEST(HtmlLayout, OpenSpacesAreDrawnByWhatIsInThem) {

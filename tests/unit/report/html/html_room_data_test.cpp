@@ -65,7 +65,7 @@ TEST(HtmlRoomData, WallsOfOtherMaterialsAreTold) {
 
 TEST(HtmlRoomData, TellsWhereLuminairesAreAndHowTheyAreTurned) {
   const std::string html = shown(office());
-  EXPECT_THAT(html, HasSubstr("Positions of 2 luminaires"));
+  EXPECT_THAT(html, HasSubstr("Positions of luminaires: 2"));
   // The height is above the floor, C0 to -y.
   EXPECT_THAT(html,
               HasSubstr("<tr><th scope=\"row\" class=\"num\">1</th><td>L.1</td><td>panel</td><td>"

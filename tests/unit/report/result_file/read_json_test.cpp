@@ -57,6 +57,7 @@ Document rich_document() {
   plane.holes_m = {{{1, 1}, {2, 1}, {2, 2}}};
   rules::Finding value = sample_finding(rules::Metric::value_at_point, 10, estimate(12, 1));
   value.requirement.point_m = {1, 2, 3};
+  value.requirement.origin = {"own:1", "middle", "1", {}, {}, {}, true};
   value.requirement.scene = "night";
   value.requirement.state = rules::LightState::initial;
   value.requirement.comparison = rules::Comparison::at_most;
