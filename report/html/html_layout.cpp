@@ -583,11 +583,11 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
       {0.5 * (plan.corner_mm.x + plan_right_mm), 0.5 * (plan.bottom_mm() + 1 + plan_end_mm)},
       {plan_right_mm - plan.corner_mm.x, plan_end_mm - plan.bottom_mm() - 1});
   const std::string title = escape_html(title_of(space.name, space.id));
+  const std::string words = t.say<Text::layout_of>(title, scale_words(scale));
   std::string svg = fmt::format(
       "<svg class=\"layout\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
       "font-size=\"{2}\" role=\"img\" aria-label=\"{3}\">\n",
-      svg_number(width), svg_number(height), kText_mm,
-      t.say<Text::layout_of>(title, scale_words(scale)));
+      svg_number(width), svg_number(height), kText_mm, words);
   svg += words_at({kLeft_mm, kTop_mm - 2.2}, t[Text::layout_plan], "start", "view");
   svg += stroke("wall", plan.path(space.footprint_m)) + furniture(plan, space);
   if (has_points) svg += point_signs(plan, space);
@@ -606,8 +606,9 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
     notes += std::string(" ") + t[Text::layout_no_heights];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
-  return "<figure class=\"layout-figure\">\n" + svg + key_of(t, space, groups) + "<figcaption>" +
-         t.say<Text::layout_caption>(scale_words(scale)) + notes + "</figcaption></figure>\n";
+  return "<figure class=\"layout-figure\">\n" + scroll_box(words, svg) + key_of(t, space, groups) +
+         "<figcaption>" + t.say<Text::layout_caption>(scale_words(scale)) + notes +
+         "</figcaption></figure>\n";
 }
 
 }  // namespace report
