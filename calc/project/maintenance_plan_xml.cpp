@@ -13,7 +13,7 @@ MaintenancePlan read_one(ProjectContext& context, const XmlElement& element) {
   reader.allow(kMaintenancePlanElement);
   MaintenancePlan plan;
   plan.environment = std::string(trim(reader.text_or("environment", "")));
-  plan.note = std::string(trim(reader.text_or("note", "")));
+  plan.instructions = std::string(trim(reader.text_or("instructions", "")));
   for (const MaintenanceNumber& one : kMaintenanceNumbers) {
     const bool is_of_a_year = one.number == &MaintenancePlan::use_h;
     plan.*one.number = reader.optional_number(one.name, is_of_a_year ? kHours : kPositive);

@@ -268,7 +268,7 @@ const ElementRow kMaintenancePlanElement{
                    {"replace-lights-hours", &kPositiveType, optional,
                     "Hours of use after which light sources or luminaires are replaced."},
                    {"hours-in-a-year", &kHoursType, optional, "Hours of use in a year."},
-                   {"note", &kAnyText}}};
+                   {"instructions", &kAnyText, optional, "What else is to be done."}}};
 
 const ElementRow kMaterialElement{
     .type = "material",

@@ -9,7 +9,7 @@
 namespace calc {
 
 struct MaintenancePlan {
-  std::string environment, note;  // in the project's words; "" = not stated
+  std::string environment, instructions;  // in the project's words; "" = not stated
   // Months between cleanings, hours until light sources are replaced, hours of use in a year.
   std::optional<double> clean_luminaires_months, clean_surfaces_months, replace_lights_h, use_h;
 
@@ -35,7 +35,7 @@ bool MaintenancePlan::is_empty() const {
   for (const MaintenanceNumber& one : kMaintenanceNumbers) {
     if (this->*one.number) return false;
   }
-  return environment.empty() && note.empty();
+  return environment.empty() && instructions.empty();
 }
 
 }  // namespace calc

@@ -1,5 +1,7 @@
 #include "report/html/html_layout.h"
 
+#include "calc/base/elementary.h"
+#include "calc/base/units.h"
 #include "calc/scene/polygon.h"
 #include "report/html/html_isolux.h"
 #include "report/html/html_markup.h"
@@ -267,10 +269,10 @@ std::string corner_words(const Texts& t, const View& view, double below_mm) {
 }
 
 std::string north_arrow(double right_mm, double north_deg) {
-  constexpr double kLength_mm = 9, kDegree = 3.14159265358979323846 / 180.0;
+  constexpr double kLength_mm = 9;
   const glm::dvec2 middle(right_mm + 0.55 * kRight_mm, kTop_mm + 8);
-  const double angle = north_deg * kDegree;
-  const glm::dvec2 ahead(std::cos(angle), -std::sin(angle)), beside(-ahead.y, ahead.x);
+  const double angle = calc::radians_from_degrees(north_deg);
+  const glm::dvec2 ahead(calc::cos(angle), -calc::sin(angle)), beside(-ahead.y, ahead.x);
   const glm::dvec2 tip = middle + 0.5 * kLength_mm * ahead,
                    foot = middle - 0.5 * kLength_mm * ahead;
   const glm::dvec2 left = foot + 2.0 * beside, right = foot - 2.0 * beside;

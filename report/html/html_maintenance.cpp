@@ -31,7 +31,8 @@ std::string plan_table(const Texts& t, const calc::MaintenancePlan& plan) {
                      fact(t[Text::clean_surfaces], months(plan.clean_surfaces_months)) +
                      fact(t[Text::replace_lights], hours(plan.replace_lights_h)) +
                      fact(t[Text::hours_of_use], hours(plan.use_h));
-  if (!plan.note.empty()) rows += fact(t[Text::about_note], escape_html(plan.note));
+  if (!plan.instructions.empty())
+    rows += fact(t[Text::maintenance_instructions], escape_html(plan.instructions));
   return std::string("<table class=\"facts narrow\"><caption>") + t[Text::maintenance_stated] +
          "</caption><tbody>\n" + rows + "</tbody></table>\n";
 }

@@ -144,8 +144,8 @@ std::string html_annex(const Texts& t, const std::vector<AnnexPlane>& planes, An
   if (values == 0) return {};
   const bool is_left_out = annex == Annex::automatic && values > kMostAnnexValues;
   std::string html =
-      fmt::format("<section class=\"annex{2}\" aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>\n",
-                  id, t[Text::annex], is_left_out ? "" : " of-tables");
+      fmt::format("<section class=\"annex\" aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>\n", id,
+                  t[Text::annex]);
   if (is_left_out) {
     html += "<p>" + t.say<Text::annex_left_out>(format_count(values), "--annex always") + "</p>\n";
   } else {

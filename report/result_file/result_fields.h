@@ -16,6 +16,7 @@
 #include "report/result_file/revision_fields.h"
 #include "report/text/base64.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -311,10 +312,11 @@ void describe(auto& v, Is<calc::AboutProject> auto& about) {
 void describe(auto& v, Is<calc::MaintenancePlan> auto& plan) {
   v.field("environment", plan.environment, {.presence = only_if(!plan.environment.empty())});
   for (const calc::MaintenanceNumber& one : calc::kMaintenanceNumbers) {
-    v.field(one.result_key, plan.*one.number,
-            {.presence = only_if((plan.*one.number).has_value()), .least = 0.0});
+    const std::optional<double>& number = plan.*one.number;
+    v.field(one.result_key, plan.*one.number, {.presence = only_if(number.has_value())});
+    v.refuse_if(number && !(*number >= 0.0), one.result_key, "a number from 0 is needed");
   }
-  v.field("note", plan.note, {.presence = only_if(!plan.note.empty())});
+  v.field("instructions", plan.instructions, {.presence = only_if(!plan.instructions.empty())});
 }
 
 void describe(auto& v, Is<ProjectPart> auto& project) {
@@ -324,9 +326,10 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("about", project.about, {.presence = only_if(!project.about.is_empty())});
   v.field("north_deg", project.north_deg,
           {.words = "Where north lies in plan, from +x counter-clockwise.",
-           .presence = only_if(project.north_deg.has_value()),
-           .least = -360.0,
-           .most = 360.0});
+           .presence = only_if(project.north_deg.has_value())});
+  constexpr double kTurn_deg = 360.0;
+  v.refuse_if(project.north_deg && !(std::abs(*project.north_deg) <= kTurn_deg), "north_deg",
+              "degrees from -360 to 360 are needed");
   v.field("maintenance_plan", project.maintenance_plan,
           {.words = "How the installation is to be kept, as the project says; what it says only.",
            .presence = only_if(!project.maintenance_plan.is_empty())});

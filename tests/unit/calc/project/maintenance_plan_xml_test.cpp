@@ -21,11 +21,11 @@ TEST(MaintenancePlanXml, EveryAttributeIsRead) {
   const Loaded loaded = load_plan(
       "<maintenance-plan environment=' clean office ' clean-luminaires-months='12' "
       "clean-surfaces-months='36.5' replace-lights-hours='50000' hours-in-a-year='2500' "
-      "note='by the house'/>");
+      "instructions='by the house'/>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   const MaintenancePlan& plan = loaded.project->maintenance_plan;
   EXPECT_EQ(plan.environment, "clean office");
-  EXPECT_EQ(plan.note, "by the house");
+  EXPECT_EQ(plan.instructions, "by the house");
   EXPECT_EQ(plan.clean_luminaires_months, 12.0);
   EXPECT_EQ(plan.clean_surfaces_months, 36.5);
   EXPECT_EQ(plan.replace_lights_h, 50000.0);
@@ -70,7 +70,7 @@ TEST(North, IsAnAngleOfTheRoot) {
 TEST(MaintenancePlanXml, NamesOfNumbersAreAttributes) {
   std::set<std::string> names;
   for (const std::string_view name : attribute_names(kMaintenancePlanElement)) names.emplace(name);
-  EXPECT_EQ(names.erase("environment") + names.erase("note"), 2U);
+  EXPECT_EQ(names.erase("environment") + names.erase("instructions"), 2U);
   for (const MaintenanceNumber& one : kMaintenanceNumbers)
     EXPECT_EQ(names.erase(one.name), 1U) << one.name;
   EXPECT_TRUE(names.empty());

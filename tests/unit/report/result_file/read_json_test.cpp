@@ -298,6 +298,22 @@ TEST(ReadJson, ALogoIsCheckedAgain) {
   EXPECT_THAT(problem_with("date", "soon"), HasSubstr("/about/date: a day"));
 }
 
+TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
+  const auto problem_with = [](const std::string& part, const json& value) {
+    json changed = json::parse(render_json(rich_document()));
+    json::json_pointer at("/projects/0/" + part);
+    changed[at] = value;
+    std::string problem;
+    EXPECT_FALSE(read_json(changed.dump(), problem)) << part;
+    return problem;
+  };
+  EXPECT_THAT(problem_with("north_deg", 4500), HasSubstr("/north_deg: degrees from -360 to 360"));
+  EXPECT_THAT(problem_with("north_deg", "up"), HasSubstr("/north_deg"));
+  EXPECT_THAT(problem_with("maintenance_plan/clean_luminaires_months", -1),
+              HasSubstr("/clean_luminaires_months: a number from 0"));
+  EXPECT_THAT(problem_with("spaces/0/energy/leni_kwh_m2", -1), HasSubstr("/leni_kwh_m2"));
+}
+
 TEST(ReadJson, EveryLookIsOfEveryFinding) {
   json changed = json::parse(render_json(rich_document()));
   json& look = changed["projects"][0]["spaces"][0]["planes"][0]["look_results"][1];
