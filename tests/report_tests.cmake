@@ -37,6 +37,7 @@ luxgate_test(report_tests
     unit/report/stream/spill_test.cpp
     unit/report/stream/text_list_test.cpp
     unit/report/text/shell_words_test.cpp
+    unit/report/text/svg_test.cpp
     unit/report/text/texts_test.cpp
     unit/report/formats/pdf_test.cpp
     unit/report/formats/standard_words_test.cpp

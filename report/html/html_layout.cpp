@@ -35,7 +35,8 @@ constexpr std::size_t kFewRooms = 8, kFewPlanesOfAll = 24;
 constexpr double kText_mm = 2.5, kDigit = 0.6;  // the width of a digit, of the size
 constexpr double kLeft_mm = 15, kTop_mm = 6, kRight_mm = 22, kGap_mm = 4;
 constexpr double kChain_mm = 4, kWhole_mm = 9.5;  // dimension lines, from the room
-constexpr std::size_t kMostNumbers = 200, kMostPoints = 1200, kMostSteps = 9, kMostLevels = 16;
+constexpr std::size_t kMostNumbers = 200, kMostPoints = 1200, kMostSteps = 9, kMostLevels = 16,
+                      kMostLetters = 200;
 
 struct Extent {
   glm::dvec2 low{std::numeric_limits<double>::max()};
@@ -437,6 +438,7 @@ std::string plane_signs(const View& view, const std::vector<PlaneGroup>& groups,
       extent.add(view.at({point.x, point.y}));
     }
     outlines += view.path(group.outline_m);
+    if (groups.size() > kMostLetters) continue;
     const std::string letter = letter_of(i);
     const glm::dvec2 in(0.5 * width_of(letter, kText_mm) + 1.1, 0.5 * kText_mm + 0.9);
     letters += labels.put(letter_places(view, group, extent, in), letter, "letter");
@@ -512,6 +514,7 @@ std::string height_words(const Texts& t, const SpacePart& space, const PlanePart
 
 // "A Task (0.75 m), Task: cylinder (1.20 m)".
 std::string key_of(const Texts& t, const SpacePart& space, const std::vector<PlaneGroup>& groups) {
+  if (groups.size() > kMostLetters) return {};
   std::string items;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::string names;
@@ -603,6 +606,7 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   std::string notes;
   if (space.luminaires.size() > kMostNumbers)
     notes += std::string(" ") + t[Text::layout_no_numbers];
+  if (groups.size() > kMostLetters) notes += std::string(" ") + t[Text::layout_no_letters];
   notes += std::string(" ") + t[has_points ? Text::layout_points : Text::layout_no_points];
   if (heights_of(space).size() > kMostLevels)
     notes += std::string(" ") + t[Text::layout_no_heights];

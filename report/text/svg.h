@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace report {
 
@@ -11,6 +12,10 @@ std::string svg_number(double value);
 
 // Text at a point; escaped. anchor: which end of it stands there, "start", "middle" or "end".
 std::string svg_text(double x, double y, const char* anchor, std::string_view text);
+
+// Multiples of 1, 2 or 5 times a power of ten in [low, high], ascending, at most `most` >= 2 of
+// them. Empty unless low < high, both finite.
+std::vector<double> round_ticks(double low, double high, int most);
 
 // A picture with room for axes around a field; in pixels.
 struct PlotFrame {

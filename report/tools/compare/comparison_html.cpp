@@ -52,16 +52,19 @@ std::string scatter(const ComparedPlane& plane, const Comparison& comparison) {
       "and "
       "B in per cent of B, over B\">\n",
       kScatterFrame.width, kScatterFrame.height);
-  for (const double tick : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-    const double at = tick * most / 1.08;
+  for (const double tick : round_ticks(-100.0 * most, 100.0 * most, 7)) {
+    const double at = y(tick / 100.0);
     svg += fmt::format("<path class=\"{}\" d=\"M{},{}H{}\"/>\n", tick == 0.0 ? "zero" : "rule",
-                       svg_number(kScatterFrame.left), svg_number(y(at)),
+                       svg_number(kScatterFrame.left), svg_number(at),
                        svg_number(kScatterFrame.x_end()));
-    svg += svg_text(kScatterFrame.left - 6, y(at) + 4, "end", percent(at)) + "\n";
+    svg += svg_text(kScatterFrame.left - 6, at + 4, "end",
+                    (tick > 0.0 ? "+" : "") + with_minus(format_shortest(tick)) + " %") +
+           "\n";
   }
-  for (const double part : {0.0, 0.5, 1.0}) {
-    const double lx = low + part * (high - low);
-    svg += svg_text(x(lx), kScatterFrame.y_end() + 16, "middle", fmt::format("{:.4g}", lx)) + "\n";
+  for (const double lx : round_ticks(low, high, 8)) {
+    svg += fmt::format("<path class=\"zero\" d=\"M{},{}v4\"/>\n", svg_number(x(lx)),
+                       svg_number(kScatterFrame.y_end()));
+    svg += svg_text(x(lx), kScatterFrame.y_end() + 16, "middle", format_shortest(lx)) + "\n";
   }
   svg += svg_text(0.5 * kScatterFrame.width, kScatterFrame.height - 6, "middle", "B, lx") + "\n";
   for (const ComparedPoint& p : plane.points) {

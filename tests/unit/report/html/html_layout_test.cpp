@@ -169,6 +169,20 @@ TEST(HtmlLayout, WhatIsTooMuchIsTold) {
   EXPECT_THAT(html, Not(HasSubstr("class=\"points\"")));
 }
 
+// Every label looks at all others: thousands of them would take minutes.
+TEST(HtmlLayout, ThousandsOfPlanesHaveNoLetters) {
+  Document document = hall();
+  std::vector<PlanePart>& planes = document.projects[0].spaces[0].planes;
+  planes.resize(5000, planes[0]);
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    planes[k].grid.origin_m.x = 0.002 * static_cast<double>(k);
+  const std::string html = shown(document);
+  EXPECT_THAT(html, HasSubstr("The planes are too many for letters."));
+  EXPECT_THAT(html, Not(HasSubstr("class=\"letter\"")));
+  EXPECT_THAT(html, Not(HasSubstr("layout-key")));
+  EXPECT_THAT(html, HasSubstr("class=\"area\""));
+}
+
 TEST(HtmlLayout, ManyRoomsHaveSmallDrawings) {
   Document document = hall();
   document.projects[0].spaces.resize(9, document.projects[0].spaces[0]);
