@@ -21,7 +21,7 @@ struct SurfaceLightSettings {
   std::size_t points = 1500;  // about so many at first, and as many again where light changes
   std::size_t most_points = 60'000;  // a mesh of more corners is refused
   int replicates = 4;
-  std::uint64_t paths = 512;  // per replicate, a power of two
+  std::uint64_t paths = 2048;  // per replicate, a power of two: fewer are hardly quicker
   std::uint64_t seed = 1;
   int jobs = 0;                 // never changes a result
   std::function<bool()> go_on;  // may be empty; false stops with a problem
