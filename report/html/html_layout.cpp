@@ -612,9 +612,9 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
     notes += std::string(" ") + t[Text::layout_no_heights];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
-  return "<figure class=\"layout-figure\">\n" + scroll_box(words, svg) + key_of(t, space, groups) +
-         "<figcaption>" + t.say<Text::layout_caption>(scale_words(scale)) + notes +
-         "</figcaption></figure>\n";
+  return std::string("<figure class=\"layout-figure") + (is_small(project) ? "" : " of-many") +
+         "\">\n" + scroll_box(words, svg) + key_of(t, space, groups) + "<figcaption>" +
+         t.say<Text::layout_caption>(scale_words(scale)) + notes + "</figcaption></figure>\n";
 }
 
 }  // namespace report

@@ -2,6 +2,7 @@
 #include "report/html/html_deviations.h"
 #include "report/html/html_emergency.h"
 #include "report/html/html_energy.h"
+#include "report/html/html_findings.h"
 #include "report/html/html_maintenance.h"
 #include "report/html/html_method.h"
 #include "report/html/html_values.h"
@@ -67,6 +68,17 @@ TEST(HtmlDeviations, ListWaiversWhateverTheirEffect) {
   EXPECT_THAT(deviations(document), HasSubstr("waiver without effect"));
   findings[0].requirement.waiver = kOldHall;
   EXPECT_THAT(deviations(document), HasSubstr("waiver that is not needed"));
+}
+
+// A verdict that does not count says so where it stands.
+TEST(HtmlFindings, WaivedOnesSayItBesideTheirVerdict) {
+  Document document = small_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  EXPECT_THAT(html_plane_findings({}, plane), Not(HasSubstr("waived")));
+  plane.findings[1].requirement.waiver = kOldHall;
+  plane.findings[1].is_waived = true;
+  EXPECT_THAT(html_plane_findings({}, plane),
+              HasSubstr(badge({}, rules::Verdict::fail) + "<span class=\"note\">waived</span>"));
 }
 
 TEST(HtmlDeviations, ListWhatIsNotAsTheStandardMeans) {
