@@ -69,6 +69,7 @@ void PlaneWork::begin(const SensorGrid& grid) {
 void PlaneWork::add_exact(double deadline_s, SolveTimes& times) {
   const PhaseTimer timer(times.direct_s);
   if (!decision_.measures_direct) return add_glare(deadline_s);
+  if (channels() == 0) return;  // no luminaires, and so no values either
   field_.counters.direct_rays += for_each_point(points(), [&](std::size_t i) {
     if (is_past(deadline_s)) return std::uint64_t{0};
     return add_point_sources(tracer_, receiver_[i], {decision_.is_dark, has_shadows()},
