@@ -43,8 +43,11 @@ std::vector<KeyedIndex> sort_keys(const LightVertices& vertices) {
     high = glm::max(high, v.position_m);
   }
   const glm::vec3 size = high - low;
-  const float extent = std::max({size.x, size.y, size.z, std::numeric_limits<float>::min()});
-  const float scale = static_cast<float>((1 << kBitsPerAxis) - 1) / extent;
+  const float extent = std::max({size.x, size.y, size.z});
+  // All at one place are in one cell: a quotient beyond float times 0 would be no number.
+  constexpr float kOnePlace_m = 1e-30f;
+  const float scale =
+      extent > kOnePlace_m ? static_cast<float>((1 << kBitsPerAxis) - 1) / extent : 0.0f;
   std::vector<KeyedIndex> keys(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const LightVertex& v = vertices[i];

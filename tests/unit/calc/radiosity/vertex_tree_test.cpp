@@ -75,6 +75,17 @@ TEST(VertexTree, NodesHoldTheirVertices) {
   EXPECT_GT(leaves, 700u);
 }
 
+// A number beyond unsigned int would be undefined: the sanitizers of tests/sanitize tell.
+TEST(VertexTree, TakesVerticesAtOnePlace) {
+  for (const std::size_t count : {std::size_t{1}, std::size_t{5}}) {
+    const calc::LightVertex one{{1, 2, 3}, 0.5f, {0, 0, 1}, 0};
+    const calc::VertexTree tree(LightVertices(count, one), 1);
+    ASSERT_EQ(tree.roots().size(), 1u);
+    EXPECT_EQ(tree.vertices().size(), count);
+    EXPECT_EQ(tree.nodes()[tree.roots()[0]].last, count);
+  }
+}
+
 TEST(VertexTree, FindsTheVertexOfAShareOfFlux) {
   const calc::VertexTree tree(some_vertices(100), 2);
   for (std::uint32_t first : {0u, 13u}) {
