@@ -63,8 +63,23 @@ glm::vec3 normal_of(const calc::PreparedScene& scene, std::uint32_t triangle) {
   return glm::vec3(glm::normalize(glm::cross(b - a, c - a)));
 }
 
-// The rim of a flat opening, or of a body's outline from below.
-std::vector<glm::dvec3> rim_of(const calc::PlacedLuminaire& luminaire) {
+}  // namespace
+
+Box box_of(const calc::PreparedScene& scene) {
+  Box box{glm::dvec3(1e300), glm::dvec3(-1e300)};
+  const auto add = [&box](const glm::dvec3& p) {
+    box.low_m = glm::min(box.low_m, p);
+    box.high_m = glm::max(box.high_m, p);
+  };
+  for (const glm::vec3& p : scene.vertex_m) add(glm::dvec3(p));
+  for (const calc::PlacedLuminaire& luminaire : scene.luminaires) add(luminaire.position_m);
+  if (!(box.low_m.x <= box.high_m.x)) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
+  const glm::dvec3 least(0.005 * std::max(scene.extent_m, 1e-3));
+  const glm::dvec3 missing = glm::max(least - (box.high_m - box.low_m), glm::dvec3(0.0));
+  return {box.low_m - 0.5 * missing, box.high_m + 0.5 * missing};
+}
+
+std::vector<glm::dvec3> opening_rim_m(const calc::PlacedLuminaire& luminaire) {
   constexpr int kRound = 24;
   std::vector<glm::dvec3> rim;
   if (luminaire.opening.shape == calc::OpeningShape::rectangle) {
@@ -84,22 +99,6 @@ std::vector<glm::dvec3> rim_of(const calc::PlacedLuminaire& luminaire) {
     rim.push_back(luminaire.position_m + luminaire.world_from_luminaire * glm::dvec3(p, 0.0));
   }
   return rim;
-}
-
-}  // namespace
-
-Box box_of(const calc::PreparedScene& scene) {
-  Box box{glm::dvec3(1e300), glm::dvec3(-1e300)};
-  const auto add = [&box](const glm::dvec3& p) {
-    box.low_m = glm::min(box.low_m, p);
-    box.high_m = glm::max(box.high_m, p);
-  };
-  for (const glm::vec3& p : scene.vertex_m) add(glm::dvec3(p));
-  for (const calc::PlacedLuminaire& luminaire : scene.luminaires) add(luminaire.position_m);
-  if (!(box.low_m.x <= box.high_m.x)) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
-  const glm::dvec3 least(0.005 * std::max(scene.extent_m, 1e-3));
-  const glm::dvec3 missing = glm::max(least - (box.high_m - box.low_m), glm::dvec3(0.0));
-  return {box.low_m - 0.5 * missing, box.high_m + 0.5 * missing};
 }
 
 void add_edges(PictureScene& picture, const calc::PreparedScene& scene,
@@ -123,7 +122,7 @@ void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, dou
       picture.dots.push_back({luminaire.position_m, 4.0 * scale, kOpening, kOpeningEdge});
       continue;
     }
-    const std::vector<glm::dvec3> rim = rim_of(luminaire);
+    const std::vector<glm::dvec3> rim = opening_rim_m(luminaire);
     for (std::size_t k = 0; k < rim.size(); ++k) {
       const glm::dvec3 &a = rim[k], &b = rim[(k + 1) % rim.size()];
       picture.faces.push_back({{luminaire.position_m, a, b}, kOpening});

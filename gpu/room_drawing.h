@@ -24,6 +24,9 @@ Box box_of(const calc::PreparedScene& scene);
 void add_edges(PictureScene& picture, const calc::PreparedScene& scene,
                const calc::Cutaway& cutaway, double scale);
 
+// The rim of a flat opening, or of a body's outline from below; at one place for a point.
+std::vector<glm::dvec3> opening_rim_m(const calc::PlacedLuminaire& luminaire);
+
 // The openings of luminaires, or dots where they have no size.
 void add_luminaires(PictureScene& picture, const calc::PreparedScene& scene, double scale);
 

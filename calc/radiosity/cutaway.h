@@ -15,6 +15,7 @@ struct SurfaceSide {
   std::uint32_t triangle;
   bool is_flipped;   // its corners run clockwise as seen from the eye
   glm::vec3 normal;  // unit, towards the eye
+  bool operator==(const SurfaceSide&) const = default;
 };
 
 struct Cutaway {
@@ -26,5 +27,9 @@ struct Cutaway {
 // looked into: those from whose far side rays meet surfaces more often, by 40 % of them or more,
 // than from the near side.
 Cutaway cut_away(const Tracer& tracer, const glm::dvec3& eye_m, bool opens_room);
+
+// What is left of both sides of all triangles when all are looked at, from wherever they face: of
+// models that are turned about. A side that cut_away() would remove is not among them.
+std::vector<SurfaceSide> sides_from_everywhere(const Tracer& tracer, bool opens_room);
 
 }  // namespace calc

@@ -4,6 +4,8 @@
 #include "report/images/dot_font.h"
 #include "report/text/number_format.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -208,9 +210,15 @@ Raster with_legend(const Raster& picture, const ColourScale& scale, const std::s
     fill(result, x_of(band), top, x_of(band + 1) - x_of(band), kBarHeight,
          band_colour(scale, band));
   }
+  constexpr int kLeastGap = 8;
+  int free = 0;  // where the next number may begin
   for (int band = 0; band <= scale.bands; ++band) {
-    const std::string number = format_shortest(scale.low + band * scale.step);
-    write_text(result, x_of(band) - text_width(number) / 2, top + kBarHeight + 6, number);
+    // Six digits: of 3 x 1.5e-5 a binary number is a little less.
+    const std::string number = fmt::format("{:.6g}", scale.low + band * scale.step);
+    const int begin = x_of(band) - text_width(number) / 2;
+    if (begin < free) continue;
+    write_text(result, begin, top + kBarHeight + 6, number);
+    free = begin + text_width(number) + kLeastGap;
   }
   write_text(result, left + width + 10, top + (kBarHeight - kGlyphHeight * kDot) / 2, unit);
   return result;

@@ -147,18 +147,6 @@ void add_problem(std::string problem, std::vector<std::string>& problems) {
   if (!problem.empty()) problems.push_back(std::move(problem));
 }
 
-std::string safe_name(const std::string& wanted) {
-  std::string safe;
-  for (const char c : wanted) {
-    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;  // of UTF-8
-    if (is_continuation) continue;
-    safe += is_kept ? c : '_';
-  }
-  return safe;
-}
-
 // A PNG, an SVG and an EXR of every computed plane, and the pictures of rooms.
 class Images {
  public:
@@ -635,6 +623,18 @@ std::vector<std::string> write_outputs(const OutputOptions& options,
   PlannedFiles files(options, frame);
   add_all(files, document, inputs);
   return files.finish(report::end_of(document), inputs);
+}
+
+std::string safe_name(const std::string& wanted) {
+  std::string safe;
+  for (const char c : wanted) {
+    const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;  // of UTF-8
+    if (is_continuation) continue;
+    safe += is_kept ? c : '_';
+  }
+  return safe;
 }
 
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane) {

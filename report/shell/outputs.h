@@ -69,8 +69,10 @@ std::vector<std::string> write_outputs(const OutputOptions& options,
                                        const report::Document& document,
                                        const std::set<std::string>& inputs);
 
-// "<project file's stem>-<plane id>", other characters than letters, digits, '-', '_' and '.'
-// (UTF-8) each replaced by one '_'.
+// Other characters than letters, digits, '-', '_' and '.' (UTF-8) each replaced by one '_'.
+std::string safe_name(const std::string& wanted);
+
+// "<project file's stem>-<plane id>" as a safe_name().
 std::string image_stem(const report::ProjectPart& project, const report::PlanePart& plane);
 
 }  // namespace cli

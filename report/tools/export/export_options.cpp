@@ -8,8 +8,8 @@ namespace {
 
 // "" = nothing is wrong.
 std::string export_contradiction(const ExportOptions& options) {
-  if (options.target != "radiance") {
-    return one_of_message(options.target, {"radiance"});
+  if (options.target != kRadiance && options.target != kGltf) {
+    return one_of_message(options.target, {kRadiance, kGltf});
   }
   return options.folder.empty() ? "-o FOLDER is needed" : "";
 }
@@ -17,23 +17,36 @@ std::string export_contradiction(const ExportOptions& options) {
 }  // namespace
 
 Command export_syntax(ExportOptions& options) {
-  Command command{"export", "Write a project as a scene for another program (Radiance)"};
-  command.places = {{"target", "radiance", "The program to write for", &options.target},
+  Command command{
+      "export", "Write a project as a scene of Radiance, or rooms with their light as glTF models"};
+  command.places = {{"target", "radiance|gltf", "What to write", &options.target},
                     project_place(options.project)};
   command.options = {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
-      space_option(options.space),
+      jobs_option(options.jobs, "a model"),
+      seed_option(options.seed),
+      {"--space", "ID",
+       "Which space; radiance needs it if there are several, gltf takes all without it",
+       some_text(options.space)},
       rules_option(options.rule_files),
       allow_option(options.allowed)};
   command.footer =
-      "Writes a scene that Radiance calculates as it is: materials, surfaces, luminaires with "
-      "their\n"
+      "radiance writes a scene that Radiance calculates as it is: materials, surfaces, luminaires "
+      "with their\n"
       "photometry, the points of all planes of planar illuminance (those of workplaces too), a "
       "script and a README.md.\n"
+      "gltf writes ROOM.glb of every room, or of that of --space: a model that any viewer opens, "
+      "with the maintained\n"
+      "illuminance of the surfaces as colours on the scale of all that are written, and as numbers "
+      "(_ILLUMINANCE_LX), "
+      "luminaires, planes and legend.\n"
+      "For pictures: it is linear between the corners of a mesh, and no verdict. --seed and --jobs "
+      "are for it.\n"
       "Example: luxgate export radiance office.xml -o office-radiance\n"
       "         office-radiance/run.sh && luxgate compare result.json "
       "office-radiance/radiance.csv\n"
+      "         luxgate export gltf office.xml -o models\n"
       "Exit codes: 0 written, 2 an error.";
   command.complete = [&options](const Environment&) { return export_contradiction(options); };
   return command;

@@ -96,19 +96,6 @@ double spacing_px(const report::PlanePart& plane, const glm::dvec3& origin_m,
   return 0.5 * width_px * calc::hypot(b.x - a.x, (b.y - a.y) / camera.aspect);
 }
 
-// At the heights of the line: stairs rise. Its right side comes first, the left one comes back.
-std::vector<glm::dvec3> route_outline(const calc::RouteGrid& route, const glm::dvec3& origin_m) {
-  const std::vector<glm::dvec2> outline_m = calc::route_outline_m(route.line);
-  const std::size_t corners = route.line.corner_m.size();
-  std::vector<glm::dvec3> corner_m;
-  for (std::size_t k = 0; k < outline_m.size(); ++k) {
-    const std::size_t at = k < corners ? k : 2 * corners - 1 - k;
-    const double z_m = route.line.corner_m[at].z + route.height_m;
-    corner_m.push_back(glm::dvec3(outline_m[k], z_m) - origin_m);
-  }
-  return corner_m;
-}
-
 void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
                 const glm::dvec3& origin_m, const View& view, const report::ColourScale& scale) {
   for (const report::PlanePart& plane : part.planes) {
@@ -127,7 +114,7 @@ void add_planes(gpu::PictureScene& picture, const report::SpacePart& part,
       gpu::add_outline(picture, corner_m, kScale, is_turned);
     };
     if (grid.route) {
-      gpu::add_outline(picture, route_outline(*grid.route, origin_m), kScale, is_turned);
+      gpu::add_outline(picture, route_outline_m(*grid.route, origin_m), kScale, is_turned);
     } else if (!plane.outline_m.empty()) {
       outline(plane.outline_m);
     }
@@ -181,6 +168,19 @@ gpu::Picture memory_of(report::DrawnRoom drawn) {
 }
 
 }  // namespace
+
+// The right side of the line comes first, the left one comes back.
+std::vector<glm::dvec3> route_outline_m(const calc::RouteGrid& route, const glm::dvec3& origin_m) {
+  const std::vector<glm::dvec2> outline_m = calc::route_outline_m(route.line);
+  const std::size_t corners = route.line.corner_m.size();
+  std::vector<glm::dvec3> corner_m;
+  for (std::size_t k = 0; k < outline_m.size(); ++k) {
+    const std::size_t at = k < corners ? k : 2 * corners - 1 - k;
+    const double z_m = route.line.corner_m[at].z + route.height_m;
+    corner_m.push_back(glm::dvec3(outline_m[k], z_m) - origin_m);
+  }
+  return corner_m;
+}
 
 bool opens(const calc::Space& space) { return space.shell || !space.surfaces_file.empty(); }
 

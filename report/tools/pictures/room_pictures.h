@@ -10,11 +10,14 @@
 #include "report/images/room_picture.h"
 #include "report/shell/output_options.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -57,6 +60,9 @@ class PictureMaker {
 // and their colour from dark (little) to bright. Throws calc::BackendFailure.
 report::Raster draw_vertices(gpu::DeviceThread& device, const calc::Tracer& tracer,
                              std::span<const calc::LightVertex> vertices, bool opens_room);
+
+// Of an escape route, at the heights of its line: stairs rise. origin_m: of the local coordinates.
+std::vector<glm::dvec3> route_outline_m(const calc::RouteGrid& route, const glm::dvec3& origin_m);
 
 // Whether pictures look into it: rooms, but not the open space.
 bool opens(const calc::Space& space);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -44,6 +46,28 @@ TEST(Cutaway, LeavesOpenSpaceAlone) {
   const calc::Cutaway cut = calc::cut_away(tracer, {-6, -9, 9}, false);
   EXPECT_TRUE(cut.removed.empty());
   EXPECT_EQ(cut.shown.size(), room.scene.triangle.size());
+}
+
+// The inside of the room from every eye, and the desk from all sides.
+TEST(Cutaway, KeepsWhatModelsAreSeenFrom) {
+  const Room room;
+  const calc::Tracer tracer(room.scene);
+  const std::vector<calc::SurfaceSide> all = calc::sides_from_everywhere(tracer, true);
+  std::size_t of_room = 0;
+  for (const calc::SurfaceSide& side : all) {
+    if (side.triangle >= 12) continue;
+    ++of_room;
+    const glm::uvec3& t = room.scene.triangle[side.triangle];
+    const glm::dvec3 inwards = glm::dvec3(2, 1.5, 1.25) - glm::dvec3(room.scene.vertex_m[t.x]);
+    EXPECT_GT(glm::dot(glm::dvec3(side.normal), inwards), 0.0) << side.triangle;
+  }
+  EXPECT_EQ(of_room, 12U);
+  EXPECT_EQ(all.size(), 12U + 2 * 12U);
+  for (const glm::dvec3& eye : {glm::dvec3(-6, -9, 9), {9, 12, -7}, {20, -1, 3}}) {
+    for (const calc::SurfaceSide& side : calc::cut_away(tracer, eye, true).shown)
+      EXPECT_NE(std::find(all.begin(), all.end(), side), all.end());
+  }
+  EXPECT_EQ(calc::sides_from_everywhere(tracer, false).size(), 2 * room.scene.triangle.size());
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+// A room with the illuminance on its surfaces as colours of a model that any viewer opens.
+
+#include "calc/radiosity/surface_light.h"
+#include "calc/scene/prepared_scene.h"
+#include "report/images/heatmap.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace cli::gltf {
+
+struct Outline {
+  std::string id;
+  std::vector<glm::dvec3> corner_m;  // closed; local, as in PreparedScene
+};
+
+struct Room {
+  std::string id, name;
+  const calc::PreparedScene* scene = nullptr;
+  calc::LitSurfaces light;
+  std::vector<Outline> planes;
+};
+
+// From 0 to what all but the brightest hundredth of the rooms' surfaces have.
+report::ColourScale common_scale(const std::vector<Room>& rooms);
+
+// A binary glTF 2.0 file: metres, y up, north of plans (+y) away from the viewer; surfaces with
+// their colours and their lux (the attribute _ILLUMINANCE_LX), both as their corners have them,
+// openings of luminaires, outlines of planes, and the scale's legend before the room. The room's
+// place in the project is in the scene's extras. Materials are unlit (KHR_materials_unlit).
+std::string write_glb(const Room& room, const report::ColourScale& scale);
+
+}  // namespace cli::gltf
