@@ -24,6 +24,7 @@ luxgate_test(report_tests
     unit/report/html/pass_factor_test.cpp
     unit/report/html/print_pages_test.cpp
     unit/report/text/plain_text_test.cpp
+    unit/report/text/sentences_test.cpp
     unit/report/html/plan_layout_test.cpp
     unit/report/html/shared_scale_test.cpp
     unit/report/images/png_test.cpp

@@ -18,6 +18,10 @@ struct NumberRange {
   double high;
   bool is_open;
   std::string_view words;
+
+  constexpr bool contains(double value) const {
+    return (is_open ? value > low : value >= low) && value <= high;
+  }
 };
 
 // Beyond 1e9 nothing is meant seriously, and squares or differences would lose their meaning.

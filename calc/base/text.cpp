@@ -1,5 +1,7 @@
 #include "calc/base/text.h"
 
+#include "calc/base/sentences.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -92,7 +94,7 @@ std::string list_names(const std::vector<std::string>& names, std::size_t most) 
   const std::size_t told = std::min(names.size(), most);
   std::string text;
   for (std::size_t i = 0; i < told; ++i) text += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > told ? text + " " + and_more(names.size() - told) : text;
+  return names.size() > told ? say<Sentence::and_more>(text, names.size() - told) : text;
 }
 
 std::string suggestion(std::string_view found, const std::vector<std::string_view>& choices) {

@@ -101,7 +101,7 @@ std::optional<double> ElementReader::parse(const XmlAttribute& attribute, std::s
            range.words, has_comma ? " (decimals have a point, blanks separate numbers)" : "");
     return std::nullopt;
   }
-  if (*value < range.low || *value > range.high || (range.is_open && *value == range.low)) {
+  if (!range.contains(*value)) {
     report(DiagnosticId::number_out_of_range, attribute.where, attribute.name, element_.name,
            shown(word), range.words);
     return std::nullopt;

@@ -15,8 +15,7 @@ MaintenancePlan read_one(ProjectContext& context, const XmlElement& element) {
   plan.environment = std::string(trim(reader.text_or("environment", "")));
   plan.instructions = std::string(trim(reader.text_or("instructions", "")));
   for (const MaintenanceNumber& one : kMaintenanceNumbers) {
-    const bool is_of_a_year = one.number == &MaintenancePlan::use_h;
-    plan.*one.number = reader.optional_number(one.name, is_of_a_year ? kHours : kPositive);
+    plan.*one.number = reader.optional_number(one.name, range_of(one));
   }
   return plan;
 }

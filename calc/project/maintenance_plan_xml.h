@@ -3,8 +3,15 @@
 
 #include "calc/base/xml_document.h"
 #include "calc/project/project_context.h"
+#include "calc/project/project_elements.h"
+#include "calc/scene/maintenance_plan.h"
 
 namespace calc {
+
+// What one of its numbers may be.
+inline const NumberRange& range_of(const MaintenanceNumber& one) {
+  return one.number == &MaintenancePlan::use_h ? kHours : kPositive;
+}
 
 // The only one of the project; a second one is reported.
 void read_maintenance_plan(ProjectContext& context, const XmlElement& root);

@@ -20,6 +20,7 @@
 // CIE 147 has a rule for larger sources; no public source for it is known to us: they are refused.
 
 #include "calc/base/field.h"
+#include "calc/base/glare_limits.h"
 #include "calc/radiosity/rays.h"
 #include "calc/radiosity/receiver.h"
 
@@ -32,9 +33,6 @@
 
 namespace calc {
 
-// The range of w that CIE 117 states the formula for, sr.
-inline constexpr double kSmallestGlareSource_sr = 3.0e-4;
-inline constexpr double kLargestGlareSource_sr = 0.1;
 // The field of sources that count: sideways up to this, upwards less than this, as multiples of the
 // distance along the line of sight. At exactly 2 a source is out: the first row of the grid that
 // UGR tables are made on lies there, and the example of CIE 190 holds without it.

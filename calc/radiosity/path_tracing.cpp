@@ -1,6 +1,7 @@
 #include "calc/radiosity/path_tracing.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/sentences.h"
 #include "calc/base/units.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/grid_receivers.h"
@@ -138,7 +139,7 @@ PlaneField trace_from_points(const Tracer& tracer, const std::string& plane_id,
   field.counters.direct_rays = direct_rays;
   if (is_stopped) {
     field.stop = StopReason::interrupted;
-    field.problem = "the calculation was interrupted";
+    field.problem = say<Sentence::interrupted>();
   } else if (is_endless) {
     field.problem = fmt::format("a path did not end after {} reflections", kMostReflections);
   }

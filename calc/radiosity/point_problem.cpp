@@ -1,5 +1,6 @@
 #include "calc/radiosity/point_problem.h"
 
+#include "calc/base/sentences.h"
 #include "calc/radiosity/emission.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 constexpr double kRounding = 1.0 / 16.0;
 
 std::string words(const glm::dvec3& p) {
-  return fmt::format("the point ({:.12g} {:.12g} {:.12g})", p.x, p.y, p.z);
+  return say<Sentence::the_point>(fmt::format("({:.12g} {:.12g} {:.12g})", p.x, p.y, p.z));
 }
 
 std::optional<CloseSurface> close_surface(const Tracer& tracer, const glm::dvec3& position_m,
@@ -35,9 +36,8 @@ std::string luminaire_problem(const Tracer& tracer, const SensorGrid& grid,
     if (touching < 0) continue;
     const bool is_inside =
         tracer.scene().luminaires[static_cast<std::size_t>(touching)].opening.is_body();
-    return fmt::format("{} lies {}", words(grid.position_m[i % grid.position_m.size()]),
-                       is_inside ? "inside a luminous body, where illuminance has no meaning"
-                                 : "at a luminaire without size: illuminance is unbounded there");
+    const std::string point = words(grid.position_m[i % grid.position_m.size()]);
+    return is_inside ? say<Sentence::point_in_body>(point) : say<Sentence::point_at_source>(point);
   }
   return {};
 }

@@ -1,8 +1,7 @@
 #include "calc/scene/installed_power.h"
 
+#include "calc/base/sentences.h"
 #include "calc/scene/polygon.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -10,14 +9,11 @@ namespace calc {
 
 std::string InstalledPower::problem() const {
   if (without_power > 0) {
-    return fmt::format(
-        "{} of {} luminaires state no power: neither the project (power-w) nor their photometry "
-        "does",
-        without_power, luminaires);
+    return say<Sentence::no_power>(without_power, luminaires);
   }
   // A building file's rooms and the open space have no outline here.
-  if (!(area_m2 > 0.0)) return "the floor area of the space is not known";
-  return luminaires > 0 ? "" : "there is no luminaire in the space";
+  if (!(area_m2 > 0.0)) return say<Sentence::no_floor_area>();
+  return luminaires > 0 ? "" : say<Sentence::no_luminaire>();
 }
 
 std::optional<double> InstalledPower::density_w_m2() const {

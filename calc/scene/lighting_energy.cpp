@@ -1,5 +1,7 @@
 #include "calc/scene/lighting_energy.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,13 +32,12 @@ double full_hours(const EnergyUse& use, const EnergyFactors& factors) {
 }
 
 std::string factor_words(const char* name, const std::optional<double>& factor) {
-  return factor ? fmt::format("{} {:.6g}", name, *factor) : fmt::format("{} 1 (not stated)", name);
+  return factor ? fmt::format("{} {:.6g}", name, *factor) : say<Sentence::factor_assumed>(name);
 }
 
 std::string words_of(const EnergyUse& use, const Space& space) {
   std::string words = fmt::format(
-      "by EN 15193, not calculated but stated: {:.6g} h by day, {:.6g} h by night, {}, {}, {}",
-      use.day_h, use.night_h, factor_words("Fc", use.factors.constant_illuminance),
+      "{}, {}, {}", factor_words("Fc", use.factors.constant_illuminance),
       factor_words("Fo", use.factors.occupancy), factor_words("FD", use.factors.daylight));
   for (const auto& [group, own] : use.of_group) {
     const bool is_here = std::any_of(
@@ -48,7 +49,8 @@ std::string words_of(const EnergyUse& use, const Space& space) {
     if (own.occupancy) words += fmt::format(" Fo {:.6g}", *own.occupancy);
     if (own.daylight) words += fmt::format(" FD {:.6g}", *own.daylight);
   }
-  return words + fmt::format(", parasitic {:.6g} kWh/m2/a", use.parasitic_kwh_m2);
+  words += ", " + say<Sentence::parasitic>(use.parasitic_kwh_m2);
+  return say<Sentence::energy_stated>(use.day_h, use.night_h, words);
 }
 
 }  // namespace
@@ -58,9 +60,7 @@ LightingEnergy lighting_energy(const Project& project, const Space& space,
   LightingEnergy energy;
   energy.problem = power.problem();
   if (energy.problem.empty() && !space.energy) {
-    energy.problem =
-        "hours of use and parasitic energy are not stated: give the room or the project an "
-        "<energy>";
+    energy.problem = say<Sentence::no_hours>();
   }
   if (!energy.problem.empty()) return energy;
   for (const Luminaire& luminaire : space.luminaires) {

@@ -1,6 +1,7 @@
 #include "calc/scene/sensor_grid.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/sentences.h"
 #include "calc/scene/grid_coverage.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/walking_surface.h"
@@ -77,11 +78,10 @@ Counts cell_counts(const GridRule& rule, glm::dvec2 side_m) {
 }
 
 std::string rule_words(const GridRule& rule, glm::dvec2 side_m) {
-  if (std::holds_alternative<GridByCount>(rule)) return "count";
+  if (std::holds_alternative<GridByCount>(rule)) return say<Sentence::grid_by_count>();
   if (const auto* spacing = std::get_if<GridBySpacing>(&rule)) {
-    if (spacing->name.empty()) return "spacing";
-    return fmt::format("{}: at most {:.4g} x {:.4g} m", spacing->name, spacing->along_u_m,
-                       spacing->along_v_m);
+    if (spacing->name.empty()) return say<Sentence::grid_by_spacing>();
+    return say<Sentence::grid_at_most>(spacing->name, spacing->along_u_m, spacing->along_v_m);
   }
   return grid_words(std::get<GridByRule>(rule), side_m.x, side_m.y);
 }
@@ -113,11 +113,10 @@ Counts route_counts(const EscapeRoute& route, const std::vector<double>& station
 }
 
 std::string route_words(const EscapeRoute& route) {
-  return fmt::format(
-      "along the line of the route: at most {:.4g} m along and {:.4g} m across, an odd number of "
-      "rows{}",
-      route.spacing.along_u_m, route.spacing.along_v_m,
-      route.is_spacing_given ? "" : fmt::format(", {} at least", kLeastRouteRows));
+  const auto& [along_m, across_m, name] = route.spacing;
+  return route.is_spacing_given
+             ? say<Sentence::grid_of_route>(along_m, across_m)
+             : say<Sentence::grid_of_route_from>(along_m, across_m, kLeastRouteRows);
 }
 
 Rectangle inside_margin(const PlanarArea& area) {
@@ -227,7 +226,7 @@ class GridMaker {
 
  private:
   bool fill(const PointList& list) {
-    grid_.rule = "point list";
+    grid_.rule = say<Sentence::grid_of_points>();
     const std::size_t count = list.position_m.size();
     if (!is_small_enough({static_cast<double>(count), 1.0})) return false;
     GridBuilder builder(space_, bounding_box(list.position_m), grid_);
@@ -515,22 +514,18 @@ std::vector<double> point_weights(const SensorGrid& grid) {
 }
 
 std::string grid_words(const GridByRule& rule, double side_u_m, double side_v_m) {
-  constexpr std::array kRounded{"rounded to the nearest number", "rounded up",
-                                "rounded up to an odd number"};
+  const std::array rounded{say<Sentence::rounded_nearest>(), say<Sentence::rounded_up>(),
+                           say<Sentence::rounded_odd>()};
   const RuleSpacing spacing = spacing_by_rule(rule, side_u_m, side_v_m);
   const Counts counts = counts_by_rule(rule, side_u_m, side_v_m);
-  std::string side = "the longer side";
-  if (spacing.is_shorter) {
-    side = fmt::format("the shorter side, as the longer one is at least {:g} times as long",
-                       rule.shorter_from_ratio);
-  }
-  return fmt::format(
-      "{} (p = {:g} * {:g}^log10 d): d = {:.4g} m, {}; p = {:.3g} m{}; {:.2f} x {:.2f} cells, {}: "
-      "{:.0f} x {:.0f}",
-      rule.name, rule.factor_m, rule.base, spacing.d_m, side, spacing.spacing_m,
-      spacing.is_capped ? ", the most that is allowed" : "", side_u_m / spacing.spacing_m,
-      side_v_m / spacing.spacing_m, kRounded[static_cast<std::size_t>(rule.rounding)],
-      counts.columns, counts.rows);
+  return say<Sentence::grid_formula>(
+      rule.name, rule.factor_m, rule.base, spacing.d_m,
+      spacing.is_shorter ? say<Sentence::shorter_side>(rule.shorter_from_ratio)
+                         : say<Sentence::longer_side>(),
+      spacing.is_capped ? say<Sentence::most_spacing>(spacing.spacing_m)
+                        : fmt::format("{:.3g} m", spacing.spacing_m),
+      side_u_m / spacing.spacing_m, side_v_m / spacing.spacing_m,
+      rounded[static_cast<std::size_t>(rule.rounding)], counts.columns, counts.rows);
 }
 
 GridCounts grid_counts(const GridByRule& rule, double side_u_m, double side_v_m) {

@@ -1,5 +1,7 @@
 #include "report/build/build.h"
 
+#include "calc/base/glare_limits.h"
+#include "calc/base/sentences.h"
 #include "calc/base/statistics.h"
 #include "calc/base/units.h"
 #include "calc/scene/luminaire_sums.h"
@@ -184,19 +186,20 @@ std::vector<std::uint8_t> rated_points(const calc::PlaneField& field,
 
 std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
                            const std::vector<std::size_t>& all, const PlanePart& part) {
-  std::string words =
-      "UGR after CIE 117 of the new installation, with Guth's position index in closed form, which "
-      "the table of CIE 117 can differ from by up to 0.8; background: reflected light at the eye";
+  std::string words = calc::say<calc::Sentence::ugr_method>(calc::kTableOfIndicesDiffers) + "; " +
+                      calc::say<calc::Sentence::ugr_background>();
   const auto rated = static_cast<std::size_t>(
       std::count_if(part.points.begin(), part.points.end(),
                     [](const PointRow& point) { return std::isfinite(point.measured.value); }));
   const std::string refusal = rules::glare_refusal(field.glare, weights, all);
-  if (rated < all.size()) {
-    words += "; " + std::to_string(all.size() - rated) + " of " + std::to_string(all.size()) +
-             (refusal.empty() ? " observers see no glare source in the field"
-                              : " observers have no rating");
+  const std::size_t unrated = all.size() - rated;
+  if (!refusal.empty()) {
+    words +=
+        "; " + calc::say<calc::Sentence::observers_unrated_because>(unrated, all.size(), refusal);
+  } else if (unrated > 0) {
+    words += "; " + calc::say<calc::Sentence::observers_see_none>(unrated, all.size());
   }
-  return refusal.empty() ? words : words + ": " + refusal;
+  return words;
 }
 
 // Glare is rated for the new installation, when it is worst; ratios as maintained.
@@ -246,12 +249,11 @@ std::string four_planes_remark(const rules::PointValues& receivers, double confi
   std::vector<double> difference;
   for (std::size_t r = 0; r < four.size(); ++r) difference.push_back(four[r] - cylinder[r]);
   const double mean_lx = calc::replicate_mean(cylinder).mean;
-  if (!(mean_lx > 0.0)) return "mean of four vertical planes";
+  if (!(mean_lx > 0.0)) return calc::say<calc::Sentence::four_planes>();
   calc::Estimate share = calc::t_interval(difference, confidence);
   for (double* value : {&share.value, &share.low, &share.high}) *value *= 100.0 / mean_lx;
-  return "mean of four planes: " + format_fixed(share.value, 1) + " % (" +
-         format_fixed(share.low, 1) + " to " + format_fixed(share.high, 1) +
-         " %) from the average of the true cylindrical illuminance";
+  return calc::say<calc::Sentence::four_planes_off>(
+      format_fixed(share.value, 1), format_fixed(share.low, 1), format_fixed(share.high, 1));
 }
 
 }  // namespace

@@ -158,6 +158,12 @@ VerdictCounts count_verdicts(const ProjectPart& project) {
 
 bool hangs_on_the_day(const Document& document) { return totals_of(document).hangs_on_the_day; }
 
+double level_of(const SceneRow& scene, const std::string& group) {
+  for (const auto& [name, level] : scene.level_of_group)
+    if (name == group) return level;
+  return 1.0;
+}
+
 VerdictCounts count_verdicts(const Document& document) { return totals_of(document).verdicts; }
 
 bool is_warning(const calc::Diagnostic& diagnostic) {

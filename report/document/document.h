@@ -240,6 +240,9 @@ struct SceneRow {  // luminaires that are dimmed
   std::vector<std::pair<std::string, double>> level_of_group;  // [0, 1]; others are at 1
 };
 
+// Of luminaires of that group, "" = of none.
+double level_of(const SceneRow& scene, const std::string& group);
+
 struct ProjectPart {
   std::string path, name;
   calc::AboutProject about;

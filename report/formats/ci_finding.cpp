@@ -5,6 +5,7 @@
 #include "report/text/aggregate_words.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 #include "rules/verdict/waiver.h"
 
@@ -67,7 +68,7 @@ CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& 
   entry.where = plane.where;
   entry.place =
       printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
-  entry.message = t.say<Text::not_computed_brief>(printable(plane.reason));
+  entry.message = t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason)));
   return entry;
 }
 
@@ -132,14 +133,16 @@ std::vector<std::string> ci_notes(const ProjectPart& project, const Texts& t) {
   std::vector<std::string> notes;
   for (const SpacePart& space : project.spaces) {
     const std::string room = printable(title_of(space.name, space.id));
-    for (const std::string& note : space.notes) notes.push_back(room + ": " + printable(note));
+    for (const std::string& note : space.notes)
+      notes.push_back(room + ": " + printable(sentence(t, note, known_words(t, space))));
     for (const rules::RowCoverage& row : space.coverage) {
       notes.push_back(room + ": " + coverage_words(t, row));
     }
     for (const PlanePart& plane : space.planes) {
       if (plane.changed.empty()) continue;
-      notes.push_back(t.say<Text::changed_note>(
-          room + " / " + printable(title_of(plane.name, plane.id)), printable(plane.changed)));
+      notes.push_back(
+          t.say<Text::changed_note>(room + " / " + printable(title_of(plane.name, plane.id)),
+                                    printable(changed_words(t, plane.changed))));
     }
   }
   return notes;

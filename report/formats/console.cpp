@@ -6,6 +6,7 @@
 #include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/plain_text.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -101,7 +102,8 @@ void add_finding(const Texts& t, const SpacePart& space, const PlanePart& plane,
   }
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
-  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (!finding.reason.empty())
+    note(printable(sentence(t, finding.reason, known_words(t, finding))));
   if (const std::string words = note_words(t, finding); !words.empty()) note(printable(words));
   if (finding.is_close) note(close_words(t, finding));
 }
@@ -111,8 +113,9 @@ void add_doubt(const Texts& t, const PlanePart& plane, std::vector<TableLine>& l
   if (!doubt.empty()) lines.emplace_back().note = doubt;
 }
 
-void add_remarks(const PlanePart& plane, std::vector<TableLine>& lines) {
-  for (const std::string& remark : plane.remarks) lines.emplace_back().note = printable(remark);
+void add_remarks(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
+  for (const std::string& remark : plane.remarks)
+    lines.emplace_back().note = printable(sentence(t, remark));
 }
 
 std::string statistics_text(const Texts& t, const PlanePart& plane) {
@@ -128,8 +131,8 @@ std::string statistics_text(const Texts& t, const PlanePart& plane) {
 // Of planes that a workplace has made: what the project has changed about them.
 void add_change(const Texts& t, const PlanePart& plane, std::vector<TableLine>& lines) {
   if (plane.changed.empty()) return;
-  lines.emplace_back().note =
-      printable(t.say<Text::made_and_changed>(plane.made_by, plane.changed));
+  lines.emplace_back().note = printable(
+      t.say<Text::made_and_changed>(sentence(t, plane.made_by), changed_words(t, plane.changed)));
 }
 
 void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
@@ -137,7 +140,7 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   for (const rules::Finding& finding : plane.findings) add_finding(t, space, plane, finding, lines);
   if (!plane.findings.empty()) {
     add_change(t, plane, lines);
-    add_remarks(plane, lines);
+    add_remarks(t, plane, lines);
     return add_doubt(t, plane, lines);
   }
   TableLine line;
@@ -147,9 +150,9 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   lines.push_back(std::move(line));
   const std::string quantity =
       is_plain_illuminance(plane) ? "" : std::string(plane_words(t, plane)) + ": ";
-  lines.emplace_back().note =
-      plane.is_computed ? quantity + statistics_text(t, plane) : printable(plane.reason);
-  add_remarks(plane, lines);
+  lines.emplace_back().note = plane.is_computed ? quantity + statistics_text(t, plane)
+                                                : printable(sentence(t, plane.reason));
+  add_remarks(t, plane, lines);
   add_doubt(t, plane, lines);
 }
 
@@ -197,7 +200,7 @@ std::vector<std::string> folded_notes(const Texts& t, const FoldedPasses& folded
       finding.requirement.severity = rules::Severity::shall;
       add(printable(note_words(t, finding)));
     }
-    for (const std::string& remark : plane->remarks) add(printable(remark));
+    for (const std::string& remark : plane->remarks) add(printable(sentence(t, remark)));
   }
   return notes;
 }
@@ -270,7 +273,8 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
   line.cells[kMeasured] = printable(aggregate_measured(t, finding));
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
-  if (!finding.reason.empty()) note(printable(finding.reason));
+  if (!finding.reason.empty())
+    note(printable(sentence(t, finding.reason, known_words(t, project))));
   if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
 }
 
@@ -377,7 +381,8 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
   std::vector<TableLine> lines;
   for (const SpacePart& space : project.spaces) {
     add_planes(t, space, lists_passes, lines);
-    for (const std::string& note : space.notes) lines.emplace_back().note = printable(note);
+    for (const std::string& note : space.notes)
+      lines.emplace_back().note = printable(sentence(t, note, known_words(t, space)));
     for (const rules::RowCoverage& row : together(t, space.coverage)) {
       lines.emplace_back().note = coverage_words(t, row);
     }

@@ -6,6 +6,7 @@
 #include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -26,7 +27,7 @@ std::string cells(const Texts& t, const CiFinding& entry) {
     std::string words = aggregate_title(t, *aggregate);
     if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
     if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
-    if (!aggregate->reason.empty()) words += "; " + aggregate->reason;
+    if (!aggregate->reason.empty()) words += "; " + sentence(t, aggregate->reason);
     return fmt::format("{} | {} | {} | ", escape_markdown(words),
                        escape_markdown(aggregate_required(t, *aggregate)),
                        escape_markdown(aggregate_measured(t, *aggregate)));
@@ -41,7 +42,8 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   if (const std::string note = note_words(t, *finding); !note.empty()) {
     quantity += " (" + escape_markdown(note) + ")";
   }
-  if (!finding->reason.empty()) quantity += ": " + escape_markdown(finding->reason);
+  if (!finding->reason.empty())
+    quantity += ": " + escape_markdown(sentence(t, finding->reason, known_words(t, *finding)));
   const bool is_judged = finding->verdict != rules::Verdict::not_judged;
   return fmt::format("{} | {} | {} | {}", quantity, format_required(t, threshold, unit),
                      is_judged ? format_measured(t, finding->measured, unit, threshold) : "",

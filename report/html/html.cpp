@@ -24,6 +24,7 @@
 #include "report/html/print_pages.h"
 #include "report/text/base64.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -179,7 +180,8 @@ std::string space_title(const SpacePart& space) {
 std::string notes_html(const Texts& t, const SpacePart& space) {
   std::string html;
   for (const std::string& note : space.notes)
-    html += "<p class=\"quiet note-of-room\">" + t.english_html(escape_html(note)) + "</p>\n";
+    html += "<p class=\"quiet note-of-room\">" + sentence_html(t, note, known_words(t, space)) +
+            "</p>\n";
   for (const rules::RowCoverage& row : space.coverage) {
     html += fmt::format("<p class=\"note-of-room{}\">{}</p>\n", row.is_whole() ? " quiet" : "",
                         escape_html(coverage_words(t, row)));
@@ -233,11 +235,18 @@ class HtmlWriter : public FormatWriter {
  private:
   bool is_only() const { return frame_.paths.size() == 1; }
   std::string section_name(const ProjectPart& project);
-  std::string project_html(const ProjectPart& project, const std::string& section,
-                           bool folds_passed) const;
+  struct Chapter {
+    std::string html;     // "" = the project has none
+    const char* address;  // of its heading, without the number of the project; "" = none
+    Text title;
+    bool is_on_paper = false;  // alone
+  };
+  std::vector<Chapter> chapters_of(const ProjectPart& project) const;
+  std::string project_html(const ProjectPart& project, const std::vector<Chapter>& chapters,
+                           const std::string& section, bool folds_passed) const;
   std::string annex_of(const ProjectPart& project) const;
-  void add_project(const ProjectPart& project);
-  void add_to_masthead(const ProjectPart& project);
+  void add_project(const ProjectPart& project, const std::vector<Chapter>& chapters);
+  void add_to_masthead(const ProjectPart& project, const std::vector<Chapter>& chapters);
   void write_masthead(const DocumentEnd& end, Sink& sink) const;
   std::string page_title() const;
 
@@ -285,14 +294,15 @@ HtmlWriter::HtmlWriter(const DocumentFrame& frame, const SpillPlace& place, cons
 }
 
 void HtmlWriter::add(const ProjectPart& project) {
-  add_to_masthead(project);
+  const std::vector<Chapter> chapters = chapters_of(project);
+  add_to_masthead(project, chapters);
   attention_.add(project, project_);
   summary_rows_.write(html_summary_rows(t_, project, project_, is_only(), folder_));
-  add_project(project);
+  add_project(project, chapters);
   ++project_;
 }
 
-void HtmlWriter::add_project(const ProjectPart& project) {
+void HtmlWriter::add_project(const ProjectPart& project, const std::vector<Chapter>& chapters) {
   const bool was_few = planes_ <= kFewPlanes;
   for (const SpacePart& space : project.spaces) planes_ += space.planes.size();
   const std::string section = section_name(project);
@@ -301,7 +311,8 @@ void HtmlWriter::add_project(const ProjectPart& project) {
   }
   if (planes_ <= kFewPlanes) {
     RegionNames regions = regions_;
-    projects_unfolded_.write(regions.with_unique_regions(project_html(project, section, false)));
+    projects_unfolded_.write(
+        regions.with_unique_regions(project_html(project, chapters, section, false)));
     if (project_ + 1 == frame_.paths.size()) {  // there will be no more planes
       regions_ = std::move(regions);
       return;
@@ -309,7 +320,7 @@ void HtmlWriter::add_project(const ProjectPart& project) {
   } else if (was_few) {
     projects_unfolded_.clear();
   }
-  projects_.write(regions_.with_unique_regions(project_html(project, section, true)));
+  projects_.write(regions_.with_unique_regions(project_html(project, chapters, section, true)));
 }
 
 // Sections are landmarks, which must differ in name; projects may have one name.
@@ -320,8 +331,9 @@ std::string HtmlWriter::section_name(const ProjectPart& project) {
   return fmt::format("aria-label=\"{} ({})\"", escape_html(title), number);
 }
 
-std::string HtmlWriter::project_html(const ProjectPart& project, const std::string& section,
-                                     bool folds_passed) const {
+std::string HtmlWriter::project_html(const ProjectPart& project,
+                                     const std::vector<Chapter>& chapters,
+                                     const std::string& section, bool folds_passed) const {
   const bool has_rooms = folder_.empty() && !project.spaces.empty();
   const std::vector<RoomRun> runs =
       has_rooms ? room_runs(project, project_) : std::vector<RoomRun>();
@@ -350,15 +362,11 @@ std::string HtmlWriter::project_html(const ProjectPart& project, const std::stri
   if (!folder_.empty() && !project.spaces.empty()) {
     html += page_links(t_, project, project_, folder_);
   }
-  html += html_aggregates(t_, project, project_) + html_emergency(t_, project, project_, folder_) +
-          html_luminaires(t_, project, project_) + html_maintenance(t_, project, project_) +
-          html_energy(t_, project, project_) + html_deviations(t_, project, project_, folder_) +
-          html_calculation(t_, frame_.provenance, project, project_) + html_inputs(t_, project);
-  if (folder_.empty()) html += annex_of(project);
+  for (const Chapter& chapter : chapters) html += chapter.html;
   return html + (!runs.empty() && runs.front().is_all ? "</div>\n" : "") + "</section>\n";
 }
 
-void HtmlWriter::add_to_masthead(const ProjectPart& project) {
+void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<Chapter>& chapters) {
   constexpr std::size_t kMostProjects = 12, kMostRooms = 90;
   paths_.write((project_ == 0 ? "" : " · ") + escape_html(project.path));
   const std::string title = escape_html(title_of(project.name, project.path));
@@ -374,20 +382,27 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project) {
     sections_.push_back(
         {"#" + space_anchor(project_, s), escape_html(title_of(space.name, space.id)), true});
   }
-  // The chapters that the project has, by their headings.
-  const auto add = [&](const std::string& html, const char* address, Text words) {
-    if (!html.empty()) sections_.push_back({address, t_[words]});
-  };
-  add(html_emergency(t_, project, project_, folder_), "#emergency1", Text::emergency);
-  if (!project.luminaires.empty()) {
-    sections_.push_back({"#luminaires1", t_[Text::luminaires]});
-    sections_.push_back({"#maintenance1", t_[Text::maintenance_plan]});
+  for (const Chapter& chapter : chapters) {
+    if (chapter.html.empty() || *chapter.address == '\0') continue;
+    sections_.push_back({fmt::format("#{}{}", chapter.address, project_ + 1), t_[chapter.title],
+                         chapter.is_on_paper});
   }
-  add(html_energy(t_, project, project_), "#energy1", Text::energy);
-  add(html_deviations(t_, project, project_, folder_), "#deviations1", Text::deviations);
-  if (!project.spaces.empty()) sections_.push_back({"#calculation1", t_[Text::calculation]});
-  if (folder_.empty() && !annex_of(project).empty())
-    sections_.push_back({"#annex1", t_[Text::annex], true});
+}
+
+// What stands behind the rooms, with the addresses of those that the contents name.
+std::vector<HtmlWriter::Chapter> HtmlWriter::chapters_of(const ProjectPart& project) const {
+  std::vector<Chapter> chapters{
+      {html_aggregates(t_, project, project_), "", {}},
+      {html_emergency(t_, project, project_, folder_), "emergency", Text::emergency},
+      {html_luminaires(t_, project, project_), "luminaires", Text::luminaires},
+      {html_maintenance(t_, project, project_), "maintenance", Text::maintenance_plan},
+      {html_energy(t_, project, project_), "energy", Text::energy},
+      {html_deviations(t_, project, project_, folder_), "deviations", Text::deviations},
+      {html_calculation(t_, frame_.provenance, project, project_), "calculation",
+       Text::calculation},
+      {html_inputs(t_, project), "", {}}};
+  if (folder_.empty()) chapters.push_back({annex_of(project), "annex", Text::annex, true});
+  return chapters;
 }
 
 std::string HtmlWriter::annex_of(const ProjectPart& project) const {

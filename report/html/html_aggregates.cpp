@@ -3,6 +3,7 @@
 #include "report/html/html_markup.h"
 #include "report/text/aggregate_words.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -13,12 +14,12 @@ namespace {
 
 // Clause and remarks under the title; finished HTML.
 std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
-  std::string notes = escape_html(finding.clause);
+  std::string notes = escape_html(clause_words(t, finding.clause));
   const auto add = [&notes](const std::string& text) {
     if (!text.empty()) notes += (notes.empty() ? "" : " · ") + text;
   };
   if (finding.is_waived) add(t[Text::waived]);
-  if (!finding.note.empty()) add(t.english_html(escape_html(finding.note)));
+  if (!finding.note.empty()) add(sentence_html(t, finding.note));
   add(aggregate_remark(t, finding));
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
@@ -46,7 +47,7 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
       escape_html(aggregate_measured(t, finding)), members);
   if (finding.reason.empty()) return html;
   return html + fmt::format("<tr class=\"remark\"><td></td><td colspan=\"5\">{}</td></tr>\n",
-                            t.english_html(escape_html(finding.reason)));
+                            sentence_html(t, finding.reason, known_words(t, project)));
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ std::vector<std::string> html_aggregate_items(const Texts& t, const ProjectPart&
         notes_html(t, finding),
         finding.reason.empty()
             ? ""
-            : "<p class=\"quiet\">" + t.english_html(escape_html(finding.reason)) + "</p>"));
+            : "<p class=\"quiet\">" + sentence_html(t, finding.reason, known_words(t, project)) +
+                  "</p>"));
   }
   return items;
 }

@@ -2,6 +2,7 @@
 
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -55,14 +56,14 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
   }
   for (const rules::Deviation& deviation : requirement.deviations) {
     const std::string what =
-        asked + "<span class=\"note\">" + t.english_html(escape_html(deviation.words)) + "</span>";
+        asked + "<span class=\"note\">" + sentence_html(t, deviation.words) + "</span>";
     rows += row_html(t[deviation.is_accepted ? Text::deviation_stated : Text::deviation_not_stated],
                      where, what, deviation.stated ? escape_html(deviation.stated->reason) : "",
                      deviation.stated ? by_words(t, *deviation.stated) : "");
   }
   if (requirement.origin.is_weakened)
     rows += row_html(t[Text::weaker_than_row], where, asked,
-                     t.english_html(escape_html(requirement.note)), "");
+                     sentence_html(t, requirement.note, known_words(t, finding)), "");
   if (finding.by_tolerance) rows += row_html(t[Text::met_by_tolerance], where, asked, "", "");
   return rows;
 }
@@ -80,7 +81,7 @@ std::string role_rows(const Texts& t, const std::string& where, const rules::Row
   if (role.state == never_asked || role.state == asked_in_part || role.state == not_made ||
       role.state == not_possible) {
     rows += row_html(t[role.state == asked_in_part ? Text::asked_in_part : Text::not_asked], where,
-                     escape_html(role.role) + clause, t.english_html(escape_html(role.words)), "");
+                     escape_html(role.role) + clause, sentence_html(t, role.words), "");
   }
   return rows;
 }
@@ -112,7 +113,7 @@ std::string html_deviations(const Texts& t, const ProjectPart& project, std::siz
       for (const rules::RoleCoverage& role : row.roles) rows += role_rows(t, of, row, role);
     }
   }
-  if (!is_anything_asked) return {};
+  if (!is_anything_asked && rows.empty()) return {};
   const char* title = t[Text::deviations];
   const std::string head = fmt::format("<h3 id=\"deviations{}\">{}</h3>\n", index + 1, title);
   if (rows.empty()) return head + "<p class=\"quiet\">" + t[Text::no_deviations] + "</p>\n";

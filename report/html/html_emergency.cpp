@@ -1,44 +1,39 @@
 #include "report/html/html_emergency.h"
 
+#include "report/html/html_findings.h"
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace report {
 namespace {
 
-// Luminaires of the room that are lit in the scene: groups that it does not name are at 1.
+// Luminaires of the room that are lit in the scene.
 std::size_t lit_luminaires(const ProjectPart& project, const SpacePart& space,
                            const std::string& scene_id) {
   const auto scene = std::find_if(project.scenes.begin(), project.scenes.end(),
                                   [&](const SceneRow& row) { return row.id == scene_id; });
   const auto is_lit = [&](const LuminaireMark& mark) {
-    if (scene == project.scenes.end() || mark.group.empty()) return true;
-    const auto level = std::find_if(
-        scene->level_of_group.begin(), scene->level_of_group.end(),
-        [&](const std::pair<std::string, double>& one) { return one.first == mark.group; });
-    return level == scene->level_of_group.end() || level->second > 0.0;
+    return scene == project.scenes.end() || level_of(*scene, mark.group) > 0.0;
   };
   return static_cast<std::size_t>(
       std::count_if(space.luminaires.begin(), space.luminaires.end(), is_lit));
 }
 
-// Clause, notes and reason: what must be read with the verdict.
-std::string remarks_on(const Texts& t, const rules::Finding& finding) {
-  std::string html = escape_html(finding.requirement.clause);
-  const auto add = [&](const std::string& words) { html += (html.empty() ? "" : " · ") + words; };
-  for (const NotePart& part : note_parts(t, finding)) {
-    const std::string words = escape_html(part.text);
-    add(part.is_english ? t.english_html(words) : words);
-  }
-  if (!finding.reason.empty()) add(t.english_html(escape_html(finding.reason)));
-  if (finding.is_waived) add(t[Text::waived]);
+// With everything that must be read with the verdict.
+std::string requirement_html(const Texts& t, const PlanePart& plane,
+                             const rules::Finding& finding) {
+  std::string html = escape_html(quantity_words(t, finding.requirement, plane.kernel)) +
+                     html_finding_notes(t, finding);
+  if (!finding.reason.empty())
+    html += "<span class=\"note\">" + sentence_html(t, finding.reason, known_words(t, finding)) +
+            "</span>";
   return html;
 }
 
@@ -59,16 +54,15 @@ std::string html_emergency(const Texts& t, const ProjectPart& project, std::size
         const bool is_judged = finding.verdict != rules::Verdict::not_judged;
         rows += fmt::format(
             "<tr><th scope=\"row\"><a href=\"{}\">{}</a><span class=\"note\">{}</span></th><td>{}"
-            "<span class=\"note\">{}</span></td><td>{}</td><td class=\"num\">{}</td><td "
+            "</td><td>{}</td><td class=\"num\">{}</td><td "
             "class=\"num\">{}</td><td class=\"num strong\">{}</td><td>{}</td></tr>\n",
             plane_href({index, s, k}, folder), escape_html(title_of(plane.name, plane.id)),
-            escape_html(title_of(space.name, space.id)),
-            escape_html(quantity_words(t, asked, plane.kernel)), remarks_on(t, finding),
+            escape_html(title_of(space.name, space.id)), requirement_html(t, plane, finding),
             asked.scene.empty() ? t[Text::full_output] : escape_html(asked.scene),
             lit_luminaires(project, space, asked.scene),
             escape_html(format_required(t, threshold, unit)),
             is_judged ? format_measured(t, finding.measured, unit, threshold) : "",
-            badge(t, finding.verdict));
+            html_verdict(t, finding));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "report/html/html_markup.h"
 #include "report/text/markup.h"
 #include "report/text/room_power.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -48,8 +49,7 @@ std::string energy_row(const Texts& t, const SpacePart& space) {
   if (space.energy) {
     const std::string& remark =
         space.energy->problem.empty() ? space.energy->words : space.energy->problem;
-    if (!remark.empty())
-      words += "<span class=\"note\">" + t.english_html(escape_html(remark)) + "</span>";
+    if (!remark.empty()) words += "<span class=\"note\">" + sentence_html(t, remark) + "</span>";
   }
   return "<tr><th scope=\"row\">" + words + "</th>" +
          number_cell(power.area_m2 > 0.0 ? format_fixed(t, power.area_m2, 2) + " m²" : "") +
@@ -80,8 +80,9 @@ std::string sums_row(const Texts& t, const ProjectPart& project) {
          number_cell(fmt::format("{}", luminaires)) +
          number_cell(has_power ? format_watts(t, power_w) + " W" : t[Text::not_known]) +
          number_cell(has_areas && has_power ? format_fixed(t, power_w / area_m2, 2) + " W/m²"
-                                            : "") +
-         number_cell("") + number_cell(has_energy ? format_fixed(t, all_kwh, 0) + " kWh" : "") +
+                                            : t[Text::not_known]) +
+         number_cell("") +
+         number_cell(has_energy ? format_fixed(t, all_kwh, 0) + " kWh" : t[Text::not_known]) +
          number_cell("") + "</tr></tfoot>";
 }
 

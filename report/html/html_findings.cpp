@@ -5,6 +5,7 @@
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/svg.h"
 #include "report/text/words.h"
 
@@ -61,32 +62,12 @@ std::string gauge(const rules::Finding& finding) {
       svg_number(std::max(low, high)), kGaugeMiddle, gauge_mark(finding));
 }
 
-// What must be read with the quantity: clause, state, scene, remarks; "" if there is nothing.
-std::string notes_html(const Texts& t, const rules::Finding& finding) {
-  const rules::Requirement& requirement = finding.requirement;
-  std::string notes;
-  const auto note = [&notes](const std::string& text) {
-    notes += (notes.empty() ? "" : " · ") + text;
-  };
-  if (!requirement.clause.empty()) note(escape_html(requirement.clause));
-  if (requirement.state != rules::LightState::maintained)
-    note(light_state_words(t, requirement.state));
-  if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
-  std::string words;
-  for (const NotePart& part : note_parts(t, finding)) {
-    const std::string html = escape_html(part.text);
-    words += (words.empty() ? "" : "; ") + (part.is_english ? t.english_html(html) : html);
-  }
-  if (!words.empty()) note(words);
-  return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
-}
-
 Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
   const rules::Requirement& requirement = finding.requirement;
   const Threshold threshold{requirement.limit, requirement.comparison};
   const char* unit = rules::unit_of(requirement);
   Cells cells;
-  cells.notes = notes_html(t, finding);
+  cells.notes = html_finding_notes(t, finding);
   cells.requirement = escape_html(quantity_words(t, requirement, plane.kernel)) + cells.notes;
   cells.required = escape_html(format_required(t, threshold, unit));
   if (finding.verdict == rules::Verdict::not_judged) return cells;
@@ -97,13 +78,18 @@ Cells cells_of(const Texts& t, const PlanePart& plane, const rules::Finding& fin
   return cells;
 }
 
+// With a capital and a full stop; of finished HTML, whose first letter may stand in a <span>.
+std::string as_sentence(std::string html) {
+  if (html.empty()) return html;
+  const std::size_t first = html.front() == '<' ? html.find('>') + 1 : 0;
+  if (html[first] >= 'a' && html[first] <= 'z')
+    html[first] = static_cast<char>(html[first] - 'a' + 'A');
+  return html.ends_with('.') || html.ends_with(".</span>") ? html : html + ".";
+}
+
 // Reason and closeness as sentences; finished HTML, "" if there is nothing to say.
 std::string remarks(const Texts& t, const rules::Finding& finding) {
-  std::string reason = finding.reason;
-  if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z')
-    reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
-  if (!reason.empty() && reason.back() != '.') reason += '.';
-  std::string text = t.english_html(escape_html(reason));
+  std::string text = as_sentence(sentence_html(t, finding.reason, known_words(t, finding)));
   if (finding.is_close) {
     std::string words = close_words(t, finding);
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
@@ -129,12 +115,6 @@ std::string head_cells(const Texts& t, bool is_sortable) {
       t[Text::interval_against_limit], t[Text::gauge_scale], t[Text::margin], t[Text::at_m]);
 }
 
-// A verdict that does not count says so.
-std::string verdict_badge(const Texts& t, const rules::Finding& finding) {
-  const std::string html = badge(t, finding.verdict);
-  return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
-}
-
 std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::Finding& finding) {
   const Cells cells = cells_of(t, plane, finding);
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
@@ -142,7 +122,7 @@ std::string finding_cells(const Texts& t, const PlanePart& plane, const rules::F
       "<td data-v=\"{}\">{}</td><td data-v=\"{}\">{}</td><td class=\"num\" data-v=\"{}\">{}</td>"
       "<td class=\"num strong\" data-v=\"{}\">{}</td><td class=\"gauge-cell\">{}</td>"
       "<td class=\"num\" data-v=\"{}\">{}</td><td class=\"num place\">{}</td>",
-      rules::gravity_rank(finding.verdict), verdict_badge(t, finding),
+      rules::gravity_rank(finding.verdict), html_verdict(t, finding),
       escape_html(quantity_words(t, finding.requirement)), cells.requirement,
       format_shortest(finding.requirement.limit), cells.required,
       is_judged ? format_shortest(finding.measured.value) : "", cells.measured, cells.gauge,
@@ -189,7 +169,7 @@ std::string plain_row(const Texts& t, const std::string& head, const PlanePart& 
     return fmt::format(
         "<tr class=\"finding not-judged\">{}<td data-v=\"0\">{}</td><td "
         "colspan=\"6\">{}</td></tr>\n",
-        head, t[Text::not_computed], t.english_html(escape_html(plane.reason)));
+        head, t[Text::not_computed], sentence_html(t, plane.reason));
   }
   return fmt::format(
       "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">{}</td><td "
@@ -317,6 +297,31 @@ std::string banner_attributes(rules::Outcome outcome) {
 }
 
 }  // namespace
+
+std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
+  const rules::Requirement& requirement = finding.requirement;
+  std::string notes;
+  const auto note = [&notes](const std::string& text) {
+    notes += (notes.empty() ? "" : " · ") + text;
+  };
+  if (!requirement.clause.empty()) note(escape_html(clause_words(t, requirement.clause)));
+  if (requirement.state != rules::LightState::maintained)
+    note(light_state_words(t, requirement.state));
+  if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
+  std::string words;
+  for (const NotePart& part : note_parts(t, finding)) {
+    words += words.empty() ? "" : "; ";
+    words += part.is_english ? sentence_html(t, part.text, known_words(t, finding))
+                             : escape_html(part.text);
+  }
+  if (!words.empty()) note(words);
+  return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
+}
+
+std::string html_verdict(const Texts& t, const rules::Finding& finding) {
+  const std::string html = badge(t, finding.verdict);
+  return finding.is_waived ? html + "<span class=\"note\">" + t[Text::waived] + "</span>" : html;
+}
 
 std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals) {
   const VerdictCounts& counts = totals.verdicts;

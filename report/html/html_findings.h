@@ -17,6 +17,12 @@ namespace report {
 
 std::string html_verdict_banner(const Texts& t, const DocumentFrame& frame, const Totals& totals);
 
+// What must be read with a finding's quantity: clause, state, scene, remarks; "" if there is
+// nothing.
+std::string html_finding_notes(const Texts& t, const rules::Finding& finding);
+// Its badge; of one that does not count with the words for that.
+std::string html_verdict(const Texts& t, const rules::Finding& finding);
+
 // Everything that does not pass, gravest first.
 class HtmlAttention {
  public:

@@ -1,10 +1,8 @@
 #include "report/html/html_layout.h"
 
-#include "calc/base/elementary.h"
-#include "calc/base/units.h"
 #include "calc/scene/polygon.h"
-#include "report/html/html_isolux.h"
 #include "report/html/html_markup.h"
+#include "report/html/technical_drawing.h"
 #include "report/text/markup.h"
 #include "report/text/svg.h"
 #include "report/text/text_numbers.h"
@@ -32,62 +30,10 @@ constexpr glm::dvec2 kBelowOfFew_mm{150, 140}, kBelowOfMany_mm{122, 78}, kBeside
 constexpr double kLeastWidth_mm = 34;  // of the plan, for words below it
 constexpr double kWide = 1.15;         // bold words against plain ones
 constexpr std::size_t kFewRooms = 8, kFewPlanesOfAll = 24;
-constexpr double kText_mm = 2.5, kDigit = 0.6;  // the width of a digit, of the size
 constexpr double kLeft_mm = 15, kTop_mm = 6, kRight_mm = 22, kGap_mm = 4;
 constexpr double kChain_mm = 4, kWhole_mm = 9.5;  // dimension lines, from the room
 constexpr std::size_t kMostNumbers = 200, kMostPoints = 1200, kMostSteps = 9, kMostLevels = 16,
                       kMostLetters = 200;
-
-struct Extent {
-  glm::dvec2 low{std::numeric_limits<double>::max()};
-  glm::dvec2 high{std::numeric_limits<double>::lowest()};
-
-  void add(const glm::dvec2& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  bool is_empty() const { return !(low.x <= high.x); }
-  glm::dvec2 size() const { return high - low; }
-};
-
-// A view: metres to the right and up, put at `corner_mm`, which is its upper left one.
-struct View {
-  Extent extent_m;
-  glm::dvec2 corner_mm{0.0};
-  double mm_by_m = 1.0;
-
-  glm::dvec2 at(const glm::dvec2& m) const {
-    return corner_mm + mm_by_m * glm::dvec2(m.x - extent_m.low.x, extent_m.high.y - m.y);
-  }
-  double width_mm() const { return extent_m.size().x * mm_by_m; }
-  double height_mm() const { return extent_m.size().y * mm_by_m; }
-  double right_mm() const { return corner_mm.x + width_mm(); }
-  double bottom_mm() const { return corner_mm.y + height_mm(); }
-
-  std::string path(const std::vector<glm::dvec2>& corners_m, bool is_closed = true) const {
-    std::string data;
-    for (const glm::dvec2& corner : corners_m) {
-      const glm::dvec2 p = at(corner);
-      data += fmt::format("{}{} {}", data.empty() ? "M" : "L", svg_number(p.x), svg_number(p.y));
-    }
-    return data.empty() || !is_closed ? data : data + "z";
-  }
-};
-
-std::string stroke(const char* kind, const std::string& data) {
-  return data.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind, data);
-}
-
-std::string words_at(const glm::dvec2& p, std::string_view words, const char* anchor = "middle",
-                     const char* kind = "") {
-  return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", svg_number(p.x),
-                     svg_number(p.y), anchor,
-                     *kind == '\0' ? "" : fmt::format(" class=\"{}\"", kind), escape_html(words));
-}
-
-double width_of(std::string_view words, double size_mm) {
-  return kDigit * size_mm * static_cast<double>(words.size());
-}
 
 std::vector<glm::dvec3> corners_of(const PlanePart& plane) {
   std::vector<glm::dvec3> corners;
@@ -165,8 +111,8 @@ std::vector<PlaneGroup> groups_of(const SpacePart& space) {
 }
 
 // Everything in it, so that nothing is cut off.
-Extent extent_of(const SpacePart& space, Sight sight) {
-  Extent extent;
+FlatBox extent_of(const SpacePart& space, Sight sight) {
+  FlatBox extent;
   const auto add_all = [&](const std::vector<glm::dvec3>& corners) {
     for (const glm::dvec3& corner : corners) extent.add(seen(sight, corner));
   };
@@ -195,35 +141,6 @@ Extent extent_of(const SpacePart& space, Sight sight) {
   return extent;
 }
 
-// Dimensions. A tick stands at each end; the words above their line, if there is room.
-std::string level_dimension(double from_mm, double to_mm, double y_mm, const std::string& words) {
-  const auto tick = [&](double x) {
-    return fmt::format("M{} {}l1.6 -1.6", svg_number(x - 0.8), svg_number(y_mm + 0.8));
-  };
-  std::string svg = stroke("dimension", fmt::format("M{} {}H{}", svg_number(from_mm),
-                                                    svg_number(y_mm), svg_number(to_mm)) +
-                                            tick(from_mm) + tick(to_mm));
-  if (width_of(words, kText_mm) < to_mm - from_mm)
-    svg += words_at({0.5 * (from_mm + to_mm), y_mm - 0.9}, words);
-  return svg;
-}
-
-std::string upright_dimension(double from_mm, double to_mm, double x_mm, const std::string& words) {
-  const auto tick = [&](double y) {
-    return fmt::format("M{} {}l1.6 -1.6", svg_number(x_mm - 0.8), svg_number(y + 0.8));
-  };
-  std::string svg = stroke("dimension", fmt::format("M{} {}V{}", svg_number(x_mm),
-                                                    svg_number(from_mm), svg_number(to_mm)) +
-                                            tick(from_mm) + tick(to_mm));
-  if (width_of(words, kText_mm) < std::abs(to_mm - from_mm)) {
-    const double y = 0.5 * (from_mm + to_mm);
-    svg += fmt::format(
-        "<text text-anchor=\"middle\" transform=\"translate({} {}) rotate(-90)\">{}</text>\n",
-        svg_number(x_mm - 0.9), svg_number(y), words);
-  }
-  return svg;
-}
-
 // Where the outline has corners along an axis; the two ends alone where there are too many.
 std::vector<double> steps_of(const std::vector<glm::dvec2>& outline_m, int axis) {
   std::set<long long> places_mm;
@@ -240,7 +157,7 @@ struct Dimensions {
   double below_mm = 0.0;  // room that they take
 };
 
-Dimensions dimensions(const Texts& t, const View& view, const SpacePart& space) {
+Dimensions dimensions(const Texts& t, const DrawingView& view, const SpacePart& space) {
   if (space.footprint_m.empty()) return {};
   const std::vector<double> x = steps_of(space.footprint_m, 0), y = steps_of(space.footprint_m, 1);
   Dimensions drawn;
@@ -261,76 +178,30 @@ Dimensions dimensions(const Texts& t, const View& view, const SpacePart& space) 
 }
 
 // Of the lower left corner, for those who set out from the table of positions.
-std::string corner_words(const Texts& t, const View& view, double below_mm) {
+std::string corner_words(const Texts& t, const DrawingView& view, double below_mm) {
   const glm::dvec2& low = view.extent_m.low;
-  return words_at({view.corner_mm.x, view.bottom_mm() + below_mm + 3},
-                  "↖ x = " + with_minus(format_metres(t, low.x)) +
-                      ", y = " + with_minus(format_metres(t, low.y)),
-                  "start", "minor");
+  return drawing_words({view.corner_mm.x, view.bottom_mm() + below_mm + 3},
+                       "↖ x = " + with_minus(format_metres(t, low.x)) +
+                           ", y = " + with_minus(format_metres(t, low.y)),
+                       "start", "minor");
 }
 
-std::string north_arrow(double right_mm, double north_deg) {
-  constexpr double kLength_mm = 9;
-  const glm::dvec2 middle(right_mm + 0.55 * kRight_mm, kTop_mm + 8);
-  const double angle = calc::radians_from_degrees(north_deg);
-  const glm::dvec2 ahead(calc::cos(angle), -calc::sin(angle)), beside(-ahead.y, ahead.x);
-  const glm::dvec2 tip = middle + 0.5 * kLength_mm * ahead,
-                   foot = middle - 0.5 * kLength_mm * ahead;
-  const glm::dvec2 left = foot + 2.0 * beside, right = foot - 2.0 * beside;
-  const glm::dvec2 notch = foot + 2.0 * ahead, letter = tip + 2.4 * ahead;
-  return fmt::format("<path class=\"north\" d=\"M{} {}L{} {}L{} {}L{} {}z\"/>\n", svg_number(tip.x),
-                     svg_number(tip.y), svg_number(left.x), svg_number(left.y), svg_number(notch.x),
-                     svg_number(notch.y), svg_number(right.x), svg_number(right.y)) +
-         words_at({letter.x, letter.y + 0.36 * kText_mm}, "N");
-}
-
-std::string circle(const glm::dvec2& p, double radius_mm) {
-  return fmt::format("M{0} {1}a{2} {2} 0 1 0 {3} 0a{2} {2} 0 1 0 -{3} 0",
-                     svg_number(p.x - radius_mm), svg_number(p.y), svg_number(radius_mm),
-                     svg_number(2 * radius_mm));
-}
-
-// A label where it meets nothing that stands there already, if there is such a place.
-class Labels {
- public:
-  void take(const glm::dvec2& middle, const glm::dvec2& size) {
-    taken_.push_back(box_around(middle, size));
-  }
-  std::string put(const std::vector<glm::dvec2>& places, const std::string& words,
-                  const char* kind) {
-    const glm::dvec2 size(width_of(words, kText_mm) + 0.6, kText_mm);
-    glm::dvec2 chosen = places.front();
-    for (const glm::dvec2& place : places) {
-      const LabelBox box = box_around(place, size);
-      if (std::none_of(taken_.begin(), taken_.end(),
-                       [&](const LabelBox& other) { return other.meets(box); })) {
-        chosen = place;
-        break;
-      }
-    }
-    take(chosen, size);
-    return words_at({chosen.x, chosen.y + 0.36 * kText_mm}, words, "middle", kind);
-  }
-
- private:
-  std::vector<LabelBox> taken_;
-};
-
-std::string luminaire_signs(const View& view, const SpacePart& space, Sight sight, Labels& labels) {
+std::string luminaire_signs(const DrawingView& view, const SpacePart& space, Sight sight,
+                            DrawingLabels& labels) {
   constexpr double kRadius_mm = 1.1, kCross_mm = 1.5;
   const bool has_numbers = sight == Sight::plan && space.luminaires.size() <= kMostNumbers;
   std::string signs, numbers;
-  std::vector<Extent> signs_mm;
+  std::vector<FlatBox> signs_mm;
   for (const LuminaireMark& mark : space.luminaires) {
     const glm::dvec2 p = view.at(seen(sight, mark.position_m));
     const std::vector<glm::dvec2> outline = seen(sight, corners_of(mark));
-    Extent sign;
+    FlatBox sign;
     for (const glm::dvec2& corner : outline) sign.add(view.at(corner));
     if (outline.empty()) {
-      signs += circle(p, kRadius_mm) + fmt::format("M{} {}l{} {}m0 -{}l-{} {}",
-                                                   svg_number(p.x - 0.5 * kCross_mm),
-                                                   svg_number(p.y - 0.5 * kCross_mm), kCross_mm,
-                                                   kCross_mm, kCross_mm, kCross_mm, kCross_mm);
+      signs += circle_path(p, kRadius_mm) +
+               fmt::format("M{} {}l{} {}m0 -{}l-{} {}", svg_number(p.x - 0.5 * kCross_mm),
+                           svg_number(p.y - 0.5 * kCross_mm), kCross_mm, kCross_mm, kCross_mm,
+                           kCross_mm, kCross_mm);
       sign.add(p - glm::dvec2(kRadius_mm));
       sign.add(p + glm::dvec2(kRadius_mm));
     } else {
@@ -340,10 +211,10 @@ std::string luminaire_signs(const View& view, const SpacePart& space, Sight sigh
     signs_mm.push_back(sign);
   }
   for (std::size_t i = 0; has_numbers && i < space.luminaires.size(); ++i) {
-    const Extent& sign = signs_mm[i];
+    const FlatBox& sign = signs_mm[i];
     const std::string number = fmt::format("{}", i + 1);
     const glm::dvec2 middle = 0.5 * (sign.low + sign.high);
-    const glm::dvec2 half = 0.5 * glm::dvec2(width_of(number, kText_mm) + 1.0, kText_mm + 0.6);
+    const glm::dvec2 half = 0.5 * glm::dvec2(drawing_width_mm(number) + 1.0, kDrawingText_mm + 0.6);
     std::vector<glm::dvec2> places;
     for (const double further_mm : {0.0, 1.5, 3.0}) {
       const glm::dvec2 aside = 0.5 * sign.size() + half + glm::dvec2(further_mm);
@@ -355,21 +226,21 @@ std::string luminaire_signs(const View& view, const SpacePart& space, Sight sigh
     }
     numbers += labels.put(places, number, "number");
   }
-  return stroke("luminaire", signs) + numbers;
+  return drawing_path("luminaire", signs) + numbers;
 }
 
-std::string furniture(const View& view, const SpacePart& space) {
+std::string furniture(const DrawingView& view, const SpacePart& space) {
   std::string data;
   for (const BodyMark& body : space.bodies) {
     for (const auto& line : body.lines_m) data += view.path({line[0], line[1]}, false);
   }
-  return stroke("furniture", data);
+  return drawing_path("furniture", data);
 }
 
-std::string standing_furniture(const View& view, const SpacePart& space, Sight sight) {
+std::string standing_furniture(const DrawingView& view, const SpacePart& space, Sight sight) {
   std::string data;
   for (const BodyMark& body : space.bodies) {
-    Extent extent;
+    FlatBox extent;
     for (const auto& line : body.lines_m) {
       for (const glm::dvec2& end : line) {
         extent.add(seen(sight, {end, body.low_z_m}));
@@ -380,7 +251,7 @@ std::string standing_furniture(const View& view, const SpacePart& space, Sight s
     data += view.path(
         {extent.low, {extent.high.x, extent.low.y}, extent.high, {extent.low.x, extent.high.y}});
   }
-  return stroke("furniture", data);
+  return drawing_path("furniture", data);
 }
 
 std::size_t points_of(const SpacePart& space) {
@@ -389,7 +260,7 @@ std::size_t points_of(const SpacePart& space) {
   return points;
 }
 
-std::string point_signs(const View& view, const SpacePart& space) {
+std::string point_signs(const DrawingView& view, const SpacePart& space) {
   std::string dots;
   for (const PlanePart& plane : space.planes) {
     for (const PointRow& point : plane.points) {
@@ -397,13 +268,13 @@ std::string point_signs(const View& view, const SpacePart& space) {
       dots += fmt::format("M{} {}h0", svg_number(p.x), svg_number(p.y));
     }
   }
-  return stroke("points", dots);
+  return drawing_path("points", dots);
 }
 
 // Inside the outline, at its corners and in its middle; beside it where it is only a line or a
 // point.
-std::vector<glm::dvec2> letter_places(const View& view, const PlaneGroup& group,
-                                      const Extent& extent_mm, const glm::dvec2& in_mm) {
+std::vector<glm::dvec2> letter_places(const DrawingView& view, const PlaneGroup& group,
+                                      const FlatBox& extent_mm, const glm::dvec2& in_mm) {
   constexpr std::size_t kMostCorners = 40;
   constexpr std::array<glm::dvec2, 4> kWays{glm::dvec2(1, 1), glm::dvec2(-1, 1), glm::dvec2(1, -1),
                                             glm::dvec2(-1, -1)};
@@ -427,11 +298,12 @@ std::vector<glm::dvec2> letter_places(const View& view, const PlaneGroup& group,
   return places;
 }
 
-std::string plane_signs(const View& view, const std::vector<PlaneGroup>& groups, Labels& labels) {
+std::string plane_signs(const DrawingView& view, const std::vector<PlaneGroup>& groups,
+                        DrawingLabels& labels) {
   std::string outlines, letters;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const PlaneGroup& group = groups[i];
-    Extent extent;
+    FlatBox extent;
     for (const glm::dvec2& corner : group.outline_m) extent.add(view.at(corner));
     if (group.outline_m.empty()) {
       const glm::dvec3& point = group.planes.front()->points.front().position_m;
@@ -440,10 +312,10 @@ std::string plane_signs(const View& view, const std::vector<PlaneGroup>& groups,
     outlines += view.path(group.outline_m);
     if (groups.size() > kMostLetters) continue;
     const std::string letter = letter_of(i);
-    const glm::dvec2 in(0.5 * width_of(letter, kText_mm) + 1.1, 0.5 * kText_mm + 0.9);
+    const glm::dvec2 in(0.5 * drawing_width_mm(letter) + 1.1, 0.5 * kDrawingText_mm + 0.9);
     letters += labels.put(letter_places(view, group, extent, in), letter, "letter");
   }
-  return stroke("area", outlines) + letters;
+  return drawing_path("area", outlines) + letters;
 }
 
 // By centimetres over the floor: of the room, of luminaires, of level planes.
@@ -465,7 +337,7 @@ std::map<long long, double> heights_of(const SpacePart& space) {
 }
 
 // Heights over the floor beside the elevation.
-std::string levels(const Texts& t, const View& view, const SpacePart& space) {
+std::string levels(const Texts& t, const DrawingView& view, const SpacePart& space) {
   std::map<long long, double> heights = heights_of(space);
   if (heights.size() > kMostLevels) {
     const std::pair low = *heights.begin(), high = *heights.rbegin();
@@ -476,32 +348,34 @@ std::string levels(const Texts& t, const View& view, const SpacePart& space) {
   for (const auto& [height_cm, z_m] : heights) {
     const double y = view.at({0, z_m}).y, x = view.right_mm();
     const double place = std::min(y, free_mm);
-    free_mm = place - kText_mm - 0.4;
-    svg += stroke("dimension", fmt::format("M{} {}h2L{} {}h1", svg_number(x + 0.8), svg_number(y),
-                                           svg_number(x + 5), svg_number(place))) +
-           words_at({x + 6.6, place + 0.36 * kText_mm},
-                    with_minus(format_metres(t, z_m - space.floor_z_m)), "start");
+    free_mm = place - kDrawingText_mm - 0.4;
+    svg += drawing_path("dimension",
+                        fmt::format("M{} {}h2L{} {}h1", svg_number(x + 0.8), svg_number(y),
+                                    svg_number(x + 5), svg_number(place))) +
+           drawing_words({x + 6.6, place + 0.36 * kDrawingText_mm},
+                         with_minus(format_metres(t, z_m - space.floor_z_m)), "start");
   }
   return svg;
 }
 
-std::string elevation(const Texts& t, const View& view, const SpacePart& space, Sight sight) {
+std::string elevation(const Texts& t, const DrawingView& view, const SpacePart& space,
+                      Sight sight) {
   std::string svg;
   if (!space.footprint_m.empty()) {
-    Extent room;
+    FlatBox room;
     for (const glm::dvec2& corner : space.footprint_m) {
       room.add(seen(sight, {corner, space.floor_z_m}));
       room.add(seen(sight, {corner, space.floor_z_m + space.height_m}));
     }
-    svg += stroke(
+    svg += drawing_path(
         "wall",
         view.path({room.low, {room.high.x, room.low.y}, room.high, {room.low.x, room.high.y}}));
   }
   svg += standing_furniture(view, space, sight);
   std::string areas;
   for (const PlanePart& plane : space.planes) areas += view.path(seen(sight, corners_of(plane)));
-  Labels none;
-  return svg + stroke("area", areas) + luminaire_signs(view, space, sight, none) +
+  DrawingLabels none;
+  return svg + drawing_path("area", areas) + luminaire_signs(view, space, sight, none) +
          levels(t, view, space);
 }
 
@@ -527,30 +401,19 @@ std::string key_of(const Texts& t, const SpacePart& space, const std::vector<Pla
   return items.empty() ? "" : "<ul class=\"layout-key\">\n" + items + "</ul>\n";
 }
 
-// Large drawings are for projects whose report is short.
-bool is_small(const ProjectPart& project) {
+// Its report is: it has room for large drawings.
+bool is_short(const ProjectPart& project) {
   std::size_t planes = 0;
   for (const SpacePart& space : project.spaces) planes += space.planes.size();
   return project.spaces.size() <= kFewRooms && planes <= kFewPlanesOfAll;
 }
 
-std::string scale_words(double scale) { return "1:" + format_shortest(scale); }
+std::string scale_words(const Texts& t, double scale) { return "1:" + format_shortest(t, scale); }
 
 }  // namespace
 
-double drawing_scale(const glm::dvec2& size_m, const glm::dvec2& room_mm) {
-  constexpr double kMillimetres = 1000.0, kAlmost = 1 - 1e-9;
-  const double least =
-      std::max(size_m.x * kMillimetres / room_mm.x, size_m.y * kMillimetres / room_mm.y);
-  for (double power = 1e-3;; power *= 10.0) {
-    for (const double step : {1.0, 2.0, 2.5, 5.0}) {
-      if (step * power >= least * kAlmost) return std::max(1.0, std::round(step * power * 10) / 10);
-    }
-  }
-}
-
 std::string html_layout(const Texts& t, const ProjectPart& project, const SpacePart& space) {
-  View plan, side;
+  DrawingView plan, side;
   plan.extent_m = extent_of(space, Sight::plan);
   if (plan.extent_m.is_empty()) return {};
   const glm::dvec2 ground = plan.extent_m.size();
@@ -563,8 +426,8 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   const glm::dvec2 beside(ground.x + standing.x, std::max(ground.y, standing.y));
   if (!(below.x > 0.0) || !(below.y > 0.0) || !std::isfinite(below.x + below.y)) return {};
   const double beside_scale = drawing_scale(beside, kBesideOfMany_mm);
-  double scale = drawing_scale(below, is_small(project) ? kBelowOfFew_mm : kBelowOfMany_mm);
-  const bool is_below = is_small(project) || scale < beside_scale;
+  double scale = drawing_scale(below, is_short(project) ? kBelowOfFew_mm : kBelowOfMany_mm);
+  const bool is_below = is_short(project) || scale < beside_scale;
   if (!is_below) scale = beside_scale;
   plan.mm_by_m = side.mm_by_m = 1000.0 / scale;
   plan.corner_mm = {kLeft_mm, kTop_mm};
@@ -576,31 +439,32 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
   const std::string side_title =
       t.say<Text::layout_elevation>(sight == Sight::towards_plus_y ? "+y" : "−x");
   const double width = std::max({plan_right_mm + kRight_mm, side.right_mm() + kRight_mm,
-                                 side.corner_mm.x + kWide * width_of(side_title, kText_mm)});
+                                 side.corner_mm.x + kWide * drawing_width_mm(side_title)});
   const double height = std::max(plan_end_mm, side.bottom_mm() + 2);
 
   const std::vector<PlaneGroup> groups = groups_of(space);
   const bool has_points = points_of(space) <= kMostPoints;
-  Labels labels;
+  DrawingLabels labels;
   // Numbers keep away from the heading and the dimensions.
   labels.take({kLeft_mm + 0.5 * kLeastWidth_mm, 0.5 * kTop_mm}, {kLeastWidth_mm, kTop_mm - 1});
   labels.take(
       {0.5 * (plan.corner_mm.x + plan_right_mm), 0.5 * (plan.bottom_mm() + 1 + plan_end_mm)},
       {plan_right_mm - plan.corner_mm.x, plan_end_mm - plan.bottom_mm() - 1});
   const std::string title = escape_html(title_of(space.name, space.id));
-  const std::string words = t.say<Text::layout_of>(title, scale_words(scale));
+  const std::string words = t.say<Text::layout_of>(title, scale_words(t, scale));
   std::string svg = fmt::format(
       "<svg class=\"layout\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
       "font-size=\"{2}\" role=\"img\" aria-label=\"{3}\">\n",
-      svg_number(width), svg_number(height), kText_mm, words);
-  svg += words_at({kLeft_mm, kTop_mm - 2.2}, t[Text::layout_plan], "start", "view");
-  svg += stroke("wall", plan.path(space.footprint_m)) + furniture(plan, space);
+      svg_number(width), svg_number(height), kDrawingText_mm, words);
+  svg += drawing_words({kLeft_mm, kTop_mm - 2.2}, t[Text::layout_plan], "start", "view");
+  svg += drawing_path("wall", plan.path(space.footprint_m)) + furniture(plan, space);
   if (has_points) svg += point_signs(plan, space);
   const std::string luminaires = luminaire_signs(plan, space, Sight::plan, labels);
   svg += plane_signs(plan, groups, labels) + luminaires + lengths.svg +
          corner_words(t, plan, lengths.below_mm);
-  if (project.north_deg) svg += north_arrow(plan_right_mm, *project.north_deg);
-  svg += words_at({side.corner_mm.x, side.corner_mm.y - 2.2}, side_title, "start", "view") +
+  if (project.north_deg)
+    svg += north_arrow({plan_right_mm + 0.55 * kRight_mm, kTop_mm + 8}, *project.north_deg);
+  svg += drawing_words({side.corner_mm.x, side.corner_mm.y - 2.2}, side_title, "start", "view") +
          elevation(t, side, space, sight) + "</svg>\n";
 
   std::string notes;
@@ -612,9 +476,9 @@ std::string html_layout(const Texts& t, const ProjectPart& project, const SpaceP
     notes += std::string(" ") + t[Text::layout_no_heights];
   if (space.bodies_left_out > 0)
     notes += " " + t.say<Text::furniture_left_out>(space.bodies_left_out);
-  return std::string("<figure class=\"layout-figure") + (is_small(project) ? "" : " of-many") +
+  return std::string("<figure class=\"layout-figure") + (is_short(project) ? "" : " of-many") +
          "\">\n" + scroll_box(words, svg) + key_of(t, space, groups) + "<figcaption>" +
-         t.say<Text::layout_caption>(scale_words(scale)) + notes + "</figcaption></figure>\n";
+         t.say<Text::layout_caption>(scale_words(t, scale)) + notes + "</figcaption></figure>\n";
 }
 
 }  // namespace report

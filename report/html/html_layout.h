@@ -13,8 +13,4 @@ namespace report {
 // by 78 mm in projects with many rooms or planes. "" where there is nothing to draw.
 std::string html_layout(const Texts& t, const ProjectPart& project, const SpacePart& space);
 
-// The n of the scale 1:n, from 1, 2, 2.5 and 5 times powers of ten, with which so many metres fit
-// into so many millimetres. size_m, room_mm: each > 0.
-double drawing_scale(const glm::dvec2& size_m, const glm::dvec2& room_mm);
-
 }  // namespace report

@@ -71,12 +71,6 @@ std::string maintenance_slider(const Texts& t, const ProjectPart& project) {
                 t.number((common ? "" : "× ") + format_shortest(std::round(now * 1000) / 1000)));
 }
 
-double level_of(const SceneRow& scene, const std::string& group) {
-  for (const auto& [name, level] : scene.level_of_group)
-    if (name == group) return level;
-  return 1.0;
-}
-
 // One for each light scene of the project, and one back.
 std::string buttons(const Texts& t, const ProjectPart& project,
                     const std::vector<std::string>& groups) {

@@ -18,8 +18,9 @@ std::string plan_table(const Texts& t, const calc::MaintenancePlan& plan) {
   if (plan.is_empty())
     return std::string("<p class=\"quiet\">") + t[Text::maintenance_not_stated] + "</p>\n";
   const auto months = [&](const std::optional<double>& every) {
-    return every ? t.say<Text::every_months>(format_shortest(t, *every))
-                 : std::string(t[Text::not_stated]);
+    if (!every) return std::string(t[Text::not_stated]);
+    if (*every == 1.0) return std::string(t[Text::every_month]);
+    return t.say<Text::every_months>(format_shortest(t, *every));
   };
   const auto hours = [&](const std::optional<double>& time_h) {
     return time_h ? format_shortest(t, *time_h) + " h" : std::string(t[Text::not_stated]);

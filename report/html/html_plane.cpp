@@ -10,6 +10,7 @@
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
 #include "report/text/markup.h"
+#include "report/text/sentences.h"
 #include "report/text/words.h"
 
 #include <fmt/format.h>
@@ -191,11 +192,10 @@ std::string calculated_fact(std::string_view name, std::string_view value) {
 std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& plane) {
   const calc::SensorGrid& grid = plane.grid;
   std::string rows = fact(t[Text::quantity], quantity_fact(t, plane));
-  if (!plane.made_by.empty())
-    rows += fact(t[Text::made_by], t.english_html(escape_html(plane.made_by)));
+  if (!plane.made_by.empty()) rows += fact(t[Text::made_by], sentence_html(t, plane.made_by));
   if (!plane.changed.empty())
-    rows += fact(t[Text::changed], t.english_html(escape_html(plane.changed)));
-  rows += fact(t[Text::rule], t.english_html(escape_html(grid.rule)));
+    rows += fact(t[Text::changed], escape_html(changed_words(t, plane.changed)));
+  rows += fact(t[Text::rule], escape_html(phrases(t, grid.rule)));
   if (grid.columns > 0) {
     rows += fact(t[Text::cells], fmt::format("{} × {}", grid.columns, grid.rows));
     rows += fact(t[Text::spacing], fmt::format("{} × {} m", format_metres(t, grid.spacing_u_m),
@@ -203,7 +203,7 @@ std::string grid_table(const Texts& t, const SpacePart& space, const PlanePart& 
     rows += grid.route ? route_facts(t, *grid.route) : place_facts(t, space, grid);
   }
   for (const std::string& remark : plane.remarks)
-    rows += calculated_fact(t[Text::method], t.english_html(escape_html(remark)));
+    rows += calculated_fact(t[Text::method], sentence_html(t, remark));
   rows += fact(t[Text::points], fmt::format("{}", plane.points.size()));
   rows += fact(t[Text::left_out], dropped_words(t, grid));
   rows += calculated_fact(t[Text::sampling], stop_words(t, plane.stop));
@@ -273,7 +273,7 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
       level_attributes(t, space, plane, scales, groups));
   if (!plane.is_computed) {
     html += "<p class=\"message\">" +
-            t.say<Text::not_computed_because>(t.english_html(escape_html(plane.reason))) + "</p>\n";
+            t.say<Text::not_computed_because>(sentence_html(t, plane.reason)) + "</p>\n";
     return html + html_plane_findings(t, plane) + "</div></details></article>\n";
   }
   html += html_plane_findings(t, plane) + "<div class=\"split\">\n";

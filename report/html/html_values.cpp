@@ -18,8 +18,7 @@
 namespace report {
 namespace {
 
-constexpr std::size_t kMostValues = 2500;       // of a plane; longer tables are for the CSV file
-constexpr std::size_t kMostAnnexValues = 2500;  // of an annex that nobody has asked for
+constexpr std::size_t kMostValues = 2500;  // of a plane; longer tables are for the CSV file
 constexpr int kColumnsOnPaper = 18;
 
 std::string matrix_caption(const Texts& t, const PlanePart& plane) {

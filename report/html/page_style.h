@@ -4,13 +4,15 @@
 #include "report/html/print_pages.h"
 #include "report/html/shared_scale.h"
 
+#include <cstddef>
 #include <map>
 #include <string>
 
 namespace report {
 
-// Tables of all values at the end of what is printed. automatic: where they are not too long.
+// Tables of all values at the end of what is printed. automatic: where there are at most so many.
 enum class Annex { automatic, always, never };
+inline constexpr std::size_t kMostAnnexValues = 2500;
 
 // Pages on paper, from 1, by the names of places in a page ("luminaires1").
 using PageNumbers = std::map<std::string, int>;

@@ -1,44 +1,25 @@
 #include "report/html/plan_layout.h"
 
 #include "calc/base/elementary.h"
+#include "report/html/flat_box.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 #include "rules/catalogue/compare.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace report {
 namespace {
-
-struct Box {
-  glm::dvec2 low{std::numeric_limits<double>::max()};
-  glm::dvec2 high{std::numeric_limits<double>::lowest()};
-
-  void add(const glm::dvec2& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  glm::dvec2 size() const { return high - low; }
-  double longest() const { return std::max(size().x, size().y); }
-  bool meets(const Box& other) const {
-    return low.x <= other.high.x && high.x >= other.low.x && low.y <= other.high.y &&
-           high.y >= other.low.y;
-  }
-  bool contains(const glm::dvec2& p) const {
-    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
-  }
-};
 
 glm::dvec2 in_plane(const calc::SensorGrid& grid, const glm::dvec3& world_m) {
   const glm::dvec3 offset = world_m - grid.origin_m;
   return {glm::dot(offset, grid.u), glm::dot(offset, grid.v)};
 }
 
-Box plane_box(const PlanePart& plane) {
-  Box box;
+FlatBox plane_box(const PlanePart& plane) {
+  FlatBox box;
   if (!plane.grid.route) {
     box.add({0.0, 0.0});
     box.add(
@@ -50,13 +31,13 @@ Box plane_box(const PlanePart& plane) {
 
 // Of two ends of which neither is in the picture the line may still cross it: boxes decide.
 std::vector<PlanLine> furniture(const SpacePart& space, const calc::SensorGrid& grid,
-                                const Box& picture) {
+                                const FlatBox& picture) {
   std::vector<PlanLine> lines;
   for (const BodyMark& body : space.bodies) {
     for (const auto& line : body.lines_m) {
       PlanLine sign{in_plane(grid, {line[0], grid.origin_m.z}),
                     in_plane(grid, {line[1], grid.origin_m.z}), body.low_z_m > grid.origin_m.z};
-      Box box;
+      FlatBox box;
       box.add(sign.from_m);
       box.add(sign.to_m);
       if (box.meets(picture)) lines.push_back(sign);
@@ -81,8 +62,8 @@ PlanLayout lay_out_plan(const SpacePart& space, const PlanePart& plane,
   const calc::SensorGrid& grid = plane.grid;
   const bool is_plan_view = is_horizontal(glm::cross(grid.u, grid.v));
   PlanLayout layout;
-  Box box = plane_box(plane);
-  Box room;
+  FlatBox box = plane_box(plane);
+  FlatBox room;
   if (is_plan_view) {
     for (const glm::dvec2& corner : space.footprint_m) {
       layout.room_m.push_back(in_plane(grid, {corner, grid.origin_m.z}));

@@ -9,6 +9,7 @@
 #include "calc/base/day.h"
 #include "calc/base/names.h"
 #include "calc/project/logo.h"
+#include "calc/project/maintenance_plan_xml.h"
 #include "report/document/document.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/finding_fields.h"
@@ -16,7 +17,6 @@
 #include "report/result_file/revision_fields.h"
 #include "report/text/base64.h"
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -309,12 +309,19 @@ void describe(auto& v, Is<calc::AboutProject> auto& about) {
   v.field("logo", about.logo, {.presence = only_if(!about.logo.bytes.empty())});
 }
 
+// What projects could not have said.
+void refuse_beyond(auto& v, const std::optional<double>& number, const calc::NumberRange& range,
+                   const char* key) {
+  v.refuse_if(number && !range.contains(*number), key,
+              (std::string(range.words) + " is needed").c_str());
+}
+
 void describe(auto& v, Is<calc::MaintenancePlan> auto& plan) {
   v.field("environment", plan.environment, {.presence = only_if(!plan.environment.empty())});
   for (const calc::MaintenanceNumber& one : calc::kMaintenanceNumbers) {
     const std::optional<double>& number = plan.*one.number;
     v.field(one.result_key, plan.*one.number, {.presence = only_if(number.has_value())});
-    v.refuse_if(number && !(*number >= 0.0), one.result_key, "a number from 0 is needed");
+    refuse_beyond(v, number, calc::range_of(one), one.result_key);
   }
   v.field("instructions", plan.instructions, {.presence = only_if(!plan.instructions.empty())});
 }
@@ -327,9 +334,7 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("north_deg", project.north_deg,
           {.words = "Where north lies in plan, from +x counter-clockwise.",
            .presence = only_if(project.north_deg.has_value())});
-  constexpr double kTurn_deg = 360.0;
-  v.refuse_if(project.north_deg && !(std::abs(*project.north_deg) <= kTurn_deg), "north_deg",
-              "degrees from -360 to 360 are needed");
+  refuse_beyond(v, project.north_deg, calc::kTurn, "north_deg");
   v.field("maintenance_plan", project.maintenance_plan,
           {.words = "How the installation is to be kept, as the project says; what it says only.",
            .presence = only_if(!project.maintenance_plan.is_empty())});

@@ -83,7 +83,8 @@ std::vector<Option> output_options(OutputOptions& options) {
        &options.html_split},
       {"--language", "LANG",
        "Words of html, pdf, markdown and text: " + language_names() +
-           "; default en. All other\nformats are English, and so are messages, reasons and the "
+           "; default en. All other\nformats are English, and so are messages about the input and "
+           "the "
            "texts of projects and\nrule packs",
        language_choice(options.language)},
       {"--decimal", "SIGN",
@@ -95,8 +96,9 @@ std::vector<Option> output_options(OutputOptions& options) {
        choice<report::Paper>(options.page.paper,
                              {{"a4", report::Paper::a4}, {"letter", report::Paper::letter}})},
       {"--annex", "WHEN",
-       "Tables of all values at the end of pdf, and of html when it is printed: auto, always or\n"
-       "never; default auto: where they are at most 2,500 values",
+       fmt::format("Tables of all values at the end of pdf, and of html when it is printed: auto, "
+                   "always or\nnever; default auto: where there are at most {} values",
+                   report::kMostAnnexValues),
        choice<report::Annex>(options.page.annex, {{"auto", report::Annex::automatic},
                                                   {"always", report::Annex::always},
                                                   {"never", report::Annex::never}})},

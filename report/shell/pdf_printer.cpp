@@ -1,9 +1,8 @@
 #include "report/shell/pdf_printer.h"
 
-#include "report/shell/pdf_places.h"
-
 #include "calc/base/diagnostics.h"
 #include "calc/base/utf8.h"
+#include "report/shell/pdf_places.h"
 #include "report/shell/print.h"
 
 #include <fcntl.h>

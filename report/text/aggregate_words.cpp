@@ -1,6 +1,7 @@
 #include "report/text/aggregate_words.h"
 
 #include "calc/base/elementary.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 #include "report/text/words.h"
 
@@ -117,7 +118,7 @@ const char* aggregate_remark(const Texts& t, const rules::AggregateFinding& find
 
 std::string aggregate_note(const Texts& t, const rules::AggregateFinding& finding) {
   const std::string remark = aggregate_remark(t, finding);
-  return finding.note + (finding.note.empty() || remark.empty() ? "" : "; ") + remark;
+  return sentence(t, finding.note) + (finding.note.empty() || remark.empty() ? "" : "; ") + remark;
 }
 
 }  // namespace report

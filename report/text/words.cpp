@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "report/text/plain_text.h"
+#include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
 
 #include <fmt/format.h>
@@ -225,14 +226,21 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
 
 namespace {
 
+std::vector<KnownWords> known_of(const Texts& t, const rules::RoleCoverage& role) {
+  std::vector<KnownWords> known;
+  for (const rules::LeftOutZone& zone : role.left_out) add_known(t, zone.by, known);
+  return known;
+}
+
 // "surround, wall (window wall)"; "" if no role is in one of the states.
-std::string roles_in(const rules::RowCoverage& row,
+std::string roles_in(const Texts& t, const rules::RowCoverage& row,
                      std::initializer_list<rules::RoleState> states) {
   std::string words;
   for (const rules::RoleCoverage& role : row.roles) {
     if (std::find(states.begin(), states.end(), role.state) == states.end()) continue;
     words += (words.empty() ? "" : ", ") + role.role;
-    if (!role.words.empty()) words += " (" + printable(role.words) + ")";
+    if (!role.words.empty())
+      words += " (" + printable(sentence(t, role.words, known_of(t, role))) + ")";
   }
   return words;
 }
@@ -242,7 +250,7 @@ std::string roles_in(const rules::RowCoverage& row,
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   using enum rules::RoleState;
   const std::string title =
-      row.workplace.empty() ? row.clause : printable(row.workplace) + ", " + row.clause;
+      (row.workplace.empty() ? "" : printable(row.workplace) + ", ") + clause_words(t, row.clause);
   const auto end = [&](const std::string& words) { return words.empty() ? "" : "; " + words; };
   const auto said = [&](const std::string& roles, auto say) {
     return roles.empty() ? std::string() : say(roles);
@@ -250,16 +258,64 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   std::string words =
       !row.is_whole()
           ? t.say<Text::row_in_part>(
-                title, roles_in(row, {met, failed, undecided, not_judged, waived, asked_in_part}))
+                title,
+                roles_in(t, row, {met, failed, undecided, not_judged, waived, asked_in_part}))
       : row.is_met() ? t.say<Text::row_is_met>(title)
                      : t.say<Text::row_is_asked>(title);
-  words += end(said(roles_in(row, {never_asked, left_out_ended}),
+  words += end(said(roles_in(t, row, {never_asked, left_out_ended}),
                     [&](const auto& roles) { return t.say<Text::roles_never_asked>(roles); }));
   // Of a workplace the room's notes say the rest.
   if (!row.workplace.empty()) return words;
-  words += end(said(roles_in(row, {not_possible}),
+  words += end(said(roles_in(t, row, {not_possible}),
                     [&](const auto& roles) { return t.say<Text::roles_not_possible>(roles); }));
   return words;
+}
+
+std::vector<KnownWords> known_words(const Texts& t, const rules::Finding& finding) {
+  std::vector<KnownWords> known;
+  if (finding.requirement.waiver) add_known(t, *finding.requirement.waiver, known);
+  for (const rules::Deviation& deviation : finding.requirement.deviations)
+    if (deviation.stated) add_known(t, *deviation.stated, known);
+  return known;
+}
+
+std::vector<KnownWords> known_words(const Texts& t, const SpacePart& space) {
+  std::vector<KnownWords> known;
+  for (const rules::RowCoverage& row : space.coverage) {
+    for (const rules::RoleCoverage& role : row.roles)
+      for (const rules::LeftOutZone& zone : role.left_out) add_known(t, zone.by, known);
+  }
+  return known;
+}
+
+std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project) {
+  std::vector<KnownWords> known;
+  for (const SpacePart& space : project.spaces) {
+    const std::vector<KnownWords> zones = known_words(t, space);
+    known.insert(known.end(), zones.begin(), zones.end());
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings)
+        if (finding.requirement.waiver) add_known(t, *finding.requirement.waiver, known);
+    }
+  }
+  const auto is_less = [](const KnownWords& a, const KnownWords& b) {
+    return a.english < b.english;
+  };
+  std::sort(known.begin(), known.end(), is_less);
+  known.erase(
+      std::unique(known.begin(), known.end(),
+                  [](const KnownWords& a, const KnownWords& b) { return a.english == b.english; }),
+      known.end());
+  return known;
+}
+
+std::string clause_words(const Texts& t, const std::string& clause) {
+  return clause.ends_with(']') ? phrases(t, clause) : clause;
+}
+
+std::string changed_words(const Texts& t, const std::string& changed) {
+  const std::size_t remark = std::min(changed.find(" ("), changed.size());
+  return phrases(t, changed.substr(0, remark)) + changed.substr(remark);
 }
 
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
@@ -280,7 +336,7 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
   if (finding.by_tolerance) add(t[Text::note_tolerance]);
   for (const rules::Deviation& deviation : requirement.deviations) {
     if (!deviation.is_accepted || !deviation.stated) continue;
-    add(t.say<Text::note_deviation>(calc::name_of(deviation.aspect), deviation.words,
+    add(t.say<Text::note_deviation>(calc::name_of(deviation.aspect), sentence(t, deviation.words),
                                     printable(deviation.stated->owner), deviation.stated->until,
                                     printable(deviation.stated->reason)));
   }
@@ -290,7 +346,8 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
 std::string note_words(const Texts& t, const rules::Finding& finding) {
   std::string words;
   for (const NotePart& part : note_parts(t, finding))
-    words += (words.empty() ? "" : "; ") + part.text;
+    words += (words.empty() ? "" : "; ") +
+             (part.is_english ? sentence(t, part.text, known_words(t, finding)) : part.text);
   return words;
 }
 

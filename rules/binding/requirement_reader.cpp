@@ -1,5 +1,6 @@
 #include "rules/binding/requirement_reader.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
 #include "calc/project/waiver_attributes.h"
@@ -223,15 +224,12 @@ std::string unnamed_luminaires(const std::string& scene, const RequirementContex
     if (++unnamed == 1) first = luminaire.id;
   }
   if (unnamed == 0) return {};
-  return fmt::format(
-      "scene '{}' does not say what {} luminaires do in an emergency, the first is '{}': give each "
-      "a group, and each group a <dim> in the scene",
-      scene, unnamed, first);
+  return calc::say<calc::Sentence::emergency_not_said>(scene, unnamed, first);
 }
 
 // Why no single luminaire can be put out: what dims together goes out together. "" = each can.
 std::string outage_problem(const std::string& scene, const RequirementContext& context) {
-  if (scene.empty()) return "which luminaires may be out is said by a scene, and none is named";
+  if (scene.empty()) return calc::say<calc::Sentence::outage_not_said>();
   if (context.space == nullptr) return {};
   const auto chosen = std::find_if(context.scenes.begin(), context.scenes.end(),
                                    [&](const auto& candidate) { return candidate.id == scene; });
@@ -245,11 +243,7 @@ std::string outage_problem(const std::string& scene, const RequirementContext& c
     if (is_dark) continue;
     const auto [first, is_new] = first_of_group.emplace(luminaire.group, luminaire.id);
     if (is_new && !luminaire.group.empty()) continue;
-    return fmt::format(
-        "luminaire '{}' has no dimming group of its own in scene '{}': give each one, so that it "
-        "can "
-        "be out alone",
-        luminaire.id, scene);
+    return calc::say<calc::Sentence::no_own_group>(luminaire.id, scene);
   }
   return {};
 }
@@ -265,8 +259,8 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {
-    requirement.note += fmt::format("{}scene {} dims nothing: every luminaire is at full output",
-                                    requirement.note.empty() ? "" : "; ", scene);
+    requirement.note += requirement.note.empty() ? "" : "; ";
+    requirement.note += calc::say<calc::Sentence::dims_nothing>(scene);
   }
   return requirements;
 }

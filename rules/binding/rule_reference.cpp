@@ -1,5 +1,6 @@
 #include "rules/binding/rule_reference.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "rules/binding/requirement_attributes.h"
 #include "rules/measure/derived_metrics.h"
@@ -82,7 +83,7 @@ bool is_power(const RuleCheck& check) { return metric_of_space(check).has_value(
 
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
-  if (check.sources == LightSources::daylight) return "luxgate does not calculate daylight";
+  if (check.sources == LightSources::daylight) return calc::say<calc::Sentence::no_daylight>();
   if (!is_metric_of(check.metric, check.quantity->derived)) {
     return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
                        calc::name_of(check.metric), check.quantity->name);
@@ -97,7 +98,7 @@ std::string note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
   std::string note = trust_remark(trust);
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (pack.status != "published") {
-    add(fmt::format("{} is marked {} in its rule pack", pack.full_id(), pack.status));
+    add(calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
   }
   if (!check.note.empty()) add(check.note);
   return note;
@@ -151,14 +152,16 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                         {},
                         is_weakened(check, limit, reference.scope)};
   if (limit.level != RowLevel::required && !reference.level_because.empty()) {
-    requirement.note += fmt::format("{}level {}: {}", requirement.note.empty() ? "" : "; ",
-                                    level_words(limit.level), reference.level_because);
+    requirement.note += requirement.note.empty() ? "" : "; ";
+    requirement.note +=
+        calc::say<calc::Sentence::level_because>(level_words(limit.level), reference.level_because);
   }
   requirement.problem = limit.status == LimitStatus::unknown ? limit.reason : "";
   if (requirement.problem.empty()) requirement.problem = uncalculated_light(check);
   requirement.any_one_unit_out = check.any_one_unit_out;
   if (check.any_one_unit_out) {
-    requirement.note += std::string(requirement.note.empty() ? "" : "; ") + "any one luminaire out";
+    requirement.note +=
+        std::string(requirement.note.empty() ? "" : "; ") + calc::say<calc::Sentence::one_out>();
     if (requirement.problem.empty()) requirement.problem = reference.scene.outage_problem;
   }
   if (requirement.problem.empty() && check.sources == LightSources::emergency) {
@@ -264,8 +267,7 @@ std::string clause_text(const RulePack& pack, const RuleCheck& check, const Rule
     text += " " + row->ref;
   }
   if (level != RowLevel::required) text += fmt::format(" ({})", level_words(level));
-  if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
-  return text;
+  return with_trust(text, trust);
 }
 
 std::map<std::string, double> read_facts(ElementReader& reader, const RulePack& pack) {

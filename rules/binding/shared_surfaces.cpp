@@ -1,5 +1,6 @@
 #include "rules/binding/shared_surfaces.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "rules/binding/requirement_attributes.h"
 
@@ -104,7 +105,7 @@ void name_shared_planes(calc::Space& space) {
     if (plane.made_by.empty()) continue;
     const std::string words = shared_with(plane);
     if (words.empty()) continue;
-    plane.made_by += "; the same for " + words;
+    plane.made_by += "; " + calc::say<calc::Sentence::made_also>(words);
     const std::string& maker = plane.requirements.front().workplaces.front();
     plane.name = plane.id.substr(maker.size() + 1);  // "wall.1": of the room, not of one workplace
     std::replace(plane.name.begin(), plane.name.end(), '.', ' ');

@@ -1,5 +1,6 @@
 #include "rules/binding/workplace.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
 #include "calc/project/workplace_xml.h"
@@ -108,6 +109,7 @@ class WorkplaceMaker {
   // By run().
   const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
   // "EN 12464-1:2021 34.2: left out: ceiling (open)"; "" = there is nothing to say.
+  std::string row() const { return rule_words(); }
   std::string note() const { return note_words(); }
   std::vector<std::string> asked() const {
     std::vector<std::string> checks;
@@ -242,11 +244,11 @@ class WorkplaceMaker {
   // Why there is no plane of a role, whatever the room; "" = there is.
   std::string reason_against(const std::string& role, const RulePlane* plane) const {
     const Quantity& quantity = *find_quantity(role);
-    if (!quantity.kernel) return fmt::format("{} is not measured on planes", quantity.name);
-    if (plane == nullptr || !has_area(*plane)) return "the pack says no place for it";
+    if (!quantity.kernel) return calc::say<calc::Sentence::not_on_planes>(quantity.name);
+    if (plane == nullptr || !has_area(*plane)) return calc::say<calc::Sentence::no_place>();
     const bool is_wanted =
         required_check(role, scope_, [](const RuleCheck&) { return true; }) != nullptr;
-    if (!is_wanted) return fmt::format("row {} specifies nothing", row_.ref);
+    if (!is_wanted) return calc::say<calc::Sentence::row_asks_nothing>(row_.ref);
     return {};
   }
 
@@ -376,11 +378,10 @@ class WorkplaceMaker {
     plane.derived = find_quantity(rule.role)->derived;
     if (looks_around(rule.role)) {
       plane.direction = direction(*part);
-      words += fmt::format(", looking to ({:.3g}, {:.3g})", plane.direction.x + 0.0,
-                           plane.direction.y + 0.0);
+      words += ", " + calc::say<calc::Sentence::zone_looking>(plane.direction.x + 0.0,
+                                                              plane.direction.y + 0.0);
     }
-    plane.made_by =
-        fmt::format("workplace {}, {}, {}: {}", workplace_.id, rule_words(), name, words);
+    plane.made_by = calc::say<calc::Sentence::made_by>(workplace_.id, rule_words(), name, words);
     plane.requirements.push_back({workplace_.element, rule.role, {workplace_.id}});
     return plane;
   }
@@ -394,10 +395,10 @@ class WorkplaceMaker {
     const auto joined = [](const std::vector<std::string>& list) {
       return fmt::format("{}", fmt::join(list, ", "));
     };
-    std::string text = rule_words() + ": ";
-    if (!left_out_.empty()) text += "left out: " + joined(left_out_);
+    std::string text;
+    if (!left_out_.empty()) text += calc::say<calc::Sentence::left_out>(joined(left_out_));
     if (!left_out_.empty() && !not_made_.empty()) text += "; ";
-    if (!not_made_.empty()) text += "not made: " + joined(not_made_);
+    if (!not_made_.empty()) text += calc::say<calc::Sentence::not_made>(joined(not_made_));
     return text;
   }
 
@@ -427,26 +428,30 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
                       "scene", scene, names);
 }
 
-// By workplace, in their order; "" = nothing to say.
-using WorkplaceNotes = std::vector<std::pair<std::string, std::string>>;
+// Of a workplace: its row, and what of it has no plane; "" = nothing to say.
+struct WorkplaceNote {
+  std::string id, row, words;
+};
 
 // What is the same of several is said once: "workplaces a, b and 6 more, ...".
-void add_notes(const WorkplaceNotes& notes, calc::Space& space) {
-  std::map<std::string, std::vector<std::string>> ids;  // by note
-  for (const auto& [id, note] : notes) ids[note].push_back(id);
-  for (const auto& [id, note] : notes) {
-    const auto of_note = ids.find(note);
-    if (note.empty() || of_note == ids.end()) continue;
-    const bool is_one = of_note->second.size() == 1;
-    space.notes.push_back(fmt::format("workplace{} {}, {}", is_one ? "" : "s",
-                                      calc::list_names(of_note->second, 3), note));
-    ids.erase(of_note);
+void add_notes(const std::vector<WorkplaceNote>& notes, calc::Space& space) {
+  using enum calc::Sentence;
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> ids;  // by what is said
+  for (const WorkplaceNote& note : notes) ids[{note.row, note.words}].push_back(note.id);
+  for (const WorkplaceNote& note : notes) {
+    const auto same = ids.find({note.row, note.words});
+    if (note.words.empty() || same == ids.end()) continue;
+    const std::string names = calc::list_names(same->second, 3);
+    space.notes.push_back(same->second.size() == 1
+                              ? calc::say<of_workplace>(names, note.row, note.words)
+                              : calc::say<of_workplaces>(names, note.row, note.words));
+    ids.erase(same);
   }
 }
 
 void make_planes(Workplace& workplace, calc::Space& space,
                  const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
-                 LineOfPlane& ids, Total& total, WorkplaceNotes& notes,
+                 LineOfPlane& ids, Total& total, std::vector<WorkplaceNote>& notes,
                  calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
   const bool is_grid = workplace.element.name == "workplace-grid";
@@ -468,7 +473,7 @@ void make_planes(Workplace& workplace, calc::Space& space,
   maker.run(ids, total);
   if (reader.ok()) check_waived_are_asked(reader, waived, *pack, maker.asked());
   workplace.unmade = maker.unmade();
-  if (reader.ok()) notes.emplace_back(workplace.id, maker.note());
+  if (reader.ok()) notes.push_back({workplace.id, maker.row(), maker.note()});
 }
 
 }  // namespace
@@ -481,7 +486,7 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
     for (const calc::CalcPlane& plane : space.planes) ids.emplace(plane.id, plane.where.line);
   }
   for (calc::Space& space : project.spaces) {
-    WorkplaceNotes notes;
+    std::vector<WorkplaceNote> notes;
     std::size_t errors = 0;  // before the first copy
     for (Workplace& workplace : space.workplaces) {
       if (!workplace.is_further_copy) errors = diagnostics.error_count();

@@ -1,5 +1,6 @@
 #include "rules/catalogue/mask.h"
 
+#include "calc/base/sentences.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/route_shape.h"
 
@@ -155,35 +156,32 @@ std::vector<std::size_t> points_on_plane(const Mask& mask, const calc::SensorGri
   return points;
 }
 
-std::string too_wide_words(const Mask& mask, const MaskOperation& operation, const char* what,
+std::string too_wide_words(const Mask& mask, const MaskOperation& operation, bool is_route,
                            double width_m) {
-  return fmt::format(
-      "mask '{}' needs a {} at most {:.6g} m wide, this one is {:.6g} m: divide it into "
-      "strips",
-      mask.id, what, operation.up_to_width_m, width_m);
+  return is_route
+             ? calc::say<calc::Sentence::mask_too_wide_route>(mask.id, operation.up_to_width_m,
+                                                              width_m)
+             : calc::say<calc::Sentence::mask_too_wide>(mask.id, operation.up_to_width_m, width_m);
 }
 
 std::string problem_of(const Mask& mask, const MaskOperation& operation,
                        const calc::SensorGrid& grid) {
   if (operation.step == MaskStep::walls) {
     if (!grid.has_unknown_walls) return {};
-    return fmt::format(
-        "mask '{}' needs to know the walls: the building file has no outline of this "
-        "room",
-        mask.id);
+    return calc::say<calc::Sentence::mask_without_walls>(mask.id);
   }
   if (grid.route) {
     const double width_m = grid.route->line.width_m;
     if (!is_too_wide(operation, width_m)) return {};
-    return too_wide_words(mask, operation, "route", width_m);
+    return too_wide_words(mask, operation, true, width_m);
   }
   const bool has_outline = grid.columns > 0 && !grid.outline_m.empty();
   if (!is_rectangle(grid) && (needs_rectangle(operation) || !has_outline)) {
-    return fmt::format("mask '{}' needs a plane that is a rectangle, or a <route>", mask.id);
+    return calc::say<calc::Sentence::mask_no_rectangle>(mask.id);
   }
   const Rectangle rectangle = rectangle_of(grid);
   if (is_too_wide(operation, rectangle.width_m)) {
-    return too_wide_words(mask, operation, "plane", rectangle.width_m);
+    return too_wide_words(mask, operation, false, rectangle.width_m);
   }
   const bool has_way =
       operation.step == MaskStep::across || operation.step == MaskStep::centre_line;
@@ -191,10 +189,7 @@ std::string problem_of(const Mask& mask, const MaskOperation& operation,
       grid.travel != glm::dvec3(0.0) ||
       rectangle.length_m >= kClearRatio * rectangle.width_m * (1.0 - kTolerance_m);
   if (!has_way || is_clear) return {};
-  return fmt::format(
-      "mask '{}' needs to know which way people go, and a plane of {:.3g} m x {:.3g} m does not "
-      "show it: say travel=\"x y 0\"",
-      mask.id, rectangle.length_m, rectangle.width_m);
+  return calc::say<calc::Sentence::mask_no_way>(mask.id, rectangle.length_m, rectangle.width_m);
 }
 
 }  // namespace
@@ -212,8 +207,7 @@ MaskedPoints apply_mask(const Mask& mask, const calc::SensorGrid& grid) {
   }
   result.points = grid.route ? points_on_route(mask, grid) : points_on_plane(mask, grid);
   if (result.points.empty()) {
-    result.problem =
-        fmt::format("mask '{}' leaves none of {} points", mask.id, grid.position_m.size());
+    result.problem = calc::say<calc::Sentence::mask_leaves_none>(mask.id, grid.position_m.size());
   }
   return result;
 }

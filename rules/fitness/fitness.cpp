@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/names.h"
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
 #include "calc/scene/plane_place.h"
@@ -25,6 +26,9 @@
 namespace rules {
 namespace {
 
+using calc::say;
+using calc::Sentence;
+
 constexpr double kSameLength_m = 1e-6;
 constexpr double kDegrees = 180.0 / calc::kPi;
 
@@ -42,7 +46,7 @@ struct Meant {
 };
 
 std::string role_words(const Meant& meant) {
-  return fmt::format("role '{}' of {}", meant.check.role, meant.pack.full_id());
+  return say<Sentence::role_of>(meant.check.role, meant.pack.full_id());
 }
 
 bool faces(const RulePlane& role, const glm::dvec3& normal) {
@@ -84,7 +88,6 @@ class PlaneFit {
   const calc::CalcPlane& plane() const { return context_.plane; }
 
   bool is_route() const { return std::holds_alternative<calc::EscapeRoute>(plane().area); }
-  const char* noun() const { return is_route() ? "route" : "plane"; }
 
   const LostPoints& lost() const {
     if (!lost_) lost_ = lost_points(context_.grid);
@@ -114,14 +117,13 @@ class PlaneFit {
       return faces(meant.plane, normal);
     });
     if (!fits) {
-      return fmt::format("{} is about a plane that is {}, and {}", role_words(meant),
-                         orientation_words(meant.plane),
-                         is_route() ? "the points of a route face up" : "this one is not");
+      const char* words = orientation_words(meant.plane);
+      return is_route() ? say<Sentence::wrong_way_route>(role_words(meant), words)
+                        : say<Sentence::wrong_way>(role_words(meant), words);
     }
     if (is_lower_limit(meant.check.comparison)) return {};
     if (!calc::faces_away(context_.project, context_.space, plane())) return {};
-    return fmt::format(
-        "a limit from above says nothing here: the {} faces away from every luminaire", noun());
+    return is_route() ? say<Sentence::faces_away_route>() : say<Sentence::faces_away>();
   }
 
   std::string axis(const Meant& meant) const {
@@ -132,19 +134,18 @@ class PlaneFit {
     if (unfit == axes.end()) return {};
     const bool is_upright = std::string_view(orientation_words(meant.plane)) != "vertical";
     const double leans_deg = calc::acos(std::min(1.0, std::abs(unfit->z))) * kDegrees;
-    return fmt::format(
-        "{} is about cylinders that {}, and those of this plane lean {:.0f} degrees from upright: "
-        "their axis is the plane's normal, so that they stand upright on a lying plane",
-        role_words(meant), is_upright ? "stand upright" : "lie", leans_deg);
+    return is_upright ? say<Sentence::cylinders_lean>(role_words(meant), leans_deg)
+                      : say<Sentence::cylinders_stand>(role_words(meant), leans_deg);
   }
 
   std::string place(const Meant& meant) const {
     if (meant.plane.area == ZoneArea::walls && !lies_on(plane(), context_.space, ".wall")) {
-      return fmt::format("{} is about walls, and this {} lies on none", role_words(meant), noun());
+      return is_route() ? say<Sentence::on_no_wall_route>(role_words(meant))
+                        : say<Sentence::on_no_wall>(role_words(meant));
     }
     if (meant.plane.area == ZoneArea::ceiling && !lies_on(plane(), context_.space, ".ceiling")) {
-      return fmt::format("{} is about the ceiling, and this {} does not lie on it",
-                         role_words(meant), noun());
+      return is_route() ? say<Sentence::not_on_ceiling_route>(role_words(meant))
+                        : say<Sentence::not_on_ceiling>(role_words(meant));
     }
     return extent(meant);
   }
@@ -163,14 +164,14 @@ class PlaneFit {
          covered_surfaces(*area, own_strip_m,
                           surfaces_of(context_.space, is_wall ? ".wall" : ".ceiling"), strip_m)) {
       if (surface.share >= 1.0 - meant.plane.missing_share) continue;
-      add_words(words, fmt::format("{:.0f} % of the {:.3g} m2 of '{}'",
-                                   std::floor(100.0 * surface.share), surface.area_m2, surface.id));
+      add_words(words, say<Sentence::part_of_surface>(std::floor(100.0 * surface.share),
+                                                      surface.area_m2, surface.id));
     }
     if (words.empty()) return words;
-    return fmt::format(
-        "{} is about {}, and what counts of this plane covers only {}{}", role_words(meant),
-        is_wall ? "a whole wall" : "the whole ceiling", words,
-        strip_m > 0.0 ? fmt::format(" ({:.3g} m along the edges count of neither)", strip_m) : "");
+    if (strip_m > 0.0) words += " (" + say<Sentence::edges_count_not>(strip_m) + ")";
+    return say<Sentence::covers_part>(
+        role_words(meant), is_wall ? say<Sentence::whole_wall>() : say<Sentence::whole_ceiling>(),
+        words);
   }
 
   std::string height(const Meant& meant) const {
@@ -187,14 +188,21 @@ class PlaneFit {
     if (fits) return {};
     const auto range = [](double low, double high) {
       return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)
-                                         : fmt::format("{:.3g} to {:.3g} m", low, high);
+                                         : say<Sentence::metres_from_to>(low, high);
     };
     const bool is_of_row = !role.has_heights || from_m != role.lowest_m || to_m != role.highest_m;
-    return fmt::format("planes of {} are {}{} above the floor{}, and {} {}", role_words(meant),
-                       role.are_heights_usual && !is_of_row ? "usually " : "", range(from_m, to_m),
-                       is_of_row ? " in row " + meant.row->ref : "",
-                       is_route() ? "the points of this route are" : "this one is",
-                       range(lowest_m, highest_m));
+    const std::string role_is = role_words(meant);
+    const std::string of = range(from_m, to_m), own = range(lowest_m, highest_m);
+    if (is_of_row) {
+      return is_route() ? say<Sentence::height_of_row_route>(role_is, of, meant.row->ref, own)
+                        : say<Sentence::height_of_row>(role_is, of, meant.row->ref, own);
+    }
+    if (role.are_heights_usual) {
+      return is_route() ? say<Sentence::height_usual_route>(role_is, of, own)
+                        : say<Sentence::height_usual>(role_is, of, own);
+    }
+    return is_route() ? say<Sentence::height_fixed_route>(role_is, of, own)
+                      : say<Sentence::height_fixed>(role_is, of, own);
   }
 
   // Fewer points than the rule gives to the same area see less: a minimum is higher, a uniformity
@@ -204,17 +212,17 @@ class PlaneFit {
     if (rule == nullptr || !rule->rule) return {};
     const calc::SensorGrid& own = context_.grid;
     if (own.columns == 0) {
-      return fmt::format("its points are a list, where {} asks for a grid", role_words(meant));
+      return say<Sentence::no_grid>(role_words(meant));
     }
     if (own.route) return grid_of_route(meant, *rule->rule);
     const double u_m = own.columns * own.spacing_u_m, v_m = own.rows * own.spacing_v_m;
     const calc::GridCounts asked = counts_by(*rule->rule, u_m, v_m);
     if (own.columns < asked.columns || own.rows < asked.rows) {
-      return fmt::format("{} x {} points, where {} asks for {} x {} on this area", own.columns,
-                         own.rows, role_words(meant), asked.columns, asked.rows);
+      return say<Sentence::grid_too_wide>(own.columns, own.rows, role_words(meant), asked.columns,
+                                          asked.rows);
     }
     if (own.missed_m2 > 0.0) {
-      return fmt::format("its grid leaves {:.2g} m2 of the area without a point", own.missed_m2);
+      return say<Sentence::grid_misses>(own.missed_m2);
     }
     return grid_behind_mask(meant, *rule->rule);
   }
@@ -237,10 +245,8 @@ class PlaneFit {
     const double u_m = columns * own.spacing_u_m, v_m = rows * own.spacing_v_m;
     const calc::GridCounts asked = counts_by(rule, u_m, v_m);
     if (columns >= asked.columns && rows >= asked.rows) return {};
-    return fmt::format(
-        "the mask leaves {} x {} points, where {} asks for {} x {} on the {:.3g} x {:.3g} m that "
-        "are left",
-        columns, rows, role_words(meant), asked.columns, asked.rows, u_m, v_m);
+    return say<Sentence::grid_behind_mask>(columns, rows, role_words(meant), asked.columns,
+                                           asked.rows, u_m, v_m);
   }
 
   // Leg by leg, each as an area of its own; a number of cells is of the whole route.
@@ -250,17 +256,17 @@ class PlaneFit {
     const double width_m = line.width_m, whole_m = calc::route_length_m(line);
     const auto problem = [&](int columns, const calc::GridCounts& asked, const std::string& where) {
       if (columns >= asked.columns && own.rows >= asked.rows) return std::string();
-      return fmt::format("{} x {} points along and across {}, where {} asks for {} x {}", columns,
-                         own.rows, where, role_words(meant), asked.columns, asked.rows);
+      return say<Sentence::grid_along>(columns, own.rows, where, role_words(meant), asked.columns,
+                                       asked.rows);
     };
     if (std::holds_alternative<calc::GridByCount>(rule)) {
-      return problem(own.columns, counts_by(rule, whole_m, width_m), "the route");
+      return problem(own.columns, counts_by(rule, whole_m, width_m), say<Sentence::the_route>());
     }
     const std::vector<calc::RouteLeg> legs = calc::route_legs(line);
     for (std::size_t i = 0; i < legs.size(); ++i) {
       const calc::GridCounts asked = counts_by(rule, legs[i].longer_edge_m(width_m), width_m);
       std::string words =
-          problem(own.route->stations[i], asked, fmt::format("leg {} of the route", i + 1));
+          problem(own.route->stations[i], asked, say<Sentence::leg_of_route>(i + 1));
       if (!words.empty()) return words;
     }
     return {};
@@ -302,8 +308,7 @@ class PlaneFit {
     if (area == nullptr) return {};
     const double allowed_m = allowed_margin_m(meant);
     if (area->margin_m <= allowed_m + kSameLength_m) return {};
-    return fmt::format("a margin of {:.3g} m, where {} leaves out {:.3g} m", area->margin_m,
-                       role_words(meant), allowed_m);
+    return say<Sentence::margin_too_wide>(area->margin_m, role_words(meant), allowed_m);
   }
 
   std::string points(const Meant& meant) const {
@@ -360,11 +365,8 @@ std::string maintenance_problem(const FitContext& context, const Requirement& re
   const std::vector<std::string> ids = types_without_factor(context);
   if (ids.empty()) return {};
   constexpr std::size_t kMostNamed = 3;
-  const bool is_one = ids.size() == 1;
-  return fmt::format(
-      "it is about maintained light, and luminaire type{} {} state{} no "
-      "maintenance-factor",
-      is_one ? "" : "s", calc::list_names(ids, kMostNamed), is_one ? "s" : "");
+  const std::string names = calc::list_names(ids, kMostNamed);
+  return ids.size() == 1 ? say<Sentence::no_factor>(names) : say<Sentence::no_factors>(names);
 }
 
 // What is stated, but is not so: somebody has mended the plane, or meant another one. A workplace
@@ -378,8 +380,7 @@ std::string unfounded_words(const Requirement& requirement) {
       return deviation.aspect == stated.aspect;
     });
     if (is_found) continue;
-    add_words(text, fmt::format("a deviation in {} is stated, and there is none",
-                                calc::name_of(stated.aspect)));
+    add_words(text, say<Sentence::unfounded_deviation>(calc::name_of(stated.aspect)));
   }
   return text;
 }
@@ -400,11 +401,10 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
     if (deviation.is_accepted) continue;
     add_words(open, deviation.words);
     if (deviation.stated) {
-      open += fmt::format(" (stated by {}, but only until {})", deviation.stated->owner,
-                          deviation.stated->until);
+      open += " (" + say<Sentence::stated_until>(deviation.stated->owner, deviation.stated->until) +
+              ")";
     } else {
-      open +=
-          fmt::format(" (a <deviation in=\"{}\"> would state it)", calc::name_of(deviation.aspect));
+      open += " (" + say<Sentence::would_state>(calc::name_of(deviation.aspect)) + ")";
     }
   }
   return open;
@@ -419,7 +419,7 @@ std::string speck_words(const calc::CalcPlane& plane) {
   double area_m2 = std::abs(calc::signed_area(area->outline_m));
   for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
   if (!(area_m2 < kSpeck_m2)) return {};
-  return fmt::format("the plane has only {:.2g} m2", std::max(area_m2, 0.0));
+  return say<Sentence::speck>(std::max(area_m2, 0.0));
 }
 
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
@@ -446,7 +446,7 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     const bool counts_points =
         requirement.metric == Metric::percentile || requirement.metric == Metric::share;
     if (counts_points && !calc::point_weights(context.grid).empty()) {
-      add_words(requirement.note, "points count alike, though cells at bends differ in area");
+      add_words(requirement.note, say<Sentence::points_alike>());
     }
     if (check == nullptr || !requirement.problem.empty()) continue;
     requirement.problem = maintenance_problem(context, requirement);

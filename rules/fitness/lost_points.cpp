@@ -1,19 +1,26 @@
 #include "rules/fitness/lost_points.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
+#include <utility>
 
 namespace rules {
 
 namespace {
 
-// Of points that a body has taken; else null.
-const char* words_of_body(calc::DropReason reason) {
-  if (reason == calc::DropReason::in_the_way) return "where '{}' stands";
-  if (reason == calc::DropReason::inside_solid) return "inside '{}'";
-  return reason == calc::DropReason::in_surface ? "in the surface of '{}'" : nullptr;
+// So many points that this body has taken; "" for another reason.
+std::string taken_words(calc::DropReason reason, std::size_t count, const std::string& body) {
+  using enum calc::Sentence;
+  if (reason == calc::DropReason::in_the_way) return calc::say<lost_where>(count, body);
+  if (reason == calc::DropReason::inside_solid) return calc::say<lost_inside>(count, body);
+  return reason == calc::DropReason::in_surface ? calc::say<lost_in_surface>(count, body) : "";
 }
+
+bool is_of_body(calc::DropReason reason) { return !taken_words(reason, 0, "").empty(); }
 
 }  // namespace
 
@@ -23,22 +30,19 @@ double LostPoints::share() const {
 
 std::string inner_words(const calc::SensorGrid& grid) {
   if (grid.inner.empty()) return {};
-  return fmt::format(
-      "{} of {} points lie in a surface that stands on the plane, the first in '{}', and are "
-      "measured just off it",
-      grid.inner.size(), grid.position_m.size(), grid.inner.front().body);
+  return calc::say<calc::Sentence::inner_points>(grid.inner.size(), grid.position_m.size(),
+                                                 grid.inner.front().body);
 }
 
 LostPoints lost_points(const calc::SensorGrid& grid) {
   constexpr std::size_t kMostNamed = 3;
-  std::map<std::string, std::size_t> inside;  // by place: "inside 'desk'"
+  std::map<std::pair<std::string, calc::DropReason>, std::size_t> taken;  // by body and reason
   std::size_t outside = 0, in_bodies = 0, floorless = 0;
   for (const calc::DroppedPoint& point : grid.dropped) {
     if (point.reason == calc::DropReason::outside_room) ++outside;
     if (point.reason == calc::DropReason::without_floor) ++floorless;
-    const char* words = words_of_body(point.reason);
-    if (words == nullptr) continue;
-    ++inside[fmt::format(fmt::runtime(words), point.body)];
+    if (!is_of_body(point.reason)) continue;
+    ++taken[{point.body, point.reason}];
     ++in_bodies;
   }
   LostPoints result;
@@ -46,19 +50,19 @@ LostPoints lost_points(const calc::SensorGrid& grid) {
   result.all = grid.position_m.size() + result.lost;
   if (result.lost == 0) return result;
   std::string places;
-  const auto add = [&](std::size_t count, const std::string& where) {
-    places += fmt::format("{}{} {}", places.empty() ? "" : ", ", count, where);
+  const auto add = [&](const std::string& words) {
+    places += (places.empty() ? "" : ", ") + words;
   };
   std::size_t named = 0, rest = in_bodies;
-  for (const auto& [place, count] : inside) {
+  for (const auto& [by, count] : taken) {
     if (named++ == kMostNamed) break;
-    add(count, place);
+    add(taken_words(by.second, count, by.first));
     rest -= count;
   }
-  if (rest > 0) add(rest, "at other bodies");
-  if (floorless > 0) add(floorless, "without a floor");
-  if (outside > 0) add(outside, "outside the room");
-  result.words = fmt::format("{} of {} points are left out: {}", result.lost, result.all, places);
+  if (rest > 0) add(calc::say<calc::Sentence::lost_elsewhere>(rest));
+  if (floorless > 0) add(calc::say<calc::Sentence::lost_floorless>(floorless));
+  if (outside > 0) add(calc::say<calc::Sentence::lost_outside>(outside));
+  result.words = calc::say<calc::Sentence::points_lost>(result.lost, result.all, places);
   return result;
 }
 

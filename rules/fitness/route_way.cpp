@@ -1,5 +1,7 @@
 #include "rules/fitness/route_way.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
@@ -88,9 +90,10 @@ class Way {
         std::find_if(grid_.dropped.begin(), grid_.dropped.end(),
                      [&](const calc::DroppedPoint& point) { return point.column == column; });
     if (dropped == grid_.dropped.end()) return {};
-    const std::string why =
-        dropped->body.empty() ? "there is no floor" : fmt::format("'{}' stands", dropped->body);
-    return words(dropped->position_m, why);
+    const glm::dvec3& at_m = dropped->position_m;
+    return dropped->body.empty()
+               ? calc::say<calc::Sentence::nobody_passes_floor>(at_m.x, at_m.y, at_m.z)
+               : words(at_m, dropped->body);
   }
 
   const calc::Body* between(const glm::dvec3& from, const glm::dvec3& to) const {
@@ -112,12 +115,11 @@ class Way {
       if (first == nullptr) place = grid_.position_m[*here];
       first = first == nullptr ? body : first;
     }
-    return first == nullptr ? "" : words(place, fmt::format("'{}' stands", first->id));
+    return first == nullptr ? "" : words(place, first->id);
   }
 
-  static std::string words(const glm::dvec3& at_m, const std::string& why) {
-    return fmt::format("nobody gets past ({:.3g}, {:.3g}, {:.3g}) m: {} across the whole width",
-                       at_m.x, at_m.y, at_m.z, why);
+  static std::string words(const glm::dvec3& at_m, const std::string& body) {
+    return calc::say<calc::Sentence::nobody_passes>(at_m.x, at_m.y, at_m.z, body);
   }
 
   const calc::SensorGrid& grid_;

@@ -1,6 +1,8 @@
 #include "rules/measure/derived_points.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/glare_limits.h"
+#include "calc/base/sentences.h"
 #include "calc/base/statistics.h"
 #include "calc/base/units.h"
 #include "rules/measure/candidates.h"
@@ -41,19 +43,19 @@ double ugr_of(double sum, double background_lx) {
 }
 
 std::string refusal_text(const calc::GlareRefusal& refusal) {
-  const std::string luminaire = fmt::format(
-      "the luminaire at ({:.3f}, {:.3f}, {:.3f}) m, as observer {} sees it,",
-      refusal.luminaire_m[0], refusal.luminaire_m[1], refusal.luminaire_m[2], refusal.point + 1);
+  const std::string place = fmt::format("({:.3f}, {:.3f}, {:.3f})", refusal.luminaire_m[0],
+                                        refusal.luminaire_m[1], refusal.luminaire_m[2]);
+  const std::size_t observer = refusal.point + 1;
   switch (refusal.problem) {
     case calc::GlareProblem::below_sight:
-      return luminaire + " lies below the line of sight, where UGR has no position index";
+      return calc::say<calc::Sentence::glare_below_sight>(place, observer);
     case calc::GlareProblem::too_large:
-      return fmt::format("{} fills {:.3g} sr, and UGR is for sources of at most 0.1 sr", luminaire,
-                         refusal.number);
+      return calc::say<calc::Sentence::glare_too_large>(place, observer, refusal.number,
+                                                        calc::kLargestGlareSource_sr);
     case calc::GlareProblem::no_area:
       break;
   }
-  return luminaire + " has no luminous area, so that its luminance is unbounded";
+  return calc::say<calc::Sentence::glare_no_area>(place, observer);
 }
 
 // Receivers part * points + i of a plane with several per point.

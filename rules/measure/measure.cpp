@@ -1,5 +1,7 @@
 #include "rules/measure/measure.h"
 
+#include "calc/base/glare_limits.h"
+#include "calc/base/sentences.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
 #include "rules/catalogue/mask.h"
@@ -103,20 +105,18 @@ std::optional<std::size_t> point_facing(const calc::SensorGrid& grid, std::size_
       std::find_if(there.begin(), there.end(), [&](std::size_t i) { return looks_like(i, look); });
   if (is_clear || (requirement.facing && found != there.end())) return *found;
   reason = requirement.facing
-               ? fmt::format("no calculation point at {} looks towards ({:.3g} {:.3g} {:.3g}): {}",
-                             point_text(wanted_m), look.x, look.y, look.z, looks)
-               : fmt::format(
-                     "{} calculation points at {} look different ways, {}: say with "
-                     "'facing' which is meant",
-                     there.size(), point_text(wanted_m), looks);
+               ? calc::say<calc::Sentence::no_such_look>(
+                     point_text(wanted_m),
+                     fmt::format("({:.3g} {:.3g} {:.3g})", look.x, look.y, look.z), looks)
+               : calc::say<calc::Sentence::looks_differ>(there.size(), point_text(wanted_m), looks);
   return std::nullopt;
 }
 
 std::string near_text(const calc::SensorGrid& grid) {
   if (grid.columns == 0) return fmt::format("{} m", kListPointToleranceMetres);
-  if (grid.route) return fmt::format("its cell and {} m of height", kSameStep_m);
-  return fmt::format("half a cell ({:.3f} x {:.3f} m) along the plane and {} m across it",
-                     0.5 * grid.spacing_u_m, 0.5 * grid.spacing_v_m, kSamePlane_m);
+  if (grid.route) return calc::say<calc::Sentence::within_route>(kSameStep_m);
+  return calc::say<calc::Sentence::within_cell>(0.5 * grid.spacing_u_m, 0.5 * grid.spacing_v_m,
+                                                kSamePlane_m);
 }
 
 // What is easily overlooked in three coordinates.
@@ -124,12 +124,12 @@ std::string off_plane_text(const calc::SensorGrid& grid, std::size_t point,
                            const glm::dvec3& wanted_m) {
   if (grid.columns == 0 || grid.route) return {};
   const double across_m = distance_across_m(grid, point, wanted_m);
-  return across_m > kSamePlane_m ? fmt::format(", the plane {:.3f} m away", across_m) : "";
+  return across_m > kSamePlane_m ? ", " + calc::say<calc::Sentence::off_plane>(across_m) : "";
 }
 
 std::string undefined_text(Metric metric) {
-  return fmt::format("{} is 0 lx: uniformity is undefined",
-                     metric == Metric::uniformity_min_max ? "maximum" : "average");
+  return metric == Metric::uniformity_min_max ? calc::say<calc::Sentence::maximum_is_zero>()
+                                              : calc::say<calc::Sentence::average_is_zero>();
 }
 
 // Marks of selected points as marks of all.
@@ -181,7 +181,7 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   const auto limit =
       request.goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
   const auto found = compute_derived(points, requirement, request.point, limit, request.confidence);
-  if (!found) return nothing_to_measure("no observer sees a glare source");
+  if (!found) return nothing_to_measure(calc::say<calc::Sentence::no_glare_source>());
   result.active = found->active;
   result.unseen_points = found->unseen_points;
   result.single_sample_points = found->single_sample_points;
@@ -192,17 +192,14 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   }
   // More samples may help, except for a low end that has no source to stand on.
   if (!std::isfinite(estimate.high)) {
-    result.reason =
-        request.derived == calc::DerivedQuantity::ugr
-            ? "the reflected light at an observer may be nothing: too little of it was sampled"
-            : "the illuminance across the axis may be 0 lx at a point, which then has no ratio";
+    result.reason = request.derived == calc::DerivedQuantity::ugr
+                        ? calc::say<calc::Sentence::background_unknown>()
+                        : calc::say<calc::Sentence::ratio_unknown>();
     if (points.replicates() > 1) {
       result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
     }
   } else {
-    result.reason =
-        "all glare sources are smaller than 0.0003 sr, for which UGR is not defined, above the "
-        "table of position indices, or hardly visible";
+    result.reason = calc::say<calc::Sentence::sources_too_small>(calc::kSmallestGlareSource_sr);
     result.unseen_points = 0;
   }
   return result;
@@ -228,8 +225,8 @@ Measurement measure_modelling(const PointValues& receivers, const MaskedPoints& 
   };
   const ModellingPoints points = points_of(receivers);
   if (points.dark_points() > 0) {
-    return nothing_to_measure(fmt::format("{} of {} points are dark: they have no modelling ratio",
-                                          points.dark_points(), points.points()));
+    return nothing_to_measure(
+        calc::say<calc::Sentence::points_are_dark>(points.dark_points(), points.points()));
   }
   Measurement result = measure_derived(points, request);
   result.without_replicate = without_each_replicate(receivers, points_of, request);
@@ -247,23 +244,17 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   const GlarePoints points = points_of(indirect);
   for (std::size_t i = 0; i < points.points(); ++i) {
     if (!points.sees_source(i) || !points.has_black_background(i)) continue;
-    return nothing_to_measure(
-        fmt::format("no reflected light reaches observer {}: without background luminance there "
-                    "is no UGR",
-                    masked.points[i] + 1));
+    return nothing_to_measure(calc::say<calc::Sentence::background_black>(masked.points[i] + 1));
   }
   bool has_source = false;
   for (std::size_t i = 0; i < points.points(); ++i)
     has_source = has_source || points.sees_source(i);
-  if (!has_source) return nothing_to_measure("no observer sees a glare source");
+  if (!has_source) return nothing_to_measure(calc::say<calc::Sentence::no_glare_source>());
   Measurement result = measure_derived(points, request);
   if (!points.has_inexact_sources()) {
     result.without_replicate = without_each_replicate(indirect, points_of, request);
   } else {
-    result.remark =
-        "sources smaller than 0.0003 sr or above the table of position indices and hidden parts of "
-        "openings count only in the upper end, and large sources of which not all is seen in the "
-        "field are known less well";
+    result.remark = calc::say<calc::Sentence::sources_inexact>(calc::kSmallestGlareSource_sr);
   }
   return result;
 }
@@ -272,11 +263,11 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
 Measurement measure_gradient(const PointValues& values, const MaskedPoints& masked,
                              const calc::SensorGrid& grid, const DerivedRequest& request) {
   const NeighbourPairs pairs(values, grid, masked.points);
-  if (pairs.points() == 0) return nothing_to_measure("no two points of the plane are neighbours");
+  if (pairs.points() == 0) return nothing_to_measure(calc::say<calc::Sentence::no_neighbours>());
   const bool is_lit = std::any_of(values.value_lx.begin(), values.value_lx.end(),
                                   [](double lx) { return lx > 0.0; });
   if (!is_lit) {
-    Measurement dark = nothing_to_measure("all points are 0 lx: their ratios are undefined");
+    Measurement dark = nothing_to_measure(calc::say<calc::Sentence::all_dark>());
     dark.unseen_points = static_cast<std::size_t>(
         std::count(values.unseen.begin(), values.unseen.end(), std::uint8_t{1}));
     return dark;
@@ -307,7 +298,7 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
         {largest, std::nullopt, request.confidence, request.goal, request.derived});
     return result;
   }
-  result.reason = "a point beside a lit one may be dark, so that their ratio has no limit";
+  result.reason = calc::say<calc::Sentence::neighbour_dark>();
   if (pairs.replicates() > 1) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
   return result;
 }
@@ -335,7 +326,7 @@ Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorG
   const calc::Estimate lx = result.metric->estimate;
   result.metric.reset();
   if (!(lx.low > 0.0)) {
-    result.reason = "the average may be 0 lx: there is no power per 100 lx";
+    result.reason = calc::say<calc::Sentence::average_unknown>();
     if (lx.high > 0.0) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
     return result;
   }
@@ -368,20 +359,17 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   }
   if (requirement.any_one_unit_out) {
     if (metric_row(requirement.metric).source == MetricSource::neighbours) {
-      return nothing_to_measure("ratios between neighbours are not judged with one luminaire out");
+      return nothing_to_measure(calc::say<calc::Sentence::neighbours_in_outage>());
     }
     return measure_any_one_out(requirement, grid, field, scenes, confidence, goal);
   }
   // What a rule requires of an area it requires of all of it.
   if (!requirement.origin.pack.empty() && grid.missed_m2 > 0.0) {
-    return nothing_to_measure(
-        fmt::format("{:.2g} m2 of the area have no calculation point in the grid that the project "
-                    "gives",
-                    grid.missed_m2));
+    return nothing_to_measure(calc::say<calc::Sentence::area_missed>(grid.missed_m2));
   }
   const auto* levels = levels_of(requirement.scene, scenes);
   if (levels == nullptr) {
-    return nothing_to_measure(fmt::format("there is no scene '{}'", requirement.scene));
+    return nothing_to_measure(calc::say<calc::Sentence::no_scene>(requirement.scene));
   }
   std::optional<std::size_t> point;
   if (requirement.metric == Metric::value_at_point) {
@@ -389,9 +377,9 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
     point = point_at(grid, wanted_m);
     const glm::dvec3& nearest_m = grid.position_m[*point];
     if (!is_near(grid, *point, wanted_m)) {
-      return nothing_to_measure(fmt::format(
-          "no calculation point within {} of {}; nearest is at {}{}", near_text(grid),
-          point_text(wanted_m), point_text(nearest_m), off_plane_text(grid, *point, wanted_m)));
+      return nothing_to_measure(calc::say<calc::Sentence::no_point_near>(
+          near_text(grid), point_text(wanted_m),
+          point_text(nearest_m) + off_plane_text(grid, *point, wanted_m)));
     }
     std::string reason;
     point = point_facing(grid, *point, requirement, reason);
@@ -401,14 +389,14 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   if (!masked.problem.empty()) return nothing_to_measure(masked.problem);
   if (point) {
     point = place_among(masked.points, point);
-    if (!point) return nothing_to_measure("the requirement's mask leaves the point out");
+    if (!point) return nothing_to_measure(calc::say<calc::Sentence::masked_out>());
   }
   PointValues receivers =
       combine_channels(field, requirement.state, *levels,
                        requirement.direct_only ? LightParts::direct : LightParts::all);
   const std::size_t parts = calc::receivers_per_point(grid.derived);
   if (!is_metric_of(requirement.metric, grid.derived)) {
-    return nothing_to_measure("the points of the plane have no such statistic");
+    return nothing_to_measure(calc::say<calc::Sentence::no_statistic>());
   }
   if (calc::is_plain_number(grid.derived)) {
     const DerivedRequest request{requirement, point, confidence, goal, grid.derived};
@@ -434,7 +422,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   const bool is_uniformity =
       metric == Metric::uniformity_min_avg || metric == Metric::uniformity_min_max;
   if (is_uniformity && values.points == 1) {
-    return nothing_to_measure("a single point has no uniformity: it would be 1 whatever it gets");
+    return nothing_to_measure(calc::say<calc::Sentence::one_point>());
   }
   const MetricSource source = metric_row(metric).source;
   if (source == MetricSource::counted_values) {

@@ -1,5 +1,7 @@
 #include "rules/measure/outage.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,12 +64,12 @@ Measurement measure_any_one_out(const Requirement& requirement, const calc::Sens
   const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                   [&](const auto& s) { return s.id == requirement.scene; });
   if (scene == scenes.end()) {
-    none.reason = fmt::format("there is no scene '{}'", requirement.scene);
+    none.reason = calc::say<calc::Sentence::no_scene>(requirement.scene);
     return none;
   }
   const std::vector<std::string> groups = lit_groups(field, *scene);
   if (groups.empty()) {
-    none.reason = fmt::format("scene '{}' lights no luminaire that could be out", scene->id);
+    none.reason = calc::say<calc::Sentence::nothing_to_put_out>(scene->id);
     return none;
   }
   Requirement one = requirement;
@@ -77,7 +79,7 @@ Measurement measure_any_one_out(const Requirement& requirement, const calc::Sens
   for (const std::string& group : groups) {
     Measurement next = measure(one, grid, field, {without(*scene, group)}, level, goal);
     if (!next.metric) {
-      next.reason = fmt::format("with '{}' out: {}", group, next.reason);
+      next.reason = calc::say<calc::Sentence::with_one_out>(group, next.reason);
       return next;
     }
     if (worst) {

@@ -1,5 +1,7 @@
 #include "rules/pack/limit.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,12 +65,14 @@ Limit stepped_value(const RuleValue& value, const LimitScope& scope) {
 }
 
 Limit row_value(const Expression& expression, const LimitScope& scope) {
-  if (scope.row == nullptr) return unknown("no row is chosen");
+  if (scope.row == nullptr) return unknown(calc::say<calc::Sentence::no_row>());
   const RuleValue* value = scope.row->find_value(expression.name);
   if (value == nullptr || !value->required) {
     const NoValue why = value == nullptr ? NoValue::not_specified : value->why;
     const std::string reason =
-        fmt::format("row {}: {} is {}", scope.row->ref, expression.name, calc::name_of(why));
+        why == NoValue::unknown
+            ? calc::say<calc::Sentence::value_unknown>(scope.row->ref, expression.name)
+            : fmt::format("row {}: {} is {}", scope.row->ref, expression.name, calc::name_of(why));
     return missing(why == NoValue::unknown ? LimitStatus::unknown : LimitStatus::not_applicable,
                    reason);
   }
@@ -181,7 +185,7 @@ Limit result_of(const RuleCheck& check, const LimitScope& scope) {
 
 Limit fact(const std::string& id, const LimitScope& scope) {
   const auto found = scope.facts.find(id);
-  if (found == scope.facts.end()) return unknown(fmt::format("fact '{}' is not stated", id));
+  if (found == scope.facts.end()) return unknown(calc::say<calc::Sentence::fact_not_stated>(id));
   return known(exactly(found->second));
 }
 

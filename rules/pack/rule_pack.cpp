@@ -1,5 +1,6 @@
 #include "rules/pack/rule_pack.h"
 
+#include "calc/base/sentences.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/pack/builtin_packs.h"
 
@@ -41,16 +42,28 @@ const Item* find_item(const std::vector<Item>& items, std::string_view wanted, K
 
 }  // namespace
 
-const char* trust_remark(Trust trust) {
+std::string trust_remark(Trust trust) {
   switch (trust) {
     case Trust::confirmed:
-      return "";
+      break;
     case Trust::single_source:
-      return "one public source";
+      return calc::say<calc::Sentence::one_source>();
     case Trust::unverified:
-      return "unverified requirement";
+      return calc::say<calc::Sentence::unverified>();
   }
-  return "";
+  return {};
+}
+
+std::string with_trust(const std::string& name, Trust trust) {
+  switch (trust) {
+    case Trust::confirmed:
+      break;
+    case Trust::single_source:
+      return calc::say<calc::Sentence::one_source_of>(name);
+    case Trust::unverified:
+      return calc::say<calc::Sentence::unverified_of>(name);
+  }
+  return name;
 }
 
 const Quantity* quantity_from_name(std::string_view name) {
@@ -160,8 +173,7 @@ std::string grid_text(const RuleGrid& grid) {
                          count.rows);
     }
   }
-  if (grid.trust != Trust::confirmed) text += fmt::format(" [{}]", trust_remark(grid.trust));
-  return text;
+  return with_trust(text, grid.trust);
 }
 
 std::vector<RulePack> builtin_rule_packs() {

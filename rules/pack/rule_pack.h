@@ -26,8 +26,9 @@ enum class Trust {
   single_source,  // one public source
   unverified,     // from memory, or doubtful
 };
-const char* trust_remark(
-    Trust trust);  // for reports: "" , "one public source", "unverified requirement"
+// For reports: "", "one public source", "unverified requirement"; and behind a name, in brackets.
+std::string trust_remark(Trust trust);
+std::string with_trust(const std::string& name, Trust trust);
 
 // Why a row has no value of a parameter.
 enum class NoValue {

@@ -1,5 +1,6 @@
 #include "rules/verdict/coverage.h"
 
+#include "calc/base/sentences.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/pack/limit.h"
 #include "rules/verdict/waiver.h"
@@ -142,11 +143,11 @@ void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool
 }
 
 // Walls that the planes of these requirements do not lie on, of those that are wide enough to
-// count: "r.wall2, r.wall3". A workplace makes a plane of every wall, and says of which it could
-// not.
+// count: "without the walls r.wall2, r.wall3". A workplace makes a plane of every wall, and says of
+// which it could not.
 std::string walls_not_asked(const calc::Space& space, const std::vector<RequirementName>& of,
                             double strip_m) {
-  if (!space.shell) return "it is not known what walls there are";
+  if (!space.shell) return calc::say<calc::Sentence::walls_unknown>();
   std::string words;
   for (const RoomSurface& wall : surfaces_of(space, ".wall")) {
     if (!has_inside(wall, strip_m)) continue;
@@ -158,9 +159,9 @@ std::string walls_not_asked(const calc::Space& space, const std::vector<Requirem
                              [&](const auto& name) { return name.plane_id == plane.id; }) &&
                  !covered_surfaces(*area, strip_m, {wall}, strip_m).empty();
         });
-    if (!is_asked) words += (words.empty() ? "without " : ", ") + wall.id;
+    if (!is_asked) words += (words.empty() ? "" : ", ") + wall.id;
   }
-  return words;
+  return words.empty() ? words : calc::say<calc::Sentence::without_walls>(words);
 }
 
 // Empty: the row requires nothing of it, or advice only.
@@ -192,7 +193,7 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   if (coverage.state == RoleState::not_made && !has_place) coverage.state = RoleState::never_asked;
   if (!is_asked && !needed->quantity->kernel) {
     coverage.state = RoleState::not_possible;
-    coverage.words = fmt::format("{} is not measured on planes", needed->quantity->name);
+    coverage.words = calc::say<calc::Sentence::not_on_planes>(needed->quantity->name);
   }
   return coverage;
 }
@@ -242,7 +243,7 @@ std::vector<const calc::CalcPlane*> planes_asked(const calc::Space& space, std::
 }
 
 std::string ended_words(const calc::Waiver& by) {
-  return fmt::format("leaving it out ended on {}, by {}: {}", by.until, by.owner, by.reason);
+  return calc::say<calc::Sentence::left_out_ended>(by.until, by.owner, by.reason);
 }
 
 std::vector<RowCoverage> row_coverage(const calc::Space& space,

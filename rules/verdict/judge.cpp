@@ -1,6 +1,7 @@
 #include "rules/verdict/judge.h"
 
 #include "calc/base/elementary.h"
+#include "calc/base/sentences.h"
 #include "rules/measure/error_spending.h"
 
 #include <fmt/format.h>
@@ -39,20 +40,17 @@ std::string undecided_text(const calc::Estimate& estimate, double limit,
   const int digits = digits_for(estimate, limit, requirement);
   const std::string unit =
       *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
-  return fmt::format("the interval {:.{}f} to {:.{}f}{} contains the limit {:.9g}{}", estimate.low,
-                     digits, estimate.high, digits, unit, limit, unit);
+  return calc::say<calc::Sentence::undecided>(fmt::format("{:.{}f}", estimate.low, digits),
+                                              fmt::format("{:.{}f}{}", estimate.high, digits, unit),
+                                              fmt::format("{:.9g}{}", limit, unit));
 }
 
 std::string unseen_text(std::size_t unseen, std::size_t points) {
-  return fmt::format(
-      "no sampled light reached {} of {} points: their illuminance is small, but not known", unseen,
-      points);
+  return calc::say<calc::Sentence::unseen>(unseen, points);
 }
 
 std::string single_sample_text(std::size_t doubtful, std::size_t points) {
-  return fmt::format(
-      "the result rests on single samples at {} of {} points: their intervals cannot be trusted",
-      doubtful, points);
+  return calc::say<calc::Sentence::single_sample>(doubtful, points);
 }
 
 // Times the light paths that would take the limit out of the interval and the largest sample out
@@ -82,11 +80,11 @@ std::string more_work_text(const Finding& finding, const Measurement& measuremen
   constexpr double kMostTimes = 65536.0;
   const double times = more_work(finding, measurement);
   if (!(times <= kMostTimes)) {
-    return "; the value is too close to the limit for any number of light paths to decide";
+    return "; " + calc::say<calc::Sentence::too_close>();
   }
   double power = 2.0;
   while (power < times) power *= 2.0;
-  return fmt::format("; about {:.0f} times the light paths would decide (--max-paths)", power);
+  return "; " + calc::say<calc::Sentence::more_paths>(power);
 }
 
 int digits_of(const Requirement& requirement) {
@@ -116,7 +114,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   const calc::Estimate& estimate = measurement.metric->estimate;
   if (!std::isfinite(estimate.low) || !std::isfinite(estimate.value) ||
       !std::isfinite(estimate.high)) {
-    finding.reason = "the result is not a finite number";
+    finding.reason = calc::say<calc::Sentence::not_finite>();
     return finding;
   }
   const double limit = requirement.limit;

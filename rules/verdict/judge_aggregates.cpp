@@ -1,5 +1,6 @@
 #include "rules/verdict/judge_aggregates.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/scene/polygon.h"
 #include "rules/pack/evaluate.h"
@@ -147,11 +148,11 @@ std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
   Part part;
   part.member.name = check.id;
   part.lived_with = Verdict::not_judged;
-  part.member.reason =
-      check.quantity->kernel || check.quantity->dimension == Dimension::power_density ||
-              check.quantity->dimension == Dimension::energy_density
-          ? fmt::format("no plane of this room is asked for it, role '{}'", check.role)
-          : fmt::format("{} is not calculated", check.quantity->name);
+  part.member.reason = check.quantity->kernel ||
+                               check.quantity->dimension == Dimension::power_density ||
+                               check.quantity->dimension == Dimension::energy_density
+                           ? calc::say<calc::Sentence::role_not_asked>(check.role)
+                           : calc::say<calc::Sentence::not_calculated>(check.quantity->name);
   return part;
 }
 
@@ -246,8 +247,11 @@ std::string reason_text(const std::vector<Part>& parts) {
                           : fmt::format("{} ({})", member.name, member.reason));
     }
     if (names.empty()) continue;
-    text +=
-        fmt::format("{}{}: {}", text.empty() ? "" : "; ", verdict_name(verdict), list_text(names));
+    const std::string list = list_text(names);
+    text += text.empty() ? "" : "; ";
+    text += verdict == Verdict::fail        ? calc::say<calc::Sentence::failing>(list)
+            : verdict == Verdict::undecided ? calc::say<calc::Sentence::undecided_are>(list)
+                                            : calc::say<calc::Sentence::not_judged_are>(list);
   }
   return text;
 }
@@ -259,7 +263,7 @@ std::string waiver_text(const std::vector<Entry>& entries) {
     const std::optional<Waiver>& waiver = entry.finding->requirement.waiver;
     if (!entry.finding->is_waived || !waiver) continue;
     std::string text =
-        fmt::format("waived by {} until {}: {}", waiver->owner, waiver->until, waiver->reason);
+        calc::say<calc::Sentence::waived_by>(waiver->owner, waiver->until, waiver->reason);
     if (!names_check(told, text)) told.push_back(std::move(text));
   }
   return list_text(told);
@@ -285,15 +289,14 @@ std::string clause_of(const RulePack& pack, const std::string& clause, const Gro
   if (!ref.empty()) text += " " + ref;
   const std::string level = level_words(origin.level);
   if (!level.empty() && clause.empty()) text += fmt::format(" ({})", level);
-  if (*trust_remark(trust) != '\0') text += fmt::format(" [{}]", trust_remark(trust));
-  return text;
+  return with_trust(text, trust);
 }
 
 std::string note_of(const RulePack& pack, const std::string& own, Trust trust) {
   std::string note = trust_remark(trust);
   const auto add = [&](const std::string& text) { note += (note.empty() ? "" : "; ") + text; };
   if (pack.status != "published") {
-    add(fmt::format("{} is marked {} in its rule pack", pack.full_id(), pack.status));
+    add(calc::say<calc::Sentence::pack_status>(pack.full_id(), pack.status));
   }
   if (!own.empty()) add(own);
   return note;
@@ -342,10 +345,9 @@ std::optional<AggregateFinding> aggregate_finding(const RulePack& pack,
     finding.reason += text;
   };
   if (*verdict == Verdict::not_judged && lacks_areas(aggregate, finding.members))
-    add_reason("an area is not known");
+    add_reason(calc::say<calc::Sentence::area_unknown>());
   if (lacks_members(aggregate, finding.members)) {
-    add_reason(fmt::format("at least {} must be met, and this many apply here: {}", aggregate.count,
-                           parts.size()));
+    add_reason(calc::say<calc::Sentence::too_few_apply>(aggregate.count, parts.size()));
   }
   return finding;
 }

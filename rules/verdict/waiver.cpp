@@ -1,12 +1,14 @@
 #include "rules/verdict/waiver.h"
 
+#include "calc/base/sentences.h"
+
 #include <fmt/format.h>
 
 #include <string>
 
 namespace rules {
 std::string waiver_words(const Waiver& waiver) {
-  return fmt::format("{}, by {} until {}", waiver.reason, waiver.owner, waiver.until);
+  return waiver.reason + ", " + calc::say<calc::Sentence::by_until>(waiver.owner, waiver.until);
 }
 
 void apply_waiver(Finding& finding, std::string_view today) {
@@ -14,10 +16,11 @@ void apply_waiver(Finding& finding, std::string_view today) {
   if (!waiver) return;
   if (!can_be_waived(finding.verdict)) return;
   finding.is_waived = waiver->holds_on(today);
+  finding.reason += finding.reason.empty() ? "" : "; ";
   finding.reason +=
-      fmt::format("{}{} by {} {} {}: {}", finding.reason.empty() ? "" : "; ",
-                  finding.is_waived ? "waived" : "the waiver", waiver->owner,
-                  finding.is_waived ? "until" : "ended on", waiver->until, waiver->reason);
+      finding.is_waived
+          ? calc::say<calc::Sentence::waived_by>(waiver->owner, waiver->until, waiver->reason)
+          : calc::say<calc::Sentence::waiver_ended>(waiver->owner, waiver->until, waiver->reason);
 }
 
 }  // namespace rules

@@ -1,5 +1,6 @@
 #include "rules/zones/zone_plane.h"
 
+#include "calc/base/sentences.h"
 #include "calc/project/plane_area.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
@@ -27,11 +28,11 @@ class ZoneMaker {
   ZonePlane run(std::optional<std::size_t> wall) {
     if (wall) {
       zone_.area = source_.workplace.walls[*wall];
-      make_surface(fmt::format("wall {}", *wall + 1));
+      make_surface(calc::say<calc::Sentence::zone_wall>(*wall + 1));
     } else if (rule_.area == ZoneArea::ceiling) {
       zone_.area = source_.workplace.ceiling;
       turn_area();
-      make_surface("the ceiling");
+      make_surface(calc::say<calc::Sentence::zone_ceiling>());
     } else {
       make_horizontal();
     }
@@ -54,8 +55,8 @@ class ZoneMaker {
   double margin_m() {
     if (change_ == nullptr || !change_->margin_m) return rule_.margin_m;
     if (*change_->margin_m != rule_.margin_m) {
-      note_change(fmt::format("margin {} instead of {}", metres(*change_->margin_m),
-                              metres(rule_.margin_m)));
+      note_change(calc::say<calc::Sentence::changed_margin>(metres(*change_->margin_m),
+                                                            metres(rule_.margin_m)));
     }
     return *change_->margin_m;
   }
@@ -65,13 +66,13 @@ class ZoneMaker {
     const glm::dvec2 side_m = size_of(zone_.area.outline_m);
     const double shorter_m = std::min(side_m.x, side_m.y);
     if (shorter_m <= 2.0 * zone_.area.margin_m) {
-      zone_.not_made = fmt::format("{} wide, and {} along its edges do not count",
-                                   metres(shorter_m), metres(zone_.area.margin_m));
+      zone_.not_made =
+          calc::say<calc::Sentence::all_is_edge>(metres(shorter_m), metres(zone_.area.margin_m));
       return;
     }
     zone_.words = name;
     if (zone_.area.margin_m > 0.0) {
-      zone_.words += fmt::format(", without {} along its edges", metres(zone_.area.margin_m));
+      zone_.words += ", " + calc::say<calc::Sentence::zone_off_edges>(metres(zone_.area.margin_m));
     }
   }
 
@@ -111,7 +112,7 @@ class ZoneMaker {
     double height = rule_.area == ZoneArea::task ? task_height_m() : by_rule;
     if (change_ != nullptr && change_->height_m) height = *change_->height_m;
     if (height != by_rule) {
-      note_change(fmt::format("height {} instead of {}", metres(height), metres(by_rule)));
+      note_change(calc::say<calc::Sentence::changed_height>(metres(height), metres(by_rule)));
     }
     return height;
   }
@@ -124,8 +125,9 @@ class ZoneMaker {
     }
     make_outline();
     if (!zone_.problem.empty() || !zone_.not_made.empty()) return;
-    zone_.words += height > 0.0 ? fmt::format(", {} above the floor", metres(height))
-                                : std::string(", on the floor");
+    zone_.words +=
+        ", " + (height > 0.0 ? calc::say<calc::Sentence::zone_above_floor>(metres(height))
+                             : calc::say<calc::Sentence::zone_on_floor>());
     place(height);
   }
 
@@ -152,7 +154,7 @@ class ZoneMaker {
     if (rule_.area != ZoneArea::band && is_whole_room()) return make_whole_room();
     if (rule_.area == ZoneArea::task) return make_given(task());
     if (is_whole_room()) {
-      zone_.not_made = "the task is the whole room";
+      zone_.not_made = calc::say<calc::Sentence::task_is_room>();
       return;
     }
     make_band();
@@ -162,17 +164,16 @@ class ZoneMaker {
     zone_.area.outline_m = room();
     axis_ = calc::long_axis(room());
     zone_.area.margin_m = margin_m();
-    zone_.words = "the whole room";
-    if (zone_.area.margin_m > 0.0) {
-      zone_.words += fmt::format(" without {} along its walls", metres(zone_.area.margin_m));
-    }
+    zone_.words = calc::say<calc::Sentence::zone_room>();
+    if (zone_.area.margin_m > 0.0)
+      zone_.words = calc::say<calc::Sentence::zone_room_without>(metres(zone_.area.margin_m));
     constexpr double kWorthSaying_m2 = 1.0;
     if (const double lost_m2 = lost_to_margin_m2(room(), zone_.area.margin_m);
         zone_.area.margin_m > 0.0 && lost_m2 > kWorthSaying_m2) {
-      zone_.words += fmt::format(
-          " (about {:.2g} m2 are in parts of the room not wider than {}: "
-          "nothing is judged there)",
-          lost_m2, metres(2.0 * zone_.area.margin_m));
+      zone_.words +=
+          " (" +
+          calc::say<calc::Sentence::zone_room_lost>(lost_m2, metres(2.0 * zone_.area.margin_m)) +
+          ")";
     }
     const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
     if (std::min(side_m.x, side_m.y) <= 2.0 * zone_.area.margin_m) {
@@ -189,13 +190,13 @@ class ZoneMaker {
     axis_ = calc::long_axis(outline);
     if (change_ != nullptr && change_->margin_m) {
       zone_.area.margin_m = *change_->margin_m;
-      note_change(fmt::format("margin {} along its outline", metres(zone_.area.margin_m)));
+      note_change(calc::say<calc::Sentence::changed_own_margin>(metres(zone_.area.margin_m)));
     }
-    zone_.words = "the area that the project gives";
-    if (!is_task) note_change("an area of the project's own");
+    zone_.words = calc::say<calc::Sentence::zone_given>();
+    if (!is_task) note_change(calc::say<calc::Sentence::changed_area>());
     if (rule_.area == ZoneArea::band && !is_whole_room()) {
       const Polygon inner = outer_edge(rule_.around);
-      zone_.words += ", without what is inside the band";
+      zone_.words += ", " + calc::say<calc::Sentence::zone_without_inner>();
       if (inner.empty()) {
         zone_.problem = zone_.words;
         zone_.is_simple = false;
@@ -226,8 +227,9 @@ class ZoneMaker {
     const bool is_band = rule_.area == ZoneArea::band;
     const Polygon inner = is_band ? outer_edge(rule_.around) : task();
     const Polygon outer = inner.empty() ? inner : calc::moved_sides(inner, rule_.width_m);
-    zone_.words = fmt::format("{} of {} around the {}", is_band ? "band" : "task and band",
-                              metres(rule_.width_m), is_band ? rule_.around : "task");
+    const std::string width = metres(rule_.width_m);
+    zone_.words = is_band ? calc::say<calc::Sentence::zone_band>(width, rule_.around)
+                          : calc::say<calc::Sentence::zone_task_band>(width);
     if (outer.empty()) {
       zone_.problem = zone_.words;
       zone_.is_simple = false;
@@ -238,9 +240,9 @@ class ZoneMaker {
     const bool is_changed = change_ != nullptr && change_->margin_m;
     if (is_first && margin > 0.0 && !is_changed && reaches_into_margin(margin)) {
       margin = 0.0;
-      zone_.words += ", up to the walls as the task reaches into the strip along them";
+      zone_.words += ", " + calc::say<calc::Sentence::zone_to_walls>();
     } else if (margin > 0.0) {
-      zone_.words += fmt::format(", without {} along the walls", metres(margin));
+      zone_.words += ", " + calc::say<calc::Sentence::zone_off_walls>(metres(margin));
     }
     axis_ = calc::long_axis(inner);
     // A niche narrower than twice the margin has no sides to move: the strips are cut off instead.
@@ -271,7 +273,7 @@ class ZoneMaker {
     const RulePlane* inside = source_.pack.find_plane(rule_.around);
     const bool is_outer = inside != nullptr && inside->area == ZoneArea::band;
     if (is_outer && (change_ == nullptr || change_->area_m.empty())) {
-      zone_.not_made = fmt::format("nothing of the room is left around the {}", rule_.around);
+      zone_.not_made = calc::say<calc::Sentence::nothing_around>(rule_.around);
     } else {
       zone_.problem = why;
     }
@@ -288,7 +290,7 @@ class ZoneMaker {
     auto* by_rule = std::get_if<calc::GridByRule>(&zone_.area.grid);
     const auto* own = std::get_if<calc::GridByRule>(&grid);
     if (own == nullptr) {
-      note_change("a grid of the project's own");
+      note_change(calc::say<calc::Sentence::changed_grid>());
       zone_.area.grid = grid;
       return;
     }
@@ -297,7 +299,7 @@ class ZoneMaker {
     } else {
       by_rule->rounding = own->rounding;
     }
-    note_change("another rounding of the grid");
+    note_change(calc::say<calc::Sentence::changed_rounding>());
     name_grid(source_.pack.find_grid(rule_.grid));
   }
 
@@ -305,9 +307,7 @@ class ZoneMaker {
   void name_grid(const RuleGrid* grid) {
     std::string name = calc::GridByRule().name;
     if (grid != nullptr) name = fmt::format("{}:{}", source_.pack.title, source_.pack.edition);
-    if (grid != nullptr && grid->trust != Trust::confirmed) {
-      name += fmt::format(" [{}]", trust_remark(grid->trust));
-    }
+    if (grid != nullptr) name = with_trust(name, grid->trust);
     const double widest_m = rule_.area == ZoneArea::band ? rule_.width_m : 1.0e9;
     const glm::dvec2 side_m = size_of(zone_.area.outline_m);
     const bool is_v_longer = side_m.y > side_m.x;

@@ -151,6 +151,18 @@ def prints():
             expect(words in text, f"a.pdf does not say {words!r}")
 
 
+def contents():
+    """Contents name pages: what Chromium prints tells them, so it is asked twice for more than four pages."""
+    calls = WORK / "calls"
+    counting = fake("counting", f"echo >> '{calls}'\nexec '{CHROMIUM}' \"$@\"\n")
+    for project, is_long in [("01-one-luminaire", False), ("04-office", True)]:
+        calls.write_text("")
+        done = luxgate("check", EXAMPLES / project / "project.xml", "--annex", "never", "--format", "pdf=n.pdf", LUXGATE_CHROMIUM=counting)
+        prints = len(calls.read_text())
+        expect(done.returncode in (0, 1) and (pages("n.pdf") > 4) == is_long, f"{project}: {done.returncode}, {pages('n.pdf')} pages, {done.stderr}")
+        expect(prints == (2 if is_long else 1), f"{project} is printed {prints} times")
+
+
 def data_sheet():
     """Of photometry: one page, the same bytes twice, and without Chromium an error that leaves nothing."""
     done = luxgate("photometry", "spot.ies", "--sheet", "none.pdf", PATH="/nowhere")
@@ -177,5 +189,6 @@ if CHROMIUM is None:
     print("\n".join(problems) if problems else "skipped: the printing itself, since there is no Chromium")
 else:
     prints()
+    contents()
     print("\n".join(problems))
 sys.exit(1 if problems else 0)

@@ -16,9 +16,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace cli {
@@ -33,6 +36,7 @@ constexpr const char* kSheetStyle = R"css(
 .sheet figure { flex: none; }
 .sheet img { display: block; width: 100%; max-width: 24rem; height: auto; }
 .cone { display: block; width: 100%; max-width: 24rem; height: auto; }
+.sheet p { margin: 0; } .key { stroke-width: 2; }
 .cone text { font-size: 12px; fill: var(--quiet); }
 .cone .value { fill: var(--ink); }
 .cone .rule { stroke: var(--line); } .cone .c0 { fill: none; stroke: var(--link); stroke-width: 1.6; }
@@ -43,7 +47,8 @@ constexpr const char* kSheetStyle = R"css(
 .ugr .reference td { font-weight: 650; background: var(--soft); }
 @media print {
   .sheet { gap: 2mm 6mm; margin: 3mm 0; grid-template-columns: 1fr 1fr; }
-  .sheet img, .cone { max-width: none; max-height: 52mm; width: auto; }
+  .sheet.drawings { grid-template-columns: 1.4fr 1fr 1fr; } .cone text { font-size: 21px; }
+  .sheet img, .cone { max-width: 100%; max-height: 47mm; width: auto; }
   .ugr { font-size: .74rem; } .ugr td, .ugr th { padding: .05rem .5rem; line-height: 1.25; }
   h1 { font-size: 1.5rem; } h2 { margin-top: 3mm; padding-top: 1.5mm; font-size: 1rem; border-top-width: 1px; margin-bottom: 1mm; }
   .facts th, .facts td { padding-top: .08rem; padding-bottom: .08rem; }
@@ -152,7 +157,11 @@ Cone cone_of(const calc::BeamWidth& beam) {
   return cone;
 }
 
-std::string cone_figure(const Texts& t, const PhotometryFile& file) {
+struct Figure {
+  std::string drawing, table;  // either "" where there is nothing to show
+};
+
+Figure cone_figure(const Texts& t, const PhotometryFile& file) {
   constexpr int kMetres = 5;
   constexpr double kWidth = 440, kTop = 22, kStep = 62, kMiddle = 190, kReach = 165;
   const double nadir_cd = file.web->intensity_cd(0.0, 0.0);
@@ -161,7 +170,7 @@ std::string cone_figure(const Texts& t, const PhotometryFile& file) {
   double widest = 0.0;
   for (const Cone& cone : cones) widest = std::max({widest, cone.minus, cone.plus});
   if (!(nadir_cd > 0.0) || !(widest > 0.0))
-    return fmt::format("<p class=\"quiet\">{}</p>\n", t[Text::sheet_no_cone]);
+    return {"", fmt::format("<p class=\"quiet\">{}</p>\n", t[Text::sheet_no_cone])};
   const double scale = std::min(kReach / (widest * kMetres), kStep);
   const double height = kTop + kMetres * kStep + 12;
   std::string svg =
@@ -173,7 +182,7 @@ std::string cone_figure(const Texts& t, const PhotometryFile& file) {
     const double y = kTop + metre * kStep;
     const std::string lux = report::format_cell(t, nadir_cd / (metre * metre));
     svg += fmt::format("<path class=\"rule\" d=\"M20 {0}H{1}\"/><text x=\"4\" y=\"{2}\">{3}</text>",
-                       report::svg_number(y), kWidth - 60, report::svg_number(y + 4), metre) +
+                       report::svg_number(y), kWidth - 80, report::svg_number(y + 4), metre) +
            fmt::format("<text class=\"value\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n",
                        kWidth - 4, report::svg_number(y + 4), lux);
     const auto diameter = [&](const Cone& cone) {
@@ -193,13 +202,13 @@ std::string cone_figure(const Texts& t, const PhotometryFile& file) {
         report::svg_number(kMiddle - length * cones[pair].minus), report::svg_number(y), kMiddle,
         kTop, report::svg_number(kMiddle + length * cones[pair].plus), report::svg_number(y));
   }
-  return svg + "</svg>\n" +
-         fmt::format(
-             "<table class=\"facts\"><caption>{}</caption><thead><tr><th scope=\"col\">{}</th><th "
-             "scope=\"col\" class=\"num\">C0–C180</th><th scope=\"col\" "
-             "class=\"num\">C90–C270</th><th scope=\"col\" "
-             "class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>\n",
-             t[Text::sheet_cone], t[Text::sheet_distance], t[Text::sheet_on_axis], rows);
+  return {svg + "</svg>\n",
+          fmt::format(
+              "<table class=\"facts\"><caption>{}</caption><thead><tr><th scope=\"col\">{}</th><th "
+              "scope=\"col\" class=\"num\">C0–C180</th><th scope=\"col\" "
+              "class=\"num\">C90–C270</th><th scope=\"col\" "
+              "class=\"num\">{}</th></tr></thead><tbody>\n{}</tbody></table>\n",
+              t[Text::sheet_cone], t[Text::sheet_distance], t[Text::sheet_on_axis], rows)};
 }
 
 // --- luminances and glare
@@ -207,6 +216,84 @@ std::string cone_figure(const Texts& t, const PhotometryFile& file) {
 
 std::string candela_by_area(const Texts& t, double cd_m2) {
   return std::isfinite(cd_m2) ? report::format_fixed(t, cd_m2, 0) : "–";
+}
+
+// "10³".
+std::string power_of_ten(int exponent) {
+  constexpr std::array kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string words = "10";
+  if (exponent < 0) words += "⁻";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    words += kDigits[static_cast<std::size_t>(digit - '0')];
+  return words;
+}
+
+// By the angle from the vertical, as people know it from curves of glare limitation: luminance to
+// the right in powers of ten, the angle upwards.
+std::string luminance_diagram(const Texts& t, const PhotometryFile& file) {
+  constexpr int kFrom_deg = 45, kTo_deg = 85;
+  constexpr double kWidth = 440, kHeight = 344, kLeft = 44, kRight = 426, kTop = 14, kBottom = 282;
+  constexpr int kMostDecades = 4;
+  const calc::MeanLuminance luminance(*file.web);
+  if (!luminance.has_area()) return "";
+  const auto at = [&](int c_deg, double gamma_deg) {
+    return luminance.luminance_cd_m2(calc::radians_from_degrees(c_deg),
+                                     calc::radians_from_degrees(gamma_deg));
+  };
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (int c = 0; c < 360; c += 90) {
+    for (int gamma = kFrom_deg; gamma <= kTo_deg; ++gamma) {
+      const double here = at(c, gamma);
+      if (!std::isfinite(here) || !(here > 0.0)) continue;
+      least = std::min(least, here);
+      most = std::max(most, here);
+    }
+  }
+  if (!(most > 0.0)) return "";
+  const int high = static_cast<int>(std::ceil(calc::log10(most)));
+  const int low =
+      std::clamp(static_cast<int>(std::floor(calc::log10(least))), high - kMostDecades, high - 1);
+  const auto x_of = [&](double cd_m2) {
+    return kLeft + (kRight - kLeft) * (calc::log10(cd_m2) - low) / (high - low);
+  };
+  const auto y_of = [&](double gamma_deg) {
+    return kBottom - (kBottom - kTop) * (gamma_deg - kFrom_deg) / (kTo_deg - kFrom_deg);
+  };
+  using report::svg_number;
+  std::string svg =
+      fmt::format("<svg class=\"cone\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n",
+                  kWidth, kHeight, t[Text::sheet_luminance_diagram]);
+  for (int gamma = kFrom_deg; gamma <= kTo_deg; gamma += 10) {
+    svg += fmt::format("<path class=\"rule\" d=\"M{} {}H{}\"/>", kLeft, svg_number(y_of(gamma)),
+                       kRight) +
+           report::svg_text(kLeft - 4, y_of(gamma) + 5, "end", fmt::format("{}°", gamma));
+  }
+  for (int exponent = low; exponent <= high; ++exponent) {
+    const double x = x_of(calc::pow(10.0, exponent));
+    svg += fmt::format("<path class=\"rule\" d=\"M{} {}V{}\"/>", svg_number(x), kTop, kBottom) +
+           report::svg_text(x, kBottom + 20, exponent == high ? "end" : "middle",
+                            power_of_ten(exponent));
+  }
+  svg += report::svg_text(kRight, kBottom + 42, "end", "cd/m²");
+  for (int c = 0; c < 360; c += 90) {
+    std::string path;
+    for (int half = 2 * kFrom_deg; half <= 2 * kTo_deg; ++half) {
+      const double here = at(c, 0.5 * half);
+      // Darker than the drawing goes: at its edge.
+      if (!std::isfinite(here)) continue;
+      const double x = here > 0.0 ? std::max(x_of(here), kLeft) : kLeft;
+      path += fmt::format("{}{} {}", path.empty() ? "M" : "L", svg_number(x),
+                          svg_number(y_of(0.5 * half)));
+    }
+    svg += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", c % 180 == 0 ? "c0" : "c90", path);
+  }
+  constexpr double kKey = kBottom + 58;
+  for (const auto& [kind, words, x] :
+       {std::tuple("c0", "C0, C180", kLeft), std::tuple("c90", "C90, C270", kLeft + 150)}) {
+    svg += fmt::format("<path class=\"{} key\" d=\"M{} {}h30\"/>", kind, x, kKey - 4) +
+           report::svg_text(x + 38, kKey, "start", words);
+  }
+  return svg + "</svg>\n";
 }
 
 std::string luminance_table(const Texts& t, const PhotometryFile& file) {
@@ -310,10 +397,13 @@ std::string render_photometry_sheet(const Texts& t, const PhotometryFile& file,
       "</header>\n<main id=\"main\">\n",
       t[Text::sheet_title], title);
   html += figures(t, file, sha256);
+  const Figure cone = cone_figure(t, file);
   html += fmt::format(
-      "<div class=\"sheet\">\n<div><figure><img alt=\"{}\" "
-      "src=\"data:image/svg+xml;base64,{}\"/></figure>\n{}</div>\n<div>{}</div>\n</div>\n",
-      t[Text::sheet_polar], report::base64(polar), luminance_table(t, file), cone_figure(t, file));
+      "<div class=\"sheet drawings\">\n<figure><img alt=\"{}\" "
+      "src=\"data:image/svg+xml;base64,{}\"/></figure>\n{}{}</div>\n",
+      t[Text::sheet_polar], report::base64(polar), cone.drawing, luminance_diagram(t, file));
+  html += fmt::format("<div class=\"sheet\">\n<div>{}</div>\n<div>{}</div>\n</div>\n",
+                      luminance_table(t, file), cone.table);
   html += fmt::format("<h2>{}</h2>\n", t[Text::sheet_glare]) + glare_table(t, file);
   return html + "</main>\n<footer><p>" + t[Text::sheet_footer] +
          "</p></footer>\n</body>\n</html>\n";

@@ -31,10 +31,7 @@ std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
   if (value.modified) {
     text += fmt::format(" (modified {})", with_unit(*value.modified / unit.factor, name));
   }
-  if (value.trust != rules::Trust::confirmed) {
-    text += fmt::format(" [{}]", trust_remark(value.trust));
-  }
-  return text;
+  return with_trust(text, value.trust);
 }
 
 std::string row_text(const RulePack& pack, const RuleRow& row) {
@@ -88,8 +85,7 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
   if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
   if (check.severity == rules::Severity::advice) text += ", advice";
   if (check.severity == rules::Severity::in_aggregate) text += ", counts only in its aggregates";
-  if (check.trust != rules::Trust::confirmed)
-    text += fmt::format(" [{}]", trust_remark(check.trust));
+  text = with_trust(text, check.trust);
   if (const std::string where = measured_on(*check.quantity); !where.empty()) {
     text += "\n    " + where;
   }
@@ -190,10 +186,7 @@ std::string limits_text(const RulePack& pack, const RuleCheck& check, const Rule
     const rules::Limit limit = evaluate_limit(check, {pack, row, level});
     if (limit.status != rules::LimitStatus::known) return limit.reason;
     std::string text = with_unit(limit.value.value, base_unit(check.dimension()));
-    if (limit.trust != rules::Trust::confirmed) {
-      text += fmt::format(" [{}]", trust_remark(limit.trust));
-    }
-    return text;
+    return with_trust(text, limit.trust);
   };
   const std::string required = limit_at(rules::RowLevel::required);
   std::string text = "    here: " + required;
@@ -231,9 +224,7 @@ std::string aggregate_text(const rules::RuleAggregate& aggregate) {
   text += aggregate.over == rules::AggregateOver::checks ? " " : " judged by ";
   text += joined(aggregate.checks);
   if (aggregate.severity != rules::Severity::shall) text += ", advice";
-  if (aggregate.trust != rules::Trust::confirmed) {
-    text += fmt::format(" [{}]", trust_remark(aggregate.trust));
-  }
+  text = with_trust(text, aggregate.trust);
   if (!aggregate.clause.empty()) text += "\n    " + aggregate.clause;
   if (!aggregate.note.empty()) text += "\n    " + aggregate.note;
   return text + "\n";

@@ -56,6 +56,17 @@ TEST(HtmlDeviations, SayThatThereAreNone) {
   EXPECT_EQ(deviations(nothing), "");
 }
 
+// Where all is left out, nothing is asked; that is when it must be said.
+TEST(HtmlDeviations, ListWhatIsLeftOutThoughNothingElseIsAsked) {
+  Document document = small_document();
+  SpacePart& space = document.projects[0].spaces[0];
+  space.planes[0].findings.clear();
+  rules::RowCoverage row;
+  row.roles = {{"task", rules::RoleState::left_out, "", {}, {{"task", kOldHall, false}}}};
+  space.coverage = {row};
+  EXPECT_EQ(rows_of_table(deviations(document)).size(), 1U);
+}
+
 TEST(HtmlDeviations, ListWaiversWhateverTheirEffect) {
   Document document = small_document();
   std::vector<rules::Finding>& findings = document.projects[0].spaces[0].planes[0].findings;
@@ -172,6 +183,9 @@ TEST(HtmlMaintenance, SaysWhatIsStatedAndWhatIsNot) {
   row.maintenance.rsmf = 0.97;
   project.luminaires = {row};
   EXPECT_THAT(html_maintenance({}, project, 0), HasSubstr("is not stated in the project"));
+  project.maintenance_plan.clean_luminaires_months = 1.0;
+  EXPECT_THAT(html_maintenance({}, project, 0),
+              HasSubstr("Luminaires are cleaned</th><td>every month<"));
   project.maintenance_plan = {"clean office", "", 12.0, {}, 50000.0, {}};
   const std::string html = html_maintenance({}, project, 0);
   EXPECT_THAT(html, HasSubstr("0.857"));
@@ -196,7 +210,8 @@ TEST(HtmlEmergency, HasWhatHoldsAtTheEndOfTheBatteries) {
   asked.scene = "battery";
   space.planes[0].findings[1].reason = "";
   EXPECT_THAT(rows_of_table(html_emergency({}, project, 0, "")),
-              ElementsAre("Work plane Office | minimum | battery | 2 | ≥ 450 lx | 424.5 ± 4.2 lx "
+              ElementsAre("Work plane Office | minimum end-of-duration · scene battery | battery | "
+                          "2 | ≥ 450 lx | 424.5 ± 4.2 lx "
                           "| ✗ fail"));
 }
 
@@ -210,8 +225,9 @@ TEST(HtmlEmergency, HasWhatMustBeReadWithTheVerdict) {
   finding.verdict = rules::Verdict::not_judged;
   finding.reason = "the scene does not say what 1 luminaire does";
   const std::string html = html_emergency({}, document.projects[0], 0, "");
-  for (const char* words : {"EN 1838 risk · national readings differ", "direct light only",
-                            "the scene does not say what 1 luminaire does", "not judged"}) {
+  for (const char* words :
+       {"EN 1838 risk · end-of-duration · ", "national readings differ", "direct light only",
+        "the scene does not say what 1 luminaire does", "not judged"}) {
     EXPECT_THAT(html, HasSubstr(words));
   }
 }

@@ -1,6 +1,8 @@
 // Plan and elevation of a room, against its own metres.
 #include "report/html/html_layout.h"
 
+#include "report/html/technical_drawing.h"
+
 #include "tests/support/sample_document.h"
 
 #include <fmt/format.h>

@@ -307,10 +307,14 @@ TEST(ReadJson, NorthAndMaintenanceAreCheckedAgain) {
     EXPECT_FALSE(read_json(changed.dump(), problem)) << part;
     return problem;
   };
-  EXPECT_THAT(problem_with("north_deg", 4500), HasSubstr("/north_deg: degrees from -360 to 360"));
+  EXPECT_THAT(problem_with("north_deg", 4500),
+              HasSubstr("/north_deg: a number from -360 to 360 (degrees) is needed"));
   EXPECT_THAT(problem_with("north_deg", "up"), HasSubstr("/north_deg"));
-  EXPECT_THAT(problem_with("maintenance_plan/clean_luminaires_months", -1),
-              HasSubstr("/clean_luminaires_months: a number from 0"));
+  for (const int months : {-1, 0}) {
+    EXPECT_THAT(problem_with("maintenance_plan/clean_luminaires_months", months),
+                HasSubstr("/clean_luminaires_months: a number above 0"));
+  }
+  EXPECT_THAT(problem_with("maintenance_plan/use_h", 8761), HasSubstr("/use_h: a number from 0"));
   EXPECT_THAT(problem_with("spaces/0/energy/leni_kwh_m2", -1), HasSubstr("/leni_kwh_m2"));
 }
 

@@ -276,7 +276,7 @@ const std::string kAllButWalls =
 TEST(RowCoverage, OneWallIsNotAllWalls) {
   const Covered one = cover(kAllButWalls + wall_plane("wall1") + wall_plane("wall3"));
   EXPECT_EQ(role_of(one, "wall").state, RoleState::asked_in_part);
-  EXPECT_EQ(role_of(one, "wall").words, "without r.wall2, r.wall4");
+  EXPECT_EQ(role_of(one, "wall").words, "without the walls r.wall2, r.wall4");
   EXPECT_EQ(role_of(one, "wall").of.size(), 4u);
   EXPECT_FALSE(one.rows.at(0).is_whole());
   EXPECT_FALSE(one.rows.at(0).is_met());
@@ -293,7 +293,7 @@ TEST(RowCoverage, AWallOfAnotherRowIsNotOfThisOne) {
       "<plane id='o' on='wall2' margin='0.5'><require pack='en12464-1:2021' row='34.7' "
       "role='wall'/></plane>";
   const Covered covered = cover(wall_plane("wall1") + other);
-  EXPECT_EQ(role_of(covered, "wall").words, "without r.wall2, r.wall3, r.wall4");
+  EXPECT_EQ(role_of(covered, "wall").words, "without the walls r.wall2, r.wall3, r.wall4");
 }
 
 TEST(RowCoverage, OutdoorsItIsNotKnownWhatWallsThereAre) {

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -364,6 +365,43 @@ TEST_F(PhotometryCommand, ADataSheetSaysWhatItDoesNotKnow) {
   EXPECT_THAT(sheet, HasSubstr("No light cone"));
   EXPECT_THAT(sheet, HasSubstr("size: letter"));
   EXPECT_THAT(sheet, Not(HasSubstr(">nan")));
+}
+
+// Cosine light of 2000 cd and one square metre: 2000 cd/m2 in every direction, log10 2 of the way
+// from 10^3 to 10^4.
+TEST_F(PhotometryCommand, TheLuminanceDiagramOfCosineLightIsUpright) {
+  std::vector<double> gamma, cd;
+  for (int k = 0; k <= 90; ++k) {
+    gamma.push_back(k * 3.14159265358979 / 180.0);
+    cd.push_back(2000.0 * std::max(0.0, std::cos(gamma.back())));
+  }
+  calc::LuminousOpening opening;
+  opening.shape = calc::OpeningShape::rectangle;
+  opening.along_c0_m = opening.along_c90_m = 1.0;
+  const calc::PhotometricWeb web = calc::PhotometricWeb::make({0.0}, gamma, cd, opening, {});
+  cli::PhotometryFile file;
+  file.web = web;
+  file.facts = cli::photometry_facts(web);
+  const std::string sheet = cli::render_photometry_sheet({}, file, "00", report::Paper::a4);
+  const std::size_t begin = sheet.find("Luminance diagram");
+  ASSERT_NE(begin, sheet.npos);
+  const std::string svg = sheet.substr(begin, sheet.find("</svg>", begin) - begin);
+  EXPECT_THAT(svg, HasSubstr(">10³</text>"));
+  EXPECT_THAT(svg, HasSubstr(">10⁴</text>"));
+  for (const std::string kind : {"c0", "c90"}) {
+    const std::size_t path = svg.find("<path class=\"" + kind + "\" d=\"M") + kind.size() + 19;
+    std::istringstream data(svg.substr(path, svg.find('"', path) - path));
+    double x = 0.0, y = 0.0, first_y = 0.0;
+    int points = 0;
+    while (data >> x >> y) {
+      if (++points == 1) first_y = y;
+      EXPECT_NEAR(x, 44.0 + 382.0 * 0.30103, 0.3) << kind << " " << points;
+      data.ignore(1);  // L
+    }
+    EXPECT_EQ(points, 81) << kind;
+    EXPECT_EQ(first_y, 282.0);
+    EXPECT_EQ(y, 14.0);
+  }
 }
 
 // Half of the light to either side of the horizon; of what goes down, by cosine law, 44 % within
