@@ -280,5 +280,19 @@ TEST(HtmlAnnex, IsLeftOutWhereItIsLongAndSaysSo) {
   EXPECT_EQ(annex_of(none, Annex::always), "");
 }
 
+// A reason that is not ours stays English, marked, and has one full stop.
+TEST(HtmlFindings, EndReasonsWithOneFullStop) {
+  PlanePart plane;
+  rules::Finding finding;
+  for (const char* reason : {"own words.", "own words", "<b>"}) {
+    finding.reason = reason;
+    plane.findings.push_back(finding);
+  }
+  const std::string html = html_plane_findings(Texts(Language::german, true), plane);
+  EXPECT_THAT(html, HasSubstr("<span lang=\"en\">Own words.</span><"));
+  EXPECT_THAT(html, HasSubstr("<span lang=\"en\">Own words</span>.<"));
+  EXPECT_THAT(html, HasSubstr("<span lang=\"en\">&lt;b&gt;</span>.<"));
+}
+
 }  // namespace
 }  // namespace report

@@ -65,6 +65,26 @@ TEST(RoomPicture, LegendIsBelow) {
   EXPECT_EQ(at(40, plain.height + 52), (std::array<int, 4>{first.r, first.g, first.b, 255}));
 }
 
+// Of a scale with long numbers as many as have room, with blanks between them.
+TEST(RoomPicture, LegendHasNumbersThatCanBeRead) {
+  const report::Raster raster = report::with_legend({}, {0.0, 0.012345678, 12});
+  const auto is_ink = [&](int x, int y) {
+    return raster.rgba[4 * static_cast<std::size_t>(y * raster.width + x)] < 128;
+  };
+  // Below the bar there is nothing but the numbers.
+  int numbers = 0, blank = 0;
+  bool was_ink = false;
+  for (int x = 0; x < raster.width; ++x) {
+    bool has_ink = false;
+    for (int y = raster.height - 24; y < raster.height; ++y) has_ink = has_ink || is_ink(x, y);
+    if (has_ink && (!was_ink || blank >= 8)) ++numbers;
+    was_ink = was_ink || has_ink;
+    blank = has_ink ? 0 : blank + 1;
+  }
+  EXPECT_GE(numbers, 4);
+  EXPECT_LE(numbers, 12);
+}
+
 TEST(RoomPicture, ExrHoldsLux) {
   const std::string bytes =
       report::render_room_exr("a.xml", "room", "seen from above", 2, 1, {12.5F, -1.0F});

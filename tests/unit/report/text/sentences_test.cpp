@@ -170,6 +170,12 @@ TEST(Sentences, HoldOtherSentences) {
             "Boden, und diese 1 m (ein <deviation in=\"height\"> würde sie angeben)");
 }
 
+// A list is ours as a whole or not at all: half of it in another language reads badly.
+TEST(Sentences, DoNotMixLanguagesInAList) {
+  EXPECT_EQ(sentence(kGerman, say<Sentence::points_lost>(3, 9, "2 outside the room, 1 elsewhere")),
+            "3 von 9 Punkten sind ausgelassen: 2 outside the room, 1 elsewhere");
+}
+
 TEST(Sentences, LeaveWhatTheyDoNotKnow) {
   EXPECT_EQ(sentence(kGerman, ""), "");
   EXPECT_EQ(sentence(kGerman, "a rule pack's own words, 1.5 m above all"),

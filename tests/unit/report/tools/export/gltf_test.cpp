@@ -213,6 +213,18 @@ TEST(GltfExport, HasTheColoursOfTheScale) {
   EXPECT_EQ(model.of("surfaces", "POSITION"), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0, -1}));
 }
 
+// A spot beside a luminaire takes nothing from the colours of a room.
+TEST(GltfExport, HasTheScaleOfMostOfTheArea) {
+  cli::gltf::Room room;
+  room.light.position_m = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 1}, {0.1, 0, 1}, {0, 0.1, 1}};
+  room.light.lx = {400.0F, 500.0F, 480.0F, 90000.0F, 80000.0F, 90000.0F};
+  room.light.triangle = {{0, 1, 2}, {3, 4, 5}};
+  const report::ColourScale scale = cli::gltf::common_scale({room});
+  EXPECT_EQ(scale.low, 0.0);
+  EXPECT_GE(scale.high(), 500.0);
+  EXPECT_LE(scale.high(), 600.0);
+}
+
 TEST(GltfExport, IsReadByTheProgramItself) {
   const Exported rooms(kRooms);
   ASSERT_EQ(rooms.run().code, cli::kAllMet);
