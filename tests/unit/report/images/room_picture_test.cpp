@@ -76,7 +76,7 @@ TEST(RoomPicture, LegendHasNumbersThatCanBeRead) {
   bool was_ink = false;
   for (int x = 0; x < raster.width; ++x) {
     bool has_ink = false;
-    for (int y = raster.height - 24; y < raster.height; ++y) has_ink = has_ink || is_ink(x, y);
+    for (int y = raster.height - 46; y < raster.height; ++y) has_ink = has_ink || is_ink(x, y);
     if (has_ink && (!was_ink || blank >= 8)) ++numbers;
     was_ink = was_ink || has_ink;
     blank = has_ink ? 0 : blank + 1;
