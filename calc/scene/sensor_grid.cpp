@@ -113,7 +113,7 @@ Counts route_counts(const EscapeRoute& route, const std::vector<double>& station
 }
 
 std::string route_words(const EscapeRoute& route) {
-  const auto& [along_m, across_m, name] = route.spacing;
+  const double along_m = route.spacing.along_u_m, across_m = route.spacing.along_v_m;
   return route.is_spacing_given
              ? say<Sentence::grid_of_route>(along_m, across_m)
              : say<Sentence::grid_of_route_from>(along_m, across_m, kLeastRouteRows);

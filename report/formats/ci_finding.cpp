@@ -3,6 +3,7 @@
 #include "calc/base/file_hash.h"
 #include "report/revision/gate.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/known_words.h"
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
@@ -68,7 +69,8 @@ CiFinding of_plane(const Texts& t, const ProjectPart& project, const SpacePart& 
   entry.where = plane.where;
   entry.place =
       printable(title_of(space.name, space.id)) + " / " + printable(title_of(plane.name, plane.id));
-  entry.message = t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason)));
+  entry.message =
+      t.say<Text::not_computed_brief>(printable(sentence(t, plane.reason, known_words(t, space))));
   return entry;
 }
 

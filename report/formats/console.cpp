@@ -5,6 +5,7 @@
 #include "report/stream/text_list.h"
 #include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/known_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -150,8 +151,9 @@ void add_plane(const Texts& t, const SpacePart& space, const PlanePart& plane,
   lines.push_back(std::move(line));
   const std::string quantity =
       is_plain_illuminance(plane) ? "" : std::string(plane_words(t, plane)) + ": ";
-  lines.emplace_back().note = plane.is_computed ? quantity + statistics_text(t, plane)
-                                                : printable(sentence(t, plane.reason));
+  lines.emplace_back().note = plane.is_computed
+                                  ? quantity + statistics_text(t, plane)
+                                  : printable(sentence(t, plane.reason, known_words(t, space)));
   add_remarks(t, plane, lines);
   add_doubt(t, plane, lines);
 }
@@ -263,7 +265,8 @@ void number_repeated_notes(std::vector<TableLine>& lines) {
 }
 
 void add_aggregate(const Texts& t, const ProjectPart& project,
-                   const rules::AggregateFinding& finding, std::vector<TableLine>& lines) {
+                   const rules::AggregateFinding& finding, const std::vector<KnownWords>& known,
+                   std::vector<TableLine>& lines) {
   TableLine line;
   line.colour = verdict_colour(finding.verdict);
   line.cells[kVerdict] = verdict_cell(t, finding.verdict);
@@ -273,8 +276,7 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
   line.cells[kMeasured] = printable(aggregate_measured(t, finding));
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
-  if (!finding.reason.empty())
-    note(printable(sentence(t, finding.reason, known_words(t, project))));
+  if (!finding.reason.empty()) note(printable(sentence(t, finding.reason, known)));
   if (const std::string words = aggregate_note(t, finding); !words.empty()) note(printable(words));
 }
 
@@ -387,8 +389,10 @@ std::vector<TableLine> project_lines(const Texts& t, const ProjectPart& project,
       lines.emplace_back().note = coverage_words(t, row);
     }
   }
-  for (const rules::AggregateFinding& finding : project.aggregates) {
-    add_aggregate(t, project, finding, lines);
+  if (!project.aggregates.empty()) {
+    const std::vector<KnownWords> known = known_words(t, project);
+    for (const rules::AggregateFinding& finding : project.aggregates)
+      add_aggregate(t, project, finding, known, lines);
   }
   number_repeated_notes(lines);
   if (!lines.empty()) lines.insert(lines.begin(), heading(t));

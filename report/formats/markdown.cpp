@@ -5,6 +5,7 @@
 #include "report/revision/revision_tables.h"
 #include "report/text/about_words.h"
 #include "report/text/aggregate_words.h"
+#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -25,9 +26,10 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const rules::Finding* finding = entry.finding;
   if (const rules::AggregateFinding* aggregate = entry.aggregate) {
     std::string words = aggregate_title(t, *aggregate);
-    if (!aggregate->clause.empty()) words += ", " + aggregate->clause;
+    if (!aggregate->clause.empty()) words += ", " + clause_words(t, aggregate->clause);
     if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
-    if (!aggregate->reason.empty()) words += "; " + sentence(t, aggregate->reason);
+    if (!aggregate->reason.empty())
+      words += "; " + sentence(t, aggregate->reason, known_words(t, *entry.project));
     return fmt::format("{} | {} | {} | ", escape_markdown(words),
                        escape_markdown(aggregate_required(t, *aggregate)),
                        escape_markdown(aggregate_measured(t, *aggregate)));
@@ -38,7 +40,8 @@ std::string cells(const Texts& t, const CiFinding& entry) {
   const Threshold threshold{requirement.limit, requirement.comparison};
   std::string quantity = escape_markdown(quantity_words(t, requirement, entry.plane->kernel) +
                                          scene_words(t, requirement));
-  if (!requirement.clause.empty()) quantity += ", " + escape_markdown(requirement.clause);
+  if (!requirement.clause.empty())
+    quantity += ", " + escape_markdown(clause_words(t, requirement.clause));
   if (const std::string note = note_words(t, *finding); !note.empty()) {
     quantity += " (" + escape_markdown(note) + ")";
   }

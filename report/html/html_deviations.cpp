@@ -1,6 +1,7 @@
 #include "report/html/html_deviations.h"
 
 #include "report/html/html_markup.h"
+#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -34,7 +35,7 @@ std::string asked_words(const Texts& t, const PlanePart& plane, const rules::Fin
   }
   words += std::string(t[Text::colon]) + verdict_words(t, finding.verdict);
   if (!requirement.clause.empty())
-    words += "<span class=\"note\">" + escape_html(requirement.clause) + "</span>";
+    words += "<span class=\"note\">" + escape_html(clause_words(t, requirement.clause)) + "</span>";
   return words;
 }
 
@@ -71,7 +72,8 @@ std::string finding_rows(const Texts& t, const PlanePart& plane, const std::stri
 std::string role_rows(const Texts& t, const std::string& where, const rules::RowCoverage& row,
                       const rules::RoleCoverage& role) {
   std::string rows;
-  const std::string clause = "<span class=\"note\">" + escape_html(row.clause) + "</span>";
+  const std::string clause =
+      "<span class=\"note\">" + escape_html(clause_words(t, row.clause)) + "</span>";
   for (const rules::LeftOutZone& zone : role.left_out) {
     rows += row_html(t[zone.has_ended ? Text::left_out_ended : Text::left_out_of_row], where,
                      escape_html(zone.zone) + clause, escape_html(zone.by.reason),

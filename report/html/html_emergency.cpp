@@ -2,6 +2,7 @@
 
 #include "report/html/html_findings.h"
 #include "report/html/html_markup.h"
+#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"

@@ -4,6 +4,7 @@
 #include "report/html/pass_factor.h"
 #include "report/revision/gate.h"
 #include "report/revision/revision_tables.h"
+#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/svg.h"
@@ -164,12 +165,13 @@ std::string statistics_words(const Texts& t, const PlanePart& plane) {
 }
 
 // A plane without requirements still has a line: nothing is left out silently.
-std::string plain_row(const Texts& t, const std::string& head, const PlanePart& plane) {
+std::string plain_row(const Texts& t, const std::string& head, const SpacePart& space,
+                      const PlanePart& plane) {
   if (!plane.is_computed) {
     return fmt::format(
         "<tr class=\"finding not-judged\">{}<td data-v=\"0\">{}</td><td "
         "colspan=\"6\">{}</td></tr>\n",
-        head, t[Text::not_computed], sentence_html(t, plane.reason));
+        head, t[Text::not_computed], sentence_html(t, plane.reason, known_words(t, space)));
   }
   return fmt::format(
       "<tr class=\"finding no-limit\">{}<td class=\"quiet\" data-v=\"4\">{}</td><td "
@@ -186,8 +188,9 @@ std::string plane_rows(const Texts& t, PlaneIndex index, const SpacePart& space,
                         is_first ? "" : " same", row_head(index, space, plane, folder, is_first),
                         finding_cells(t, plane, finding));
   }
-  return plane.findings.empty() ? plain_row(t, row_head(index, space, plane, folder, true), plane)
-                                : html;
+  return plane.findings.empty()
+             ? plain_row(t, row_head(index, space, plane, folder, true), space, plane)
+             : html;
 }
 
 // "2 fail, 1 pass" of a room.
@@ -308,11 +311,11 @@ std::string html_finding_notes(const Texts& t, const rules::Finding& finding) {
   if (requirement.state != rules::LightState::maintained)
     note(light_state_words(t, requirement.state));
   if (!requirement.scene.empty()) note(t.say<Text::scene>(escape_html(requirement.scene)));
+  const std::vector<KnownWords> known = known_words(t, finding);
   std::string words;
   for (const NotePart& part : note_parts(t, finding)) {
     words += words.empty() ? "" : "; ";
-    words += part.is_english ? sentence_html(t, part.text, known_words(t, finding))
-                             : escape_html(part.text);
+    words += part.is_english ? sentence_html(t, part.text, known) : escape_html(part.text);
   }
   if (!words.empty()) note(words);
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";

@@ -9,6 +9,7 @@
 #include "report/html/pass_factor.h"
 #include "report/html/plan_layout.h"
 #include "report/images/heatmap.h"
+#include "report/text/known_words.h"
 #include "report/text/markup.h"
 #include "report/text/sentences.h"
 #include "report/text/words.h"
@@ -272,8 +273,10 @@ std::string html_plane(const Texts& t, PlaneIndex index, const SpacePart& space,
       folds_passed && is_all_passed(plane) ? "" : " open=\"open\"", badges(t, plane),
       level_attributes(t, space, plane, scales, groups));
   if (!plane.is_computed) {
-    html += "<p class=\"message\">" +
-            t.say<Text::not_computed_because>(sentence_html(t, plane.reason)) + "</p>\n";
+    html +=
+        "<p class=\"message\">" +
+        t.say<Text::not_computed_because>(sentence_html(t, plane.reason, known_words(t, space))) +
+        "</p>\n";
     return html + html_plane_findings(t, plane) + "</div></details></article>\n";
   }
   html += html_plane_findings(t, plane) + "<div class=\"split\">\n";

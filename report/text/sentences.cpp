@@ -27,14 +27,17 @@ constexpr auto kFrench = std::to_array<SentenceEntry>({
 });
 #undef SENTENCE
 
-constexpr bool has_all_ids(std::span<const SentenceEntry> sentences) {
+constexpr bool has_all_sentences(std::span<const SentenceEntry> sentences) {
   return std::equal(sentences.begin(), sentences.end(), kEnglish.begin(), kEnglish.end(),
                     [](const SentenceEntry& a, const SentenceEntry& b) {
                       return a.id == b.id && a.is_phrase == b.is_phrase;
                     });
 }
-static_assert(has_all_ids(kGerman), "german_sentences.def has not the ids of sentences.def");
-static_assert(has_all_ids(kFrench), "french_sentences.def has not the ids of sentences.def");
+// In the order of Language.
+constexpr std::array<std::span<const SentenceEntry>, kLanguages.size()> kAllSentences{
+    kEnglish, kGerman, kFrench};
+static_assert(std::all_of(kAllSentences.begin(), kAllSentences.end(), has_all_sentences),
+              "a file of sentences has not the ids of sentences.def in their order");
 
 // {}: numbers and sentences, in the reader's language; {:l} a list of them. {:s}: a name. {:*}:
 // what people have written. Only {:l} and {:*} hold "; " or ", " outside of brackets.
@@ -77,13 +80,12 @@ std::vector<Template> templates_of(std::span<const SentenceEntry> sentences) {
 }
 
 const std::vector<Template>& templates_of(Language language) {
-  static const auto kAll = [] {
+  static const auto kTemplates = [] {
     std::array<std::vector<Template>, kLanguages.size()> all;
-    for (const LanguageRow& row : kLanguages)
-      all[static_cast<std::size_t>(row.language)] = templates_of(sentences_of(row.language));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = templates_of(kAllSentences[i]);
     return all;
   }();
-  return kAll[static_cast<std::size_t>(language)];
+  return kTemplates[static_cast<std::size_t>(language)];
 }
 
 // At the separator, outside of brackets: "looking to (0, 1)" and 'rack[0,1]' stay whole.
@@ -347,15 +349,7 @@ std::string joined(const std::vector<Piece>& pieces) {
 }  // namespace
 
 std::span<const SentenceEntry> sentences_of(Language language) {
-  switch (language) {
-    case Language::english:
-      return kEnglish;
-    case Language::german:
-      return kGerman;
-    case Language::french:
-      return kFrench;
-  }
-  return {};
+  return kAllSentences[static_cast<std::size_t>(language)];
 }
 
 std::string sentence(const Texts& t, const std::string& english, Known known) {

@@ -16,23 +16,16 @@ constexpr bool has_all_ids(std::span<const TextEntry> texts) {
   return std::equal(texts.begin(), texts.end(), kEnglishTexts.begin(), kEnglishTexts.end(),
                     [](const TextEntry& a, const TextEntry& b) { return a.id == b.id; });
 }
-static_assert(has_all_ids(kGermanTexts),
-              "german.def has not the ids of english.def in their order");
-static_assert(has_all_ids(kFrenchTexts),
-              "french.def has not the ids of english.def in their order");
+// In the order of Language.
+constexpr std::array<std::span<const TextEntry>, kLanguages.size()> kAllTexts{
+    kEnglishTexts, kGermanTexts, kFrenchTexts};
+static_assert(std::all_of(kAllTexts.begin(), kAllTexts.end(), has_all_ids),
+              "a file of texts has not the ids of english.def in their order");
 
 }  // namespace
 
 std::span<const TextEntry> texts_of(Language language) {
-  switch (language) {
-    case Language::english:
-      return kEnglishTexts;
-    case Language::german:
-      return kGermanTexts;
-    case Language::french:
-      return kFrenchTexts;
-  }
-  return {};
+  return kAllTexts[static_cast<std::size_t>(language)];
 }
 
 const char* Texts::operator[](Text id) const {

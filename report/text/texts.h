@@ -1,7 +1,7 @@
 #pragma once
 // Our own texts in the reader's language. A language is a file of texts (english.def is the first
-// of them), its row in kLanguages and its include in texts.cpp. Data formats and everything that
-// comes from files stay as they are.
+// of them) with its include in texts.cpp, one of sentences with that in sentences.cpp, and its row
+// in kLanguages. Data formats and everything that comes from files stay as they are.
 
 #include <fmt/format.h>
 

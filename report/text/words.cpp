@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "report/text/known_words.h"
 #include "report/text/plain_text.h"
 #include "report/text/sentences.h"
 #include "report/text/text_numbers.h"
@@ -226,12 +227,6 @@ std::string scene_words(const Texts& t, const rules::Requirement& requirement) {
 
 namespace {
 
-std::vector<KnownWords> known_of(const Texts& t, const rules::RoleCoverage& role) {
-  std::vector<KnownWords> known;
-  for (const rules::LeftOutZone& zone : role.left_out) add_known(t, zone.by, known);
-  return known;
-}
-
 // "surround, wall (window wall)"; "" if no role is in one of the states.
 std::string roles_in(const Texts& t, const rules::RowCoverage& row,
                      std::initializer_list<rules::RoleState> states) {
@@ -240,7 +235,7 @@ std::string roles_in(const Texts& t, const rules::RowCoverage& row,
     if (std::find(states.begin(), states.end(), role.state) == states.end()) continue;
     words += (words.empty() ? "" : ", ") + role.role;
     if (!role.words.empty())
-      words += " (" + printable(sentence(t, role.words, known_of(t, role))) + ")";
+      words += " (" + printable(sentence(t, role.words, known_words(t, role))) + ")";
   }
   return words;
 }
@@ -271,53 +266,6 @@ std::string coverage_words(const Texts& t, const rules::RowCoverage& row) {
   return words;
 }
 
-std::vector<KnownWords> known_words(const Texts& t, const rules::Finding& finding) {
-  std::vector<KnownWords> known;
-  if (finding.requirement.waiver) add_known(t, *finding.requirement.waiver, known);
-  for (const rules::Deviation& deviation : finding.requirement.deviations)
-    if (deviation.stated) add_known(t, *deviation.stated, known);
-  return known;
-}
-
-std::vector<KnownWords> known_words(const Texts& t, const SpacePart& space) {
-  std::vector<KnownWords> known;
-  for (const rules::RowCoverage& row : space.coverage) {
-    for (const rules::RoleCoverage& role : row.roles)
-      for (const rules::LeftOutZone& zone : role.left_out) add_known(t, zone.by, known);
-  }
-  return known;
-}
-
-std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project) {
-  std::vector<KnownWords> known;
-  for (const SpacePart& space : project.spaces) {
-    const std::vector<KnownWords> zones = known_words(t, space);
-    known.insert(known.end(), zones.begin(), zones.end());
-    for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings)
-        if (finding.requirement.waiver) add_known(t, *finding.requirement.waiver, known);
-    }
-  }
-  const auto is_less = [](const KnownWords& a, const KnownWords& b) {
-    return a.english < b.english;
-  };
-  std::sort(known.begin(), known.end(), is_less);
-  known.erase(
-      std::unique(known.begin(), known.end(),
-                  [](const KnownWords& a, const KnownWords& b) { return a.english == b.english; }),
-      known.end());
-  return known;
-}
-
-std::string clause_words(const Texts& t, const std::string& clause) {
-  return clause.ends_with(']') ? phrases(t, clause) : clause;
-}
-
-std::string changed_words(const Texts& t, const std::string& changed) {
-  const std::size_t remark = std::min(changed.find(" ("), changed.size());
-  return phrases(t, changed.substr(0, remark)) + changed.substr(remark);
-}
-
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) {
   std::vector<NotePart> parts;
   const rules::Requirement& requirement = finding.requirement;
@@ -344,10 +292,11 @@ std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding) 
 }
 
 std::string note_words(const Texts& t, const rules::Finding& finding) {
+  const std::vector<KnownWords> known = known_words(t, finding);
   std::string words;
   for (const NotePart& part : note_parts(t, finding))
-    words += (words.empty() ? "" : "; ") +
-             (part.is_english ? sentence(t, part.text, known_words(t, finding)) : part.text);
+    words +=
+        (words.empty() ? "" : "; ") + (part.is_english ? sentence(t, part.text, known) : part.text);
   return words;
 }
 

@@ -3,7 +3,6 @@
 // that take Texts speak its language; without them it is English, as data formats need it.
 
 #include "report/document/document.h"
-#include "report/text/sentences.h"
 #include "report/text/texts.h"
 
 #include <string>
@@ -84,18 +83,6 @@ struct NotePart {
 std::string scene_words(const Texts& t, const rules::Requirement& requirement);
 // "EN 12464-1:2021 34.2: not the whole row is asked, only task; never asked: surround, ...".
 std::string coverage_words(const Texts& t, const rules::RowCoverage& row);
-// Words of people in what results say of these, for sentence(): waivers of findings and statements
-// of their deviations; zones that are left out; both.
-std::vector<KnownWords> known_words(const Texts& t, const rules::Finding& finding);
-std::vector<KnownWords> known_words(const Texts& t, const SpacePart& space);
-std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project);
-
-// A clause of a rule pack, with how well its number is known; of others as it is.
-std::string clause_words(const Texts& t, const std::string& clause);
-
-// PlanePart::changed; what stands in brackets at its end is the project's.
-std::string changed_words(const Texts& t, const std::string& changed);
-
 std::vector<NotePart> note_parts(const Texts& t, const rules::Finding& finding);
 // The same as one text.
 std::string note_words(const Texts& t, const rules::Finding& finding);

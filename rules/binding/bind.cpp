@@ -119,7 +119,13 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
     return requirement.origin.pack.empty() && requirement.state != LightState::initial &&
            !is_of_space(requirement.metric);
   };
-  if (std::none_of(bound.begin(), bound.end(), is_own_and_maintained)) return;
+  if (std::any_of(bound.begin(), bound.end(), is_own_and_maintained))
+    report_unstated_maintenance(project, diagnostics);
+}
+
+}  // namespace
+
+void report_unstated_maintenance(const calc::Project& project, calc::Diagnostics& diagnostics) {
   constexpr std::size_t kMostNamed = 3;
   std::vector<std::string> names;
   const calc::LuminaireType* first = nullptr;
@@ -138,8 +144,6 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
   diagnostics.report(calc::DiagnosticId::maintenance_not_stated, first->where,
                      names.size() == 1 ? "" : "s", calc::list_names(names, kMostNamed));
 }
-
-}  // namespace
 
 std::vector<Requirement> bind_requirements(const calc::Project& project,
                                            const std::vector<RulePack>& packs,

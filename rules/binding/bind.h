@@ -30,6 +30,10 @@ std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
                                                   const calc::CalcPlane& plane,
                                                   const std::vector<RulePack>& packs);
 
+// Warns of types of luminaires in use that state no maintenance factor: their light is that of a
+// new installation.
+void report_unstated_maintenance(const calc::Project& project, calc::Diagnostics& diagnostics);
+
 // In order.
 std::vector<Requirement> requirements_of_plane(const std::vector<Requirement>& requirements,
                                                std::string_view plane_id);

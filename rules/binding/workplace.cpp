@@ -108,8 +108,9 @@ class WorkplaceMaker {
 
   // By run().
   const std::vector<calc::UnmadeZone>& unmade() const { return unmade_; }
-  // "EN 12464-1:2021 34.2: left out: ceiling (open)"; "" = there is nothing to say.
+  // "EN 12464-1:2021 34.2".
   std::string row() const { return rule_words(); }
+  // "left out: ceiling (open)"; "" = there is nothing to say.
   std::string note() const { return note_words(); }
   std::vector<std::string> asked() const {
     std::vector<std::string> checks;

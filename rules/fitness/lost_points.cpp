@@ -12,15 +12,18 @@ namespace rules {
 
 namespace {
 
-// So many points that this body has taken; "" for another reason.
+// So many points that this body has taken: is_of_body().
 std::string taken_words(calc::DropReason reason, std::size_t count, const std::string& body) {
   using enum calc::Sentence;
   if (reason == calc::DropReason::in_the_way) return calc::say<lost_where>(count, body);
   if (reason == calc::DropReason::inside_solid) return calc::say<lost_inside>(count, body);
-  return reason == calc::DropReason::in_surface ? calc::say<lost_in_surface>(count, body) : "";
+  return calc::say<lost_in_surface>(count, body);
 }
 
-bool is_of_body(calc::DropReason reason) { return !taken_words(reason, 0, "").empty(); }
+bool is_of_body(calc::DropReason reason) {
+  return reason == calc::DropReason::in_the_way || reason == calc::DropReason::inside_solid ||
+         reason == calc::DropReason::in_surface;
+}
 
 }  // namespace
 

@@ -1,8 +1,5 @@
 #include "report/tools/export/export.h"
 
-#include "calc/base/text.h"
-#include "calc/radiosity/cutaway.h"
-#include "calc/radiosity/surface_light.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "report/check/load_judged_project.h"
@@ -11,17 +8,14 @@
 #include "report/shell/outputs.h"
 #include "report/shell/recording_reader.h"
 #include "report/text/plain_text.h"
-#include "report/tools/export/gltf_room.h"
+#include "report/tools/export/gltf_files.h"
 #include "report/tools/export/radiance_lights.h"
 #include "report/tools/export/radiance_scene.h"
-#include "report/tools/pictures/room_pictures.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -30,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using calc::DiagnosticId;
-
-struct ExportedFile {
-  std::string name, text;
-};
 
 // Grids of all planes of planar illuminance; what is left out is said.
 std::vector<calc::SensorGrid> grids_of(const calc::Space& space, std::vector<std::string>& ids,
@@ -92,123 +82,6 @@ std::vector<ExportedFile> radiance_files(const calc::Project& project, const cal
   return files;
 }
 
-// Outlines of the planes that have one, just above what they may lie on.
-std::vector<gltf::Outline> outlines_of(const calc::Space& space, const calc::PreparedScene& scene,
-                                       std::vector<std::string>& notes,
-                                       calc::Diagnostics& diagnostics) {
-  constexpr double kLift = 1e-3;  // of the room's diagonal
-  std::vector<gltf::Outline> outlines;
-  for (const calc::CalcPlane& plane : space.planes) {
-    const std::optional<calc::SensorGrid> grid = calc::make_sensor_grid(plane, space, diagnostics);
-    if (!grid) continue;
-    if (grid->outline_m.empty()) {
-      notes.push_back(fmt::format("plane '{}' is a list of points: it has no outline", plane.id));
-      continue;
-    }
-    gltf::Outline outline{plane.id, {}};
-    if (grid->route) {
-      outline.corner_m = route_outline_m(*grid->route, scene.origin_m);
-    } else {
-      for (const glm::dvec2& corner : grid->outline_m) {
-        outline.corner_m.push_back(grid->origin_m - scene.origin_m + corner.x * grid->u +
-                                   corner.y * grid->v);
-      }
-    }
-    const glm::dvec3 lift_m = kLift * scene.extent_m * glm::cross(grid->u, grid->v);
-    for (glm::dvec3& corner : outline.corner_m) corner += lift_m;
-    outlines.push_back(std::move(outline));
-  }
-  return outlines;
-}
-
-// By the space's id. On some systems names that differ in case alone are one.
-std::map<std::string, std::string> model_names(const std::vector<const calc::Space*>& spaces) {
-  std::map<std::string, std::string> names;
-  std::set<std::string> taken;
-  for (const calc::Space* space : spaces) {
-    std::string wanted = safe_name(space->id);
-    if (wanted.empty() || wanted.front() == '.') wanted = "room" + wanted;
-    std::string stem = wanted;
-    for (int i = 2; !taken.insert(calc::ascii_lowered(stem)).second; ++i)
-      stem = fmt::format("{}-{}", wanted, i);
-    names[space->id] = stem + ".glb";
-  }
-  return names;
-}
-
-// Types whose light counts as that of new luminaires, since nothing else is stated.
-void add_unmaintained(const calc::Project& project, const std::vector<const calc::Space*>& spaces,
-                      std::vector<std::string>& notes) {
-  std::set<std::string> types;
-  for (const calc::Space* space : spaces) {
-    for (const calc::Luminaire& luminaire : space->luminaires) {
-      const calc::LuminaireType& type = project.luminaire_types[luminaire.type];
-      if (!type.maintenance.is_stated) types.insert("'" + type.id + "'");
-    }
-  }
-  if (types.empty()) return;
-  notes.push_back(fmt::format(
-      "no maintenance factor is stated of luminaire type {}: their light is that of new "
-      "ones",
-      calc::list_names({types.begin(), types.end()}, 3)));
-}
-
-// A model of each room that has light to show; the others are named.
-std::vector<ExportedFile> gltf_files(const ExportOptions& options, const calc::Project& project,
-                                     const std::vector<const calc::Space*>& spaces,
-                                     std::vector<std::string>& notes,
-                                     calc::Diagnostics& diagnostics) {
-  constexpr double kNoisy = 0.1;
-  std::vector<std::unique_ptr<calc::PreparedScene>> scenes;
-  std::vector<gltf::Room> rooms;
-  const auto gatherer = calc::make_cpu_gatherer();
-  calc::SurfaceLightSettings settings;
-  settings.points = 5000;  // nobody waits for it among verdicts
-  settings.seed = options.seed;
-  settings.jobs = options.jobs;
-  for (const calc::Space* space : spaces) {
-    auto scene = std::make_unique<calc::PreparedScene>(calc::prepare_scene(project, *space));
-    gltf::Room room{space->id, space->name, scene.get(), {}, {}};
-    if (scene->triangle.empty()) {
-      room.light.problem = "it has no surfaces";
-    } else if (scene->triangle.size() > settings.most_points) {
-      room.light.problem = fmt::format("it has {} triangles, and a model is made of at most {}",
-                                       scene->triangle.size(), settings.most_points);
-    } else {
-      const calc::Tracer tracer(*scene);
-      room.light = calc::light_surfaces(*scene, calc::sides_from_everywhere(tracer, opens(*space)),
-                                        settings, *gatherer);
-    }
-    if (!room.light.problem.empty()) {
-      notes.push_back(fmt::format("space '{}' is missing: {}", space->id, room.light.problem));
-      continue;
-    }
-    room.planes = outlines_of(*space, *scene, notes, diagnostics);
-    if (room.light.error_share > kNoisy) {
-      notes.push_back(
-          fmt::format("the light of space '{}' is uncertain: {:.0f} % of sampling error", space->id,
-                      100.0 * room.light.error_share));
-    }
-    scenes.push_back(std::move(scene));
-    rooms.push_back(std::move(room));
-  }
-  if (diagnostics.has_errors()) return {};
-  if (rooms.empty()) {
-    diagnostics.report(
-        DiagnosticId::output_not_possible, {},
-        notes.empty() ? std::string("there is no model: the project has no room and no surface")
-                      : fmt::format("there is no model: {}", fmt::join(notes, "; ")));
-    return {};
-  }
-  add_unmaintained(project, spaces, notes);
-  const report::ColourScale scale = gltf::common_scale(rooms);
-  const std::map<std::string, std::string> names = model_names(spaces);
-  std::vector<ExportedFile> files;
-  for (const gltf::Room& room : rooms)
-    files.push_back({names.at(room.id), gltf::write_glb(room, scale)});
-  return files;
-}
-
 // "" = every file can be written.
 std::string obstacle(const ExportOptions& options, const std::vector<ExportedFile>& files,
                      const RecordingReader& inputs) {
@@ -247,7 +120,7 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
   if (!is_radiance) {
     // Light takes a while: what stands in the way of the files is told before.
     std::vector<ExportedFile> wanted;
-    for (const auto& [id, name] : model_names(spaces)) wanted.push_back({name, ""});
+    for (const auto& [id, name] : gltf_names(spaces)) wanted.push_back({name, ""});
     if (const std::string problem = obstacle(options, wanted, files); !problem.empty()) {
       diagnostics.report(DiagnosticId::output_not_possible, {}, problem);
       return "";
@@ -256,7 +129,7 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
   std::vector<std::string> notes;
   const std::vector<ExportedFile> exported =
       is_radiance ? radiance_files(*project, *spaces.front(), notes, diagnostics)
-                  : gltf_files(options, *project, spaces, notes, diagnostics);
+                  : gltf_files({options.seed, options.jobs}, *project, spaces, notes, diagnostics);
   if (exported.empty()) return "";
   std::string problem = obstacle(options, exported, files);
   for (const ExportedFile& file : exported) {
@@ -278,8 +151,9 @@ std::string export_project(const ExportOptions& options, const RecordingReader& 
                                  exported.size() == 1 ? "" : "s", options.folder);
   text += is_radiance ? fmt::format(" Next: {}\n", (fs::path(options.folder) / "run.sh").string())
                       : std::string("\n");
+  const char* head = is_radiance ? "Not as in luxgate" : "Note";
   for (const std::string& note : notes) {
-    text += fmt::format("Not as in luxgate: {}\n", report::printable(note));
+    text += fmt::format("{}: {}\n", head, report::printable(note));
   }
   return text;
 }

@@ -2,6 +2,8 @@
 
 #include "report/shell/option_values.h"
 
+#include <fmt/format.h>
+
 namespace cli {
 
 namespace {
@@ -19,8 +21,9 @@ std::string export_contradiction(const ExportOptions& options) {
 Command export_syntax(ExportOptions& options) {
   Command command{
       "export", "Write a project as a scene of Radiance, or rooms with their light as glTF models"};
-  command.places = {{"target", "radiance|gltf", "What to write", &options.target},
-                    project_place(options.project)};
+  command.places = {
+      {"target", fmt::format("{}|{}", kRadiance, kGltf), "What to write", &options.target},
+      project_place(options.project)};
   command.options = {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},

@@ -170,6 +170,11 @@ TEST(GltfExport, HasTheLightOfEveryRoomOnOneScale) {
   const cli::CommandOutcome outcome = rooms.run();
   ASSERT_EQ(outcome.code, cli::kAllMet) << outcome.text;
   EXPECT_THAT(outcome.text, testing::StartsWith("Wrote 2 files into "));
+  for (const char* room : {"first:room", "second"}) {
+    EXPECT_THAT(outcome.text,
+                testing::ContainsRegex("Note: the light of space '" + std::string(room) +
+                                       "' has a sampling error of [0-9.]+ %"));
+  }
   const Model first(rooms.file("first_room.glb")), second(rooms.file("second.glb"));
   EXPECT_EQ(first.head["scenes"][0]["name"], "First");
   EXPECT_EQ(second.head["scenes"][0]["name"], "second");
@@ -182,10 +187,31 @@ TEST(GltfExport, HasTheLightOfEveryRoomOnOneScale) {
   EXPECT_GT(mean, 100.0);
   EXPECT_NEAR(mean_of_floor(second) / mean, 2.0, 0.1);
   EXPECT_EQ(first.of("low", "POSITION").size(), 4U * 3U);
-  EXPECT_NEAR(first.of("low", "POSITION")[1], 0.1 + 0.0056 - 1.25, 0.01);  // y up, from the middle
+  // y up, from the middle of the room, and a thousandth of its diagonal above the plane.
+  EXPECT_NEAR(first.of("low", "POSITION")[1], 0.1 + 0.00559 - 1.25, 1e-4);
   EXPECT_EQ(first.of("luminaires", "indices").size(), 6U);
   EXPECT_FALSE(first.of("legend", "TEXCOORD_0").empty());
   EXPECT_EQ(first.head["images"][0]["mimeType"], "image/png");
+}
+
+// As check does: light that nobody says fades is that of a new installation.
+TEST(GltfExport, WarnsOfLightWithoutMaintenance) {
+  const auto warnings = [](const std::string& project) {
+    std::size_t count = 0;
+    for (const calc::Diagnostic& one : Exported(project).run().diagnostics)
+      count += one.id == calc::DiagnosticId::maintenance_not_stated ? 1 : 0;
+    return count;
+  };
+  std::string project = kRooms;
+  EXPECT_EQ(warnings(project), 0U);
+  project.replace(project.find(" maintenance-factor=\"1\""), 23, "");
+  EXPECT_EQ(warnings(project), 1U);
+  // Its own limit has told of it already.
+  const std::string plane = "<plane id=\"low\" height=\"0.1\" count=\"4 3\"/>";
+  project.replace(project.find(plane), plane.size(),
+                  "<plane id=\"low\" height=\"0.1\" count=\"4 3\"><require quantity=\"average\" "
+                  "at-least=\"1\"/></plane>");
+  EXPECT_EQ(warnings(project), 1U);
 }
 
 // Linear light of the map's colours: two ends and one between, by hand from #00204d and so on.
