@@ -2,7 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include <algorithm>
 #include <array>

@@ -27,6 +27,5 @@ luxgate_test(radiosity_tests
     unit/calc/radiosity/rays_test.cpp
     unit/calc/radiosity/settings_test.cpp
     unit/calc/radiosity/solve_test.cpp
-    unit/calc/radiosity/ugr_table_test.cpp
     unit/calc/radiosity/vertex_tree_test.cpp
   LIBRARIES calc_radiosity luxgate_exact)

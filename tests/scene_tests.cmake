@@ -6,6 +6,8 @@ luxgate_test(scene_tests
     unit/calc/meshes/mesh_obj_test.cpp
     unit/calc/meshes/mesh_ply_test.cpp
     unit/calc/meshes/mesh_stl_test.cpp
+    unit/calc/glare/room_ugr_test.cpp
+    unit/calc/glare/ugr_table_test.cpp
     unit/calc/scene/polygon_cut_test.cpp
     unit/calc/scene/polygon_mend_test.cpp
     unit/calc/scene/polygon_test.cpp

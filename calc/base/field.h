@@ -4,8 +4,10 @@
 #include "calc/base/names.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,17 @@ struct Estimate {
 
   double half_width() const { return 0.5 * (high - low); }
 };
+
+inline bool is_finite(const Estimate& estimate) {
+  return std::isfinite(estimate.value) && std::isfinite(estimate.low) &&
+         std::isfinite(estimate.high);
+}
+
+// There is nothing that could be measured, and so it is less than every number. `high` is finite
+// where something may be there all the same.
+inline bool is_nothing(const Estimate& estimate) {
+  return estimate.value == -std::numeric_limits<double>::infinity();
+}
 
 // Luminaires that share a dimming group and a maintenance factor: results are linear in both, so
 // that every scene and state is a weighted sum over channels.
@@ -67,27 +80,29 @@ struct SolveCounters {
   std::vector<std::size_t> active_points;
 };
 
-// Why the glare formula cannot be used for a luminaire that an eye sees.
+// For what of a luminaire that an eye sees CIE 117 does not state its formula.
 enum class GlareProblem {
-  below_sight,  // its centre lies below the line of sight: there is no position index
+  below_sight,  // something of it lies below the line of sight, where there is no position index
   too_large,    // what is seen of it, or may be, > 0.1 sr
   no_area       // no luminous area towards the eye: its luminance is unbounded
 };
-struct GlareRefusal {
+struct GlareDoubt {
   std::size_t point = 0, channel = 0;
   GlareProblem problem = GlareProblem::below_sight;
   double number = 0.0;                  // solid angle in sr of too_large
   std::array<double, 3> luminaire_m{};  // world
 };
+inline constexpr std::size_t kGlareProblems = 3;
 
 // What luminaires send to the eyes of a plane of DerivedQuantity::ugr, new and at full output; a
 // dimmed channel counts by the square of its level. [channel][point], cd^2 sr / m^4; see
-// calc/radiosity/glare.h. low: without sources that are too small for the formula (< 0.0003 sr) or
-// above the table of position indices, and with the least that is seen of openings partly hidden;
-// high: with all of these.
+// calc/radiosity/glare.h. low: without sources that have no position index on the table or no area,
+// with small ones by the milder rule for them, and with the least that is seen of openings partly
+// hidden; high: with all of these. What a source that is too large may count beyond `high` is not
+// in it: see `doubts`.
 struct GlareField {
   std::vector<double> value, low, high;
-  std::vector<GlareRefusal> refusals;  // one per point and channel at most
+  std::vector<GlareDoubt> doubts;  // of every problem one per point and channel at most
 };
 
 // Initial illuminance (new lamps, full output) at the points of one plane, on the side of their

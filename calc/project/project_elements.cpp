@@ -44,6 +44,8 @@ const ValueType kInterpolationType{
 const ValueType kUpAxisType{.name = "upAxis", .base = &kAnyText, .words = {"z", "y"}};
 const ValueType kLineEndsType{.name = "lineEnds", .base = &kAnyText, .words = {"half", "end"}};
 const ValueType kRingTurnType{.name = "ringTurn", .base = &kAnyText, .words = {"yes", "no"}};
+const ValueType kGlareMethodType{
+    .name = "glareMethod", .base = &kAnyText, .words = {"table", "observers"}};
 const ValueType kPlaneQuantityType{
     .name = "planeQuantity", .base = &kAnyText, .words = plane_quantity_names()};
 
@@ -618,8 +620,16 @@ const ElementRow kWorkplaceElement{
         R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
 "id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y. See
 rules/README.md.)",
-    .attributes = {kIdAttribute, kNameAttribute, kWasAttribute, kZoneOriginAttribute,
-                   kZoneSizeAttribute, kZoneFootprintAttribute, kHeightAboveFloorAttribute},
+    .attributes = {kIdAttribute,
+                   kNameAttribute,
+                   kWasAttribute,
+                   kZoneOriginAttribute,
+                   kZoneSizeAttribute,
+                   kZoneFootprintAttribute,
+                   kHeightAboveFloorAttribute,
+                   {"glare", &kGlareMethodType, optional,
+                    "How glare is judged: by the tabular method, or at observers; if not given by "
+                    "the table, where the room is one that it is for."}},
     .children = {{"zone", &kZoneElement},
                  {"without", &kWithoutElement},
                  {"deviation", &kDeviationElement},

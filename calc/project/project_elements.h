@@ -24,7 +24,7 @@ inline constexpr NumberRange kTurn{-kFullTurn_deg, kFullTurn_deg, false,
 // Types that others need, too: words of choices, and what attributes of requirements hold.
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kVectorType;
 extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
-    kLineEndsType, kRingTurnType, kPlaneQuantityType;
+    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType;
 // A last day, YYYY-MM-DD.
 extern const ValueType kDayType;
 // Of a waiver, see waiver_attributes.h.

@@ -1,8 +1,8 @@
 #include "calc/radiosity/direct.h"
 
 #include "calc/radiosity/low_discrepancy.h"
-#include "calc/radiosity/opening.h"
 #include "calc/radiosity/shadow_batch.h"
+#include "calc/scene/opening.h"
 
 #include <algorithm>
 #include <array>

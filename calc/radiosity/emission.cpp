@@ -1,7 +1,7 @@
 #include "calc/radiosity/emission.h"
 
 #include "calc/base/units.h"
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "calc/radiosity/glare.h"
 
 #include "calc/base/elementary.h"
-#include "calc/base/units.h"
+#include "calc/glare/position_index.h"
 #include "calc/radiosity/emission.h"
-#include "calc/radiosity/opening.h"
 #include "calc/radiosity/opening_light.h"
 #include "calc/radiosity/shadow_batch.h"
+#include "calc/scene/opening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,35 +15,6 @@
 
 namespace calc {
 namespace {
-
-// Of a source, or a part of one, as the eye sees it: multiples of the distance along the line of
-// sight.
-struct SeenAt {
-  double along_m, sideways, upwards;
-
-  SeenAt(const glm::dvec3& to_source, const glm::dvec3& look)
-      : along_m(glm::dot(to_source, look)),
-        sideways(glm::length(glm::cross(look, to_source - to_source.z * kUp)) / along_m),
-        upwards(to_source.z / along_m) {}
-
-  // Where it ends above a source is out, below one is in: so none is passed over without a word.
-  bool is_in_field() const {
-    return along_m > 0.0 && sideways <= kWidestSource + kBinaryNoise &&
-           upwards < kHighestSource - kBinaryNoise && upwards >= -kHighestSource - kBinaryNoise;
-  }
-  // Where the table has an index, and not only the closed form.
-  bool is_on_table() const {
-    return is_in_field() && upwards <= highest_on_table(sideways + kBinaryNoise) + kBinaryNoise;
-  }
-  // 1 where the field ends, less inside it.
-  double share_of_field() const {
-    return std::max(sideways / kWidestSource, std::abs(upwards) / kHighestSource);
-  }
-  bool is_below() const { return upwards < -kBinaryNoise; }
-
-  static constexpr double kBinaryNoise = 1.0e-9;
-  static constexpr glm::dvec3 kUp{0.0, 0.0, 1.0};
-};
 
 // Of a whole of which only so much is seen: how far that may be off, one straight edge.
 double doubt_of(double share) { return share < 1.0 ? 1.0 / static_cast<double>(kSightLines) : 0.0; }
@@ -76,7 +47,7 @@ struct Counted {
   }
 };
 
-// The parts in the field of indices, each with its own.
+// The parts in the field of indices, each with its own: Iwata's below the line of sight.
 Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiver& receiver) {
   Counted parts{std::vector<double>(ends.size(), 0.0), std::vector<double>(ends.size(), 0.0)};
   for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -84,8 +55,10 @@ Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiv
     const SeenAt end(to_end, receiver.axis);
     if (!end.is_in_field()) continue;
     parts.is_below = parts.is_below || end.is_below();
-    const double index = guth_index(to_end, receiver.axis).value_or(1.0);
-    parts.weights[k] = 1.0 / (index * index);
+    const std::optional<double> index =
+        end.is_below() ? iwata_index(to_end, receiver.axis) : guth_index(to_end, receiver.axis);
+    if (!index) continue;
+    parts.weights[k] = 1.0 / (*index * *index);
     if (end.is_on_table()) parts.sure[k] = parts.weights[k];
   }
   return parts;
@@ -93,13 +66,16 @@ Counted parts_in_field(const std::vector<OpeningView::Point>& ends, const Receiv
 
 // Usually a source counts by its centre. One whose centre is outside the field may still reach into
 // it, and then counts with its parts on the table, each with its own index; a large one (add_large)
-// with all in the field. Sure of one whose centre is above the table are its parts on it.
+// with all in the field, and so does one that is also below the line of sight. Sure of one whose
+// centre is not on the table are its parts on it.
 Counted counted_of(const SeenAt& centre, bool is_large, const std::vector<OpeningView::Point>& ends,
                    const Receiver& receiver) {
   const std::vector<double> all(ends.size(), 1.0);
-  if (centre.is_on_table()) return {all, {}, centre.is_below()};
+  if (centre.is_on_table()) return {all, {}};
   Counted counted = parts_in_field(ends, receiver);
-  if (centre.is_in_field()) {
+  const bool is_above = centre.is_in_field() && !centre.is_below();
+  if (counted.is_below && !is_above) return counted;
+  if (is_above) {
     counted.weights = all;
     counted.is_below = false;
   } else if (!is_large) {
@@ -191,24 +167,29 @@ class GlareEye {
     if (counted.is_nothing()) return;
     const double cd = intensity_cd(luminaire, out);
     if (!(cd > 0.0) && !(is_large && shines_here(luminaire, ends))) return;
-    const SeenEnds sight =
-        look_at(tracer_, luminaire, receiver_, proved(index_of_luminaire), ends, counted, rays_);
-    if (!is_large && !(sight.open > 0.0)) return;
-    if (!(area_m2 > 0.0)) return refuse(luminaire, GlareProblem::no_area, 0.0);
-    if (counted.is_below && sight.open > 0.0) {
-      return refuse(luminaire, GlareProblem::below_sight, seen.upwards);
-    }
-    if (counted.is_below || !(sight.all > 0.0)) return;  // hidden, or a body turned away
-    const double index = is_whole ? guth_index(to_source, receiver_.axis).value() : 1.0;
-    const double squares = cd * cd / (area_m2 * r2);
+    const Sight proof = proved(index_of_luminaire);
+    const SeenEnds sight = look_at(tracer_, luminaire, receiver_, proof, ends, counted, rays_);
+    // No line of so many sees it, and still a gap between two may: a part of the upper end.
+    const bool is_seen = sight.open > 0.0;
+    const bool may_be_seen =
+        proof != Sight::hidden && luminaire.opening.shape != OpeningShape::point;
+    if (!is_large && !is_seen && !may_be_seen) return;
+    if (!(sight.all > 0.0)) return;  // hidden, or a body turned away
+    const bool has_area = area_m2 > 0.0;
+    if (!has_area && is_seen) note_doubt(luminaire, GlareProblem::no_area, 0.0);
+    const double squares = cd * cd / ((has_area ? area_m2 : kSmallestGlareSource_m2) * r2);
+    const bool has_index = is_whole && !counted.is_below;
+    const double index = has_index ? guth_index(to_source, receiver_.axis).value() : 1.0;
     const double whole = squares / (index * index) * sight.part();
-    const bool is_too_small = solid_angle_sr < kSmallestGlareSource_sr;
-    GlareSum found = bounds(whole, sight.open / sight.all, is_too_small);
-    if (!counted.sure.empty() && !is_too_small) {
-      found.low = std::min(found.low, squares * sight.sure());
-    }
+    GlareSum found = bounds(whole, sight.open / sight.all);
+    if (!counted.sure.empty()) found.low = std::min(found.low, squares * sight.sure());
+    found.low *= std::min(1.0, area_m2 / kSmallestGlareSource_m2);
     if (is_large) {
       return add_large(luminaire, ends, sight, solid_angle_sr, found);
+    }
+    if (counted.is_below && is_seen) {
+      note_doubt(luminaire, GlareProblem::below_sight, 0.0);
+      found.value = squares * sight.sure_open / static_cast<double>(sight.facing);
     }
     add(luminaire, found);
   }
@@ -235,11 +216,11 @@ class GlareEye {
   }
 
   // whole: of what would count if nothing hid it; share: of it, what is seen.
-  static GlareSum bounds(double whole, double share, bool is_too_small) {
+  static GlareSum bounds(double whole, double share) {
     GlareSum sum;
     sum.value = whole * share;
     sum.high = whole * std::min(1.0, share + doubt_of(share));
-    if (!is_too_small) sum.low = whole * std::max(0.0, share - doubt_of(share));
+    sum.low = whole * std::max(0.0, share - doubt_of(share));
     return sum;
   }
 
@@ -283,8 +264,9 @@ class GlareEye {
     const double size_sr = std::max(near_sr, far_sr);
     const bool is_seen_elsewhere = !(seen > 0.0) && sight.open > 0.0;
     const bool is_below = parts.is_below && seen > 0.0;
-    if (is_seen_elsewhere || is_below || size_sr > kLargestGlareSource_sr) {
-      return refuse(luminaire, GlareProblem::too_large, seen > 0.0 ? size_sr : solid_angle_sr);
+    if (is_below) note_doubt(luminaire, GlareProblem::below_sight, 0.0);
+    if (is_seen_elsewhere || size_sr > kLargestGlareSource_sr) {
+      note_doubt(luminaire, GlareProblem::too_large, seen > 0.0 ? size_sr : solid_angle_sr);
     }
     // Parts of one source differ. In doubt at the edge of the field are those next to it; what
     // hides others may hide those that give the most.
@@ -294,7 +276,7 @@ class GlareEye {
     const double at_hiding = seen < counted ? sum_of_last(parts_given, row) : 0.0;
     const double doubt_of_sum = at_edge + at_hiding;
     GlareSum sum;
-    sum.value = open;
+    sum.value = is_below ? sure : open;
     sum.low = std::min(std::max(0.0, sure - doubt_of_sum), found.low);
     sum.high = std::max(std::min(all + at_edge, open + doubt_of_sum), found.high);
     add(luminaire, sum);
@@ -316,12 +298,13 @@ class GlareEye {
     sum.high += source.high;
   }
 
-  void refuse(const PlacedLuminaire& luminaire, GlareProblem problem, double number) {
-    std::optional<GlareRefusal>& refusal = sums_[luminaire.channel].refusal;
-    if (refusal) return;
-    refusal = GlareRefusal{0, luminaire.channel, problem, number, {}};
+  void note_doubt(const PlacedLuminaire& luminaire, GlareProblem problem, double number) {
+    std::vector<GlareDoubt>& doubts = sums_[luminaire.channel].doubts;
+    const bool is_told = std::any_of(doubts.begin(), doubts.end(),
+                                     [&](const GlareDoubt& d) { return d.problem == problem; });
+    if (is_told) return;
     const glm::dvec3 world_m = luminaire.position_m + tracer_.scene().origin_m;
-    refusal->luminaire_m = {world_m.x, world_m.y, world_m.z};
+    doubts.push_back({0, luminaire.channel, problem, number, {world_m.x, world_m.y, world_m.z}});
   }
 
   const Tracer& tracer_;
@@ -336,21 +319,6 @@ class GlareEye {
 bool is_behind(const PlacedLuminaire& luminaire, const Receiver& eye) {
   const double reach_m = 0.5 * glm::length(luminaire.opening.size_m());
   return glm::dot(luminaire.position_m - eye.position_m, eye.axis) < -reach_m;
-}
-
-double highest_on_table(double sideways) {
-  if (sideways < 0.4) return 1.7;
-  return sideways < 0.9 ? 1.8 : 1.9;
-}
-
-std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& look) {
-  const SeenAt seen(to_source, look);
-  if (!seen.is_in_field() || seen.is_below()) return std::nullopt;
-  const double upwards = std::max(0.0, seen.upwards);
-  const double s = degrees_from_radians(calc::atan(calc::hypot(seen.sideways, upwards)));
-  const double t = degrees_from_radians(calc::atan2(seen.sideways, upwards));
-  return calc::exp((35.2 - 0.31889 * t - 1.22 * calc::exp(-2.0 * t / 9.0)) * 1.0e-3 * s +
-                   (21.0 + 0.26667 * t - 0.002963 * t * t) * 1.0e-5 * s * s);
 }
 
 std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,

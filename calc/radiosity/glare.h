@@ -15,9 +15,16 @@
 // opening; one straight edge across it is then off by no more than 1 / kSightLines of the opening.
 //
 // A source of more than 0.1 sr is too large for the formula. What counts is what is seen of it in
-// the field, at most: if that is not too large, each seen part in the field counts as a source of
-// its own, with its own L, w and p, and `low` and `high` hold what it would count as above, too.
-// CIE 147 has a rule for larger sources; no public source for it is known to us: they are refused.
+// the field, at most. Each seen part in the field counts as a source of its own, with its own L, w
+// and p, and `low` and `high` hold what it would count as above, too. If that is more than 0.1 sr,
+// too, it stands in the doubts: for such a source the formula is too mild  [CIE 147], and what it
+// may count beyond is for the reader of the sum to add (kLuminousCeiling_lx).
+//
+// Where else the formula is not stated, `low` and `high` hold both ways that it may be meant, and
+// the doubts say so. Below the line of sight there is no index: what of a source lies there counts
+// in `high` alone, with Iwata's. A source of less than 0.005 m2, as seen from there, counts as one
+// of that area in `low`  [CIE 147] and as it is in `value` and `high`. One without any area counts
+// as one of 0.005 m2 in `value` and `high`, and in `low` not at all.
 
 #include "calc/base/field.h"
 #include "calc/base/glare_limits.h"
@@ -30,40 +37,19 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace calc {
-
-// The field of sources that count: sideways up to this, upwards less than this, as multiples of the
-// distance along the line of sight. At exactly 2 a source is out: the first row of the grid that
-// UGR tables are made on lies there, and the example of CIE 190 holds without it.
-inline constexpr double kWidestSource = 3.0, kHighestSource = 2.0;
-
-// Up to where the table of CIE 117 has an index, with so much sideways (0 to 3): 1.7 below 0.4
-// sideways, 1.8 below 0.9, else 1.9. From there to 2 there is the closed form only, and programs
-// differ in whether sources count there: so in GlareSum they stand in `value` and `high`, and `low`
-// has only those of their parts that are on the table.
-double highest_on_table(double sideways);
 
 inline constexpr std::size_t kSightLines = 16;
 
 // Whether all of a luminaire's opening lies behind an eye, and so outside its field.
 bool is_behind(const PlacedLuminaire& luminaire, const Receiver& eye);
 
-// Guth's position index of a source at `to_source` (any length) from an eye that looks along the
-// unit, horizontal direction `look`:
-//   ln p = (35.2 - 0.31889 t - 1.22 exp(-2 t / 9)) 1e-3 s + (21 + 0.26667 t - 0.002963 t^2) 1e-5
-//   s^2
-// with s the angle between the source and the line of sight, t that between the vertical and the
-// plane of both, in degrees.  [closed form of the IES Lighting Handbook; within 12 % of the table
-// of CIE 117, and goes on above it] Empty outside the field above and for sources below the line of
-// sight, for which there is no index.
-std::optional<double> guth_index(const glm::dvec3& to_source, const glm::dvec3& look);
-
-// What all luminaires send to one eye. sums: one per channel; refused: per channel, the first
-// reason why the formula cannot be used for a source that this eye sees, see GlareField.
+// What all luminaires of a channel send to one eye.
 struct GlareSum {
   double value = 0.0, low = 0.0, high = 0.0;  // sum of L^2 w / p^2, cd^2 sr / m^4
-  std::optional<GlareRefusal> refusal;
+  std::vector<GlareDoubt> doubts;             // of every problem the first one, see GlareField
 };
 // receiver: planar, its axis the direction that the eye looks in. Returns the rays traced.
 std::uint64_t add_glare_sources(const Tracer& tracer, const Receiver& receiver, bool has_shadows,

@@ -2,7 +2,7 @@
 
 #include "calc/photometry/web_sketch.h"
 #include "calc/radiosity/connection_terms.h"
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include <algorithm>
 #include <array>

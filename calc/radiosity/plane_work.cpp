@@ -92,9 +92,10 @@ void PlaneWork::add_glare(double deadline_s) {
       glare.value.push_back(sum.value);
       glare.low.push_back(sum.low);
       glare.high.push_back(sum.high);
-      if (!sum.refusal) continue;
-      glare.refusals.push_back(*sum.refusal);
-      glare.refusals.back().point = i;
+      for (const GlareDoubt& doubt : sum.doubts) {
+        glare.doubts.push_back(doubt);
+        glare.doubts.back().point = i;
+      }
     }
   }
 }

@@ -33,16 +33,16 @@ struct Head {
   std::uint64_t points = 0, channels = 0, replicates = 0;
   double emitted_lm = 0.0, untraced_lm = 0.0;
   std::uint64_t paths = 0, direct_rays = 0, connection_rays = 0, near_rays = 0, pool_rays = 0;
-  std::uint64_t refusals = 0;
+  std::uint64_t doubts = 0;
 };
 static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 96);
 
-struct StoredRefusal {
+struct StoredDoubt {
   std::uint64_t point, channel, problem;
   double number;
   double luminaire_m[3];
 };
-static_assert(std::is_trivially_copyable_v<StoredRefusal> && sizeof(StoredRefusal) == 56);
+static_assert(std::is_trivially_copyable_v<StoredDoubt> && sizeof(StoredDoubt) == 56);
 
 class Writer {
  public:
@@ -145,36 +145,34 @@ void add_glare(Writer& out, const GlareField& glare) {
   out.add_all(glare.value);
   out.add_all(glare.low);
   out.add_all(glare.high);
-  for (const GlareRefusal& refusal : glare.refusals) {
-    out.add(
-        StoredRefusal{refusal.point,
-                      refusal.channel,
-                      static_cast<std::uint64_t>(refusal.problem),
-                      refusal.number,
-                      {refusal.luminaire_m[0], refusal.luminaire_m[1], refusal.luminaire_m[2]}});
+  for (const GlareDoubt& doubt : glare.doubts) {
+    out.add(StoredDoubt{doubt.point,
+                        doubt.channel,
+                        static_cast<std::uint64_t>(doubt.problem),
+                        doubt.number,
+                        {doubt.luminaire_m[0], doubt.luminaire_m[1], doubt.luminaire_m[2]}});
   }
 }
 
-void get_glare(Reader& in, const PlaneState& plane, std::uint64_t refusals, GlareField& glare) {
+void get_glare(Reader& in, const PlaneState& plane, std::uint64_t doubts, GlareField& glare) {
   const std::size_t count = plane.channels() * plane.points();
   for (auto* list : {&glare.value, &glare.low, &glare.high}) {
     in.get_all(*list, count);
     if (!all_finite(*list)) in.refuse();
   }
-  if (refusals > count) in.refuse();
-  for (std::uint64_t k = 0; in.is_good() && k < refusals; ++k) {
-    StoredRefusal stored{};
+  if (doubts > kGlareProblems * count) in.refuse();
+  for (std::uint64_t k = 0; in.is_good() && k < doubts; ++k) {
+    StoredDoubt stored{};
     in.get(stored);
     if (stored.point >= plane.points() || stored.channel >= plane.channels() ||
         stored.problem > static_cast<std::uint64_t>(GlareProblem::no_area)) {
       return in.refuse();
     }
-    glare.refusals.push_back(
-        {stored.point,
-         stored.channel,
-         static_cast<GlareProblem>(stored.problem),
-         stored.number,
-         {stored.luminaire_m[0], stored.luminaire_m[1], stored.luminaire_m[2]}});
+    glare.doubts.push_back({stored.point,
+                            stored.channel,
+                            static_cast<GlareProblem>(stored.problem),
+                            stored.number,
+                            {stored.luminaire_m[0], stored.luminaire_m[1], stored.luminaire_m[2]}});
   }
 }
 
@@ -223,7 +221,8 @@ std::size_t most_look_bytes(const PlaneState& plane) {
   const std::size_t replicates = plane.field().replicates, points = plane.points();
   const std::size_t of_point = 1 + sizeof(std::uint32_t) + sizeof(float) + sizeof(std::uint64_t) +
                                sizeof(float) + 3 * sizeof(double);
-  const std::size_t of_value = sizeof(double) + 3 * sizeof(double) + sizeof(StoredRefusal);
+  const std::size_t of_value =
+      sizeof(double) + 3 * sizeof(double) + kGlareProblems * sizeof(StoredDoubt);
   return sizeof(Head) + 2 * replicates * sizeof(double) + points * of_point +
          plane.channels() * points * of_value + 2 * plane.values() * sizeof(double);
 }
@@ -244,7 +243,7 @@ std::string render_look(const PlaneState& plane, bool is_exact, const LookLight&
   head.connection_rays = field.counters.connection_rays;
   head.near_rays = field.counters.near_rays;
   head.pool_rays = light.pool_rays;
-  head.refusals = field.glare.refusals.size();
+  head.doubts = field.glare.doubts.size();
   Writer out(most_look_bytes(plane));
   out.add(head);
   if ((head.parts & kPaths) != 0) {
@@ -310,7 +309,7 @@ std::optional<StoredLook> parse_look(std::string_view bytes, const PlaneState& p
     in.get_all(sums.clear_m, points);
     if (!all_finite(sums.clear_m)) in.refuse();
   }
-  if ((head.parts & kGlare) != 0) get_glare(in, plane, head.refusals, look.glare);
+  if ((head.parts & kGlare) != 0) get_glare(in, plane, head.doubts, look.glare);
   if (!in.is_done()) return std::nullopt;
   sums.connection_rays.assign(plane.field().replicates, 0);
   sums.near_rays.assign(plane.field().replicates, 0);

@@ -70,7 +70,7 @@ void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFi
   placed.position_m = luminaire.position_m - scene.origin_m;
   placed.world_from_luminaire = luminaire.world_from_luminaire;
   placed.web = &web;
-  placed.flux_scale = type.flux_scale * installed_tilt_factor(web, luminaire);
+  placed.flux_scale = installed_flux_scale(project, luminaire);
   placed.opening = fit.fitted(web.opening(), luminaire);
   placed.channel = channel_of(luminaire.group, type.maintenance.product, scene.channels);
   LightChannel& channel = scene.channels[placed.channel];
@@ -92,6 +92,11 @@ double ray_offset_m(double extent_m) {
 double extent_m(const Space& space) {
   const double diagonal_m = bounds_of(space).diagonal();
   return diagonal_m > 0.0 ? diagonal_m : 1.0;
+}
+
+double installed_flux_scale(const Project& project, const Luminaire& luminaire) {
+  const LuminaireType& type = project.luminaire_types[luminaire.type];
+  return type.flux_scale * installed_tilt_factor(project.webs[type.web], luminaire);
 }
 
 PreparedScene prepare_scene(const Project& project, const Space& space) {

@@ -54,6 +54,9 @@ struct PreparedScene {
   double ray_offset_m() const { return calc::ray_offset_m(extent_m); }
 };
 
+// What the intensities of a luminaire's web are multiplied by, with the tilt of its lamp.
+double installed_flux_scale(const Project& project, const Luminaire& luminaire);
+
 PreparedScene prepare_scene(const Project& project, const Space& space);
 
 }  // namespace calc

@@ -174,30 +174,17 @@ void add_illuminances(const calc::PlaneField& field, const rules::PointValues& m
   part.uniformity_min_max = statistic(rules::Metric::uniformity_min_max);
 }
 
-// Observers that have a rating: the others' points have none.
-std::vector<std::uint8_t> rated_points(const calc::PlaneField& field,
-                                       const std::vector<double>& weights) {
-  std::vector<std::uint8_t> is_rated(field.points, 1);
-  for (const calc::GlareRefusal& refusal : field.glare.refusals) {
-    if (weights[refusal.channel] > 0.0) is_rated[refusal.point] = 0;
-  }
-  return is_rated;
-}
-
 std::string ratings_remark(const calc::PlaneField& field, const std::vector<double>& weights,
-                           const std::vector<std::size_t>& all, const PlanePart& part) {
+                           const std::vector<std::size_t>& all, std::size_t see_none) {
   std::string words = calc::say<calc::Sentence::ugr_method>(calc::kTableOfIndicesDiffers) + "; " +
                       calc::say<calc::Sentence::ugr_background>();
-  const auto rated = static_cast<std::size_t>(
-      std::count_if(part.points.begin(), part.points.end(),
-                    [](const PointRow& point) { return std::isfinite(point.measured.value); }));
-  const std::string refusal = rules::glare_refusal(field.glare, weights, all);
-  const std::size_t unrated = all.size() - rated;
-  if (!refusal.empty()) {
-    words +=
-        "; " + calc::say<calc::Sentence::observers_unrated_because>(unrated, all.size(), refusal);
-  } else if (unrated > 0) {
-    words += "; " + calc::say<calc::Sentence::observers_see_none>(unrated, all.size());
+  if (see_none > 0) {
+    words += "; " + calc::say<calc::Sentence::observers_see_none>(see_none, all.size());
+  }
+  const rules::GlareDoubts doubts = rules::glare_doubts(field.glare, weights, all);
+  if (doubts.points > 0) {
+    words += "; " +
+             calc::say<calc::Sentence::observers_in_doubt>(doubts.points, all.size(), doubts.first);
   }
   return words;
 }
@@ -215,13 +202,13 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
   const auto points = rules::make_derived_points(derived, field, receivers, weights, all);
   const double t = rules::one_sided_t(points->replicates(), 0.5 * (1.0 - confidence));
   const bool is_glare = derived == calc::DerivedQuantity::ugr;
-  const std::vector<std::uint8_t> is_rated =
-      is_glare ? rated_points(field, weights) : std::vector<std::uint8_t>(all.size(), 1);
   std::vector<calc::Estimate> estimates;
   std::vector<std::size_t> rated;
+  std::size_t see_none = 0;  // eyes without any source
   for (const std::size_t i : all) {
     const rules::Limits limits = points->limits(i, t);
-    const bool has_value = is_rated[i] != 0 && std::isfinite(limits.value);
+    see_none += limits.high == -rules::kInfinity ? 1 : 0;
+    const bool has_value = std::isfinite(limits.value);
     if (has_value) rated.push_back(i);
     estimates.push_back(has_value ? calc::Estimate{limits.value, limits.low, limits.high}
                                   : no_estimate());
@@ -229,7 +216,7 @@ void add_ratings(const calc::PlaneField& field, double confidence, PlanePart& pa
   part.points = build_points(part.grid, field, estimates);
   part.average = part.uniformity_min_avg = part.uniformity_min_max = no_estimate();
   part.minimum = part.maximum = no_estimate();
-  if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, part));
+  if (is_glare) part.remarks.push_back(ratings_remark(field, weights, all, see_none));
   if (rated.empty()) return;
   const auto chosen = rules::make_derived_points(derived, field, receivers, weights, rated);
   const auto statistic = [&](rules::Metric metric) {

@@ -94,8 +94,11 @@ calc::Estimate no_estimate() {
 }
 
 calc::Estimate settled(const calc::Estimate& estimate) {
-  if (!std::isfinite(estimate.value)) return no_estimate();
   constexpr double kOpen = std::numeric_limits<double>::infinity();
+  if (calc::is_nothing(estimate)) {
+    return {-kOpen, -kOpen, std::isfinite(estimate.high) ? estimate.high : -kOpen};
+  }
+  if (!std::isfinite(estimate.value)) return no_estimate();
   return {estimate.value, std::isfinite(estimate.low) ? estimate.low : -kOpen,
           std::isfinite(estimate.high) ? estimate.high : kOpen};
 }

@@ -283,8 +283,9 @@ struct Document {
 
 // Of what does not exist: not a number, which renderers show as a dash.
 calc::Estimate no_estimate();
-// As every document has them: of a value that is not finite no_estimate(), and ends that are not
-// finite (files cannot hold them, nor tell why) as open ones, -infinity and +infinity.
+// As every document has them: of a value that is not finite no_estimate(), but of what
+// is_nothing(), and ends that are not finite (files cannot hold them, nor tell why) as open ones,
+// -infinity and +infinity.
 calc::Estimate settled(const calc::Estimate& estimate);
 // All of a plane's.
 void settle_estimates(PlanePart& plane);

@@ -60,11 +60,6 @@ void expect(const Place& place, std::string_view key, const T& says, const T& fo
   throw BadJson(printable(fmt::format("{}/{}: {} ({})", place.path, key, what, place.words)));
 }
 
-bool is_finite(const calc::Estimate& estimate) {
-  return std::isfinite(estimate.low) && std::isfinite(estimate.value) &&
-         std::isfinite(estimate.high);
-}
-
 // "between 420.25 and 428.75 lx, required ≥ 450 lx"
 std::string grounds(const rules::Finding& finding, const calc::Estimate& measured) {
   const rules::Requirement& requirement = finding.requirement;
@@ -73,9 +68,12 @@ std::string grounds(const rules::Finding& finding, const calc::Estimate& measure
       format_required({requirement.limit, requirement.comparison}, rules::unit_of(requirement)));
 }
 
-// What an interval proves: one that is open towards a side, or cannot be trusted, nothing.
+// What an interval proves: one that cannot be trusted, or that is open where only glare ratings
+// are, nothing.
 Verdict proved(const rules::Finding& finding, const calc::Estimate& measured) {
-  if (finding.is_doubtful || !is_finite(measured) || measured.low > measured.high) {
+  const bool says_something =
+      calc::is_finite(measured) || rules::has_open_ends(finding.requirement, measured);
+  if (finding.is_doubtful || !says_something || measured.low > measured.high) {
     return Verdict::undecided;
   }
   return rules::decide(finding.requirement, measured).verdict;
@@ -108,12 +106,17 @@ void check_decision(const Place& place, const rules::Finding& finding) {
   const calc::Estimate& measured = finding.measured;
   const std::string why = grounds(finding, measured);
   expect(place, "verdict", finding.verdict, proved(finding, measured), why);
-  if (!is_finite(measured)) return;
+  if (!calc::is_finite(measured) && !rules::has_open_ends(finding.requirement, measured)) return;
   const double margin =
       rules::margin(measured.value, finding.requirement.comparison, finding.requirement.limit);
   // Files of other programs may have rounded it.
   constexpr double kSame = 1e-9;
-  if (!(std::abs(finding.margin - margin) <= kSame * std::max(1.0, std::abs(margin)))) {
+  const bool has_margin = std::isfinite(margin);
+  if (!has_margin && std::isfinite(finding.margin)) {
+    refuse(place, "margin", finding.margin, margin, why);
+  }
+  if (has_margin &&
+      !(std::abs(finding.margin - margin) <= kSame * std::max(1.0, std::abs(margin)))) {
     refuse(place, "margin", finding.margin, margin, why);
   }
   rules::Decision decision = rules::decide(finding.requirement, measured);
@@ -174,7 +177,7 @@ void check_last_look(const Place& place, const PlanePart& plane) {
     expect(of, "is_judged", was_judged, is_judged, kWhy);
     if (!is_judged) continue;
     const calc::Estimate &seen = last.findings[i].measured, &said = finding.measured;
-    if (!is_finite(seen) && !is_finite(said)) continue;  // open ends have no one text
+    if (!calc::is_finite(seen) && !calc::is_finite(said)) continue;  // open ends have no one text
     const bool is_same = seen.low == said.low && seen.value == said.value && seen.high == said.high;
     expect(of, "measured", is_same, true, kWhy);
   }

@@ -30,6 +30,19 @@ void describe(auto& v, Is<calc::Estimate> auto& estimate) {
   v.field("value", or_null(estimate.value));
   v.field("low", or_null(estimate.low));
   v.field("high", or_null(estimate.high));
+  bool is_nothing = calc::is_nothing(estimate);
+  v.field("is_nothing", is_nothing,
+          {.words = "There if nothing is there that could be measured: less than every number, and "
+                    "at most 'high' if that is a number.",
+           .presence = only_if(is_nothing),
+           .is_mark = true});
+  v.refuse_if(is_nothing && (std::isfinite(estimate.value) || std::isfinite(estimate.low)),
+              "is_nothing", "value and low must be null");
+  if (is_nothing) {
+    calc::Estimate nothing = estimate;
+    nothing.value = -std::numeric_limits<double>::infinity();
+    assign(estimate, settled(nothing));
+  }
 }
 
 void describe(auto& v, Is<calc::SourceLocation> auto& where) {

@@ -59,7 +59,7 @@ bool is_known(const calc::Estimate& estimate) { return !std::isnan(estimate.valu
 calc::Estimate gain_of(const calc::Estimate& before, const calc::Estimate& difference,
                        rules::Comparison comparison) {
   const double scale = std::abs(before.value);
-  if (!is_known(difference) || !(scale > 0.0)) return no_estimate();
+  if (!is_known(difference) || !(scale > 0.0) || !std::isfinite(scale)) return no_estimate();
   if (rules::is_lower_limit(comparison)) {
     return {difference.value / scale, difference.low / scale, difference.high / scale};
   }
@@ -67,7 +67,13 @@ calc::Estimate gain_of(const calc::Estimate& before, const calc::Estimate& diffe
 }
 
 // By the difference, turned so that more is better; of 0 before only the sign is known.
-ResultChange change_of_values(const calc::Estimate& difference, rules::Comparison comparison) {
+ResultChange change_of_values(const ChangedResult& result, rules::Comparison comparison) {
+  const calc::Estimate& difference = result.difference;
+  if (calc::is_nothing(result.before) != calc::is_nothing(result.after)) {
+    const bool is_more = calc::is_nothing(result.before);
+    return is_more == rules::is_lower_limit(comparison) ? ResultChange::better
+                                                        : ResultChange::worse;
+  }
   if (!is_known(difference)) return ResultChange::unsure;
   const bool is_lower = rules::is_lower_limit(comparison);
   if (difference.high < 0.0) return is_lower ? ResultChange::worse : ResultChange::better;
@@ -97,6 +103,7 @@ calc::Estimate measured_of(const rules::Finding* finding) {
 }  // namespace
 
 calc::Estimate difference_of(const calc::Estimate& before, const calc::Estimate& after) {
+  if (calc::is_nothing(before) && calc::is_nothing(after)) return {0.0, 0.0, 0.0};
   const double value = after.value - before.value;
   if (!std::isfinite(value)) return no_estimate();
   const auto both = [](double a, double b) { return std::sqrt(a * a + b * b); };
@@ -137,7 +144,7 @@ ChangedResult compare_results(const rules::Finding* before, const rules::Finding
   } else if (*result.verdict_after == Verdict::not_judged) {
     result.change = ResultChange::same;  // as it was
   } else {
-    result.change = change_of_values(result.difference, after->requirement.comparison);
+    result.change = change_of_values(result, after->requirement.comparison);
   }
   return result;
 }

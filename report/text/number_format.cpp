@@ -160,6 +160,13 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
 
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds, std::string_view to) {
+  const bool has_low = std::isfinite(estimate.low), has_high = std::isfinite(estimate.high);
+  if (calc::is_nothing(estimate) && !has_high) return english_text(Text::none);
+  if (has_low != has_high && !std::isnan(estimate.value)) {
+    const double end = has_low ? estimate.low : estimate.high;
+    return (has_low ? "≥ " : "≤ ") +
+           with_unit(format_estimate({end, end, end}, unit, thresholds).value, unit);
+  }
   const EstimateText text = format_estimate(estimate, unit, thresholds);
   const bool is_open = text.spread.empty() || text.spread == kNoNumber;
   if (!is_open && !is_symmetric(estimate, decimals_of(text.value))) {

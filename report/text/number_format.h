@@ -56,7 +56,8 @@ EstimateText format_estimate(const calc::Estimate& estimate, std::string_view un
                              const Thresholds& thresholds = {});
 
 // "512.3 ± 4.1 lx", "0.612 ± 0.004", "512.3 lx" when exact; "21.35 (20.90 to 21.40)" where one side
-// of the interval is wider than the other in the digits shown. to: the word between the ends.
+// of the interval is wider than the other in the digits shown; "≥ 17.2 lx" where the other end is
+// open, and "none" of what is_nothing(). to: the word between the ends.
 std::string format_measured(const calc::Estimate& estimate, std::string_view unit,
                             const Thresholds& thresholds = {}, std::string_view to = "to");
 

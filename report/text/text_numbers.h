@@ -18,7 +18,8 @@ inline std::string format_shortest(const Texts& t, double value) {
 }
 inline std::string format_measured(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {
-  return t.number(format_measured(estimate, unit, thresholds, t[Text::interval_to]));
+  const std::string text = format_measured(estimate, unit, thresholds, t[Text::interval_to]);
+  return text == english_text(Text::none) ? t[Text::none] : t.number(text);
 }
 inline std::string format_interval(const Texts& t, const calc::Estimate& estimate,
                                    std::string_view unit, const Thresholds& thresholds = {}) {

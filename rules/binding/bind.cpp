@@ -1,6 +1,7 @@
 #include "rules/binding/bind.h"
 
 #include "calc/base/text.h"
+#include "calc/glare/room_ugr.h"
 #include "calc/project/former_ids.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
@@ -74,12 +75,48 @@ class ElementsOnce {
   std::set<std::tuple<std::string, int, int, std::string>> wrong_;
 };
 
-struct PowerOfSpace {
-  calc::InstalledPower power;
-  calc::LightingEnergy energy;
+// What is known of a space before any light.
+class SpaceValues {
+ public:
+  SpaceValues(const calc::Project& project, const calc::Space& space)
+      : project_(project),
+        space_(space),
+        power(calc::installed_power(project, space)),
+        energy(calc::lighting_energy(project, space, power)) {}
+
+  // Of a scene of the project, or "".
+  const calc::RoomUgr& ugr(const std::string& scene) {
+    const auto known = ugr_.find(scene);
+    if (known != ugr_.end()) return known->second;
+    const auto found =
+        std::find_if(project_.scenes.begin(), project_.scenes.end(),
+                     [&](const calc::LightScene& candidate) { return candidate.id == scene; });
+    const calc::LightScene* levels = found == project_.scenes.end() ? nullptr : &*found;
+    return ugr_.emplace(scene, calc::room_ugr(project_, space_, levels)).first->second;
+  }
+
+ private:
+  const calc::Project& project_;
+  const calc::Space& space_;
+  std::map<std::string, calc::RoomUgr> ugr_;  // by scene
+
+ public:
+  const calc::InstalledPower power;
+  const calc::LightingEnergy energy;
 };
 
-void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
+void add_note(const std::string& words, Requirement& requirement) {
+  if (words.empty()) return;
+  requirement.note += (requirement.note.empty() ? "" : "; ") + words;
+}
+
+void set_ugr(const calc::RoomUgr& ugr, Requirement& requirement) {
+  if (requirement.problem.empty()) requirement.problem = ugr.problem;
+  requirement.room_ugr = ugr.ugr;
+  add_note(ugr.words, requirement);
+}
+
+void set_power(const SpaceValues& of_space, Requirement& requirement) {
   const bool is_energy = requirement.metric == Metric::leni;
   if (requirement.problem.empty()) {
     requirement.problem = is_energy ? of_space.energy.problem : of_space.power.problem();
@@ -88,13 +125,20 @@ void set_power(const PowerOfSpace& of_space, Requirement& requirement) {
   if (!is_energy) return;
   requirement.leni_kwh_m2 = of_space.energy.leni_kwh_m2;
   requirement.energy_words = of_space.energy.words;
-  if (of_space.energy.words.empty()) return;
-  requirement.note += (requirement.note.empty() ? "" : "; ") + of_space.energy.words;
+  add_note(of_space.energy.words, requirement);
+}
+
+void set_space_value(SpaceValues& of_space, Requirement& requirement) {
+  if (requirement.metric == Metric::ugr_table) {
+    set_ugr(of_space.ugr(requirement.scene), requirement);
+  } else {
+    set_power(of_space, requirement);
+  }
 }
 
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
-                const PowerOfSpace& of_space, ElementsOnce& elements,
-                calc::Diagnostics& diagnostics, std::vector<Requirement>& bound) {
+                SpaceValues& of_space, ElementsOnce& elements, calc::Diagnostics& diagnostics,
+                std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   calc::FormerIds former("requirement");
   for (const calc::RequirementText& text : plane.requirements) {
@@ -102,7 +146,7 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
-      if (is_about_power(requirement.metric)) set_power(of_space, requirement);
+      if (is_about_space(requirement.metric)) set_space_value(of_space, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);
       bound.push_back(std::move(requirement));
@@ -151,8 +195,7 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   std::vector<Requirement> bound;
   ElementsOnce elements;
   for (const calc::Space& space : project.spaces) {
-    const calc::InstalledPower power = calc::installed_power(project, space);
-    const PowerOfSpace of_space{power, calc::lighting_energy(project, space, power)};
+    SpaceValues of_space(project, space);
     for (const calc::CalcPlane& plane : space.planes) {
       bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
                  of_space, elements, diagnostics, bound);
@@ -182,12 +225,12 @@ std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
                                                   const calc::Space& space,
                                                   const calc::CalcPlane& plane,
                                                   const std::vector<RulePack>& packs) {
-  const calc::InstalledPower power = calc::installed_power(project, space);
+  SpaceValues of_space(project, space);
   std::vector<Requirement> bound;
   ElementsOnce elements;
   calc::Diagnostics said;  // where the other planes of the workplace were bound
-  bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
-             {power, calc::lighting_energy(project, space, power)}, elements, said, bound);
+  bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived}, of_space,
+             elements, said, bound);
   return bound;
 }
 

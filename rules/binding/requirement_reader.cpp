@@ -185,9 +185,12 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;
   requirement.state =
       read_word(reader, "state", usual) == 0 ? LightState::maintained : LightState::initial;
-  // Installed power is that of full output.
+  // Installed power is that of full output, and glare that of the new installation.
+  const bool is_of_scene = requirement.metric == Metric::ugr_table;
+  if (is_of_scene) requirement.state = LightState::initial;
   for (const char* name : {"state", "scene"}) {
-    if (is_of_space(requirement.metric) && reader.has(name)) {
+    const bool is_free = is_of_scene && std::string_view(name) == "scene";
+    if (is_of_space(requirement.metric) && !is_free && reader.has(name)) {
       report_unfit(reader, name, fmt::format("quantity=\"{}\"", calc::name_of(requirement.metric)));
     }
   }

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -72,15 +74,6 @@ std::string find_role(ElementReader& reader, const RulePack& pack) {
   return {};
 }
 
-// About the space that the plane is in; any plane there will do.
-std::optional<Metric> metric_of_space(const RuleCheck& check) {
-  if (check.quantity->dimension == Dimension::power_density) return Metric::power_density;
-  if (check.quantity->dimension == Dimension::energy_density) return Metric::leni;
-  return std::nullopt;
-}
-
-bool is_power(const RuleCheck& check) { return metric_of_space(check).has_value(); }
-
 // Light that luxgate does not calculate; "" = it does.
 std::string uncalculated_light(const RuleCheck& check) {
   if (check.sources == LightSources::daylight) return calc::say<calc::Sentence::no_daylight>();
@@ -88,10 +81,37 @@ std::string uncalculated_light(const RuleCheck& check) {
     return fmt::format("check '{}': {} means nothing for the quantity {}", check.id,
                        calc::name_of(check.metric), check.quantity->name);
   }
-  if (check.metric == Metric::value_at_point && !is_power(check)) {
+  if (check.metric == Metric::value_at_point && !check.quantity->of_space) {
     return fmt::format("check '{}' is about a single value, not about a plane", check.id);
   }
   return {};
+}
+
+// Names of facts that the limit hangs on, in other checks' limits, too.
+void add_facts(const RulePack& pack, const Expression& expression, std::set<std::string>& facts) {
+  if (expression.kind == ExpressionKind::fact) facts.insert(expression.name);
+  if (expression.kind == ExpressionKind::limit_of) {
+    const RuleCheck* other = pack.find_check(expression.name);
+    if (other != nullptr) add_facts(pack, other->limit, facts);
+  }
+  for (const Expression& operand : expression.operands) add_facts(pack, operand, facts);
+}
+
+// What the project says, and nothing compares with anything.
+std::string facts_words(const RuleCheck& check, const LimitScope& scope) {
+  std::set<std::string> used;
+  add_facts(scope.pack, check.limit, used);
+  std::string words;
+  for (const std::string& id : used) {
+    const auto stated = scope.facts.find(id);
+    const RuleName* fact = scope.pack.find_fact(id);
+    if (stated == scope.facts.end() || fact == nullptr) continue;
+    const char* unit = base_unit(fact->unit.dimension);
+    words += words.empty() ? "" : "; ";
+    words += calc::say<calc::Sentence::stated_fact>(
+        id, fmt::format("{:.6g}{}{}", stated->second, *unit == '\0' ? "" : " ", unit));
+  }
+  return words;
 }
 
 std::string note_of(const RulePack& pack, const RuleCheck& check, Trust trust) {
@@ -130,7 +150,7 @@ bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& s
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
                            const calc::SourceLocation& where) {
   Requirement requirement;
-  requirement.metric = metric_of_space(check).value_or(check.metric);
+  requirement.metric = check.quantity->of_space.value_or(check.metric);
   requirement.percent = check.percent;
   requirement.range = check.range;
   requirement.comparison = check.comparison;
@@ -140,6 +160,9 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.scene = reference.scene.id;
   requirement.clause = clause_text(reference.pack, check, reference.row, limit.level, limit.trust);
   requirement.note = note_of(reference.pack, check, limit.trust);
+  if (const std::string facts = facts_words(check, reference.scope); !facts.empty()) {
+    requirement.note += (requirement.note.empty() ? "" : "; ") + facts;
+  }
   requirement.severity = check.severity;
   requirement.mask = check.mask;
   requirement.direct_only = check.direct_only;
@@ -174,7 +197,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
 // False after an error.
 bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
   // The mean of four planes is an approximation of the cylindrical illuminance, not it.
-  const bool is_of_points = !is_power(check) && reference.is_quantity_known;
+  const bool is_of_points = !check.quantity->of_space && reference.is_quantity_known;
   if (is_of_points && (check.quantity->kernel != reference.kernel ||
                        check.quantity->derived != reference.derived)) {
     reader.report(DiagnosticId::rule_wrong_quantity, reader.where(), check.role,

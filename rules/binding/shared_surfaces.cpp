@@ -64,7 +64,9 @@ bool asks_the_same(const calc::XmlElement& a, const calc::XmlElement& b) {
 // Of a plane that several workplaces ask for, the others than the first.
 std::string shared_with(const calc::CalcPlane& plane) {
   std::vector<std::string> ids;
+  const std::string& role = plane.requirements.front().role;
   for (const calc::RequirementText& text : plane.requirements) {
+    if (text.role != role) continue;  // about the room, see ask_of_space()
     ids.insert(ids.end(), text.workplaces.begin(), text.workplaces.end());
   }
   ids.erase(ids.begin());  // who has made it
@@ -98,6 +100,19 @@ void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made) {
                               text.workplaces.end());
     }
   }
+}
+
+void ask_of_space(const calc::RequirementText& text, calc::Space& space, std::size_t own) {
+  for (calc::CalcPlane& plane : space.planes) {
+    for (calc::RequirementText& other : plane.requirements) {
+      if (other.role != text.role || other.workplaces.empty()) continue;
+      if (!asks_the_same(other.element, text.element)) continue;
+      other.workplaces.insert(other.workplaces.end(), text.workplaces.begin(),
+                              text.workplaces.end());
+      return;
+    }
+  }
+  if (own < space.planes.size()) space.planes[own].requirements.push_back(text);
 }
 
 void name_shared_planes(calc::Space& space) {

@@ -1,6 +1,6 @@
 #pragma once
-// Walls and ceiling of a room with several workplaces: one plane each, whoever asks something of
-// it.
+// Walls and ceiling of a room with several workplaces, and the room itself: one plane each, whoever
+// asks something of it.
 
 #include "calc/scene/project.h"
 #include "rules/pack/rule_pack.h"
@@ -18,6 +18,10 @@ std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RuleP
 
 // Has `plane` asked for what `made` would be: beside what it is asked for, unless that is the same.
 void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made);
+
+// What is asked of the space itself is asked once: of this plane of the space, unless a plane of
+// another workplace is asked the same. Nothing if there is no such plane.
+void ask_of_space(const calc::RequirementText& text, calc::Space& space, std::size_t plane);
 
 // At the end: names and origins of planes that several workplaces ask something of.
 void name_shared_planes(calc::Space& space);

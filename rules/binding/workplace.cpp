@@ -3,6 +3,8 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/xml_reader.h"
+#include "calc/glare/room_ugr.h"
+#include "calc/project/project_elements.h"
 #include "calc/project/workplace_xml.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/deviation_xml.h"
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -68,14 +71,27 @@ struct Total {
   double points = 0.0;
 };
 
+// How a check is asked that has another in its place.
+enum class Method {
+  as_fits,  // of the space, if there is a value for it
+  of_space,
+  on_planes
+};
+
+// Why a quantity of the space has no value there; "" = it has.
+using ProblemOfSpace = std::function<std::string(const Quantity&)>;
+
 class WorkplaceMaker {
  public:
   WorkplaceMaker(const RulePack& pack, const RuleRow& row, LimitScope scope,
-                 const Workplace& workplace, calc::Space& space, calc::Diagnostics& diagnostics)
+                 const Workplace& workplace, Method method, ProblemOfSpace problem_of_space,
+                 calc::Space& space, calc::Diagnostics& diagnostics)
       : pack_(pack),
         row_(row),
         scope_(std::move(scope)),
         workplace_(workplace),
+        method_(method),
+        problem_of_space_(std::move(problem_of_space)),
         part_of_(join_straight_walls(pack, workplace_)),
         space_(space),
         diagnostics_(diagnostics) {}
@@ -124,6 +140,7 @@ class WorkplaceMaker {
   // After check_zones() without an error. Nothing is added after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
+    choose_methods();
     for (const std::string& role : pack_.roles()) add_role(role);
     if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
       diagnostics_.report(DiagnosticId::workplace_makes_nothing, workplace_.where, pack_.full_id(),
@@ -149,7 +166,12 @@ class WorkplaceMaker {
     for (const calc::LeftOutPlane& left_out : left_out_planes_) take_id(left_out.plane);
     if (diagnostics_.error_count() > errors) return;
     for (const auto& [twin, plane] : shared) ask_also(space_.planes[twin], plane);
+    const std::size_t first =
+        own.empty() && !shared.empty() ? shared.front().first : space_.planes.size();
     for (calc::CalcPlane& plane : own) space_.planes.push_back(std::move(plane));
+    for (const std::string& role : roles_of_space_) {
+      ask_of_space({workplace_.element, role, {workplace_.id}}, space_, first);
+    }
     for (calc::LeftOutPlane& plane : left_out_planes_) space_.left_out.push_back(std::move(plane));
   }
 
@@ -281,7 +303,51 @@ class WorkplaceMaker {
     return looks_around(role) ? 4 : 0;
   }
 
+  // Of two checks that ask the same, one of the space and one of planes, the one that is asked.
+  // What the project changes about the planes it means to be asked; who leaves planes out leaves
+  // out no more than these.
+  void choose_methods() {
+    for (const RuleCheck& check : pack_.checks) {
+      if (check.instead_of.empty() || !check.quantity->of_space) continue;
+      const RuleCheck& other = *pack_.find_check(check.instead_of);
+      if (evaluate_limit(check, scope_).status == LimitStatus::not_applicable) continue;
+      const bool is_told =
+          std::any_of(workplace_.zones.begin(), workplace_.zones.end(), [&](const ZoneText& zone) {
+            return !zone.left_out &&
+                   (zone.role == other.role || zone.role.starts_with(other.role + "."));
+          });
+      const bool may_be_of_space =
+          method_ == Method::of_space || (method_ == Method::as_fits && !is_told);
+      if (method_ == Method::of_space) refuse_zones_of(other.role);
+      const std::string problem = may_be_of_space ? problem_of_space_(*check.quantity) : "";
+      if (may_be_of_space && (problem.empty() || method_ == Method::of_space)) {
+        roles_of_space_.push_back(check.role);
+        roles_made_.push_back(check.role);
+        instead_[other.role] = calc::say<calc::Sentence::judged_instead>(check.id);
+      } else {
+        instead_[check.role] = problem.empty()
+                                   ? calc::say<calc::Sentence::judged_instead>(other.id)
+                                   : calc::say<calc::Sentence::judged_by_observers>(problem);
+      }
+    }
+  }
+
+  // Of planes that are not made, since something else is asked in their place.
+  void refuse_zones_of(const std::string& role) {
+    for (const ZoneText& zone : workplace_.zones) {
+      if (zone.role != role && !zone.role.starts_with(role + ".")) continue;
+      diagnostics_.report(DiagnosticId::attribute_without_meaning, zone.role_where,
+                          zone.left_out ? "without" : "zone", "role", "glare=\"table\"");
+    }
+  }
+
   void add_role(const std::string& role) {
+    if (std::find(roles_of_space_.begin(), roles_of_space_.end(), role) != roles_of_space_.end()) {
+      return;
+    }
+    if (const auto other = instead_.find(role); other != instead_.end()) {
+      return leave_unmade(role, other->second);
+    }
     const RulePlane* plane = pack_.find_plane(role);
     if (const std::string reason = reason_against(role, plane); !reason.empty()) {
       return leave_unmade(role, reason);
@@ -407,6 +473,8 @@ class WorkplaceMaker {
   const RuleRow& row_;
   LimitScope scope_;
   Workplace workplace_;  // with joined walls
+  Method method_;
+  ProblemOfSpace problem_of_space_;
   std::vector<std::optional<std::size_t>> part_of_;
   calc::Space& space_;
   calc::Diagnostics& diagnostics_;
@@ -414,6 +482,8 @@ class WorkplaceMaker {
   std::vector<calc::LeftOutPlane> left_out_planes_;
   std::vector<std::string> left_out_names_;  // of each of these: "wall.2"
   std::vector<std::string> roles_made_;
+  std::vector<std::string> roles_of_space_;       // asked of the room, on the first plane
+  std::map<std::string, std::string> instead_;    // role: why another is asked in its place
   std::vector<std::string> left_out_, not_made_;  // "ceiling (because)"
   std::vector<calc::UnmadeZone> unmade_;          // the same
 };
@@ -427,6 +497,16 @@ void check_scene(ElementReader& reader, const std::vector<calc::LightScene>& sce
   if (scene.empty() || std::find(names.begin(), names.end(), scene) != names.end()) return;
   report_unknown_name(reader.diagnostics(), reader.where("scene"), "scene", reader.element().name,
                       "scene", scene, names);
+}
+
+// Null: every luminaire at full output.
+const calc::LightScene* scene_named(const ElementReader& reader,
+                                    const std::vector<calc::LightScene>& scenes) {
+  const calc::XmlAttribute* name = reader.element().find("scene");
+  if (name == nullptr) return nullptr;
+  const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const auto& scene) { return scene.id == name->value; });
+  return found == scenes.end() ? nullptr : &*found;
 }
 
 // Of a workplace: its row, and what of it has no plane; "" = nothing to say.
@@ -450,14 +530,20 @@ void add_notes(const std::vector<WorkplaceNote>& notes, calc::Space& space) {
   }
 }
 
-void make_planes(Workplace& workplace, calc::Space& space,
-                 const std::vector<calc::LightScene>& scenes, const std::vector<RulePack>& packs,
-                 LineOfPlane& ids, Total& total, std::vector<WorkplaceNote>& notes,
-                 calc::Diagnostics& diagnostics) {
+Method read_method(ElementReader& reader) {
+  if (!reader.has("glare")) return Method::as_fits;
+  return reader.choice("glare", calc::kGlareMethodType.words) == 0 ? Method::of_space
+                                                                   : Method::on_planes;
+}
+
+void make_planes(Workplace& workplace, const calc::Project& project, calc::Space& space,
+                 const std::vector<RulePack>& packs, LineOfPlane& ids, Total& total,
+                 std::vector<WorkplaceNote>& notes, calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
   const bool is_grid = workplace.element.name == "workplace-grid";
   reader.allow_attributes(is_grid ? workplace_grid_element() : workplace_element());
-  check_scene(reader, scenes);
+  check_scene(reader, project.scenes);
+  const Method method = read_method(reader);
   if (!reader.has("row")) reader.text("row");  // reports its absence
   const RulePack* pack = find_pack(reader, packs);
   if (pack == nullptr) return check_row_values(reader);
@@ -465,9 +551,19 @@ void make_planes(Workplace& workplace, calc::Space& space,
   const RowLevel level = read_level(reader, *pack, row).level;
   std::map<std::string, double> facts = read_facts(reader, *pack);
   check_deviation_roles(reader, *pack);
+  const bool has_choice = std::any_of(pack->checks.begin(), pack->checks.end(),
+                                      [](const auto& check) { return !check.instead_of.empty(); });
+  if (method != Method::as_fits && !has_choice) {
+    reader.report(DiagnosticId::attribute_without_meaning, reader.where("glare"),
+                  reader.element().name, "glare", "pack=\"" + pack->full_id() + "\"");
+  }
   if (row == nullptr || workplace.walls.empty()) return;
-  WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, space,
-                       diagnostics);
+  const auto problem_of_space = [&](const Quantity& quantity) {
+    if (quantity.of_space != Metric::ugr_table) return std::string();
+    return calc::why_no_room_ugr(project, space, scene_named(reader, project.scenes));
+  };
+  WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, method,
+                       problem_of_space, space, diagnostics);
   maker.check_zones();
   const std::vector<WaivedCheck> waived = read_waived_checks(reader, pack);
   if (!workplace.is_good || !reader.ok()) return;
@@ -492,7 +588,7 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
     for (Workplace& workplace : space.workplaces) {
       if (!workplace.is_further_copy) errors = diagnostics.error_count();
       if (workplace.is_further_copy && diagnostics.error_count() > errors) continue;
-      make_planes(workplace, space, project.scenes, packs, ids, total, notes, diagnostics);
+      make_planes(workplace, project, space, packs, ids, total, notes, diagnostics);
     }
     add_notes(notes, space);
     name_shared_planes(space);

@@ -21,10 +21,14 @@ Verdict compare(const Comparand& comparand, const DecisionPolicy& policy, double
         policy.compares_rounded ? round_to(value, comparand.digits, policy.rounding) : value;
     return meets(compared, comparand.comparison, loosened(limit, comparand.comparison, tolerance));
   };
+  // An end that is open stays so, with a guard of 0, too.
+  const auto guard = [&](double value) {
+    return std::isfinite(value) ? policy.guard * std::abs(value) : 0.0;
+  };
   int met = 0;
   const calc::Estimate& measured = comparand.measured;
-  for (const double value : {measured.low - policy.guard * std::abs(measured.low),
-                             measured.high + policy.guard * std::abs(measured.high)}) {
+  for (const double value :
+       {measured.low - guard(measured.low), measured.high + guard(measured.high)}) {
     for (const double limit : {comparand.limit.low, comparand.limit.high}) {
       if (is_met(value, limit)) ++met;
     }
@@ -83,6 +87,7 @@ double margin(double value, Comparison comparison, double limit) {
 }
 
 double round_to(double value, int digits, Rounding rounding) {
+  if (!std::isfinite(value)) return value;
   const double scale = calc::pow(10.0, digits);
   const double scaled = value * scale;
   const double exact = scaled * (1.0 + kBinaryNoise);

@@ -19,7 +19,7 @@ const char* verdict_name(Verdict verdict);
 // noise and meets an inclusive limit, and an exclusive one is met only by more than that.
 bool meets(double value, Comparison comparison, double limit);
 
-// What is compared. digits: of the value as it is usually printed.
+// What is compared; its ends may be infinite. digits: of the value as it is usually printed.
 struct Comparand {
   calc::Estimate measured;
   Comparison comparison = Comparison::at_least;

@@ -5,7 +5,7 @@ namespace rules {
 std::vector<std::string_view> metric_names() {
   std::vector<std::string_view> names;
   for (const MetricRow& row : kMetrics) {
-    if (!is_about_power(row.metric)) names.push_back(row.name);
+    if (!is_about_space(row.metric)) names.push_back(row.name);
   }
   return names;
 }
@@ -13,18 +13,18 @@ std::vector<std::string_view> metric_names() {
 std::vector<std::string_view> all_metric_names() {
   std::vector<std::string_view> names = metric_names();
   for (const MetricRow& row : kMetrics) {
-    if (is_about_power(row.metric)) names.push_back(row.name);
+    if (is_about_space(row.metric)) names.push_back(row.name);
   }
   return names;
 }
 
-bool is_ratio(Metric metric) { return *metric_row(metric).unit == '\0'; }
+bool is_ratio(Metric metric) { return *metric_row(metric).unit == '\0' && !is_of_space(metric); }
 
-bool is_about_power(Metric metric) {
+bool is_about_space(Metric metric) {
   return is_of_space(metric) || metric_row(metric).source == MetricSource::space_and_light;
 }
 
-bool has_unit_of_values(Metric metric) { return !is_ratio(metric) && !is_about_power(metric); }
+bool has_unit_of_values(Metric metric) { return !is_ratio(metric) && !is_about_space(metric); }
 
 bool is_of_space(Metric metric) { return metric_row(metric).source == MetricSource::space; }
 

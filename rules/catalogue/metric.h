@@ -27,6 +27,7 @@ enum class Metric {
   power_per_100_lx,  // the same / the plane's average illuminance
   leni,              // lighting energy of the plane's space in a year / its floor area
   gradient,          // largest ratio between neighbouring points of the grid, >= 1
+  ugr_table,         // glare rating of the plane's space by the tabular method
 };
 
 // What it is computed from.
@@ -76,6 +77,7 @@ inline constexpr std::array kMetrics = [] {
                 false},
       MetricRow{leni, "LENI", "kWh/m2/a", space, all, false},
       MetricRow{gradient, "gradient", "", neighbours, illuminances, false, kGradient},
+      MetricRow{ugr_table, "UGR-table", "", space, all, false},
   };
 }();
 
@@ -91,15 +93,16 @@ static_assert(
 constexpr const MetricRow& metric_row(Metric metric) {
   return kMetrics[static_cast<std::size_t>(metric)];
 }
-// Without those about power, which are no statistics of points: as packs have them.
+// Without those about the plane's space, which are no statistics of points: as packs have them.
 std::vector<std::string_view> metric_names();
-// All: as projects have them; those about power at the end.
+// All: as projects have them; those about the space at the end.
 std::vector<std::string_view> all_metric_names();
 
 // "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
-bool is_ratio(Metric metric);
-bool is_about_power(Metric metric);  // or energy
+bool is_ratio(Metric metric);  // of two values of one plane
+// Power, energy or glare of the plane's space.
+bool is_about_space(Metric metric);
 // It is in calc::unit_of() the points' quantity, as their values are.
 bool has_unit_of_values(Metric metric);
 // Of the plane's space, whatever its light: known beforehand.

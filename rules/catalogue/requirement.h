@@ -2,6 +2,7 @@
 // What a plane must meet: plain data.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/field.h"
 #include "calc/base/names.h"
 #include "calc/scene/receiver_kernel.h"
 #include "rules/catalogue/deviation.h"
@@ -64,6 +65,7 @@ struct Requirement {
   ValueRange range;                   // of Metric::share, lx or plain as the points' values are
   double power_density_w_m2 = 0.0;    // of the two about power: what it is
   double leni_kwh_m2 = 0.0;           // of Metric::leni: what it is
+  calc::Estimate room_ugr{};          // of Metric::ugr_table: what it is
   std::string energy_words{};         // and from which hours and factors; also in `note`
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`

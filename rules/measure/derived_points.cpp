@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace rules {
 namespace {
@@ -42,20 +43,28 @@ double ugr_of(double sum, double background_lx) {
   return 8.0 * calc::log10(0.25 * calc::kPi * sum / background_lx);
 }
 
-std::string refusal_text(const calc::GlareRefusal& refusal) {
-  const std::string place = fmt::format("({:.3f}, {:.3f}, {:.3f})", refusal.luminaire_m[0],
-                                        refusal.luminaire_m[1], refusal.luminaire_m[2]);
-  const std::size_t observer = refusal.point + 1;
-  switch (refusal.problem) {
+// At most, see calc::kLuminousCeiling_lx; never less than UGR.
+double luminous_ceiling(double sum, double background_lx) {
+  if (!(sum > 0.0)) return -kInfinity;
+  if (!(background_lx > 0.0)) return kInfinity;
+  return 8.0 *
+         calc::log10(2.0 * sum * std::max(1.0 / background_lx, 1.0 / calc::kLuminousCeiling_lx));
+}
+
+std::string doubt_text(const calc::GlareDoubt& doubt) {
+  const std::string place = fmt::format("({:.3f}, {:.3f}, {:.3f})", doubt.luminaire_m[0],
+                                        doubt.luminaire_m[1], doubt.luminaire_m[2]);
+  const std::size_t observer = doubt.point + 1;
+  switch (doubt.problem) {
     case calc::GlareProblem::below_sight:
       return calc::say<calc::Sentence::glare_below_sight>(place, observer);
     case calc::GlareProblem::too_large:
-      return calc::say<calc::Sentence::glare_too_large>(place, observer, refusal.number,
+      return calc::say<calc::Sentence::glare_too_large>(place, observer, doubt.number,
                                                         calc::kLargestGlareSource_sr);
     case calc::GlareProblem::no_area:
       break;
   }
-  return calc::say<calc::Sentence::glare_no_area>(place, observer);
+  return calc::say<calc::Sentence::glare_no_area>(place, observer, calc::kSmallestGlareSource_m2);
 }
 
 // Receivers part * points + i of a plane with several per point.
@@ -104,9 +113,20 @@ GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& gl
                          const std::vector<double>& channel_weights,
                          const std::vector<std::size_t>& points) {
   replicates_ = indirect.replicates;
+  std::vector<std::uint8_t> sees_large(indirect.points, 0);
+  for (const calc::GlareDoubt& doubt : glare.doubts) {
+    const bool is_large = doubt.problem == calc::GlareProblem::too_large;
+    if (is_large && channel_weights[doubt.channel] > 0.0) sees_large[doubt.point] = 1;
+  }
   for (const std::size_t i : points) {
     const calc::ReplicateMean mean = calc::replicate_mean(column_of(indirect, i));
-    Eye eye{0.0, 0.0, 0.0, mean.mean, mean.standard_error, indirect.largest_sample_at(i)};
+    Eye eye{0.0,
+            0.0,
+            0.0,
+            mean.mean,
+            mean.standard_error,
+            indirect.largest_sample_at(i),
+            sees_large[i] != 0};
     for (std::size_t c = 0; c < channel_weights.size(); ++c) {
       const double square = channel_weights[c] * channel_weights[c];
       const std::size_t k = c * indirect.points + i;
@@ -120,28 +140,43 @@ GlarePoints::GlarePoints(const PointValues& indirect, const calc::GlareField& gl
   }
 }
 
+GlarePoints GlarePoints::without_doubts() const {
+  GlarePoints points = *this;
+  for (Eye& eye : points.eye_) {
+    eye.low_sum = eye.high_sum = eye.sum;
+    eye.is_large_seen = false;
+  }
+  return points;
+}
+
 Limits GlarePoints::limits(std::size_t point, double t) const {
   const Eye& eye = eye_[point];
   const double most_lx = eye.mean_lx + t * std::sqrt(variance_with(eye.error_lx * eye.error_lx,
                                                                    eye.largest_sample_lx));
-  return {ugr_of(eye.low_sum, most_lx), ugr_of(eye.sum, eye.mean_lx),
-          ugr_of(eye.high_sum, eye.mean_lx - t * eye.error_lx)};
+  const double least_lx = eye.mean_lx - t * eye.error_lx;
+  const double high =
+      eye.is_large_seen ? luminous_ceiling(eye.high_sum, least_lx) : ugr_of(eye.high_sum, least_lx);
+  return {ugr_of(eye.low_sum, most_lx), ugr_of(eye.sum, eye.mean_lx), high};
 }
 
 bool GlarePoints::has_inexact_sources() const {
-  return std::any_of(eye_.begin(), eye_.end(),
-                     [](const Eye& eye) { return eye.low_sum < eye.high_sum; });
+  return std::any_of(eye_.begin(), eye_.end(), [](const Eye& eye) {
+    return eye.low_sum < eye.high_sum || eye.is_large_seen;
+  });
 }
 
-std::string glare_refusal(const calc::GlareField& glare, const std::vector<double>& channel_weights,
-                          const std::vector<std::size_t>& points) {
-  for (const calc::GlareRefusal& refusal : glare.refusals) {
-    const bool is_lit = channel_weights[refusal.channel] > 0.0;
-    const bool is_looked_at =
-        std::find(points.begin(), points.end(), refusal.point) != points.end();
-    if (is_lit && is_looked_at) return refusal_text(refusal);
+GlareDoubts glare_doubts(const calc::GlareField& glare, const std::vector<double>& channel_weights,
+                         const std::vector<std::size_t>& points) {
+  std::map<std::size_t, const calc::GlareDoubt*> of_point;  // the first of each
+  for (const calc::GlareDoubt& doubt : glare.doubts) {
+    if (channel_weights[doubt.channel] > 0.0) of_point.emplace(doubt.point, &doubt);
   }
-  return {};
+  GlareDoubts doubts;
+  for (const std::size_t point : points) {
+    const auto found = of_point.find(point);
+    if (found != of_point.end() && ++doubts.points == 1) doubts.first = doubt_text(*found->second);
+  }
+  return doubts;
 }
 
 PointValues mean_of_four_planes(const PointValues& receivers) {

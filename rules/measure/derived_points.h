@@ -57,32 +57,41 @@ class ModellingPoints : public DerivedPoints {
 // UGR = 8 log10(0.25 pi G / E), G = sum of L^2 w / p^2, E: illuminance of the eye by reflected
 // light. It falls with E and rises with G, so that the ends of their intervals give those of UGR:
 // the level of E's t-interval is kept, whatever the logarithm does. -infinity where G is 0: no
-// glare source.
+// glare source. The upper end is larger where an eye sees a source too large for the formula, see
+// calc::kLuminousCeiling_lx.
 class GlarePoints : public DerivedPoints {
  public:
   GlarePoints(const PointValues& indirect, const calc::GlareField& glare,
               const std::vector<double>& channel_weights, const std::vector<std::size_t>& points);
   std::size_t points() const override { return eye_.size(); }
   Limits limits(std::size_t point, double t) const override;
-  bool sees_source(std::size_t point) const { return eye_[point].sum > 0.0; }
+  bool sees_source(std::size_t point) const { return eye_[point].high_sum > 0.0; }
+  // As if the sums were exact: only the sampled light is in doubt.
+  GlarePoints without_doubts() const;
   // No reflected light at all, by proof.
   bool has_black_background(std::size_t point) const {
     return replicates_ == 1 && !(eye_[point].mean_lx > 0.0);
   }
-  // Sources too small for the formula, or openings partly hidden, at any point.
+  // Sources that the formula is not stated for, or openings partly hidden, at any point.
   bool has_inexact_sources() const;
 
  private:
   struct Eye {
     double sum, low_sum, high_sum;  // of L^2 w / p^2
     double mean_lx, error_lx, largest_sample_lx;
+    bool is_large_seen;  // too large for the formula
   };
   std::vector<Eye> eye_;
 };
 
-// Why the formula cannot be used for one of these points; "" = it can. channel_weights as above.
-std::string glare_refusal(const calc::GlareField& glare, const std::vector<double>& channel_weights,
-                          const std::vector<std::size_t>& points);
+// For how many of these points the formula is not stated, and why for the first of them, in words;
+// "" for none. channel_weights as above.
+struct GlareDoubts {
+  std::size_t points = 0;
+  std::string first;
+};
+GlareDoubts glare_doubts(const calc::GlareField& glare, const std::vector<double>& channel_weights,
+                         const std::vector<std::size_t>& points);
 
 // Of a plane of DerivedQuantity::four_planes: the mean of the four planes as the illuminance of its
 // points.

@@ -39,6 +39,7 @@ double value_of(const std::vector<double>& means_lx, double average_lx, Metric m
     case Metric::power_density:
     case Metric::power_per_100_lx:
     case Metric::leni:
+    case Metric::ugr_table:
     case Metric::gradient:
       break;
   }

@@ -4,6 +4,7 @@
 #include "calc/base/sentences.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
+#include "rules/catalogue/compare.h"
 #include "rules/catalogue/mask.h"
 #include "rules/measure/candidates.h"
 #include "rules/measure/derived_metrics.h"
@@ -162,6 +163,15 @@ std::vector<std::uint8_t> repeated(const std::vector<std::uint8_t>& marks, std::
   return all;
 }
 
+// No observer sees one.
+Measurement no_glare_source(std::size_t observers) {
+  Measurement result;
+  result.metric = MetricEstimate{{-kInfinity, -kInfinity, -kInfinity}, std::nullopt};
+  result.points_used = observers;
+  result.nothing_there = calc::say<calc::Sentence::no_glare_source>();
+  return result;
+}
+
 struct DerivedRequest {
   const Requirement& requirement;
   std::optional<std::size_t> point;  // among the masked ones
@@ -181,7 +191,7 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
   const auto limit =
       request.goal == Goal::verdict ? std::optional<double>(requirement.limit) : std::nullopt;
   const auto found = compute_derived(points, requirement, request.point, limit, request.confidence);
-  if (!found) return nothing_to_measure(calc::say<calc::Sentence::no_glare_source>());
+  if (!found) return no_glare_source(points.points());
   result.active = found->active;
   result.unseen_points = found->unseen_points;
   result.single_sample_points = found->single_sample_points;
@@ -191,18 +201,35 @@ Measurement measure_derived(const DerivedPoints& points, const DerivedRequest& r
     return result;
   }
   // More samples may help, except for a low end that has no source to stand on.
-  if (!std::isfinite(estimate.high)) {
-    result.reason = request.derived == calc::DerivedQuantity::ugr
-                        ? calc::say<calc::Sentence::background_unknown>()
-                        : calc::say<calc::Sentence::ratio_unknown>();
-    if (points.replicates() > 1) {
-      result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
-    }
+  const bool is_glare = request.derived == calc::DerivedQuantity::ugr;
+  if (!std::isfinite(estimate.high) && points.replicates() > 1) {
+    result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
+  }
+  if (is_glare && !std::isfinite(estimate.high)) {
+    result.reason = calc::say<calc::Sentence::background_unknown>();
+  } else if (is_glare) {
+    result.metric = MetricEstimate{estimate, found->point};
   } else {
-    result.reason = calc::say<calc::Sentence::sources_too_small>(calc::kSmallestGlareSource_sr);
-    result.unseen_points = 0;
+    result.reason = calc::say<calc::Sentence::ratio_unknown>();
   }
   return result;
+}
+
+// Whether the sums of the sources alone leave the limit open, with the sampled light wherever in
+// its interval.
+bool is_open_by_sources(const GlarePoints& points, const DerivedRequest& request) {
+  const Requirement& requirement = request.requirement;
+  if (requirement.metric != Metric::maximum && !request.point) return false;
+  const double t = one_sided_t(points.replicates(), 0.5 * (1.0 - request.confidence));
+  double low = -kInfinity, high = -kInfinity;
+  for (std::size_t i = 0; i < points.points(); ++i) {
+    if (request.point && *request.point != i) continue;
+    const Limits limits = points.limits(i, -t);
+    low = std::max(low, limits.low);
+    high = std::max(high, limits.high);
+  }
+  return meets(low, requirement.comparison, requirement.limit) !=
+         meets(high, requirement.comparison, requirement.limit);
 }
 
 // make_points: the derived points of values.
@@ -236,8 +263,6 @@ Measurement measure_modelling(const PointValues& receivers, const MaskedPoints& 
 Measurement measure_glare(const calc::PlaneField& field, const std::vector<double>& weights,
                           const PointValues& indirect, const MaskedPoints& masked,
                           const DerivedRequest& request) {
-  const std::string refusal = glare_refusal(field.glare, weights, masked.points);
-  if (!refusal.empty()) return nothing_to_measure(refusal);
   const auto points_of = [&](const PointValues& of) {
     return GlarePoints(of, field.glare, weights, masked.points);
   };
@@ -249,13 +274,23 @@ Measurement measure_glare(const calc::PlaneField& field, const std::vector<doubl
   bool has_source = false;
   for (std::size_t i = 0; i < points.points(); ++i)
     has_source = has_source || points.sees_source(i);
-  if (!has_source) return nothing_to_measure(calc::say<calc::Sentence::no_glare_source>());
+  if (!has_source && points.points() > 0 && points.has_black_background(0)) {
+    return nothing_to_measure(calc::say<calc::Sentence::background_black>(masked.points[0] + 1));
+  }
   Measurement result = measure_derived(points, request);
   if (!points.has_inexact_sources()) {
     result.without_replicate = without_each_replicate(indirect, points_of, request);
-  } else {
-    result.remark = calc::say<calc::Sentence::sources_inexact>(calc::kSmallestGlareSource_sr);
+    return result;
   }
+  const GlareDoubts doubts = glare_doubts(field.glare, weights, masked.points);
+  result.remark = doubts.points > 0
+                      ? doubts.first
+                      : calc::say<calc::Sentence::sources_inexact>(calc::kSmallestGlareSource_m2);
+  if (!result.metric || request.requirement.metric == Metric::share) return result;
+  const auto sampled = compute_derived(points.without_doubts(), request.requirement, request.point,
+                                       std::nullopt, request.confidence);
+  if (sampled) result.by_samples = sampled->estimate;
+  result.is_open_for_good = is_open_by_sources(points, request);
   return result;
 }
 
@@ -304,11 +339,17 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
 }
 
 // Of the space, whatever its light.
-Measurement known_density(const Requirement& requirement, const calc::SensorGrid& grid) {
+Measurement known_of_space(const Requirement& requirement, const calc::SensorGrid& grid) {
   const double known =
       requirement.metric == Metric::leni ? requirement.leni_kwh_m2 : requirement.power_density_w_m2;
   Measurement result;
   result.metric = MetricEstimate{{known, known, known}, std::nullopt};
+  if (requirement.metric == Metric::ugr_table) {
+    result.metric->estimate = requirement.room_ugr;
+    if (calc::is_nothing(requirement.room_ugr)) {
+      result.nothing_there = calc::say<calc::Sentence::ugr_table_nothing>();
+    }
+  }
   result.points_used = grid.position_m.size();
   result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
   return result;
@@ -353,7 +394,7 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
                     const calc::PlaneField& field, const std::vector<calc::LightScene>& scenes,
                     double confidence, Goal goal) {
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
-  if (is_of_space(requirement.metric)) return known_density(requirement, grid);
+  if (is_of_space(requirement.metric)) return known_of_space(requirement, grid);
   if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
     return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
   }

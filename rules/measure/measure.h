@@ -29,6 +29,13 @@ struct Measurement {
   float largest_share = 0.0F;            // of those single samples, the largest; 0: not known
   // What must be read with the interval where it leaves the verdict open; or "".
   std::string remark;
+  // Nothing is there that the quantity could be of, and so it is less than every limit: its value
+  // is -infinity, exactly. In words; or "".
+  std::string nothing_there;
+  // Of an interval that is not of samples alone: that of samples alone, and whether the rest of it
+  // holds the limit, so that no number of samples decides.
+  std::optional<calc::Estimate> by_samples;
+  bool is_open_for_good = false;
   // [point of the field]: 1 where more samples would serve the goal; empty: everywhere.
   std::vector<std::uint8_t> active;
   // The value without each replicate, see leave_one_out.h; empty: exact, or of quantities that do

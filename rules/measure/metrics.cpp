@@ -197,6 +197,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::power_density:
     case Metric::power_per_100_lx:
     case Metric::leni:
+    case Metric::ugr_table:
     case Metric::gradient:
       break;
   }

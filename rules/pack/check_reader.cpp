@@ -130,6 +130,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.trust = read_trust(reader);
   check.has_trust = reader.has("trust");
   check.note = reader.text_or("note", "");
+  if (reader.has("instead-of")) check.instead_of = reader.id("instead-of");
   read_limit(reader, check);
   return check;
 }

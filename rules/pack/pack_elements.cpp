@@ -230,6 +230,8 @@ const ElementRow kCheckElement{
                    {"at-most", &kTextType},
                    {"more-than", &kTextType},
                    {"less-than", &kTextType},
+                   {"instead-of", &kIdType, optional,
+                    "Another check that asks the same in another way: one of them is enough."},
                    kTrustAttribute,
                    kNoteAttribute}};
 

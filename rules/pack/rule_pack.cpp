@@ -29,8 +29,12 @@ constexpr std::array kQuantities{
     Quantity{"GR", Dimension::plain, std::nullopt},
     Quantity{"Ra", Dimension::plain, std::nullopt},
     Quantity{"luminance", Dimension::luminance, std::nullopt},
-    Quantity{"power-density", Dimension::power_density, std::nullopt},
-    Quantity{"LENI", Dimension::energy_density, std::nullopt},
+    Quantity{"power-density", Dimension::power_density, std::nullopt, calc::DerivedQuantity::none,
+             Metric::power_density},
+    Quantity{"LENI", Dimension::energy_density, std::nullopt, calc::DerivedQuantity::none,
+             Metric::leni},
+    Quantity{"UGR-table", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::ugr_table},
 };
 
 template <class Item, class Key>

@@ -139,6 +139,8 @@ struct Quantity {
   Dimension dimension;
   std::optional<calc::ReceiverKernel> kernel;  // empty: not measured on planes
   calc::DerivedQuantity derived = calc::DerivedQuantity::none;
+  // Of the space that a plane is in; any plane there will do.
+  std::optional<Metric> of_space = {};
 };
 const Quantity* quantity_from_name(std::string_view name);  // nullptr if there is none
 calc::Names quantity_names();
@@ -181,6 +183,8 @@ struct RuleCheck {
   Trust trust = Trust::confirmed;  // of what the check says itself, row values and tables apart
   bool has_trust = false;          // stated in the pack
   std::string note;
+  // Another check that asks the same in another way: one of them is enough. "" = none.
+  std::string instead_of;
   calc::SourceLocation where;
 
   Dimension dimension() const { return is_ratio(metric) ? Dimension::plain : quantity->dimension; }

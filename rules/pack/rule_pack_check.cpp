@@ -248,6 +248,23 @@ void check_parts(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
 }
 
+// Another way to ask the same is asked of another part of the room, and both are compared alike.
+void check_alternatives(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  for (const RuleCheck& check : pack.checks) {
+    if (check.instead_of.empty()) continue;
+    check_ids({check.instead_of}, ids_of(pack.checks), "instead-of", "check", "check", check.where,
+              diagnostics);
+    const RuleCheck* other = pack.find_check(check.instead_of);
+    const bool is_fit =
+        other == nullptr || (other->role != check.role && other->instead_of.empty() &&
+                             other->severity == check.severity);
+    if (is_fit) continue;
+    diagnostics.report(DiagnosticId::missing_form, check.where, "check",
+                       "a check of another role, with the same severity and none of its own, in "
+                       "'instead-of'");
+  }
+}
+
 // A parameter has one scale at most, of its own unit.
 void check_scales(const RulePack& pack, calc::Diagnostics& diagnostics) {
   for (const RuleScale& scale : pack.scales) {
@@ -280,6 +297,7 @@ void check_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   }
   for (const RuleAggregate& aggregate : pack.aggregates) check_members(aggregate, diagnostics);
   check_parts(pack, diagnostics);
+  check_alternatives(pack, diagnostics);
   calc::Names rows;
   for (const RuleRow& row : pack.rows) rows.push_back(row.ref);
   for (const RuleClass& item : pack.classes) {

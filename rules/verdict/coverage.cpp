@@ -164,6 +164,19 @@ std::string walls_not_asked(const calc::Space& space, const std::vector<Requirem
   return words.empty() ? words : calc::say<calc::Sentence::without_walls>(words);
 }
 
+// Of two checks that ask the same in different ways, the other one; null: it has none.
+const RuleCheck* alternative_to(const RuleCheck& check, const RulePack& pack) {
+  if (!check.instead_of.empty()) return pack.find_check(check.instead_of);
+  const auto found = std::find_if(pack.checks.begin(), pack.checks.end(),
+                                  [&](const auto& other) { return other.instead_of == check.id; });
+  return found == pack.checks.end() ? nullptr : &*found;
+}
+
+bool asks(const Asked& asked, const RuleCheck& check) {
+  return std::any_of(asked.findings.begin(), asked.findings.end(),
+                     [&](const auto& finding) { return finding.first == &check; });
+}
+
 // Empty: the row requires nothing of it, or advice only.
 std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
                                   const std::string& role, std::string_view today) {
@@ -182,6 +195,16 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
     is_asked = true;
   }
   if (is_asked) coverage.state = state_of(outcome);
+  const RuleCheck* other = alternative_to(*needed, *asked.pack);
+  if (other != nullptr && !is_asked && asked.workplace == nullptr) {
+    // Missed is the one that the other stands for.
+    if (!asks(asked, *other) && !needed->instead_of.empty()) return std::nullopt;
+    if (asks(asked, *other)) {
+      coverage.state = RoleState::not_made;
+      coverage.words = calc::say<calc::Sentence::judged_instead>(other->id);
+      return coverage;
+    }
+  }
   if (asked.workplace != nullptr) cover_unmade(*asked.workplace, today, is_asked, coverage);
   // Where the pack says no place the project has to draw the plane, and has not.
   const RulePlane* place = asked.pack->find_plane(role);
@@ -190,8 +213,12 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
     coverage.words = walls_not_asked(space, coverage.of, place->margin_m);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
   }
-  if (coverage.state == RoleState::not_made && !has_place) coverage.state = RoleState::never_asked;
-  if (!is_asked && !needed->quantity->kernel) {
+  const bool is_for_project = !has_place && other == nullptr;
+  if (coverage.state == RoleState::not_made && is_for_project) {
+    coverage.state = RoleState::never_asked;
+  }
+  const bool is_measured = needed->quantity->kernel || needed->quantity->of_space;
+  if (!is_asked && !is_measured) {
     coverage.state = RoleState::not_possible;
     coverage.words = calc::say<calc::Sentence::not_on_planes>(needed->quantity->name);
   }

@@ -22,6 +22,7 @@ double rounded(double value, int digits) {
 // Digits after the point with which both ends are still on their own side of the limit.
 int digits_for(const calc::Estimate& estimate, double limit, const Requirement& requirement) {
   const auto is_kept = [&](double value, int digits) {
+    if (!std::isfinite(value)) return true;
     return sign(rounded(value, digits) - limit) == sign(value - limit);
   };
   constexpr int kMostDigits = 9;
@@ -40,9 +41,18 @@ std::string undecided_text(const calc::Estimate& estimate, double limit,
   const int digits = digits_for(estimate, limit, requirement);
   const std::string unit =
       *unit_of(requirement) == '\0' ? "" : fmt::format(" {}", unit_of(requirement));
+  const std::string required = fmt::format("{:.9g}{}", limit, unit);
+  if (!std::isfinite(estimate.low)) {
+    return calc::say<calc::Sentence::undecided_below>(
+        fmt::format("{:.{}f}{}", estimate.high, digits, unit), required);
+  }
+  if (!std::isfinite(estimate.high)) {
+    return calc::say<calc::Sentence::undecided_above>(
+        fmt::format("{:.{}f}{}", estimate.low, digits, unit), required);
+  }
   return calc::say<calc::Sentence::undecided>(fmt::format("{:.{}f}", estimate.low, digits),
                                               fmt::format("{:.{}f}{}", estimate.high, digits, unit),
-                                              fmt::format("{:.9g}{}", limit, unit));
+                                              required);
 }
 
 std::string unseen_text(std::size_t unseen, std::size_t points) {
@@ -97,6 +107,13 @@ int digits_of(const Requirement& requirement) {
 
 }  // namespace
 
+bool has_open_ends(const Requirement& requirement, const calc::Estimate& measured) {
+  const bool is_rating =
+      requirement.derived == calc::DerivedQuantity::ugr || requirement.metric == Metric::ugr_table;
+  return is_rating && measured.low <= measured.value && measured.value <= measured.high &&
+         !calc::is_finite(measured);
+}
+
 Decision decide(const Requirement& requirement, const calc::Estimate& measured) {
   const double limit = requirement.limit;
   return decide({measured, requirement.comparison, {limit, limit, limit}, digits_of(requirement)},
@@ -112,8 +129,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
     return finding;
   }
   const calc::Estimate& estimate = measurement.metric->estimate;
-  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.value) ||
-      !std::isfinite(estimate.high)) {
+  if (!calc::is_finite(estimate) && !has_open_ends(requirement, estimate)) {
     finding.reason = calc::say<calc::Sentence::not_finite>();
     return finding;
   }
@@ -127,6 +143,7 @@ Finding judge_measurement(const Requirement& requirement, const Measurement& mea
   finding.points_used = measurement.points_used;
   finding.without_replicate = measurement.without_replicate;
   if (measurement.metric->point) finding.place_m = grid.position_m[*measurement.metric->point];
+  finding.reason = measurement.nothing_there;
   const std::size_t points = grid.position_m.size();
   const bool is_doubtful = measurement.unseen_points > 0 || measurement.single_sample_points > 0;
   if (finding.verdict == Verdict::undecided) {

@@ -19,8 +19,9 @@ namespace rules {
 struct Finding {
   Requirement requirement;
   Verdict verdict = Verdict::not_judged;
-  calc::Estimate measured;  // unit of the requirement; meaningless when not_judged
-  double margin = 0.0;      // (measured - limit) / limit, sign turned for at_most: > 0 is good
+  // Unit of the requirement; meaningless when not_judged. Ends may be open, see has_open_ends().
+  calc::Estimate measured;
+  double margin = 0.0;  // (measured - limit) / limit, sign turned for at_most: > 0 is good
   bool is_close =
       false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
   bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
@@ -28,8 +29,9 @@ struct Finding {
   bool by_tolerance = false;    // passes only with the tolerance of the policy
   std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
   std::optional<glm::dvec3>
-      place_m;         // of the minimum (of uniformities, too), the maximum or the value
-  std::string reason;  // for undecided and not_judged, in words
+      place_m;  // of the minimum (of uniformities, too), the maximum or the value
+  // For undecided and not_judged, in words; of others only that there is nothing to be rated.
+  std::string reason;
   // `measured` without each replicate in turn, see measure/leave_one_out.h; empty: not known.
   std::vector<double> without_replicate = {};
 };
@@ -41,8 +43,12 @@ std::vector<Finding> judge_plane(const std::vector<Requirement>& requirements,
                                  const calc::SensorGrid& grid, const calc::PlaneField& field,
                                  const std::vector<calc::LightScene>& scenes, double confidence);
 
-// What a value says about its requirement's limit; doubts of sampling are not in it. measured:
-// finite, in unit_of(requirement).
+// Glare ratings alone may have ends, or a value, that are infinite: what no observer sees is rated
+// less than any number, and for some sources the formula is not stated.
+bool has_open_ends(const Requirement& requirement, const calc::Estimate& measured);
+
+// What a value says about its requirement's limit; doubts of sampling are not in it. measured: in
+// unit_of(requirement), finite or as has_open_ends() has it.
 Decision decide(const Requirement& requirement, const calc::Estimate& measured);
 
 // What a measurement says about its requirement.

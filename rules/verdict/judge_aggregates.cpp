@@ -148,9 +148,7 @@ std::optional<Part> missing_part(const RulePack& pack, const RuleCheck& check,
   Part part;
   part.member.name = check.id;
   part.lived_with = Verdict::not_judged;
-  part.member.reason = check.quantity->kernel ||
-                               check.quantity->dimension == Dimension::power_density ||
-                               check.quantity->dimension == Dimension::energy_density
+  part.member.reason = check.quantity->kernel || check.quantity->of_space
                            ? calc::say<calc::Sentence::role_not_asked>(check.role)
                            : calc::say<calc::Sentence::not_calculated>(check.quantity->name);
   return part;

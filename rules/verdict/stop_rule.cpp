@@ -21,8 +21,9 @@ std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
 
 bool is_accurate(const Measurement& measurement, double tolerance) {
   if (measurement.unseen_points > 0 || measurement.single_sample_points > 0) return false;
-  if (!measurement.metric) return true;
-  const calc::Estimate& estimate = measurement.metric->estimate;
+  if (!measurement.metric || !measurement.nothing_there.empty()) return true;
+  const calc::Estimate& estimate = measurement.by_samples.value_or(measurement.metric->estimate);
+  if (!calc::is_finite(estimate)) return true;  // what is open is not open for want of samples
   return estimate.half_width() <= tolerance * estimate.value;  // 0 <= 0 for an exact darkness
 }
 
@@ -30,7 +31,9 @@ bool is_decided(const Requirement& requirement, const Measurement& measurement,
                 const calc::SensorGrid& grid) {
   // The first sample that arrives makes a uniformity defined.
   if (!measurement.metric && measurement.unseen_points > 0) return false;
-  return judge_measurement(requirement, measurement, grid).verdict != Verdict::undecided;
+  const Finding finding = judge_measurement(requirement, measurement, grid);
+  return finding.verdict != Verdict::undecided ||
+         (measurement.is_open_for_good && !finding.is_doubtful);
 }
 
 // Adds the points of one unfinished quantity to those of others.

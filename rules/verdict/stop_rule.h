@@ -25,12 +25,13 @@ struct StopAnswer {
   std::vector<std::uint8_t> active;
 };
 
-// Goal::verdict: a plane is finished (decided) once none of its requirements is undecided.
-// Goal::accuracy: it is finished (accurate) once every quantity that its requirements judge has
-// half-width <= tolerance * value. A plane without requirements has nothing to decide; for either
-// goal it is finished once its maintained average and minimum, with every luminaire at full output,
-// are accurate. What does not exist (the uniformity of a dark plane, a point outside the grid)
-// gains nothing from more work.
+// Goal::verdict: a plane is finished (decided) once none of its requirements is undecided, or only
+// by what no sample can tell (Measurement::is_open_for_good). Goal::accuracy: it is finished
+// (accurate) once every quantity that its requirements judge has half-width <= tolerance * value,
+// as far as it is sampled. A plane without requirements has nothing to decide; for either goal it
+// is finished once its maintained average and minimum, with every luminaire at full output, are
+// accurate. What does not exist (the uniformity of a dark plane, a point outside the grid) gains
+// nothing from more work.
 //
 // Points that no unfinished quantity hangs on are left out of further looks and keep their
 // replicates. That spoils no limit of a single point: it was as good at the look after which the

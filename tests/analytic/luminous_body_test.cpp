@@ -2,7 +2,7 @@
 #include "calc/base/statistics.h"
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 #include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/glare/mean_luminance.h"
+#include "calc/glare/ugr_table.h"
 #include "calc/photometry/web_measures.h"
-#include "calc/radiosity/mean_luminance.h"
-#include "calc/radiosity/ugr_table.h"
 #include "report/html/html_markup.h"
 #include "report/html/html_style.h"
 #include "report/images/polar_diagram.h"

@@ -62,12 +62,17 @@ std::string light_text(const RuleCheck& check) {
 
 // Where it is measured, of quantities that are more than an illuminance.
 std::string measured_on(const rules::Quantity& quantity) {
-  if (quantity.dimension == rules::Dimension::power_density) {
+  if (quantity.of_space == rules::Metric::power_density) {
     return "on any plane of the room: installed power of its luminaires by its floor area";
   }
-  if (quantity.dimension == rules::Dimension::energy_density) {
+  if (quantity.of_space == rules::Metric::leni) {
     return "on any plane of the room: energy of its luminaires in a year by its floor area, of the "
            "hours and factors that <energy> of the room or the project states";
+  }
+  if (quantity.of_space == rules::Metric::ugr_table) {
+    return "on any plane of the room: by the tabular method, for a rectangular room with "
+           "luminaires "
+           "in even rows";
   }
   if (!quantity.kernel || quantity.derived == calc::DerivedQuantity::none) return {};
   return fmt::format("on a plane with quantity=\"{}\"{}",

@@ -1,6 +1,6 @@
 #include "calc/proofs/convex_space.h"
 
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 #include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 
 #include "calc/radiosity/direct.h"
 #include "calc/radiosity/emission.h"
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 #include "tests/unit/calc/proofs/proof_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "calc/radiosity/emission.h"
 
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include "calc/radiosity/direct.h"
 #include "tests/support/scenes.h"

@@ -53,7 +53,7 @@ calc::PlaneState full_plane() {
   fill(field.glare.value, 2 * kPoints);
   fill(field.glare.low, 2 * kPoints);
   fill(field.glare.high, 2 * kPoints);
-  field.glare.refusals = {{1, 1, calc::GlareProblem::too_large, 0.2, {1.0, 2.0, 3.0}}};
+  field.glare.doubts = {{1, 1, calc::GlareProblem::too_large, 0.2, {1.0, 2.0, 3.0}}};
   field.counters.paths = 100;
   field.counters.direct_rays = 7;
   field.counters.connection_rays = 10;
@@ -86,7 +86,7 @@ TEST(StoredLook, GivesThePlaneBack) {
   EXPECT_EQ(other.sums().direct_sum_lx, plane.sums().direct_sum_lx);
   EXPECT_EQ(other.sums().indirect_sum_lx, plane.sums().indirect_sum_lx);
   EXPECT_EQ(other.sums().has_seen_opening, plane.sums().has_seen_opening);
-  EXPECT_EQ(other.field().glare.refusals.at(0).number, 0.2);
+  EXPECT_EQ(other.field().glare.doubts.at(0).number, 0.2);
   EXPECT_EQ(other.field().counters.near_rays, 10u);
   // What is stored again is the same.
   EXPECT_EQ(calc::render_look(other, false, light()), bytes);

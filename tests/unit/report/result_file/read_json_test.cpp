@@ -177,6 +177,77 @@ TEST(ReadJson, RatingsAreReadBack) {
   EXPECT_EQ(again.projects[0].spaces[0].power.without_power, 1);
 }
 
+// Of glare alone: no observer sees a luminaire, or its rating has an open end.
+TEST(ReadJson, RatingsWithOpenEndsAreReadBack) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  struct Case {
+    calc::Estimate measured;
+    rules::Verdict verdict;
+    const char* shown;
+  };
+  for (const Case& item : {Case{{-kOpen, -kOpen, -kOpen}, rules::Verdict::pass, "none"},
+                           Case{{-kOpen, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.50"},
+                           Case{{18.0, -kOpen, 18.5}, rules::Verdict::pass, "≤ 18.50"},
+                           Case{{18.0, -kOpen, 19.5}, rules::Verdict::undecided, "≤ 19.50"},
+                           Case{{20.0, 19.5, kOpen}, rules::Verdict::fail, "≥ 19.50"},
+                           Case{{19.5, 18.5, kOpen}, rules::Verdict::undecided, "≥ 18.50"}}) {
+    Document document = rated_document();
+    PlanePart& plane = document.projects[0].spaces[0].planes[0];
+    rules::Finding& finding = plane.findings[0];
+    finding.requirement.comparison = rules::Comparison::at_most;
+    finding.measured = item.measured;
+    judge_again(finding);
+    finding.reason = "how it is known";
+    EXPECT_EQ(finding.verdict, item.verdict) << item.shown;
+    plane.looks.clear();
+    settle_estimates(plane);
+    const Document again = read_again(document);
+    const rules::Finding& found = again.projects[0].spaces[0].planes[0].findings[0];
+    EXPECT_EQ(found.measured.value, item.measured.value) << item.shown;
+    EXPECT_EQ(found.measured.low, item.measured.low) << item.shown;
+    EXPECT_EQ(found.measured.high, item.measured.high) << item.shown;
+    EXPECT_EQ(render_json(again), render_json(document));
+    EXPECT_EQ(render_html(again), render_html(document));
+    EXPECT_EQ(render_results_csv(again), render_results_csv(document));
+    EXPECT_THAT(render_text(again, {}), HasSubstr(item.shown));
+    EXPECT_THAT(render_text(again, {}), HasSubstr("how it is known"));
+    EXPECT_THAT(render_html(again), HasSubstr(item.shown));
+    EXPECT_THAT(render_html(again), HasSubstr("ow it is known"));
+    // Nobody makes a pass of what is open, or a fail.
+    json changed = json::parse(render_json(document));
+    const json::json_pointer verdict("/projects/0/spaces/0/planes/0/findings/0/verdict");
+    for (const char* other : {"pass", "fail", "undecided"}) {
+      if (changed[verdict] == other) continue;
+      json wrong = changed;
+      wrong[verdict] = other;
+      std::string problem;
+      EXPECT_FALSE(read_json(wrong.dump(), problem)) << item.shown << " " << other;
+    }
+  }
+}
+
+// Who writes "nothing" beside a number makes no pass of it, and there is no margin to it.
+TEST(ReadJson, NothingHasNoNumbers) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  Document document = rated_document();
+  PlanePart& plane = document.projects[0].spaces[0].planes[0];
+  plane.findings[0].requirement.comparison = rules::Comparison::at_most;
+  plane.findings[0].measured = {-kOpen, -kOpen, 18.0};
+  judge_again(plane.findings[0]);
+  plane.looks.clear();
+  settle_estimates(plane);
+  const json good = json::parse(render_json(document));
+  const std::string finding = "/projects/0/spaces/0/planes/0/findings/0";
+  std::string problem;
+  EXPECT_TRUE(read_json(good.dump(), problem)) << problem;
+  for (const auto& [key, number] : {std::pair{"/measured/value", 25.0},
+                                    std::pair{"/measured/low", 25.0}, std::pair{"/margin", 0.1}}) {
+    json changed = good;
+    changed[json::json_pointer(finding + key)] = number;
+    EXPECT_FALSE(read_json(changed.dump(), problem)) << key;
+  }
+}
+
 TEST(ReadJson, WhatIsNotFiniteStaysSo) {
   Document document = small_document();
   rules::Finding& finding = document.projects[0].spaces[0].planes[0].findings[0];

@@ -446,6 +446,28 @@ TEST(Revise, VerdictsTellWhatBecameOfThem) {
   EXPECT_EQ(change(bad, estimate(0.7 * limit, 0.01 * limit)), ResultChange::worse);
 }
 
+// Of glare: no observer sees a luminaire, which is the same as before, or better than any rating.
+TEST(Revise, NothingIsLessThanAnyRating) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  const auto change = [](const calc::Estimate& was, const calc::Estimate& is) {
+    Document before = base();
+    PlanePart& plane = before.projects[0].spaces[0].planes[0];
+    plane.derived = calc::DerivedQuantity::ugr;
+    finding(before).requirement.derived = plane.derived;
+    finding(before).requirement.comparison = rules::Comparison::at_most;
+    set_measured(finding(before), was);
+    Document after = before;
+    set_measured(finding(after), is);
+    const Revision revision = revise(before, after, "main.json", kRegression);
+    return revision.results.empty() ? ResultChange::same : revision.results[0].change;
+  };
+  const calc::Estimate nothing{-kOpen, -kOpen, -kOpen}, low = estimate(12, 0.1);
+  EXPECT_EQ(change(nothing, nothing), ResultChange::same);
+  EXPECT_EQ(change(nothing, low), ResultChange::worse);
+  EXPECT_EQ(change(low, nothing), ResultChange::better);
+  EXPECT_EQ(change(nothing, estimate(1e6, 1)), ResultChange::broken);
+}
+
 TEST(Revise, ReplicatesOfEqualSeedsShowWhatIntervalsHide) {
   Document before = base();
   const double limit = finding(before).requirement.limit;

@@ -146,11 +146,20 @@ TEST(NumberFormat, DigitsRespectSeveralLimits) {
 
 TEST(NumberFormat, OpenIntervalsAreNoExactOnes) {
   const double open = std::numeric_limits<double>::infinity();
-  for (const calc::Estimate& estimate :
-       {calc::Estimate{512, 500, open}, calc::Estimate{512, -open, 520},
-        calc::Estimate{512, kNan, 520}, calc::Estimate{512, 500, kNan}}) {
-    EXPECT_EQ(format_measured(estimate, "lx"), "512.0 ± – lx");
-  }
+  EXPECT_EQ(format_measured({512, 500, open}, "lx"), "≥ 500.0 lx");
+  EXPECT_EQ(format_measured({512, -open, 520}, "lx"), "≤ 520.0 lx");
+  EXPECT_EQ(format_measured({512, kNan, 520}, "lx"), "≤ 520.0 lx");
+  EXPECT_EQ(format_measured({512, 500, kNan}, "lx"), "≥ 500.0 lx");
+  EXPECT_EQ(format_measured({512, -open, open}, "lx"), "512.0 ± – lx");
+}
+
+// The end that is shown stays on its side of the limit.
+TEST(NumberFormat, WhatIsNothingIsNone) {
+  const double open = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(format_measured({-open, -open, -open}, ""), "none");
+  EXPECT_EQ(format_measured({-open, -open, 18.99996}, "", {{19, rules::Comparison::less_than}}),
+            "≤ 18.99996");
+  EXPECT_EQ(format_margin(open), "–");
 }
 
 TEST(NumberFormat, LengthsCountsAndTimes) {

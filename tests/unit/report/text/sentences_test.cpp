@@ -130,7 +130,8 @@ TEST(Sentences, HaveNumbersOfTheLanguage) {
   EXPECT_EQ(
       sentence(kFrench, say<Sentence::glare_too_large>("(1.000, -2.500, 2.900)", 3, 0.10712, 0.1)),
       "le luminaire au point (1,000; -2,500; 2,900) m, vu par l’observateur 3, occupe 0,107 sr, et "
-      "l’UGR vaut pour des sources d’au plus 0,1 sr");
+      "l’UGR, défini pour des sources d’au plus 0,1 sr, est trop indulgent pour lui : il est la "
+      "borne inférieure, et la formule d’Einhorn pour plafonds lumineux la borne supérieure");
 }
 
 TEST(Sentences, HoldOtherSentences) {

@@ -12,6 +12,7 @@ namespace rules {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
@@ -302,6 +303,19 @@ TEST(BindRequirements, AnEmergencySceneMustNameEveryLuminaire) {
   EXPECT_EQ(problem_with("normal", "route-normal"), "");
 }
 
+// What the project states, and nothing compares with the light, stands in every report.
+TEST(BindRequirements, AFactIsSaidWithTheLimitThatHangsOnIt) {
+  const auto note_with = [](const std::string& role, const std::string& facts) {
+    return bind_one({{"pack", "en1838"}, {"role", role}, {"scene", "night"}, {"facts", facts}})
+        .requirements.at(0)
+        .note;
+  };
+  EXPECT_THAT(note_with("high-risk", "task-illuminance=500 lx"),
+              HasSubstr("not calculated but stated by the project: task-illuminance = 500 lx"));
+  EXPECT_THAT(note_with("high-risk", "task-illuminance=50 fc"),
+              HasSubstr("task-illuminance = 538.196 lx"));
+}
+
 TEST(BindRequirements, TakesFactsFromTheProject) {
   const auto limit_with = [](const std::string& facts) {
     return bind_one(
@@ -515,7 +529,7 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
               ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
                           "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
-                          "share, power-density or LENI"));
+                          "share, power-density, LENI or UGR-table"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -571,7 +585,7 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
                           "Uo, Ud, percentile, value, share, gradient, power-density, "
-                          "power-per-100-lx or LENI; "
+                          "power-per-100-lx, LENI or UGR-table; "
                           "did you mean 'average'?"));
 }
 

@@ -93,7 +93,7 @@ TEST(Waivers, OfUnknownChecksAreErrorsWithTheList) {
                           "there is no check 'task.Ehm'; allowed: task.Em, task.Uo, surround.Em, "
                           "surround.Uo, background.Em, background.Uo, wall.Em, wall.Uo, "
                           "ceiling.Em, ceiling.Uo, cylinder.Em, cylinder.Uo, modelling.low, "
-                          "modelling.high, glare or colour; did you mean 'task.Em'?"));
+                          "modelling.high, glare, glare.table or colour; did you mean 'task.Em'?"));
   EXPECT_THAT(in_workplace(waiver("wal.Em")).errors,
               ElementsAre(HasSubstr("there is no check 'wal.Em'")));
 }

@@ -187,9 +187,11 @@ TEST(Workplace, WithoutAnAreaTheTaskIsTheRoomLessItsMargin) {
   EXPECT_NEAR(made.area_m2("w.task"), 96.0, 1e-9);
   EXPECT_EQ(made.area("w.cylinder").margin_m, 0.5);
   ASSERT_EQ(made.space().notes.size(), 1u);
-  EXPECT_EQ(made.space().notes[0],
-            "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
-            "background (the task is the whole room), lamp (Ra is not measured on planes)");
+  EXPECT_EQ(
+      made.space().notes[0],
+      "workplace w, EN 12464-1:2021 34.2: not made: surround (the task is the whole room), "
+      "background (the task is the whole room), room (judged at observers: luminaire 'l' has no "
+      "luminous area, so that its luminance is not known), lamp (Ra is not measured on planes)");
 }
 
 TEST(Workplace, WhereTheTaskReachesIntoTheWallZoneItsSurroundGoesToTheWall) {

@@ -106,7 +106,8 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_EQ(covered.rows[0].workplace, "w");
   EXPECT_THAT(covered.roles(),
               ElementsAre("task met", "surround not-made", "background not-made", "wall met",
-                          "ceiling met", "cylinder met", "observer met", "lamp not-possible"));
+                          "ceiling met", "cylinder met", "observer met", "room not-made",
+                          "lamp not-possible"));
 }
 
 TEST(RowCoverage, SaysWhatSomebodyLeftOut) {

@@ -1,6 +1,6 @@
-#include "calc/radiosity/mean_luminance.h"
+#include "calc/glare/mean_luminance.h"
 
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include <limits>
 

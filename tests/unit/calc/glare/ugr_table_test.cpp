@@ -1,9 +1,9 @@
 // UGR tables against light that is traced one ray at a time, closed forms and published tables.
-#include "calc/radiosity/ugr_table.h"
+#include "calc/glare/ugr_table.h"
 
 #include "calc/base/units.h"
+#include "calc/glare/position_index.h"
 #include "calc/photometry/read/photometry_file.h"
-#include "calc/radiosity/glare.h"
 #include "tests/support/parsed_photometry.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "calc/radiosity/opening.h"
+#include "calc/scene/opening.h"
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
