@@ -273,6 +273,28 @@ TEST(RulePackMessage, Circles) {
   EXPECT_THAT(circle(check_named("a", "limit(a)")), ElementsAre(HasSubstr("a -> a")));
 }
 
+// instead-of: another check, of another role, that counts alike.
+TEST(RulePackMessage, AnotherWayToAskTheSame) {
+  const auto check = [](const std::string& id, const std::string& role, const std::string& more) {
+    return "<check id='" + id + "' role='" + role +
+           "' quantity='planar' statistic='average' at-least='1 lx' trust='confirmed' " + more +
+           "/>\n";
+  };
+  const auto messages = [&](const std::string& other, const std::string& more) {
+    return messages_of(pack_with(check("a", "desk", "") + other + check("c", "eyes", more)));
+  };
+  calc::Diagnostics diagnostics;
+  EXPECT_TRUE(
+      parse_rule_pack(pack_with(check("a", "desk", "") + check("c", "eyes", "instead-of='a'")),
+                      "own.xml", diagnostics));
+  EXPECT_THAT(messages("", "instead-of='x'"), ElementsAre(HasSubstr("'x'")));
+  const auto refused = ElementsAre(HasSubstr("<check> needs a check of another role"));
+  EXPECT_THAT(messages("", "instead-of='c'"), refused);
+  EXPECT_THAT(messages("", "instead-of='a' severity='should'"), refused);
+  EXPECT_THAT(messages(check("b", "eyes", ""), "instead-of='b'"), refused);
+  EXPECT_THAT(messages(check("b", "wall", "instead-of='a'"), "instead-of='b'"), refused);
+}
+
 // Written out, every check is twice as long as the one before.
 TEST(RulePackMessage, FormulaThatGrowsBeyondAllBounds) {
   std::string checks = check_named("c0", "1 lx");
@@ -354,10 +376,11 @@ TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
       }
     }
   }
-  EXPECT_THAT(ids, ElementsAre("ashrae90-1:2019", "egress-us:undated", "en12464-1:2011",
-                               "en12464-1:2021", "en12464-2:2014", "en13201-2:2015", "en1838:2013",
-                               "en1838:2024", "leed-interior-lighting:4.1", "osha-1926-56:1926.56",
-                               "rp-20:1998", "rp-8:2014"));
+  EXPECT_THAT(
+      ids, ElementsAre("ashrae90-1:2019", "asr-a3-4:undated", "egress-us:undated", "en12193:2018",
+                       "en12464-1:2011", "en12464-1:2021", "en12464-2:2014", "en13201-2:2015",
+                       "en1838:2013", "en1838:2024", "iso8995-1:2002", "leed-interior-lighting:4.1",
+                       "osha-1926-56:1926.56", "rp-20:1998", "rp-8:2014"));
 }
 
 }  // namespace
