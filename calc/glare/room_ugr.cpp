@@ -20,6 +20,7 @@
 namespace calc {
 namespace {
 
+constexpr std::size_t kMostKinds = 16;  // of luminaires: more are no regular array
 constexpr double kSmallestRoom = 2.0, kLargestRoom = 12.0;  // of tables, in H
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -106,9 +107,8 @@ double level_in(const LightScene* scene, const std::string& group) {
 constexpr double kLevel = 0.9998;  // cosine of one degree
 constexpr double kSameHeight_m = 0.01;
 
-// Why a luminaire that gives light is none for the method; "" = it is one.
-std::string why_unfit(const Luminaire& luminaire, const PhotometricWeb& web, const Space& space,
-                      const Rectangle& room) {
+// Why a luminaire that gives light hangs in no way that the method is for; "" = it does.
+std::string why_misplaced(const Luminaire& luminaire, const Space& space, const Rectangle& room) {
   constexpr double kInRoom_m = 0.05;
   const glm::dmat3& turned = luminaire.world_from_luminaire;
   if (!(std::abs(turned[2].z) >= kLevel)) return say<Sentence::ugr_table_tilted>(luminaire.id);
@@ -120,8 +120,12 @@ std::string why_unfit(const Luminaire& luminaire, const PhotometricWeb& web, con
   const bool is_inside = above_floor_m <= space.shell->height_m + kInRoom_m &&
                          glm::all(glm::greaterThanEqual(place_m, glm::dvec2(-kInRoom_m))) &&
                          glm::all(glm::lessThanEqual(place_m, room.side_m + kInRoom_m));
-  if (!is_inside) return say<Sentence::ugr_table_outside>(luminaire.id);
-  const bool is_upright = turned[2].z > 0.0;
+  return is_inside ? "" : say<Sentence::ugr_table_outside>(luminaire.id);
+}
+
+// Why its opening is none for the formula; "" = it is one, or nobody sees it.
+std::string why_unfit(const Luminaire& luminaire, const PhotometricWeb& web) {
+  const bool is_upright = luminaire.world_from_luminaire[2].z > 0.0;
   const double below_lm =
       is_upright ? web.zonal_flux_lm(0.0, 0.5 * kPi) : web.zonal_flux_lm(0.5 * kPi, kPi);
   if (!(below_lm > 0.0)) return {};
@@ -150,7 +154,7 @@ std::vector<Kind> kinds_of(const Project& project, const Space& space, const Lig
     const double flux_scale =
         installed_flux_scale(project, luminaire) * level_in(scene, luminaire.group);
     if (!(web.flux_lm() * flux_scale > 0.0)) continue;
-    problem = why_unfit(luminaire, web, space, room);
+    problem = why_misplaced(luminaire, space, room);
     if (!problem.empty()) return {};
     Kind kind{&luminaire,
               &web,
@@ -159,6 +163,11 @@ std::vector<Kind> kinds_of(const Project& project, const Space& space, const Lig
               {}};
     const auto same = std::find_if(kinds.begin(), kinds.end(),
                                    [&](const Kind& other) { return are_alike(kind, other); });
+    if (same == kinds.end()) {
+      problem = kinds.size() < kMostKinds ? why_unfit(luminaire, web)
+                                          : say<Sentence::ugr_table_many>(kMostKinds);
+      if (!problem.empty()) return {};
+    }
     Kind& found = same == kinds.end() ? kinds.emplace_back(std::move(kind)) : *same;
     found.place_m.push_back(room.place_m(luminaire.position_m));
   }
@@ -308,9 +317,14 @@ RoomUgr room_ugr(const Project& project, const Space& space, const LightScene* s
   double lowest_m = kInfinite;
   for (const Kind& kind : arrays.kinds) lowest_m = std::min(lowest_m, kind.height_m);
   const glm::dvec2 sides = room.side_m / lowest_m;
-  result.words =
-      say<Sentence::ugr_by_table>(sides.x, sides.y, lowest_m, kSeatedEye_m, reflectances.ceiling,
-                                  reflectances.walls, reflectances.floor, kUgrSpacing);
+  result.words = say<Sentence::ugr_by_table>(sides.x, sides.y, lowest_m, kSeatedEye_m,
+                                             reflectances.ceiling, reflectances.walls,
+                                             reflectances.floor, kUgrSpacing, kUgrTablesDiffer);
+  const glm::dvec2 counted = glm::clamp(sides, kSmallestRoom, kLargestRoom);
+  if (counted != sides) {
+    result.words +=
+        "; " + say<Sentence::ugr_table_ends>(counted.x, counted.y, kSmallestRoom, kLargestRoom);
+  }
   if (is_mixture) result.words += "; " + say<Sentence::ugr_table_mixture>(arrays.kinds.size());
   return result;
 }

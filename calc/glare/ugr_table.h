@@ -78,6 +78,9 @@ class UgrLuminaire {
 // Of a sum and a background luminance: -infinity without the one, infinity without the other.
 double ugr_of(double sources, double background);
 
+// By how much such tables of other programs differ from these, and from each other.
+inline constexpr double kUgrTablesDiffer = 0.8;
+
 // How the eye looks at the luminaires: along their C0-C180 (across the longer side of most), or
 // along C90-C270.
 enum class UgrView : std::size_t { crosswise, endwise };

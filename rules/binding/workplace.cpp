@@ -536,13 +536,32 @@ Method read_method(ElementReader& reader) {
                                                                    : Method::on_planes;
 }
 
-void make_planes(Workplace& workplace, const calc::Project& project, calc::Space& space,
+// Of a space, whose workplaces all ask for it.
+class RoomUgrProblems {
+ public:
+  RoomUgrProblems(const calc::Project& project, const calc::Space& space)
+      : project_(project), space_(space) {}
+
+  const std::vector<calc::LightScene>& scenes() const { return project_.scenes; }
+  const std::string& of(const calc::LightScene* scene) {
+    const auto known = of_scene_.find(scene);
+    if (known != of_scene_.end()) return known->second;
+    return of_scene_.emplace(scene, calc::why_no_room_ugr(project_, space_, scene)).first->second;
+  }
+
+ private:
+  const calc::Project& project_;
+  const calc::Space& space_;
+  std::map<const calc::LightScene*, std::string> of_scene_;
+};
+
+void make_planes(Workplace& workplace, RoomUgrProblems& ugr_problems, calc::Space& space,
                  const std::vector<RulePack>& packs, LineOfPlane& ids, Total& total,
                  std::vector<WorkplaceNote>& notes, calc::Diagnostics& diagnostics) {
   ElementReader reader(workplace.element, diagnostics);
   const bool is_grid = workplace.element.name == "workplace-grid";
   reader.allow_attributes(is_grid ? workplace_grid_element() : workplace_element());
-  check_scene(reader, project.scenes);
+  check_scene(reader, ugr_problems.scenes());
   const Method method = read_method(reader);
   if (!reader.has("row")) reader.text("row");  // reports its absence
   const RulePack* pack = find_pack(reader, packs);
@@ -560,7 +579,7 @@ void make_planes(Workplace& workplace, const calc::Project& project, calc::Space
   if (row == nullptr || workplace.walls.empty()) return;
   const auto problem_of_space = [&](const Quantity& quantity) {
     if (quantity.of_space != Metric::ugr_table) return std::string();
-    return calc::why_no_room_ugr(project, space, scene_named(reader, project.scenes));
+    return ugr_problems.of(scene_named(reader, ugr_problems.scenes()));
   };
   WorkplaceMaker maker(*pack, *row, {*pack, row, level, std::move(facts)}, workplace, method,
                        problem_of_space, space, diagnostics);
@@ -584,11 +603,12 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
   }
   for (calc::Space& space : project.spaces) {
     std::vector<WorkplaceNote> notes;
+    RoomUgrProblems ugr_problems(project, space);
     std::size_t errors = 0;  // before the first copy
     for (Workplace& workplace : space.workplaces) {
       if (!workplace.is_further_copy) errors = diagnostics.error_count();
       if (workplace.is_further_copy && diagnostics.error_count() > errors) continue;
-      make_planes(workplace, project, space, packs, ids, total, notes, diagnostics);
+      make_planes(workplace, ugr_problems, space, packs, ids, total, notes, diagnostics);
     }
     add_notes(notes, space);
     name_shared_planes(space);

@@ -22,8 +22,10 @@ std::vector<Requirement> default_quantities(calc::DerivedQuantity derived) {
 bool is_accurate(const Measurement& measurement, double tolerance) {
   if (measurement.unseen_points > 0 || measurement.single_sample_points > 0) return false;
   if (!measurement.metric || !measurement.nothing_there.empty()) return true;
-  const calc::Estimate& estimate = measurement.by_samples.value_or(measurement.metric->estimate);
-  if (!calc::is_finite(estimate)) return true;  // what is open is not open for want of samples
+  if (measurement.by_samples && !calc::is_finite(*measurement.by_samples)) {
+    return true;  // nothing but what is not sampled
+  }
+  const calc::Estimate estimate = measurement.by_samples.value_or(measurement.metric->estimate);
   return estimate.half_width() <= tolerance * estimate.value;  // 0 <= 0 for an exact darkness
 }
 

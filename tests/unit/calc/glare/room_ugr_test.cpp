@@ -197,6 +197,23 @@ TEST_F(RoomUgrTest, EndsWhereTablesEnd) {
   EXPECT_NEAR(rated(project_of(longer)).ugr.value, rated(project_of(longest)).ugr.value, 1e-9);
 }
 
+TEST_F(RoomUgrTest, SaysWhatARoomBeyondTablesCountsAs) {
+  const auto words_of = [&](double x_h, double y_h) {
+    return rated(project_of({.x_m = x_h * kH_m, .y_m = y_h * kH_m})).words;
+  };
+  EXPECT_NE(words_of(1.5, 30.0).find("counts as a room of 12.00 H x 2.00 H"), std::string::npos);
+  EXPECT_EQ(words_of(2.0, 12.0).find("counts as"), std::string::npos);
+}
+
+// So many kinds are no regular array, and each would cost time and memory.
+TEST_F(RoomUgrTest, IsNotOfManyKinds) {
+  Project project = project_of({.columns = 1, .rows = 1});
+  for (int i = 0; i < 16; ++i) add_array(project, {.columns = 1, .rows = 1}, 0, 0.02 * (i + 1));
+  EXPECT_NE(rated(project).problem.find("more than 16 kinds"), std::string::npos);
+  project.spaces[0].luminaires.pop_back();
+  EXPECT_EQ(rated(project).problem, "");
+}
+
 // Two kinds at two heights, by hand from their arrays: the sums, each by H^2 and its number.
 TEST_F(RoomUgrTest, OfAMixtureIsThatOfTheSumsAndAtMostOfTheWorst) {
   const Room room;

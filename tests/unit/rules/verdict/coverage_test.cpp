@@ -104,10 +104,9 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_TRUE(covered.rows[0].is_whole());
   EXPECT_TRUE(covered.rows[0].is_met());
   EXPECT_EQ(covered.rows[0].workplace, "w");
-  EXPECT_THAT(covered.roles(),
-              ElementsAre("task met", "surround not-made", "background not-made", "wall met",
-                          "ceiling met", "cylinder met", "observer met", "room not-made",
-                          "lamp not-possible"));
+  EXPECT_THAT(covered.roles(), ElementsAre("task met", "surround not-made", "background not-made",
+                                           "wall met", "ceiling met", "cylinder met",
+                                           "observer met", "room not-made", "lamp not-possible"));
 }
 
 TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
