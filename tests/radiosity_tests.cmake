@@ -12,6 +12,7 @@ luxgate_test(radiosity_tests
     analytic/luminous_surface_test.cpp
     analytic/points_in_surfaces_test.cpp
     analytic/receiver_kernels_test.cpp
+    analytic/road_plane_test.cpp
     differential/gatherer_test.cpp
     differential/same_bits_test.cpp
     differential/skips_test.cpp

@@ -6,8 +6,11 @@ luxgate_test(scene_tests
     unit/calc/meshes/mesh_obj_test.cpp
     unit/calc/meshes/mesh_ply_test.cpp
     unit/calc/meshes/mesh_stl_test.cpp
+    unit/calc/glare/field_glare_test.cpp
     unit/calc/glare/room_ugr_test.cpp
     unit/calc/glare/ugr_table_test.cpp
+    unit/calc/road/r_table_test.cpp
+    unit/calc/road/road_light_test.cpp
     unit/calc/scene/polygon_cut_test.cpp
     unit/calc/scene/polygon_mend_test.cpp
     unit/calc/scene/polygon_test.cpp
@@ -48,6 +51,7 @@ luxgate_test(scene_tests
     unit/calc/project/project_xml_object_messages_test.cpp
     unit/calc/project/project_xml_plane_messages_test.cpp
     unit/calc/project/project_xml_test.cpp
+    unit/calc/project/road_xml_test.cpp
     unit/calc/project/route_xml_test.cpp
     unit/calc/project/spaces_xml_test.cpp
     unit/calc/project/workplace_xml_test.cpp

@@ -7,6 +7,7 @@
 #include "calc/glare/ugr_table.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/prepared_scene.h"
+#include "calc/scene/scene_level.h"
 
 #include <glm/glm.hpp>
 
@@ -97,13 +98,6 @@ struct Kind {
   std::vector<glm::dvec2> place_m;
 };
 
-double level_in(const LightScene* scene, const std::string& group) {
-  if (scene == nullptr) return 1.0;
-  const auto found = std::find_if(scene->level_of_group.begin(), scene->level_of_group.end(),
-                                  [&](const auto& level) { return level.first == group; });
-  return found == scene->level_of_group.end() ? 1.0 : found->second;
-}
-
 constexpr double kLevel = 0.9998;  // cosine of one degree
 constexpr double kSameHeight_m = 0.01;
 
@@ -152,7 +146,7 @@ std::vector<Kind> kinds_of(const Project& project, const Space& space, const Lig
   for (const Luminaire& luminaire : space.luminaires) {
     const PhotometricWeb& web = project.webs[project.luminaire_types[luminaire.type].web];
     const double flux_scale =
-        installed_flux_scale(project, luminaire) * level_in(scene, luminaire.group);
+        installed_flux_scale(project, luminaire) * level_in_scene(scene, luminaire.group);
     if (!(web.flux_lm() * flux_scale > 0.0)) continue;
     problem = why_misplaced(luminaire, space, room);
     if (!problem.empty()) return {};

@@ -3,6 +3,7 @@
 #include "calc/base/names.h"
 #include "calc/base/text_lengths.h"
 #include "calc/meshes/triangle_mesh.h"
+#include "calc/road/r_table.h"
 #include "calc/scene/project.h"
 #include "calc/scene/receiver_kernel.h"
 
@@ -14,6 +15,7 @@ namespace {
 using enum Presence;
 
 constexpr std::string_view kIdPattern = R"([A-Za-z0-9_.:\-]+)";
+constexpr NumberRange kFromNone{0.0, std::numeric_limits<double>::infinity(), false, ""};
 constexpr NumberRange kFromOne{1.0, std::numeric_limits<double>::infinity(), false, ""};
 
 Names plane_quantity_names() {
@@ -46,6 +48,14 @@ const ValueType kLineEndsType{.name = "lineEnds", .base = &kAnyText, .words = {"
 const ValueType kRingTurnType{.name = "ringTurn", .base = &kAnyText, .words = {"yes", "no"}};
 const ValueType kGlareMethodType{
     .name = "glareMethod", .base = &kAnyText, .words = {"table", "observers"}};
+// Which side people drive on.
+const ValueType kTrafficSideType{
+    .name = "trafficSide", .base = &kAnyText, .words = {"right", "left"}};
+const ValueType kRoadSideType{.name = "roadSide", .base = &kAnyText, .words = {"right", "left"}};
+const ValueType kRoadSurfaceType{
+    .name = "roadSurface", .base = &kAnyText, .words = r_table_names()};
+const ValueType kStreetPlaneType{
+    .name = "streetPlane", .base = &kAnyText, .words = {"C0", "C90", "C180", "C270"}};
 const ValueType kPlaneQuantityType{
     .name = "planeQuantity", .base = &kAnyText, .words = plane_quantity_names()};
 
@@ -64,6 +74,11 @@ const ValueType kDecimalType{.name = "decimal",
 const ValueType kNonNegativeType{
     .name = "nonNegative", .base = &kDecimalType, .range = kNonNegative};
 
+const ValueType kPositiveFractionType{.name = "positiveFraction",
+                                      .base = &kDecimalType,
+                                      .meaning = "Above 0, up to 1.",
+                                      .range = kPositiveFraction};
+
 namespace {
 
 const ValueType kNumberType{.name = "number",
@@ -73,15 +88,18 @@ const ValueType kNumberType{.name = "number",
 const ValueType kPositiveType{.name = "positive", .base = &kDecimalType, .range = kPositive};
 const ValueType kFractionType{
     .name = "fraction", .base = &kDecimalType, .meaning = "From 0 to 1.", .range = kFraction};
-const ValueType kPositiveFractionType{.name = "positiveFraction",
-                                      .base = &kDecimalType,
-                                      .meaning = "Above 0, up to 1.",
-                                      .range = kPositiveFraction};
 const ValueType kTurnType{
     .name = "turn", .base = &kDecimalType, .meaning = "Degrees from -360 to 360.", .range = kTurn};
+const ValueType kTiltType{
+    .name = "tilt", .base = &kDecimalType, .meaning = "Degrees from -90 to 90.", .range = kTilt};
+const ValueType kQ0Type{.name = "luminanceCoefficient", .base = &kDecimalType, .range = kQ0};
 const ValueType kHoursType{.name = "hoursOfYear", .base = &kDecimalType, .range = kHours};
 const ValueType kCountType{
     .name = "count", .base = &kAnyInt, .meaning = "A whole number from 1.", .range = kFromOne};
+const ValueType kCountOrNoneType{.name = "countOrNone",
+                                 .base = &kAnyInt,
+                                 .meaning = "A whole number from 0.",
+                                 .range = kFromNone};
 
 }  // namespace
 
@@ -205,8 +223,8 @@ constexpr std::string_view kOfRoot =
 <xs:key name="materialId"><xs:selector xpath="material"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="luminaireTypeId"><xs:selector xpath="luminaire-type"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="sceneId"><xs:selector xpath="scene"/><xs:field xpath="@id"/></xs:key>
-<xs:key name="roomId"><xs:selector xpath="room"/><xs:field xpath="@id"/></xs:key>
-<xs:key name="planeId"><xs:selector xpath=".//plane|.//route"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="roomId"><xs:selector xpath="room|road"/><xs:field xpath="@id"/></xs:key>
+<xs:key name="planeId"><xs:selector xpath=".//plane|.//route|road|road/strip"/><xs:field xpath="@id"/></xs:key>
 <xs:unique name="openObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
 <xs:unique name="openLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>
 <xs:keyref name="sceneOfRequirement" refer="sceneId"><xs:selector xpath=".//require|.//workplace"/><xs:field xpath="@scene"/></xs:keyref>
@@ -215,7 +233,7 @@ constexpr std::string_view kOfRoot =
 <xs:keyref name="ceilingMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@ceiling"/></xs:keyref>
 <xs:keyref name="wallMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@walls"/></xs:keyref>
 <xs:keyref name="floorMaterial" refer="materialId"><xs:selector xpath="room"/><xs:field xpath="@floor"/></xs:keyref>
-<xs:keyref name="typeOfLuminaire" refer="luminaireTypeId"><xs:selector xpath=".//luminaire|.//luminaire-grid|.//luminaire-line|.//luminaire-ring"/><xs:field xpath="@type"/></xs:keyref>)";
+<xs:keyref name="typeOfLuminaire" refer="luminaireTypeId"><xs:selector xpath=".//luminaire|.//luminaire-grid|.//luminaire-line|.//luminaire-ring|road/luminaire-row"/><xs:field xpath="@type"/></xs:keyref>)";
 constexpr std::string_view kOfScene =
     R"(<xs:unique name="dimmedGroup"><xs:selector xpath="dim"/><xs:field xpath="@group"/></xs:unique>)";
 constexpr std::string_view kOfEnergy =
@@ -231,6 +249,8 @@ constexpr std::string_view kOfWorkplace =
     R"(<xs:unique name="zoneRole"><xs:selector xpath="zone|without"/><xs:field xpath="@role"/></xs:unique>)";
 constexpr std::string_view kOfWorkplaceGrid =
     R"(<xs:unique name="zoneRoleOfGrid"><xs:selector xpath="zone|without"/><xs:field xpath="@role"/></xs:unique>)";
+constexpr std::string_view kOfRoad =
+    R"(<xs:unique name="roadRowId"><xs:selector xpath="luminaire-row"/><xs:field xpath="@id"/></xs:unique>)";
 constexpr std::string_view kOfRoom =
     R"(<xs:unique name="roomMapName"><xs:selector xpath="map"/><xs:field xpath="@name"/></xs:unique>
 <xs:unique name="roomObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
@@ -589,6 +609,71 @@ go by the line and the width.)",
                     "at least 5 rows if not given."}},
     .children = {{"require", &kRequireElement}}};
 
+// Roads.
+const ElementRow kLuminaireRowElement{
+    .type = "luminaireRow",
+    .meaning = "Equal luminaires along a road, one at every spacing, without end.",
+    .attributes = {
+        kIdAttribute,
+        kTypeAttribute,
+        {"side", &kRoadSideType, required,
+         "Which edge of the carriageway it stands at, seen in the direction of traffic."},
+        {"height", &kPositiveType, required, "Of the luminous openings above the road."},
+        {"overhang", &kNumberType, optional,
+         "Of the luminous openings over the carriageway; below 0: beside it (0)."},
+        {"tilt", &kTiltType, optional, "How far the street side is lifted, in degrees (0)."},
+        {"shift", &kNumberType, optional,
+         "Along the road, of one of its luminaires from the beginning of the field (0); half a "
+         "spacing for a row that stands in the gaps of the other."},
+        {"street", &kStreetPlaneType, optional,
+         "Which half-plane of the photometry looks straight to the street; if not given C90 of "
+         "EULUMDAT files and C0 of all others."},
+        kGroupAttribute}};
+
+const ElementRow kRoadStripElement{
+    .type = "roadStrip",
+    .meaning = "A footway or another strip along the road: a plane as long as the field.",
+    .attributes = {kIdAttribute,
+                   kNameAttribute,
+                   kWasAttribute,
+                   {"side", &kRoadSideType, required},
+                   {"gap", &kNonNegativeType, optional, "From the edge of the carriageway (0)."},
+                   {"width", &kPositiveType, required}},
+    .children = {{"require", &kRequireElement}}};
+
+const ElementRow kRoadElement{
+    .type = "road",
+    .meaning =
+        R"(A straight, level road for itself, with even rows of luminaires: nothing else lights it or stands in the way, and
+other objects of the project do not know it. Its carriageway is a plane with the road's id, from one luminaire to the
+next, with the points of EN 13201-3; road-luminance, road-Uo, road-Ul, TI and REI can be required of it, and
+illuminances of it and of its strips. Seen in the direction of traffic, which is that of x before the rotation, the
+road lies to the left of the origin.)",
+    .attributes =
+        {{"id", &kRoomIdType, required},
+         kNameAttribute,
+         kWasAttribute,
+         {"origin", &kVectorType, optional,
+          "Of the right edge of the carriageway, where the field begins (0 0 0)."},
+         {"rotation", &kTurnType, optional, "Of the direction of traffic, from x (0)."},
+         {"width", &kPositiveType, required, "Of the carriageway."},
+         {"lanes", &kCountType, required, "Equally wide ones."},
+         {"oncoming-lanes", &kCountOrNoneType, optional,
+          "How many of them have traffic the other way (0)."},
+         {"traffic", &kTrafficSideType, optional,
+          "Which side people drive on, where there is oncoming traffic (right)."},
+         {"spacing", &kPositiveType, required, "From one luminaire of a row to the next."},
+         {"surface", &kRoadSurfaceType, required, "Table of reduced luminance coefficients."},
+         {"q0", &kQ0Type, optional,
+          "Average luminance coefficient that the table is scaled to; its own if not given."},
+         {"right-strip", &kNonNegativeType, optional,
+          "Width beside the right edge that counts for REI; that of a lane if not given, 0: none, "
+          "as beside another carriageway."},
+         {"left-strip", &kNonNegativeType, optional, "The same at the left edge."}},
+    .children = {{"luminaire-row", &kLuminaireRowElement},
+                 {"strip", &kRoadStripElement},
+                 {"require", &kRequireElement}}};
+
 // Workplaces.
 const ElementRow kZoneElement{
     .type = "zone",
@@ -719,6 +804,7 @@ const ElementRow kProjectElement{
                  {"luminaire-type", &kLuminaireTypeElement},
                  {"scene", &kSceneElement, kOfScene},
                  {"room", &kRoomElement, kOfRoom},
+                 {"road", &kRoadElement, kOfRoad},
                  {"plane", &kPlaneElement},
                  {"route", &kRouteElement},
                  {"energy", &kEnergyElement, kOfCommonEnergy},

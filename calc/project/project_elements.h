@@ -21,10 +21,15 @@ inline constexpr double kFullTurn_deg = 360.0;
 inline constexpr NumberRange kTurn{-kFullTurn_deg, kFullTurn_deg, false,
                                    "a number from -360 to 360 (degrees)"};
 
+inline constexpr NumberRange kTilt{-90.0, 90.0, false, "a number from -90 to 90 (degrees)"};
+inline constexpr NumberRange kQ0{0.01, 0.5, false, "a number from 0.01 to 0.5"};
+
 // Types that others need, too: words of choices, and what attributes of requirements hold.
-extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kVectorType;
+extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kPositiveFractionType,
+    kVectorType;
 extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
-    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType;
+    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType, kTrafficSideType,
+    kRoadSideType, kRoadSurfaceType, kStreetPlaneType;
 // A last day, YYYY-MM-DD.
 extern const ValueType kDayType;
 // Of a waiver, see waiver_attributes.h.
@@ -53,6 +58,7 @@ extern const ElementRow kLuminaireElement, kLuminaireGridElement, kLuminaireLine
 
 // A room of either form; the schema has one for both.
 extern const ElementRow kPrismRoomElement, kGbxmlRoomElement;
+extern const ElementRow kRoadElement, kLuminaireRowElement, kRoadStripElement;
 extern const ElementRow kPlaneElement, kHoleElement, kRouteElement, kRequireElement;
 extern const ElementRow kWorkplaceElement, kWorkplaceGridElement, kZoneElement, kWithoutElement;
 // Without their attributes: see rules/binding/deviation_xml.h and waiver_xml.h.

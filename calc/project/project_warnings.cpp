@@ -210,7 +210,7 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
     }
     if (space.shell) {
       warn_objects_outside(space, diagnostics);
-    } else if (space.surfaces_file.empty()) {
+    } else if (space.is_open_space()) {
       for (const Space& room : project.spaces) {
         if (room.shell) warn_open_objects_in_room(space, room, diagnostics);
       }

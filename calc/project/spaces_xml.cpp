@@ -6,6 +6,7 @@
 #include "calc/project/objects_xml.h"
 #include "calc/project/planes_xml.h"
 #include "calc/project/project_elements.h"
+#include "calc/project/road_xml.h"
 #include "calc/project/room_plan.h"
 #include "calc/project/route_xml.h"
 #include "calc/project/workplace_xml.h"
@@ -171,12 +172,16 @@ void read_room(ProjectContext& context, ElementReader& reader, IdTable& ids, For
 }  // namespace
 
 void read_rooms(ProjectContext& context, const XmlElement& root) {
-  IdTable ids("room");
+  IdTable ids("room or road");
   FormerIds former("room");
   for (const XmlElement& child : root.children) {
-    if (child.name != "room") continue;
+    if (child.name != "room" && child.name != "road") continue;
     ElementReader reader(child, context.diagnostics);
-    read_room(context, reader, ids, former);
+    if (child.name == "road") {
+      read_road(context, reader, ids);
+    } else {
+      read_room(context, reader, ids, former);
+    }
   }
   former.check(context.diagnostics);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// <room> and the open space around all rooms.
+// <room>, <road> and the open space around all rooms.
 
 #include "calc/base/xml_document.h"
 #include "calc/project/project_context.h"

@@ -158,6 +158,9 @@ DirectRays add_point_sources(const Tracer& tracer, const Receiver& receiver,
   for (std::size_t l = 0; l < luminaires.size(); ++l) {
     const PlacedLuminaire& luminaire = luminaires[l];
     if (!is_point(luminaire) || proofs.leaves_out(l)) continue;
+    if (luminaire.reach && !luminaire.reach->holds(luminaire.position_m, receiver.position_m)) {
+      continue;
+    }
     add_source(batch, luminaire, luminaire.position_m, receiver, from, 1.0, tracer.offset_m(), sums,
                stride);
   }

@@ -81,6 +81,12 @@ void add_luminaires(KeyBytes& bytes, const PreparedScene& scene) {
     bytes.add(luminaire.flux_scale);
     add_opening(bytes, luminaire.opening);
     bytes.add(luminaire.channel);
+    bytes.add(static_cast<std::uint64_t>(luminaire.reach ? 1 : 0));
+    if (luminaire.reach) {
+      bytes.add(luminaire.reach->along.x);
+      bytes.add(luminaire.reach->along.y);
+      bytes.add(luminaire.reach->distance_m);
+    }
     const auto [web, is_new] =
         known.emplace(luminaire.web, static_cast<std::uint64_t>(known.size()));
     bytes.add(web->second);

@@ -32,6 +32,11 @@ void add_luminaire(Fingerprint& print, const PlacedLuminaire& luminaire,
   print.add(static_cast<std::uint64_t>(luminaire.opening.shape));
   add_vector(print, luminaire.opening.size_m());
   print.add(static_cast<std::uint64_t>(luminaire.channel));
+  if (luminaire.reach) {
+    print.add(luminaire.reach->along.x);
+    print.add(luminaire.reach->along.y);
+    print.add(luminaire.reach->distance_m);
+  }
   // Luminaires of a type share a web, which goes in once; its place tells which one this is.
   const auto [web, is_new] = known.emplace(luminaire.web, known.size());
   print.add(static_cast<std::uint64_t>(web->second));

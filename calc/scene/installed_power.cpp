@@ -23,7 +23,8 @@ std::optional<double> InstalledPower::density_w_m2() const {
 
 InstalledPower installed_power(const Project& project, const Space& space) {
   InstalledPower power;
-  for (const Luminaire& luminaire : space.luminaires) {
+  // Each row has one luminaire for each field.
+  for (const Luminaire& luminaire : space.road ? space.road->rows : space.luminaires) {
     const LuminaireType& type = project.luminaire_types[luminaire.type];
     if (!type.counts_as_luminaire()) continue;
     const double power_w = type.power_w;
@@ -31,6 +32,7 @@ InstalledPower installed_power(const Project& project, const Space& space) {
     power.power_w += power_w;
     if (!(power_w > 0.0)) ++power.without_power;
   }
+  if (space.road) power.area_m2 = space.road->spacing_m * space.road->width_m;
   if (space.shell) power.area_m2 = std::abs(signed_area(space.shell->footprint_m));
   return power;
 }

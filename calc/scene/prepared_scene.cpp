@@ -62,8 +62,15 @@ double installed_tilt_factor(const PhotometricWeb& web, const Luminaire& luminai
          tilt_factor(tilt, 0.0);
 }
 
-void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFit& fit,
-                   PreparedScene& scene) {
+// EN 13201-3 has points for luminaires, and counts those near the point that is lit.
+void count_as_on_road(const Road& road, const Luminaire& luminaire, PlacedLuminaire& placed) {
+  placed.opening = {};
+  const double height_m = luminaire.position_m.z - road.origin_m.z;
+  placed.reach = LightReach{glm::dvec2(road.world_from_road[0]), kRoadReach_heights * height_m};
+}
+
+void add_luminaire(const Project& project, const Space& space, const Luminaire& luminaire,
+                   OpeningFit& fit, PreparedScene& scene) {
   const LuminaireType& type = project.luminaire_types[luminaire.type];
   const PhotometricWeb& web = project.webs[type.web];
   PlacedLuminaire placed;
@@ -72,6 +79,7 @@ void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFi
   placed.web = &web;
   placed.flux_scale = installed_flux_scale(project, luminaire);
   placed.opening = fit.fitted(web.opening(), luminaire);
+  if (space.road) count_as_on_road(*space.road, luminaire, placed);
   placed.channel = channel_of(luminaire.group, type.maintenance.product, scene.channels);
   LightChannel& channel = scene.channels[placed.channel];
   channel.may_sample_direct =
@@ -80,6 +88,15 @@ void add_luminaire(const Project& project, const Luminaire& luminaire, OpeningFi
 }
 
 }  // namespace
+
+// What lies at the very end belongs to it, however it was rounded.
+bool LightReach::holds(const glm::dvec3& source_m, const glm::dvec3& point_m) const {
+  constexpr double kRounding_m = 1.0e-9;
+  const glm::dvec2 way_m(point_m - source_m);
+  const double along_m = glm::dot(way_m, along);
+  const double across_m = along.x * way_m.y - along.y * way_m.x;
+  return std::max(std::abs(along_m), std::abs(across_m)) <= distance_m + kRounding_m;
+}
 
 double ray_offset_m(double extent_m) {
   // The origin is the centre, so that no coordinate is larger than half the diagonal.
@@ -109,7 +126,7 @@ PreparedScene prepare_scene(const Project& project, const Space& space) {
   }
   OpeningFit fit(space);
   for (const Luminaire& luminaire : space.luminaires) {
-    add_luminaire(project, luminaire, fit, scene);
+    add_luminaire(project, space, luminaire, fit, scene);
   }
   return scene;
 }

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,23 @@ inline double touching_m(double extent_m) { return ray_offset_m(extent_m) / 8.0;
 // PreparedScene::extent_m.
 double extent_m(const Space& space);
 
+// What a luminaire counts for: points nearer than this along a horizontal axis and across it. Of
+// roads, where a standard ends the light; light itself does not end.
+struct LightReach {
+  glm::dvec2 along{1.0, 0.0};  // unit
+  double distance_m = 0.0;
+
+  bool holds(const glm::dvec3& source_m, const glm::dvec3& point_m) const;
+};
+
 struct PlacedLuminaire {
   glm::dvec3 position_m{0.0};  // local
   glm::dmat3 world_from_luminaire{1.0};
   const PhotometricWeb* web = nullptr;  // owned by the Project, which must outlive the scene
   double flux_scale = 1.0;              // multiplies the web's intensity
   LuminousOpening opening;
-  std::uint32_t channel = 0;  // index into PreparedScene::channels
+  std::uint32_t channel = 0;          // index into PreparedScene::channels
+  std::optional<LightReach> reach{};  // of points alone; empty: everywhere
 };
 
 // Local coordinates: world minus origin_m, subtracted in double before anything is rounded to

@@ -9,6 +9,7 @@
 #include "calc/scene/about_project.h"
 #include "calc/scene/maintenance_plan.h"
 #include "calc/scene/receiver_kernel.h"
+#include "calc/scene/road.h"
 #include "calc/scene/route_shape.h"
 #include "calc/scene/waiver.h"
 
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -173,6 +175,9 @@ struct RequirementText {
   std::vector<std::string> workplaces{};  // ids of all that ask for this; none: a <require>
 };
 
+// Of planes that a <road> makes.
+inline constexpr std::string_view kCarriagewayRole = "carriageway", kFootwayRole = "footway";
+
 struct CalcPlane {
   std::string id;   // unique in the project
   std::string was;  // its id in earlier revisions of the project; "" = the same
@@ -192,6 +197,7 @@ struct CalcPlane {
   // else "".
   std::string made_by, changed;
   std::optional<double> own_margin_m;  // what the project says instead of the rule's
+  std::string usual_role;  // that packs know what the road has made by; "" of any other plane
   SourceLocation where;
 };
 
@@ -247,13 +253,16 @@ struct EnergyUse {
   std::vector<std::pair<std::string, EnergyFactors>> of_group;  // what differs in dimming groups
 };
 
-// A unit of calculation: a room, or the open space with everything outside all rooms. Rooms are
-// closed and opaque, so that nothing in one space changes the light in another.
+// A unit of calculation: a room, a road, or the open space with everything else. Rooms are closed
+// and opaque, so that nothing in one space changes the light in another.
 struct Space {
   std::string id, was;  // was: as of a plane
   std::string name;
   std::optional<RoomShell> shell;  // empty for the open space and rooms of a building file
-  std::string surfaces_file;       // of such a room, as the project names it; else ""
+  // Of a road, which stands for itself: nothing but its luminaires is there. Its rows go on; what
+  // `luminaires` has of them are those that give light to the field by EN 13201-3.
+  std::optional<Road> road;
+  std::string surfaces_file;  // of such a room, as the project names it; else ""
   std::vector<Body>
       bodies;  // the shell's own surfaces first, ids "<room>.floor", ".ceiling", ".wall1"...
   std::vector<Luminaire> luminaires;
@@ -265,6 +274,9 @@ struct Space {
   std::vector<glm::dvec2>
       outline_m;  // of the floor of a room of a building file, world x and y; empty: not known
   SourceLocation where;
+
+  // Around all rooms.
+  bool is_open_space() const { return !shell && !road && surfaces_file.empty(); }
 };
 
 // A file that was read, for provenance.
@@ -284,7 +296,8 @@ struct Project {
   std::vector<PhotometricWeb> webs;  // one per light of a file, with or without opening
   std::vector<LuminaireType> luminaire_types;
   std::vector<LightScene> scenes;
-  std::vector<Space> spaces;  // rooms in file order; the open space last, if it has anything in it
+  std::vector<Space>
+      spaces;  // rooms and roads in file order; the open space last, if it has anything in it
   std::vector<InputFile> inputs;
 };
 

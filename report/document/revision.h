@@ -60,7 +60,8 @@ enum class QuestionPart : std::uint8_t {
   confidence,
   accuracy,  // goal, tolerance, replicates, most paths
   method,
-  energy  // hours and factors of LENI
+  energy,  // hours and factors of LENI
+  stated   // of a road or a field, what its values rest on
 };
 
 // Where in the design; later parts are "" where something is about all of the earlier one. Ids.
@@ -192,7 +193,8 @@ struct EnumNames<report::QuestionPart> {
       {report::QuestionPart::confidence, "confidence"},
       {report::QuestionPart::accuracy, "accuracy"},
       {report::QuestionPart::method, "method"},
-      {report::QuestionPart::energy, "energy"}};
+      {report::QuestionPart::energy, "energy"},
+      {report::QuestionPart::stated, "stated"}};
 };
 
 template <>

@@ -88,7 +88,7 @@ const char* unfit_words(const SpacePart& space, const ProjectPart& project,
                                    [](const auto& deviation) { return !deviation.is_accepted; });
   if (is_open) return "the plane deviates in what nobody accepts";
   if (requirement.origin.pack.empty() || requirement.state == rules::LightState::initial ||
-      rules::is_of_space(requirement.metric)) {
+      (rules::is_of_space(requirement.metric) && !rules::is_of_road(requirement.metric))) {
     return nullptr;
   }
   const auto has_no_factor = [&](const LuminaireMark& mark) {

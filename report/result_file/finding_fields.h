@@ -154,9 +154,14 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
     o.field("words", requirement.mask_words, {.presence = kSinceLater});
   };
   v.object("mask", mask, {.presence = only_if(!requirement.mask.id.empty())});
-  v.field("energy", requirement.energy_words,
+  const bool is_energy = requirement.metric == rules::Metric::leni;
+  v.field("energy", requirement.stated_words,
           {.words = "From which hours and factors: also in requirement_note.",
-           .presence = only_if(!requirement.energy_words.empty()),
+           .presence = only_if(is_energy && !requirement.stated_words.empty()),
+           .holds = Holds::prose});
+  v.field("stated", requirement.stated_words,
+          {.words = "What the project states of a road or a field, in words.",
+           .presence = only_if(!is_energy && !requirement.stated_words.empty()),
            .holds = Holds::prose});
   v.field("percent", requirement.percent,
           {.presence = only_if(requirement.metric == rules::Metric::percentile)});

@@ -361,7 +361,9 @@ std::vector<ChangedQuestion> compare_requirement(const rules::Requirement& befor
   compare_deviations(questions, before, after);
   compare_policies(questions, before.policy, after.policy);
   compare_masks(questions, before, after);
-  questions.exchange(QuestionPart::energy, before.energy_words, after.energy_words);
+  questions.exchange(
+      after.metric == rules::Metric::leni ? QuestionPart::energy : QuestionPart::stated,
+      before.stated_words, after.stated_words);
   return questions.take();
 }
 

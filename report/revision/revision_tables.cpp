@@ -286,6 +286,8 @@ const char* part_words(const Texts& t, QuestionPart part) {
       return t[Text::part_method];
     case QuestionPart::energy:
       return t[Text::part_energy];
+    case QuestionPart::stated:
+      return t[Text::part_stated];
     case QuestionPart::accuracy:
       break;
   }

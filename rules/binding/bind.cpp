@@ -1,10 +1,14 @@
 #include "rules/binding/bind.h"
 
+#include "calc/base/sentences.h"
 #include "calc/base/text.h"
+#include "calc/glare/field_glare.h"
 #include "calc/glare/room_ugr.h"
 #include "calc/project/former_ids.h"
+#include "calc/road/road_values.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
+#include "calc/scene/sensor_grid.h"
 #include "rules/binding/requirement_reader.h"
 
 #include <fmt/format.h>
@@ -13,6 +17,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -86,19 +91,53 @@ class SpaceValues {
 
   // Of a scene of the project, or "".
   const calc::RoomUgr& ugr(const std::string& scene) {
-    const auto known = ugr_.find(scene);
-    if (known != ugr_.end()) return known->second;
-    const auto found =
-        std::find_if(project_.scenes.begin(), project_.scenes.end(),
-                     [&](const calc::LightScene& candidate) { return candidate.id == scene; });
-    const calc::LightScene* levels = found == project_.scenes.end() ? nullptr : &*found;
-    return ugr_.emplace(scene, calc::room_ugr(project_, space_, levels)).first->second;
+    return known(ugr_, scene, [&](const calc::LightScene* levels) {
+      return calc::room_ugr(project_, space_, levels);
+    });
+  }
+  // Of eyes above the points of a plane of the space.
+  calc::Estimate veiling(const calc::CalcPlane& plane, const std::string& scene) {
+    if (veiled_ != &plane) {
+      veiled_ = &plane;
+      veiling_.clear();
+      calc::Diagnostics said;  // where the plane is made to be calculated
+      const auto grid = calc::make_sensor_grid(plane, space_, said);
+      eyes_m_ = grid ? grid->position_m : std::vector<glm::dvec3>();
+    }
+    return known(veiling_, scene, [&](const calc::LightScene* levels) {
+      return calc::field_veiling(project_, space_, levels, eyes_m_,
+                                 std::get<calc::PlanarArea>(plane.area).u);
+    });
+  }
+  std::string surface() const { return space_.road ? space_.road->surface : ""; }
+  // Null: the space is no road.
+  const calc::RoadValues* road(const std::string& scene) {
+    if (!space_.road) return nullptr;
+    return &known(road_, scene, [&](const calc::LightScene* levels) {
+      return calc::road_values(project_, space_, levels);
+    });
   }
 
  private:
+  template <class Value, class Calculate>
+  const Value& known(std::map<std::string, Value>& by_scene, const std::string& scene,
+                     Calculate calculate) {
+    const auto there = by_scene.find(scene);
+    if (there != by_scene.end()) return there->second;
+    const auto found =
+        std::find_if(project_.scenes.begin(), project_.scenes.end(),
+                     [&](const calc::LightScene& candidate) { return candidate.id == scene; });
+    return by_scene.emplace(scene, calculate(found == project_.scenes.end() ? nullptr : &*found))
+        .first->second;
+  }
+
   const calc::Project& project_;
   const calc::Space& space_;
-  std::map<std::string, calc::RoomUgr> ugr_;  // by scene
+  std::map<std::string, calc::RoomUgr> ugr_;      // by scene
+  std::map<std::string, calc::RoadValues> road_;  // by scene
+  const calc::CalcPlane* veiled_ = nullptr;       // that these are of
+  std::vector<glm::dvec3> eyes_m_;
+  std::map<std::string, calc::Estimate> veiling_;  // by scene
 
  public:
   const calc::InstalledPower power;
@@ -112,7 +151,7 @@ void add_note(const std::string& words, Requirement& requirement) {
 
 void set_ugr(const calc::RoomUgr& ugr, Requirement& requirement) {
   if (requirement.problem.empty()) requirement.problem = ugr.problem;
-  requirement.room_ugr = ugr.ugr;
+  requirement.of_space = ugr.ugr;
   add_note(ugr.words, requirement);
 }
 
@@ -122,15 +161,92 @@ void set_power(const SpaceValues& of_space, Requirement& requirement) {
     requirement.problem = is_energy ? of_space.energy.problem : of_space.power.problem();
   }
   requirement.power_density_w_m2 = of_space.power.density_w_m2().value_or(0.0);
+  const double known = is_energy ? of_space.energy.leni_kwh_m2 : requirement.power_density_w_m2;
+  requirement.of_space = {known, known, known};
   if (!is_energy) return;
-  requirement.leni_kwh_m2 = of_space.energy.leni_kwh_m2;
-  requirement.energy_words = of_space.energy.words;
+  requirement.stated_words = of_space.energy.words;
   add_note(of_space.energy.words, requirement);
 }
 
-void set_space_value(SpaceValues& of_space, Requirement& requirement) {
+const calc::RoadValue& road_value(const calc::RoadValues& road, Metric metric) {
+  switch (metric) {
+    case Metric::road_luminance:
+      return road.luminance_cd_m2;
+    case Metric::road_uniformity:
+      return road.uo;
+    case Metric::road_lengthwise:
+      return road.ul;
+    case Metric::threshold_increment:
+      return road.ti_percent;
+    case Metric::edge_ratio:
+      return road.rei;
+    default:
+      throw std::logic_error("this is not of a road");
+  }
+}
+
+// road: null where a plane of something else asks for it, which the reader has refused.
+void set_road(const calc::RoadValues* road, const std::string& surface, Requirement& requirement) {
+  if (road == nullptr) return;
+  requirement.stated_words = road->stated;
+  if (road->is_wet && !requirement.origin.pack.empty() && requirement.problem.empty()) {
+    requirement.problem = calc::say<calc::Sentence::road_wet_row>(surface);
+  }
+  const calc::RoadValue& value = road_value(*road, requirement.metric);
+  if (requirement.problem.empty()) requirement.problem = value.problem;
+  requirement.of_space = value.value;
+  add_note(value.words, requirement);
+  add_note(road->words, requirement);
+}
+
+// Why there is no GR of this plane; "" = there is.
+std::string why_no_field(const calc::CalcPlane& plane, const Requirement& requirement) {
+  constexpr double kLevel = 0.9998;  // cosine of one degree
+  const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
+  const bool is_level = area != nullptr && plane.usual_role.empty() && area->normal().z >= kLevel &&
+                        plane.kernel == calc::ReceiverKernel::planar &&
+                        plane.derived == calc::DerivedQuantity::none;
+  if (!is_level) return calc::say<calc::Sentence::no_field>();
+  return requirement.field_reflectance > 0.0 ? ""
+                                             : calc::say<calc::Sentence::no_field_reflectance>();
+}
+
+void set_field_glare(SpaceValues& of_space, const calc::CalcPlane& plane,
+                     Requirement& requirement) {
+  if (requirement.problem.empty()) requirement.problem = why_no_field(plane, requirement);
+  if (!requirement.problem.empty()) return;
+  requirement.veiling_cd_m2 = of_space.veiling(plane, requirement.scene);
+  requirement.stated_words = calc::say<calc::Sentence::field_stated>(requirement.field_reflectance);
+  add_note(calc::say<calc::Sentence::field_glare_method>(calc::kFieldEye_m, calc::kFieldLook_deg,
+                                                         requirement.field_reflectance),
+           requirement);
+}
+
+// A row's glare is that on the area that the row is about.
+void refuse_glare_elsewhere(std::vector<Requirement>& of_plane) {
+  for (Requirement& requirement : of_plane) {
+    const RuleOrigin& origin = requirement.origin;
+    if (requirement.metric != Metric::glare_rating || origin.pack.empty()) continue;
+    const bool is_there = std::any_of(of_plane.begin(), of_plane.end(), [&](const auto& other) {
+      return other.metric == Metric::average && other.origin.pack == origin.pack &&
+             other.origin.row == origin.row;
+    });
+    if (!is_there && requirement.problem.empty()) {
+      requirement.problem = calc::say<calc::Sentence::field_glare_elsewhere>();
+    }
+  }
+}
+
+void set_space_value(SpaceValues& of_space, const calc::CalcPlane& plane,
+                     Requirement& requirement) {
+  if (requirement.metric == Metric::glare_rating) {
+    set_field_glare(of_space, plane, requirement);
+    return;
+  }
   if (requirement.metric == Metric::ugr_table) {
     set_ugr(of_space.ugr(requirement.scene), requirement);
+  } else if (is_of_road(requirement.metric)) {
+    set_road(of_space.road(requirement.scene), of_space.surface(), requirement);
   } else {
     set_power(of_space, requirement);
   }
@@ -141,18 +257,21 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
                 std::vector<Requirement>& bound) {
   PlaneIds ids(plane, diagnostics);
   calc::FormerIds former("requirement");
+  std::vector<Requirement> of_plane;
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
       if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
-      if (is_about_space(requirement.metric)) set_space_value(of_space, requirement);
+      if (is_about_space(requirement.metric)) set_space_value(of_space, plane, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
       former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);
-      bound.push_back(std::move(requirement));
+      of_plane.push_back(std::move(requirement));
     }
   }
   former.check(diagnostics);
+  refuse_glare_elsewhere(of_plane);
+  std::move(of_plane.begin(), of_plane.end(), std::back_inserter(bound));
 }
 
 // Own limits are compared with light that never fades, and somebody must know. What is asked of a
@@ -161,7 +280,7 @@ void warn_about_maintenance(const calc::Project& project, const std::vector<Requ
                             calc::Diagnostics& diagnostics) {
   const auto is_own_and_maintained = [](const Requirement& requirement) {
     return requirement.origin.pack.empty() && requirement.state != LightState::initial &&
-           !is_of_space(requirement.metric);
+           (!is_of_space(requirement.metric) || is_of_road(requirement.metric));
   };
   if (std::any_of(bound.begin(), bound.end(), is_own_and_maintained))
     report_unstated_maintenance(project, diagnostics);
@@ -197,8 +316,10 @@ std::vector<Requirement> bind_requirements(const calc::Project& project,
   for (const calc::Space& space : project.spaces) {
     SpaceValues of_space(project, space);
     for (const calc::CalcPlane& plane : space.planes) {
-      bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived},
-                 of_space, elements, diagnostics, bound);
+      bind_plane(
+          plane,
+          {plane.kernel, project.scenes, packs, &plane, &space, plane.derived, plane.usual_role},
+          of_space, elements, diagnostics, bound);
     }
   }
   warn_about_maintenance(project, bound, diagnostics);
@@ -211,8 +332,8 @@ void check_requirements(const calc::Project& project, const std::vector<RulePack
   for (const calc::Space& space : project.spaces) {
     for (const calc::CalcPlane& plane : space.planes) {
       const RequirementContext context{
-          plane.kernel,  project.scenes,         packs, nullptr, nullptr,
-          plane.derived, plane.is_quantity_known};
+          plane.kernel,     project.scenes,         packs, nullptr, nullptr, plane.derived,
+          plane.usual_role, plane.is_quantity_known};
       const PlaneIds ids(plane, diagnostics);
       for (const calc::RequirementText& text : plane.requirements) {
         elements.read(text, context, diagnostics);
@@ -229,8 +350,9 @@ std::vector<Requirement> requirements_of_left_out(const calc::Project& project,
   std::vector<Requirement> bound;
   ElementsOnce elements;
   calc::Diagnostics said;  // where the other planes of the workplace were bound
-  bind_plane(plane, {plane.kernel, project.scenes, packs, &plane, &space, plane.derived}, of_space,
-             elements, said, bound);
+  bind_plane(plane,
+             {plane.kernel, project.scenes, packs, &plane, &space, plane.derived, plane.usual_role},
+             of_space, elements, said, bound);
   return bound;
 }
 

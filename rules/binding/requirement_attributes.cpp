@@ -72,6 +72,8 @@ std::vector<RequirementAttribute> make_attributes() {
        "Of a share: the lower end of the range, which is in it."},
       {"to", own, number, &calc::kNonNegativeType,
        "Of a share: the upper end of the range, which is in it."},
+      {"reflectance", either, number, &calc::kPositiveFractionType,
+       "Of GR: of the field, above 0, up to 1; grass has 0.15 to 0.25."},
       {"light", own, words, &kCountedLightType,
        "With or without reflected light; all if not given."},
       {"waived-because", waiver, text, &calc::kTextType,

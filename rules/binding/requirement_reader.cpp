@@ -31,6 +31,7 @@ using calc::ElementReader;
 using calc::Names;
 
 constexpr const char* kElement = "require";
+constexpr std::string_view kReflectance = "reflectance";
 
 // A limit is written here, or a row of a rule pack has it.
 bool has_any(const ElementReader& reader, AttributeForm form) {
@@ -119,6 +120,11 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
 
 // Whether such points have this quantity.
 bool check_metric(ElementReader& reader, Metric metric, const RequirementContext& context) {
+  if (is_of_road(metric) && context.usual_role != calc::kCarriagewayRole) {
+    reader.report(DiagnosticId::quantity_of_road, reader.where("quantity"), kElement,
+                  calc::name_of(metric));
+    return false;
+  }
   if (!context.is_quantity_known || is_metric_of(metric, context.derived)) return true;
   Names allowed;
   for (const std::string_view name : requirement_attribute("quantity").type->words) {
@@ -137,7 +143,7 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
   if (!metric || !check_metric(reader, *metric, context)) {
     // What they mean hangs on the quantity; that they are no numbers does not.
     for (const char* name :
-         {"at-least", "at-most", "unit", "percent", "from", "to", "at", "facing"}) {
+         {"at-least", "at-most", "unit", "percent", "from", "to", "at", "facing", "reflectance"}) {
       check_value(reader, name);
     }
     return;
@@ -152,6 +158,9 @@ void read_quantity(ElementReader& reader, const RequirementContext& context,
     requirement.percent = reader.number("percent", *requirement_attribute("percent").type->range);
   }
   read_range(reader, *metric, context.derived, requirement.range);
+  if (is_given_for(reader, kReflectance, Metric::glare_rating, *metric)) {
+    requirement.field_reflectance = reader.number(kReflectance, calc::kPositiveFraction);
+  }
   if (is_given_for(reader, "at", Metric::value_at_point, *metric)) {
     const std::vector<double> at = reader.numbers("at", 3, kPointWords);
     requirement.point_m = glm::dvec3(at[0], at[1], at[2]);
@@ -185,12 +194,12 @@ std::vector<Requirement> read_own(ElementReader& reader, const RequirementContex
   const std::size_t usual = context.derived == calc::DerivedQuantity::ugr ? 1 : 0;
   requirement.state =
       read_word(reader, "state", usual) == 0 ? LightState::maintained : LightState::initial;
-  // Installed power is that of full output, and glare that of the new installation.
-  const bool is_of_scene = requirement.metric == Metric::ugr_table;
-  if (is_of_scene) requirement.state = LightState::initial;
+  // Installed power is that of full output, and the others say of which light they are.
+  const std::optional<LightState> fixed = fixed_state(requirement.metric);
+  if (fixed) requirement.state = *fixed;
   for (const char* name : {"state", "scene"}) {
-    const bool is_free = is_of_scene && std::string_view(name) == "scene";
-    if (is_of_space(requirement.metric) && !is_free && reader.has(name)) {
+    const bool is_free = fixed && std::string_view(name) == "scene";
+    if ((is_of_space(requirement.metric) || fixed) && !is_free && reader.has(name)) {
       report_unfit(reader, name, fmt::format("quantity=\"{}\"", calc::name_of(requirement.metric)));
     }
   }
@@ -251,6 +260,19 @@ std::string outage_problem(const std::string& scene, const RequirementContext& c
   return {};
 }
 
+// Of the field that glare is rated on: no pack can know it.
+void take_reflectance(ElementReader& reader, std::vector<Requirement>& requirements) {
+  if (!reader.has(kReflectance)) return;
+  const double reflectance = reader.number(kReflectance, calc::kPositiveFraction);
+  bool is_of_use = false;
+  for (Requirement& requirement : requirements) {
+    if (requirement.metric != Metric::glare_rating) continue;
+    requirement.field_reflectance = reflectance;
+    is_of_use = true;
+  }
+  if (!is_of_use && reader.ok()) report_unfit(reader, kReflectance, "a row that asks for no GR");
+}
+
 // The scene is the project's choice; everything else is the pack's. role: of a plane that a
 // workplace has made; "": the element may have one.
 std::vector<Requirement> read_rule(ElementReader& reader, const std::string& role,
@@ -259,6 +281,7 @@ std::vector<Requirement> read_rule(ElementReader& reader, const std::string& rol
   std::vector<Requirement> requirements = read_rule_reference(
       reader, role, context,
       {scene, unnamed_luminaires(scene, context), outage_problem(scene, context)});
+  take_reflectance(reader, requirements);
   if (!dims_nothing(scene, context.scenes)) return requirements;
   // Right for a project of emergency luminaires alone, and a false pass for any other.
   for (Requirement& requirement : requirements) {

@@ -63,11 +63,14 @@ const RuleRow* find_row(ElementReader& reader, const RulePack& pack) {
 
 namespace {
 
-// The pack's own role unless another is named; "" after an error.
-std::string find_role(ElementReader& reader, const RulePack& pack) {
-  if (!reader.has("role")) return pack.role;
-  std::string role = reader.text("role");
+// What the plane is for the pack unless another role is named; "" after an error.
+std::string find_role(ElementReader& reader, const RulePack& pack, std::string_view usual_role) {
   const std::vector<std::string> roles = pack.roles();
+  if (!reader.has("role")) {
+    const auto known = std::find(roles.begin(), roles.end(), usual_role);
+    return known == roles.end() ? pack.role : *known;
+  }
+  std::string role = reader.text("role");
   if (role.empty() || std::find(roles.begin(), roles.end(), role) != roles.end()) return role;
   report_unknown_name(reader.diagnostics(), reader.where("role"), "role", reader.element().name,
                       "role", role, calc::Names(roles.begin(), roles.end()));
@@ -133,6 +136,7 @@ struct Reference {
   calc::DerivedQuantity derived;
   bool is_quantity_known;
   ChosenScene scene;
+  std::string_view usual_role;  // of the plane
 };
 
 // Whether the level that is asked for is easier than what the row requires.
@@ -156,7 +160,7 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.comparison = check.comparison;
   requirement.limit = limit.status == LimitStatus::known ? limit.value.value
                                                          : std::numeric_limits<double>::quiet_NaN();
-  requirement.state = check.state;
+  requirement.state = fixed_state(requirement.metric).value_or(check.state);
   requirement.scene = reference.scene.id;
   requirement.clause = clause_text(reference.pack, check, reference.row, limit.level, limit.trust);
   requirement.note = note_of(reference.pack, check, limit.trust);
@@ -218,6 +222,17 @@ bool fits_plane(ElementReader& reader, const RuleCheck& check, const Reference& 
   return true;
 }
 
+// False after an error: what is asked of a road is asked of another plane.
+bool is_where_it_can_be(ElementReader& reader, const RuleCheck& check, const Reference& reference) {
+  const bool is_of_a_road = check.quantity->of_space && is_of_road(*check.quantity->of_space);
+  if (is_of_a_road && reference.usual_role != calc::kCarriagewayRole) {
+    reader.report(DiagnosticId::quantity_of_road, reader.where(), reader.element().name,
+                  check.quantity->name);
+    return false;
+  }
+  return true;
+}
+
 // "; it does of 'task-vertical', 'wall'": the roles of planes that the row has values for.
 std::string roles_words(const Reference& reference) {
   calc::Names roles;
@@ -238,6 +253,7 @@ std::vector<Requirement> requirements_of_role(ElementReader& reader, const std::
     if (!fits_plane(reader, check, reference)) return {};
     const Limit limit = evaluate_limit(check, reference.scope);
     if (limit.status == LimitStatus::not_applicable) continue;
+    if (!is_where_it_can_be(reader, check, reference)) return {};
     requirements.push_back(requirement_of(check, limit, reference, reader.where()));
   }
   if (requirements.empty()) {
@@ -343,7 +359,8 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::s
     return {};
   }
   const RuleRow* row = find_row(reader, *pack);
-  const std::string role = given_role.empty() ? find_role(reader, *pack) : given_role;
+  const std::string role =
+      given_role.empty() ? find_role(reader, *pack, context.usual_role) : given_role;
   if (reader.has("level")) reader.require_together("level", "row");
   const ChosenLevel chosen = read_level(reader, *pack, row);
   std::map<std::string, double> facts = read_facts(reader, *pack);
@@ -351,7 +368,7 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::s
   return requirements_of_role(
       reader, role,
       {*pack, row, LimitScope{*pack, row, chosen.level, std::move(facts)}, chosen.because,
-       context.kernel, context.derived, context.is_quantity_known, scene});
+       context.kernel, context.derived, context.is_quantity_known, scene, context.usual_role});
 }
 
 }  // namespace rules

@@ -18,7 +18,7 @@ std::vector<std::string_view> all_metric_names() {
   return names;
 }
 
-bool is_ratio(Metric metric) { return *metric_row(metric).unit == '\0' && !is_of_space(metric); }
+bool is_ratio(Metric metric) { return !metric_row(metric).ratio_limit.words.empty(); }
 
 bool is_about_space(Metric metric) {
   return is_of_space(metric) || metric_row(metric).source == MetricSource::space_and_light;
@@ -26,7 +26,17 @@ bool is_about_space(Metric metric) {
 
 bool has_unit_of_values(Metric metric) { return !is_ratio(metric) && !is_about_space(metric); }
 
-bool is_of_space(Metric metric) { return metric_row(metric).source == MetricSource::space; }
+bool is_of_space(Metric metric) {
+  return metric_row(metric).source == MetricSource::space || is_of_space_in_scene(metric);
+}
+
+bool is_of_space_in_scene(Metric metric) {
+  return metric_row(metric).source == MetricSource::space_in_scene;
+}
+
+bool is_of_road(Metric metric) {
+  return metric >= Metric::road_luminance && metric <= Metric::edge_ratio;
+}
 
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
   switch (metric_row(metric).domain) {

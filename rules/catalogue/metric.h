@@ -22,12 +22,18 @@ enum class Metric {
   uniformity_min_max,  // Ud = minimum / maximum
   percentile,          // value that the given share of points does not exceed
   value_at_point,
-  share,             // of the points whose value lies in a range
-  power_density,     // installed power of the plane's space / its floor area
-  power_per_100_lx,  // the same / the plane's average illuminance
-  leni,              // lighting energy of the plane's space in a year / its floor area
-  gradient,          // largest ratio between neighbouring points of the grid, >= 1
-  ugr_table,         // glare rating of the plane's space by the tabular method
+  share,                // of the points whose value lies in a range
+  power_density,        // installed power of the plane's space / its floor area
+  power_per_100_lx,     // the same / the plane's average illuminance
+  leni,                 // lighting energy of the plane's space in a year / its floor area
+  gradient,             // largest ratio between neighbouring points of the grid, >= 1
+  ugr_table,            // glare rating of the plane's space by the tabular method
+  road_luminance,       // average luminance of a carriageway, of the worst observer
+  road_uniformity,      // overall uniformity Uo of that luminance
+  road_lengthwise,      // longitudinal uniformity Ul, of the worst lane
+  threshold_increment,  // TI, disability glare on a road, of the worst observer
+  edge_ratio,           // edge illuminance ratio REI, of the darker edge
+  glare_rating,         // GR of a field outdoors, of the worst observer above its points
 };
 
 // What it is computed from.
@@ -36,6 +42,7 @@ enum class MetricSource {
   counted_values,   // how many of them lie in a range
   neighbours,       // pairs of points
   space,            // the space alone: known before any light
+  space_in_scene,   // the same, with the scene's levels: calculated without a sample
   space_and_light,  // both
 };
 
@@ -62,6 +69,7 @@ inline constexpr std::array kMetrics = [] {
   using enum MetricSource;
   using enum MetricDomain;
   constexpr calc::NumberRange kShare{0.0, 1.0, false, "a ratio from 0 to 1"};
+  constexpr calc::NumberRange kEdgeRatio{0.0, 10.0, false, "a ratio from 0 to 10"};
   constexpr calc::NumberRange kGradient{1.0, 1.0e9, false, "a ratio from 1 to 1e9"};
   return std::array{
       MetricRow{average, "average", "lx", values, illuminances, true},
@@ -77,7 +85,13 @@ inline constexpr std::array kMetrics = [] {
                 false},
       MetricRow{leni, "LENI", "kWh/m2/a", space, all, false},
       MetricRow{gradient, "gradient", "", neighbours, illuminances, false, kGradient},
-      MetricRow{ugr_table, "UGR-table", "", space, all, false},
+      MetricRow{ugr_table, "UGR-table", "", space_in_scene, all, false},
+      MetricRow{road_luminance, "road-luminance", "cd/m2", space_in_scene, all, false},
+      MetricRow{road_uniformity, "road-Uo", "", space_in_scene, all, false, kShare},
+      MetricRow{road_lengthwise, "road-Ul", "", space_in_scene, all, false, kShare},
+      MetricRow{threshold_increment, "TI", "%", space_in_scene, all, false},
+      MetricRow{edge_ratio, "REI", "", space_in_scene, all, false, kEdgeRatio},
+      MetricRow{glare_rating, "GR", "", space_and_light, illuminances, false},
   };
 }();
 
@@ -101,12 +115,16 @@ std::vector<std::string_view> all_metric_names();
 // "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);  // of two values of one plane
-// Power, energy or glare of the plane's space.
+// Power, energy or glare of the plane's space, or a road's luminance.
 bool is_about_space(Metric metric);
 // It is in calc::unit_of() the points' quantity, as their values are.
 bool has_unit_of_values(Metric metric);
-// Of the plane's space, whatever its light: known beforehand.
+// Of the plane's space, known beforehand: no light of its points is in it.
 bool is_of_space(Metric metric);
+// Of these: it hangs on the levels of a scene.
+bool is_of_space_in_scene(Metric metric);
+// Of the carriageway of a road.
+bool is_of_road(Metric metric);
 // Whether points that measure this have it.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 

@@ -63,10 +63,11 @@ struct Requirement {
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   std::optional<glm::dvec3> facing;   // of that point: the way it looks, unit
   ValueRange range;                   // of Metric::share, lx or plain as the points' values are
-  double power_density_w_m2 = 0.0;    // of the two about power: what it is
-  double leni_kwh_m2 = 0.0;           // of Metric::leni: what it is
-  calc::Estimate room_ugr{};          // of Metric::ugr_table: what it is
-  std::string energy_words{};         // and from which hours and factors; also in `note`
+  double power_density_w_m2 = 0.0;    // of Metric::power_per_100_lx: the space's
+  calc::Estimate of_space{};          // of a metric that is_of_space(): what it is
+  calc::Estimate veiling_cd_m2{};     // of Metric::glare_rating: the luminaires' veil
+  double field_reflectance = 0.0;     // of Metric::glare_rating, (0, 1]; 0: not stated
+  std::string stated_words{};         // what the project states that the value rests on
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
   LightState state = LightState::maintained;
@@ -86,6 +87,14 @@ struct Requirement {
   RuleOrigin origin;
   calc::SourceLocation where;
 };
+
+// Of which light a metric is, if nobody may choose: glare is worst when everything is new.
+inline std::optional<LightState> fixed_state(Metric metric) {
+  if (is_of_road(metric) && metric != Metric::threshold_increment) return LightState::maintained;
+  const bool is_glare = metric == Metric::ugr_table || metric == Metric::threshold_increment ||
+                        metric == Metric::glare_rating;
+  return is_glare ? std::optional(LightState::initial) : std::nullopt;
+}
 
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {

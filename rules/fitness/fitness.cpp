@@ -361,7 +361,8 @@ std::vector<std::string> types_without_factor(const FitContext& context) {
 }
 
 std::string maintenance_problem(const FitContext& context, const Requirement& requirement) {
-  if (requirement.state == LightState::initial || is_of_space(requirement.metric)) return {};
+  const bool has_no_light = is_of_space(requirement.metric) && !is_of_road(requirement.metric);
+  if (requirement.state == LightState::initial || has_no_light) return {};
   const std::vector<std::string> ids = types_without_factor(context);
   if (ids.empty()) return {};
   constexpr std::size_t kMostNamed = 3;
@@ -410,6 +411,16 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
   return open;
 }
 
+// Of the same row, on the same plane: what is asked of its illuminance; null: nothing.
+const RuleCheck* check_of_area(const Requirement& glare, const std::vector<Requirement>& of_plane,
+                               const RulePack& pack) {
+  const auto area = std::find_if(of_plane.begin(), of_plane.end(), [&](const Requirement& other) {
+    return other.metric == Metric::average && other.origin.pack == glare.origin.pack &&
+           other.origin.row == glare.origin.row;
+  });
+  return area == of_plane.end() ? nullptr : pack.find_check(area->origin.check);
+}
+
 }  // namespace
 
 std::string speck_words(const calc::CalcPlane& plane) {
@@ -425,11 +436,19 @@ std::string speck_words(const calc::CalcPlane& plane) {
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
   const PlaneFit fit(context);
   for (Requirement& requirement : requirements) {
-    if (is_of_space(requirement.metric)) continue;
+    if (is_of_space(requirement.metric)) {
+      const bool is_free = requirement.origin.pack.empty() || !requirement.problem.empty();
+      if (!is_free) requirement.problem = maintenance_problem(context, requirement);
+      continue;
+    }
     const auto is_it = [&](const RulePack& p) { return p.full_id() == requirement.origin.pack; };
     const auto pack = std::find_if(context.packs.begin(), context.packs.end(), is_it);
     const RuleCheck* check =
         pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
+    // Glare outdoors is rated on the area that the row is about, which must be fit for the row.
+    if (check != nullptr && requirement.metric == Metric::glare_rating) {
+      check = check_of_area(requirement, requirements, *pack);
+    }
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {
       add_words(requirement.note, speck_words(context.plane));

@@ -1,3 +1,4 @@
+#include "calc/scene/scene_level.h"
 #include "rules/measure/metrics.h"
 
 #include <algorithm>
@@ -9,9 +10,7 @@ namespace {
 
 double weight_of(const calc::LightChannel& channel, LightState state,
                  const std::vector<std::pair<std::string, double>>& level_of_group) {
-  const auto named = std::find_if(level_of_group.begin(), level_of_group.end(),
-                                  [&](const auto& level) { return level.first == channel.group; });
-  const double level = named == level_of_group.end() ? 1.0 : named->second;
+  const double level = calc::level_of(level_of_group, channel.group);
   return state == LightState::initial ? level : level * channel.maintenance_factor;
 }
 

@@ -40,6 +40,12 @@ double value_of(const std::vector<double>& means_lx, double average_lx, Metric m
     case Metric::power_per_100_lx:
     case Metric::leni:
     case Metric::ugr_table:
+    case Metric::road_luminance:
+    case Metric::road_uniformity:
+    case Metric::road_lengthwise:
+    case Metric::threshold_increment:
+    case Metric::edge_ratio:
+    case Metric::glare_rating:
     case Metric::gradient:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include "calc/base/glare_limits.h"
 #include "calc/base/sentences.h"
+#include "calc/glare/field_glare.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/polygon.h"
 #include "rules/catalogue/compare.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -338,28 +340,36 @@ Measurement measure_gradient(const PointValues& values, const MaskedPoints& mask
   return result;
 }
 
+// Why an interval that no sample made is one.
+std::string readings_words(const calc::Estimate& readings) {
+  if (!(readings.low < readings.high)) return {};
+  return calc::say<calc::Sentence::readings_differ>();
+}
+
 // Of the space, whatever its light.
 Measurement known_of_space(const Requirement& requirement, const calc::SensorGrid& grid) {
-  const double known =
-      requirement.metric == Metric::leni ? requirement.leni_kwh_m2 : requirement.power_density_w_m2;
   Measurement result;
-  result.metric = MetricEstimate{{known, known, known}, std::nullopt};
-  if (requirement.metric == Metric::ugr_table) {
-    result.metric->estimate = requirement.room_ugr;
-    if (calc::is_nothing(requirement.room_ugr)) {
-      result.nothing_there = calc::say<calc::Sentence::ugr_table_nothing>();
-    }
+  result.metric = MetricEstimate{requirement.of_space, std::nullopt};
+  if (requirement.metric == Metric::ugr_table && calc::is_nothing(requirement.of_space)) {
+    result.nothing_there = calc::say<calc::Sentence::ugr_table_nothing>();
   }
+  if (is_of_road(requirement.metric)) result.remark = readings_words(requirement.of_space);
+  result.is_open_for_good = true;  // no sample is in it
   result.points_used = grid.position_m.size();
   result.active.assign(grid.position_m.size() * calc::receivers_per_point(grid.derived), 0);
   return result;
 }
 
-// Falls with the average illuminance: the ends of its interval give those of the quotient.
-Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorGrid& grid,
-                             const calc::PlaneField& field,
-                             const std::vector<calc::LightScene>& scenes, double confidence,
-                             Goal goal) {
+// What falls with the average illuminance: the ends of its interval give those of this. The highest
+// comes from the lowest average.
+struct OfAverage {
+  std::function<double(double)> lowest, value, highest;
+};
+
+Measurement measure_of_average(const Requirement& requirement, const calc::SensorGrid& grid,
+                               const calc::PlaneField& field,
+                               const std::vector<calc::LightScene>& scenes, double confidence,
+                               Goal goal, const OfAverage& of_average) {
   Requirement average = requirement;
   average.metric = Metric::average;
   Measurement result = measure(average, grid, field, scenes, confidence, goal);
@@ -367,16 +377,62 @@ Measurement power_per_100_lx(const Requirement& requirement, const calc::SensorG
   const calc::Estimate lx = result.metric->estimate;
   result.metric.reset();
   if (!(lx.low > 0.0)) {
-    result.reason = calc::say<calc::Sentence::average_unknown>();
+    result.reason = requirement.metric == Metric::glare_rating
+                        ? calc::say<calc::Sentence::no_field_average>()
+                        : calc::say<calc::Sentence::average_unknown>();
     if (lx.high > 0.0) result.unseen_points = std::max<std::size_t>(1, result.unseen_points);
     return result;
   }
-  const auto at = [&](double average_lx) {
+  result.metric = MetricEstimate{
+      {of_average.value(lx.value), of_average.lowest(lx.high), of_average.highest(lx.low)},
+      std::nullopt};
+  const calc::Estimate& all = result.metric->estimate;
+  const calc::Estimate samples{all.value, of_average.value(lx.high), of_average.value(lx.low)};
+  if (samples.low != all.low || samples.high != all.high) {
+    result.by_samples = samples;
+    // At every average that may be, the rest of the interval lies on both sides of the limit.
+    result.is_open_for_good = of_average.lowest(lx.low) < requirement.limit &&
+                              of_average.highest(lx.high) > requirement.limit;
+  }
+  for (double& value : result.without_replicate) value = of_average.value(value);
+  return result;
+}
+
+OfAverage power_per_100_lx(const Requirement& requirement) {
+  const auto at = [&requirement](double average_lx) {
     return calc::power_per_100_lx_w_m2(requirement.power_density_w_m2, average_lx);
   };
-  result.metric = MetricEstimate{{at(lx.value), at(lx.high), at(lx.low)}, std::nullopt};
-  for (double& value : result.without_replicate) value = at(value);
+  return {at, at, at};
+}
+
+OfAverage field_glare(const Requirement& requirement) {
+  const auto at = [&requirement](double veiling_cd_m2) {
+    return [&requirement, veiling_cd_m2](double average_lx) {
+      return calc::field_glare(veiling_cd_m2, average_lx, requirement.field_reflectance);
+    };
+  };
+  const calc::Estimate& veiling = requirement.veiling_cd_m2;
+  return {at(veiling.low), at(veiling.value), at(veiling.high)};
+}
+
+// Whatever the average is.
+Measurement no_veil(const calc::SensorGrid& grid) {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  Measurement result;
+  result.metric = MetricEstimate{{kNone, kNone, kNone}, std::nullopt};
+  result.nothing_there = calc::say<calc::Sentence::no_veil>();
+  result.points_used = grid.position_m.size();
+  result.active.assign(grid.position_m.size(), 0);
   return result;
+}
+
+// What is not of the average in a rating of a field.
+void add_readings(const Requirement& requirement, Measurement& result) {
+  if (calc::is_nothing(result.metric->estimate)) result.without_replicate.clear();
+  const calc::Estimate& veiling = requirement.veiling_cd_m2;
+  if (!(veiling.low < veiling.high)) return;
+  result.remark = veiling.low > 0.0 ? readings_words(veiling)
+                                    : calc::say<calc::Sentence::luminaires_may_be_hidden>();
 }
 
 }  // namespace
@@ -396,7 +452,13 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   if (!requirement.problem.empty()) return nothing_to_measure(requirement.problem);
   if (is_of_space(requirement.metric)) return known_of_space(requirement, grid);
   if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
-    return power_per_100_lx(requirement, grid, field, scenes, confidence, goal);
+    const bool is_glare = requirement.metric == Metric::glare_rating;
+    if (is_glare && requirement.veiling_cd_m2.high == 0.0) return no_veil(grid);
+    Measurement result =
+        measure_of_average(requirement, grid, field, scenes, confidence, goal,
+                           is_glare ? field_glare(requirement) : power_per_100_lx(requirement));
+    if (is_glare && result.metric) add_readings(requirement, result);
+    return result;
   }
   if (requirement.any_one_unit_out) {
     if (metric_row(requirement.metric).source == MetricSource::neighbours) {

@@ -198,6 +198,12 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
     case Metric::power_per_100_lx:
     case Metric::leni:
     case Metric::ugr_table:
+    case Metric::road_luminance:
+    case Metric::road_uniformity:
+    case Metric::road_lengthwise:
+    case Metric::threshold_increment:
+    case Metric::edge_ratio:
+    case Metric::glare_rating:
     case Metric::gradient:
       break;
   }

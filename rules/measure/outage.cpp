@@ -1,6 +1,7 @@
 #include "rules/measure/outage.h"
 
 #include "calc/base/sentences.h"
+#include "calc/scene/scene_level.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +16,7 @@ namespace {
 std::vector<std::string> lit_groups(const calc::PlaneField& field, const calc::LightScene& scene) {
   std::set<std::string> groups;
   for (const calc::LightChannel& channel : field.channels) {
-    const auto level = std::find_if(scene.level_of_group.begin(), scene.level_of_group.end(),
-                                    [&](const auto& item) { return item.first == channel.group; });
-    if (level == scene.level_of_group.end() || level->second > 0.0) groups.insert(channel.group);
+    if (calc::level_in_scene(&scene, channel.group) > 0.0) groups.insert(channel.group);
   }
   return {groups.begin(), groups.end()};
 }

@@ -26,7 +26,8 @@ constexpr std::array kQuantities{
     Quantity{"modelling", Dimension::plain, ReceiverKernel::cylindrical,
              calc::DerivedQuantity::modelling},
     Quantity{"UGR", Dimension::plain, ReceiverKernel::planar, calc::DerivedQuantity::ugr},
-    Quantity{"GR", Dimension::plain, std::nullopt},
+    Quantity{"GR", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::glare_rating},
     Quantity{"Ra", Dimension::plain, std::nullopt},
     Quantity{"luminance", Dimension::luminance, std::nullopt},
     Quantity{"power-density", Dimension::power_density, std::nullopt, calc::DerivedQuantity::none,
@@ -35,6 +36,16 @@ constexpr std::array kQuantities{
              Metric::leni},
     Quantity{"UGR-table", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
              Metric::ugr_table},
+    Quantity{"road-luminance", Dimension::luminance, std::nullopt, calc::DerivedQuantity::none,
+             Metric::road_luminance},
+    Quantity{"road-Uo", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::road_uniformity},
+    Quantity{"road-Ul", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::road_lengthwise},
+    Quantity{"TI", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::threshold_increment},
+    Quantity{"REI", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::edge_ratio},
 };
 
 template <class Item, class Key>

@@ -172,6 +172,19 @@ const RuleCheck* alternative_to(const RuleCheck& check, const RulePack& pack) {
   return found == pack.checks.end() ? nullptr : &*found;
 }
 
+// Planes that the row's illuminance is asked of, and its glare is not; "" = there are none.
+std::string areas_without(const Asked& asked, const std::vector<RequirementName>& glare) {
+  std::string words;
+  for (const auto& [check, finding] : asked.findings) {
+    const std::string& plane_id = finding->requirement.plane_id;
+    const bool is_rated = std::any_of(glare.begin(), glare.end(),
+                                      [&](const auto& name) { return name.plane_id == plane_id; });
+    if (is_rated || finding->requirement.metric != Metric::average) continue;
+    words += (words.empty() ? "" : ", ") + plane_id;
+  }
+  return words;
+}
+
 bool asks(const Asked& asked, const RuleCheck& check) {
   return std::any_of(asked.findings.begin(), asked.findings.end(),
                      [&](const auto& finding) { return finding.first == &check; });
@@ -212,6 +225,13 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   if (is_asked && asked.workplace == nullptr && has_place && place->area == ZoneArea::walls) {
     coverage.words = walls_not_asked(space, coverage.of, place->margin_m);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;
+  }
+  if (is_asked && needed->quantity->of_space == Metric::glare_rating) {
+    const std::string elsewhere = areas_without(asked, coverage.of);
+    if (!elsewhere.empty()) {
+      coverage.state = RoleState::asked_in_part;
+      coverage.words = calc::say<calc::Sentence::field_glare_not_everywhere>(elsewhere);
+    }
   }
   const bool is_for_project = !has_place && other == nullptr;
   if (coverage.state == RoleState::not_made && is_for_project) {

@@ -98,9 +98,11 @@ std::string more_work_text(const Finding& finding, const Measurement& measuremen
 }
 
 int digits_of(const Requirement& requirement) {
-  // A modelling ratio is printed as all ratios are, a glare rating as other numbers.
-  const bool is_of_two =
-      is_ratio(requirement.metric) || requirement.derived == calc::DerivedQuantity::modelling;
+  // A modelling ratio is printed as all ratios are, as is the luminance of a road, a glare rating
+  // as other numbers.
+  const bool is_of_two = is_ratio(requirement.metric) ||
+                         requirement.metric == Metric::road_luminance ||
+                         requirement.derived == calc::DerivedQuantity::modelling;
   return requirement.policy.digits(
       is_in_lux(requirement) ? Dimension::illuminance : Dimension::plain, is_of_two);
 }
@@ -108,8 +110,9 @@ int digits_of(const Requirement& requirement) {
 }  // namespace
 
 bool has_open_ends(const Requirement& requirement, const calc::Estimate& measured) {
-  const bool is_rating =
-      requirement.derived == calc::DerivedQuantity::ugr || requirement.metric == Metric::ugr_table;
+  const bool is_rating = requirement.derived == calc::DerivedQuantity::ugr ||
+                         requirement.metric == Metric::ugr_table ||
+                         requirement.metric == Metric::glare_rating;
   return is_rating && measured.low <= measured.value && measured.value <= measured.high &&
          !calc::is_finite(measured);
 }

@@ -123,6 +123,7 @@ PROJECTS = {
     "warehouse": example("12-warehouse-aisle"),
     "escape-route": example("13-escape-route"),
     "sports-hall": example("15-sports-hall"),
+    "road": example("16-road"),
     "forty-planes": forty_planes,
     "ten-rooms": lambda: offices(10, 4, 4),
     "two-hundred-rooms": lambda: offices(200, 2, 1),

@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(folders
-  calc/base calc/store calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/glare calc/proofs calc/meshes
+  calc/base calc/store calc/rays calc/photometry calc/photometry/read calc/photometry/write calc/scene calc/glare calc/road calc/proofs calc/meshes
   calc/project calc/radiosity calc/forecast
   rules/catalogue rules/pack rules/fitness rules/zones rules/measure rules/verdict rules/binding
   gpu

@@ -135,6 +135,15 @@ def wallwasher(c, gamma):
     return cosine_deg(gamma) * (max(0.0, towards) ** 8 + 0.08)
 
 
+def road_lens(c, gamma):
+    """Even along the road (C 90, C 270) and out to the street (C 0), dark above 80 degrees."""
+    if gamma >= 90:
+        return 0.0
+    along, across = (math.tan(math.radians(gamma)) * turn for turn in (sine_deg(c), cosine_deg(c)))
+    spread = math.exp(-(along / 2.8) ** 4 - ((across - 0.45) / 0.85) ** 4)
+    return spread / cosine_deg(gamma) ** 1.8 / (1.0 + math.exp((gamma - 75.0) / 2.0))
+
+
 def pendant(c, gamma):
     """Downwards a lobe, upwards wide wings across the length (C 0 in EULUMDAT)."""
     if gamma < 90:
@@ -159,6 +168,8 @@ def main():
         "pendant_direct_indirect.ldt": ldt_quadrant(
             "pendant_direct_indirect", "Pendant 1500 x 100, direct and indirect, 5400 lm", steps(0, 345, 15),
             steps(0, 180, 5), pendant, 5400, 1500, 100, 42),
+        "road_lens.ies": ies("road_lens", "Road luminaire 400 x 250, 10000 lm", steps(0, 180, 15),
+                             steps(0, 60, 5) + steps(62.5, 80, 2.5) + [85, 90], road_lens, 10000, "0.25 0.4 0", 75),
         "isotropic_point.ies": ies("isotropic_point", "Point source of 100 cd in all directions", [0],
                                    steps(0, 180, 10), lambda c, gamma: 100.0, None, "0 0 0", 12),
     }

@@ -74,6 +74,9 @@ std::string measured_on(const rules::Quantity& quantity) {
            "luminaires "
            "in even rows";
   }
+  if (quantity.of_space && rules::is_of_road(*quantity.of_space)) {
+    return "on a <road>: by EN 13201-3, for the road and its rows of luminaires alone";
+  }
   if (!quantity.kernel || quantity.derived == calc::DerivedQuantity::none) return {};
   return fmt::format("on a plane with quantity=\"{}\"{}",
                      calc::quantity_name(*quantity.kernel, quantity.derived),

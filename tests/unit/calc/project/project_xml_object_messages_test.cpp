@@ -46,7 +46,7 @@ const std::vector<MessageCase> kCases{
      "expected a number above 0, up to 1e9"},
     {"RoomNamedSite",
      in_project(R"(<room id="site" size="4 3 3" ceiling="white" walls="white" floor="white"/>)"),
-     "dir/p.xml:4:7: error[reserved-id]: the room id 'site' is reserved for the open space; choose "
+     "dir/p.xml:4:7: error[reserved-id]: the id 'site' is reserved for the open space; choose "
      "another one"},
     {"TooFewWallMaterials",
      in_project(

@@ -184,8 +184,14 @@ INSTANTIATE_TEST_SUITE_P(
                      [](Document& d) { finding(d).requirement.mask.id = "inner"; },
                      {"exchanged mask"}},
         QuestionCase{"Energy",
-                     [](Document& d) { finding(d).requirement.energy_words = "100 h by day"; },
-                     {"exchanged energy"}},
+                     [](Document& d) {
+                       finding(d).requirement.metric = rules::Metric::leni;
+                       finding(d).requirement.stated_words = "100 h by day";
+                     },
+                     {"exchanged quantity", "exchanged energy"}},
+        QuestionCase{"Stated",
+                     [](Document& d) { finding(d).requirement.stated_words = "surface R1"; },
+                     {"exchanged stated"}},
         QuestionCase{"ExactPoint",
                      [](Document& d) {
                        finding(d).requirement.point_m = glm::dvec3{1, 1, 1};

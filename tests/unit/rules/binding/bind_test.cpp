@@ -439,7 +439,7 @@ TEST(BindRequirements, KnowsThePowerDensityOfTheRoom) {
   const Attributes attributes{{"quantity", "power-density"}, {"at-most", "6.5"}};
   const Bound bound = bind_in_lit_room({30, 50, 50}, attributes);
   ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
-  EXPECT_EQ(bound.requirements[0].power_density_w_m2, 6.5);
+  EXPECT_EQ(bound.requirements[0].of_space.value, 6.5);
   EXPECT_EQ(bound.requirements[0].limit, 6.5);
   EXPECT_EQ(bound.requirements[0].problem, "");
   EXPECT_STREQ(unit_of(bound.requirements[0]), "W/m2");
@@ -466,7 +466,7 @@ TEST(BindRequirements, KnowsTheEnergyOfTheRoom) {
   const Requirement& requirement = bound.requirements[0];
   EXPECT_EQ(requirement.metric, Metric::leni);
   EXPECT_EQ(requirement.id, "LENI");
-  EXPECT_NEAR(requirement.leni_kwh_m2, 11.86, 1e-12);
+  EXPECT_NEAR(requirement.of_space.value, 11.86, 1e-12);
   EXPECT_EQ(requirement.problem, "");
   EXPECT_THAT(requirement.note, testing::HasSubstr("Fo 0.8, FD 0.75"));
   EXPECT_STREQ(unit_of(requirement), "kWh/m2/a");
@@ -486,7 +486,7 @@ TEST(BindRequirements, TakesEnergyOfPacks) {
   const Bound bound = bind_in_lit_room({40}, {{"pack", "own"}}, use, {*pack});
   ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
   EXPECT_EQ(bound.requirements[0].metric, Metric::leni);
-  EXPECT_NEAR(bound.requirements[0].leni_kwh_m2, 7.5, 1e-12);  // 100 kWh / 20 m2 + 2.5
+  EXPECT_NEAR(bound.requirements[0].of_space.value, 7.5, 1e-12);  // 100 kWh / 20 m2 + 2.5
   EXPECT_EQ(bound.requirements[0].limit, 35.0);
   EXPECT_EQ(bound.requirements[0].problem, "");
   // The unit is part of the limit.
@@ -517,7 +517,7 @@ TEST(BindRequirements, TakesPowerOfRows) {
   const Bound bound = bind_in_lit_room({100}, {{"pack", "ashrae90-1"}, {"row", "open-office"}});
   ASSERT_EQ(bound.requirements.size(), 1u) << testing::PrintToString(bound.messages);
   EXPECT_EQ(bound.requirements[0].metric, Metric::power_density);
-  EXPECT_EQ(bound.requirements[0].power_density_w_m2, 5.0);
+  EXPECT_EQ(bound.requirements[0].of_space.value, 5.0);
   EXPECT_NEAR(bound.requirements[0].limit, 0.61 * 10.7639, 1e-4);
   EXPECT_EQ(bound.requirements[0].problem, "");
 }
@@ -529,7 +529,8 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
               ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
                           "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
-                          "share, power-density, LENI or UGR-table"));
+                          "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
+                          "road-Ul, TI or REI"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -570,7 +571,7 @@ TEST(BindRequirementsMessage, UnknownAttribute) {
           "project.xml:7:20: error[unknown-attribute]: unknown attribute 'at-lest' "
           "of <require>; allowed: id, was, quantity, at-least, at-most, percent, at, facing, "
           "state, scene, clause, unit, pack, row, level, level-because, role, facts, from, to, "
-          "light, waived-because, waived-by or waived-until; did you mean "
+          "reflectance, light, waived-because, waived-by or waived-until; did you mean "
           "'at-least'?"));
 }
 
@@ -585,7 +586,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
               ElementsAre("project.xml:7:10: error[unknown-value]: attribute 'quantity' of "
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
                           "Uo, Ud, percentile, value, share, gradient, power-density, "
-                          "power-per-100-lx, LENI or UGR-table; "
+                          "power-per-100-lx, LENI, UGR-table, road-luminance, road-Uo, road-Ul, "
+                          "TI, REI or GR; "
                           "did you mean 'average'?"));
 }
 

@@ -119,7 +119,7 @@ TEST(GlareMethod, IsTheTableWhereTheRoomIsOneForIt) {
   EXPECT_EQ(asked.problem, "");
   EXPECT_EQ(asked.origin.check, "glare.table");
   EXPECT_EQ(asked.clause, "EN 12464-1:2021 34.2");
-  EXPECT_TRUE(std::isfinite(asked.room_ugr.value));
+  EXPECT_TRUE(std::isfinite(asked.of_space.value));
   EXPECT_THAT(asked.note, HasSubstr("tabular method"));
   EXPECT_EQ(made.roles.at("room"), "met");
   EXPECT_EQ(made.roles.at("observer"), "not-made: judged by 'glare.table' instead");
@@ -204,8 +204,8 @@ TEST(GlareMethod, AsksOnceForAllWorkplacesOfARoom) {
 }
 
 TEST(GlareMethod, TakesTheLevelsOfAScene) {
-  const double all = make(workplace()).by_table().at(0).room_ugr.value;
-  const double half = make(workplace("scene='half'")).by_table().at(0).room_ugr.value;
+  const double all = make(workplace()).by_table().at(0).of_space.value;
+  const double half = make(workplace("scene='half'")).by_table().at(0).of_space.value;
   EXPECT_NEAR(half, all + 8.0 * std::log10(0.5), 1e-9);
 }
 
@@ -238,8 +238,8 @@ TEST(GlareMethod, MayBeAnOwnLimit) {
   EXPECT_EQ(made.by_table()[0].limit, 22.0);
   EXPECT_EQ(made.by_table()[0].state, LightState::initial);
   EXPECT_STREQ(unit_of(made.by_table()[0]), "");
-  EXPECT_NEAR(made.by_table()[1].room_ugr.value,
-              made.by_table()[0].room_ugr.value + 8.0 * std::log10(0.5), 1e-9);
+  EXPECT_NEAR(made.by_table()[1].of_space.value,
+              made.by_table()[0].of_space.value + 8.0 * std::log10(0.5), 1e-9);
   for (const char* unfit : {"state='initial'", "light='all'", "unit='lx'"}) {
     const Made refused = make(std::string(kOwn) + "<require quantity='UGR-table' at-most='22' " +
                               unfit + "/></plane>");
@@ -251,7 +251,7 @@ TEST(GlareMethod, IsJudgedByItsNumberAlone) {
   const Made made = make(workplace());
   Requirement asked = made.by_table().at(0);
   const auto verdict = [&](const calc::Estimate& ugr) {
-    asked.room_ugr = ugr;
+    asked.of_space = ugr;
     calc::SensorGrid grid;
     grid.position_m = {glm::dvec3(0.0)};
     return judge_plane({asked}, grid, {}, {}, 0.95).at(0);

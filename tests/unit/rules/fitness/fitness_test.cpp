@@ -135,6 +135,31 @@ TEST(Fitness, AStatedDeviationIsKeptAndTheNumberIsCompared) {
   }
 }
 
+// Outdoors glare is rated on the area of the row, and what keeps the one from being judged keeps
+// the other; each has its own deviations.
+TEST(Fitness, GlareOutdoorsIsOfAnAreaThatFits) {
+  const auto fitted = [](const std::string& plane, const std::string& of_glare = "") {
+    return fit({plane,
+                "pack='en12464-2' row='5.9-medium'/><require pack='en12464-2' row='5.9-medium' "
+                "role='observer' reflectance='0.1'",
+                of_glare, ""});
+  };
+  const std::string low = "origin='0 0 0' u='20 0 0' v='0 10 0'";
+  const std::string high = "origin='0 0 2' u='20 0 0' v='0 10 0'";
+  EXPECT_THAT(fitted(low).aspects("glare"), IsEmpty());
+  EXPECT_THAT(fitted(low + " count='2 2'").aspects("glare"), ElementsAre("grid"));
+  const Fitted refused = fitted(high);
+  EXPECT_THAT(refused.aspects("task.Em"), ElementsAre("height"));
+  EXPECT_THAT(refused.aspects("glare"), ElementsAre("height"));
+  ASSERT_EQ(refused.requirements.size(), 3u);
+  for (const Requirement& requirement : refused.requirements) EXPECT_NE(requirement.problem, "");
+  const Fitted stated =
+      fitted(high, "<deviation in='height' because='a deck' by='A. Meier' until='2026-12-01'/>");
+  ASSERT_EQ(stated.requirements.size(), 3u);
+  EXPECT_NE(stated.requirements[0].problem, "");  // it is stated of the glare alone
+  EXPECT_EQ(stated.requirements[2].problem, "");
+}
+
 TEST(Fitness, AStatedDeviationEnds) {
   const Fitted fitted =
       fit({"height='0.75' count='1 1'", kDeskWork,

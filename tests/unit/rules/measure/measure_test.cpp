@@ -1,5 +1,7 @@
 #include "rules/measure/measure.h"
 
+#include "calc/glare/field_glare.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -148,10 +150,39 @@ TEST(Measure, PowerPer100LuxFallsWithTheAverage) {
   }
 }
 
+// Of the veil's ends and those of the average, the other way about; nothing in view is met.
+TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
+  Requirement requirement = minimum_at_least(1);
+  requirement.metric = Metric::glare_rating;
+  requirement.veiling_cd_m2 = {1.0, 0.9, 1.2};
+  requirement.field_reflectance = 0.25;
+  Requirement average = requirement;
+  average.metric = Metric::average;
+  const calc::Estimate lx =
+      measure(average, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  const calc::Estimate glare =
+      measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95).metric->estimate;
+  EXPECT_LT(lx.low, lx.high);
+  EXPECT_DOUBLE_EQ(glare.value, calc::field_glare(1.0, lx.value, 0.25));
+  EXPECT_DOUBLE_EQ(glare.low, calc::field_glare(0.9, lx.high, 0.25));
+  EXPECT_DOUBLE_EQ(glare.high, calc::field_glare(1.2, lx.low, 0.25));
+  requirement.veiling_cd_m2 = {};
+  const Measurement none = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_EQ(none.nothing_there, "no luminaire shines to an eye that has it in view");
+  EXPECT_TRUE(calc::is_nothing(none.metric->estimate));
+  EXPECT_TRUE(none.without_replicate.empty());
+  requirement.veiling_cd_m2 = {0.0, 0.0, 1.2};  // by one reading there is none
+  const Measurement perhaps = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
+  EXPECT_TRUE(calc::is_nothing(perhaps.metric->estimate));
+  EXPECT_DOUBLE_EQ(perhaps.metric->estimate.high, calc::field_glare(1.2, lx.low, 0.25));
+  EXPECT_EQ(perhaps.nothing_there, "");
+  EXPECT_TRUE(perhaps.without_replicate.empty());
+}
+
 TEST(Measure, PowerDensityIsKnownBeforehand) {
   Requirement requirement = minimum_at_least(1);
   requirement.metric = Metric::power_density;
-  requirement.power_density_w_m2 = 6.5;
+  requirement.of_space = {6.5, 6.5, 6.5};
   const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   ASSERT_TRUE(result.metric.has_value());
   EXPECT_EQ(result.metric->estimate.low, 6.5);
@@ -162,8 +193,7 @@ TEST(Measure, PowerDensityIsKnownBeforehand) {
 TEST(Measure, EnergyIsKnownBeforehand) {
   Requirement requirement = minimum_at_least(1);
   requirement.metric = Metric::leni;
-  requirement.power_density_w_m2 = 6.5;
-  requirement.leni_kwh_m2 = 11.9;
+  requirement.of_space = {11.9, 11.9, 11.9};
   const Measurement result = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   ASSERT_TRUE(result.metric.has_value());
   EXPECT_EQ(result.metric->estimate.value, 11.9);

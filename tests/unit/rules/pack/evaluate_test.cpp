@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <string>
 
 namespace rules {
@@ -201,7 +203,8 @@ TEST(EvaluateClass, FindsTheBestThatIsReached) {
   const std::vector<RulePack> packs = builtin_rule_packs();
   for (const RulePack& pack : packs) {
     if (pack.id != "en13201-2") continue;
-    const RuleClass& p = pack.classes.at(1);
+    const RuleClass& p = *std::find_if(pack.classes.begin(), pack.classes.end(),
+                                       [](const RuleClass& one) { return one.id == "P"; });
     const auto classes = [&](const calc::Estimate& mean, const calc::Estimate& minimum) {
       const Evidence evidence{
           pack,

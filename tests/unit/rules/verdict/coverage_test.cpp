@@ -98,6 +98,24 @@ TEST(RowCoverage, ATaskAloneIsNotTheRow) {
                           "observer never-asked", "lamp not-possible"));
 }
 
+// Of every area that the row is asked of; without, glare would be that of the best one.
+TEST(RowCoverage, GlareOutdoorsIsOfAllAreas) {
+  const std::string row = "<require pack='en12464-2' row='5.9-medium'/>";
+  const std::string glare =
+      "<require pack='en12464-2' row='5.9-medium' role='observer' reflectance='0.1'/>";
+  const auto area = [](const std::string& id, const std::string& x, const std::string& inside) {
+    return "<plane id='" + id + "' origin='" + x + " 0 0' u='8 0 0' v='0 8 0'>" + inside +
+           "</plane>";
+  };
+  const Covered both = cover_open(area("p", "0", row + glare) + area("q", "9", row + glare));
+  EXPECT_THAT(both.roles(), ElementsAre("task met", "observer met", "lamp not-possible"));
+  const Covered one = cover_open(area("p", "0", row) + area("q", "9", row + glare));
+  EXPECT_THAT(one.roles(), ElementsAre("task met", "observer asked-in-part", "lamp not-possible"));
+  EXPECT_EQ(one.rows.at(0).roles.at(1).words, "not asked of p, which the row is asked of as well");
+  EXPECT_FALSE(one.rows[0].is_whole());
+  EXPECT_FALSE(one.rows[0].is_met());
+}
+
 TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   const Covered covered = cover("<workplace id='w' pack='en12464-1:2021' row='34.2'/>");
   ASSERT_EQ(covered.rows.size(), 1u);

@@ -1,0 +1,36 @@
+#pragma once
+// What can be required of a project's road, from its description: see road_light.h.
+
+#include "calc/base/field.h"
+#include "calc/road/road_light.h"
+#include "calc/scene/project.h"
+
+#include <optional>
+#include <string>
+
+namespace calc {
+
+// One quantity of the whole road.
+struct RoadValue {
+  std::string problem;  // why there is no value, in words; "" = there is
+  Estimate value{};
+  std::string words{};  // of every lane or edge, for reports
+};
+
+struct RoadValues {
+  RoadValue luminance_cd_m2, uo, ul, ti_percent, rei;
+  std::string words{};   // by which standard
+  std::string stated{};  // what the project says of the road itself, which no design changes
+  bool is_wet = false;   // of its surface
+};
+
+// scene: null, or one of the project's: the rows count with its levels. space.road must be there.
+RoadLayout road_layout(const Project& project, const Space& space, const LightScene* scene);
+
+// How it is calculated, for reports: once for a road.
+std::string road_method_words(const Road& road);
+
+// The worst observer of each quantity, and the darker edge.
+RoadValues road_values(const Project& project, const Space& space, const LightScene* scene);
+
+}  // namespace calc
