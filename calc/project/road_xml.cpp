@@ -110,21 +110,21 @@ glm::dmat3 road_from_luminaire(double street_c_rad, double tilt_rad) {
 void warn_if_turned(const PhotometricWeb& web, ElementReader& reader, double street_c_rad) {
   constexpr int kDirections = 4;
   constexpr int kSteps = 45, kAround = 9;
-  std::array<double, kDirections> half{};  // light to the quarter about C0, C90, C180 and C270
+  std::array<double, kDirections> quarter{};  // light to the quarter about C0, C90, C180 and C270
   double all = 0.0;
   for (int q = 0; q < kDirections; ++q) {
     for (int a = 0; a < kAround; ++a) {
       const double c_rad = 0.5 * kPi * (q + (a + 0.5) / kAround - 0.5);
       for (int g = 0; g < kSteps; ++g) {
         const double gamma_rad = 0.5 * kPi * (g + 0.5) / kSteps;
-        half[static_cast<std::size_t>(q)] +=
+        quarter[static_cast<std::size_t>(q)] +=
             web.intensity_cd(c_rad, gamma_rad) * calc::sin(gamma_rad) * calc::sin(gamma_rad);
       }
     }
-    all += half[static_cast<std::size_t>(q)];
+    all += quarter[static_cast<std::size_t>(q)];
   }
   // How much more light goes to each of these sides than to the opposite one.
-  const auto beyond = [&](std::size_t q) { return (half[q] - half[(q + 2) % 4]) / all; };
+  const auto beyond = [&](std::size_t q) { return (quarter[q] - quarter[(q + 2) % 4]) / all; };
   const auto street =
       static_cast<std::size_t>(std::lround(street_c_rad / (0.5 * kPi))) % kDirections;
   std::size_t brightest = 0;
@@ -209,8 +209,10 @@ class RoadReader {
       ++rows;
       ElementReader row(child, context_.diagnostics);
       ids.add(row, row.id(), 0);
-      const std::vector<Luminaire> first = with_all_emitters(context_.project, read_row(row, road));
-      begins_field = begins_field || first.empty() || first.front().position_m.x == 0.0;
+      const std::vector<Luminaire> one = read_row(row, road);
+      begins_field = begins_field || one.empty() || one.front().position_m.x == 0.0;
+      const std::vector<Luminaire> first = with_all_emitters(context_.project, one);
+      check_emitters(row, first);
       road.rows.insert(road.rows.end(), first.begin(), first.end());
       if (row.ok() && is_good) stand(row, road, first);
     }
@@ -222,6 +224,24 @@ class RoadReader {
     reader_.report(DiagnosticId::missing_form, reader_.where(), "road",
                    rows == 0 ? "a <luminaire-row>"
                              : "a <luminaire-row> without 'shift', where its field begins");
+  }
+
+  // Files may have them anywhere.
+  void check_emitters(ElementReader& row, const std::vector<Luminaire>& emitters) {
+    constexpr double kLowest_m = 1.6, kFarthest_m = 200.0;  // above the eyes of drivers
+    for (const Luminaire& emitter : emitters) {
+      const glm::dvec3& at_m = emitter.position_m;
+      if (at_m.z >= kLowest_m && at_m.z <= kFarthest_m && std::abs(at_m.y) <= 2.0 * kFarthest_m) {
+        continue;
+      }
+      row.report(
+          DiagnosticId::number_out_of_range, row.where("height"), "height", row.element().name,
+          row.text("height"),
+          fmt::format("one that has every emitter from {:g} m to {:g} m above the road; '{}' "
+                      "is {:.4g} m above it and {:.4g} m from its right edge",
+                      kLowest_m, kFarthest_m, emitter.id, at_m.z, at_m.y));
+      return;
+    }
   }
 
   // Null after an error in the luminaire type, which was reported where it stands.

@@ -43,7 +43,7 @@ void require_valid_road(const RoadLayout& layout) {
     require_road(!strip || (*strip > 0.0 && *strip <= layout.width_m), "width of a strip");
   for (const RoadRow& row : layout.rows) {
     require_road(row.web != nullptr, "light of a row");
-    require_road(row.factor >= 0.0 && row.factor * row.web->max_intensity_cd() <= 1.0e12, "factor");
+    require_road(row.factor >= 0.0 && row.factor * row.web->max_intensity_cd() <= 1.0e30, "factor");
     require_road(row.maintenance > 0.0 && row.maintenance <= 1.0, "maintenance in (0, 1]");
     require_road(row.height_m > kEye_m && row.height_m <= 1.0e3, "height");
     require_road(std::abs(row.y_m) <= 1.0e4, "place across");

@@ -32,7 +32,7 @@ namespace calc {
 // A row of equal luminaires at x = shift + k * spacing for all whole k.
 struct RoadRow {
   const PhotometricWeb* web = nullptr;
-  double factor = 1.0;       // of its intensities, new: flux, dimming; >= 0, times them <= 1e12 cd
+  double factor = 1.0;       // of its intensities, new: flux, dimming; >= 0, times them <= 1e30 cd
   double maintenance = 1.0;  // (0, 1]
   double height_m = 0.0;  // of the photometric centre above the road; above 1.5, the eye's, to 1000
   double y_m = 0.0;       // within 1e4

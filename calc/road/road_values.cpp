@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -93,11 +94,15 @@ RoadLayout road_layout(const Project& project, const Space& space, const LightSc
   layout.left_strip_m = road.left_strip_m;
   for (const Luminaire& luminaire : road.rows) {
     const LuminaireType& type = project.luminaire_types[luminaire.type];
+    // An emitter beside the middle of its luminaire may lie behind x = 0.
+    double shift_m = luminaire.position_m.x;
+    shift_m -= road.spacing_m * std::floor(shift_m / road.spacing_m);
+    if (!(shift_m < road.spacing_m)) shift_m = 0.0;
     layout.rows.push_back(
         {&project.webs[type.web],
          installed_flux_scale(project, luminaire) * level_in_scene(scene, luminaire.group),
-         type.maintenance.product, luminaire.position_m.z, luminaire.position_m.y,
-         luminaire.position_m.x, luminaire.world_from_luminaire});
+         type.maintenance.product, luminaire.position_m.z, luminaire.position_m.y, shift_m,
+         luminaire.world_from_luminaire});
   }
   return layout;
 }

@@ -228,6 +228,16 @@ TEST(RoadRequirements, OfRowsAreOfDrySurfaces) {
   EXPECT_THAT(bound.project.spaces.at(0).notes, Contains(HasSubstr("the surface is a wet one")));
 }
 
+// An emitter beside the middle of its luminaire, behind the beginning of the field.
+TEST(RoadRequirements, KnowEmittersBehindTheField) {
+  Bound bound = bind_road({kAll});
+  calc::Space& space = bound.project.spaces.at(0);
+  space.road->rows.at(0).position_m.x = -0.25;
+  const calc::RoadLayout layout = calc::road_layout(bound.project, space, nullptr);
+  EXPECT_DOUBLE_EQ(layout.rows.at(0).shift_m, 29.75);
+  EXPECT_EQ(calc::road_values(bound.project, space, nullptr).uo.problem, "");
+}
+
 TEST(RoadRequirements, TakeNoOtherAttributes) {
   for (const std::string unfit :
        {"state='initial'", "light='direct'", "unit='lx'", "percent='5'"}) {
