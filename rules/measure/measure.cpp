@@ -453,7 +453,8 @@ Measurement measure(const Requirement& requirement, const calc::SensorGrid& grid
   if (is_of_space(requirement.metric)) return known_of_space(requirement, grid);
   if (metric_row(requirement.metric).source == MetricSource::space_and_light) {
     const bool is_glare = requirement.metric == Metric::glare_rating;
-    if (is_glare && requirement.veiling_cd_m2.high == 0.0) return no_veil(grid);
+    const bool is_all_there = requirement.origin.pack.empty() || !(grid.missed_m2 > 0.0);
+    if (is_glare && is_all_there && requirement.veiling_cd_m2.high == 0.0) return no_veil(grid);
     Measurement result =
         measure_of_average(requirement, grid, field, scenes, confidence, goal,
                            is_glare ? field_glare(requirement) : power_per_100_lx(requirement));

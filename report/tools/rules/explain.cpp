@@ -74,6 +74,10 @@ std::string measured_on(const rules::Quantity& quantity) {
            "luminaires "
            "in even rows";
   }
+  if (quantity.of_space == rules::Metric::glare_rating) {
+    return "on the plane that the row is asked of, of eyes above its points; reflectance=\"...\" "
+           "states that of the field";
+  }
   if (quantity.of_space && rules::is_of_road(*quantity.of_space)) {
     return "on a <road>: by EN 13201-3, for the road and its rows of luminaires alone";
   }

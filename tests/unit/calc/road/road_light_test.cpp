@@ -773,7 +773,7 @@ TEST(RoadLight, RefusesWhatIsNoRoad) {
   refused([](RoadLayout& road) { road.rows[1].web = nullptr; });
   refused([](RoadLayout& road) { road.rows[1].factor = -0.1; });
   refused([=](RoadLayout& road) { road.rows[1].factor = kNan; });
-  refused([](RoadLayout& road) { road.rows[1].factor = 1.0e20; });
+  refused([](RoadLayout& road) { road.rows[1].factor = 1.0e40; });
   refused([](RoadLayout& road) { road.rows[1].maintenance = 1.1; });
   refused([](RoadLayout& road) { road.rows[1].maintenance = 0.0; });
   refused([](RoadLayout& road) { road.rows[1].height_m = 1.5; });

@@ -171,6 +171,12 @@ TEST(Measure, GlareOfAFieldFallsWithTheAverage) {
   EXPECT_EQ(none.nothing_there, "no luminaire shines to an eye that has it in view");
   EXPECT_TRUE(calc::is_nothing(none.metric->estimate));
   EXPECT_TRUE(none.without_replicate.empty());
+  // What a rule requires of an area it requires of all of it.
+  calc::SensorGrid part = grid_of_twelve();
+  part.missed_m2 = 1.0;
+  requirement.origin.pack = "en12464-2:2014";
+  EXPECT_FALSE(measure(requirement, part, field_of_twelve(), {}, 0.95).metric.has_value());
+  requirement.origin.pack.clear();
   requirement.veiling_cd_m2 = {0.0, 0.0, 1.2};  // by one reading there is none
   const Measurement perhaps = measure(requirement, grid_of_twelve(), field_of_twelve(), {}, 0.95);
   EXPECT_TRUE(calc::is_nothing(perhaps.metric->estimate));
