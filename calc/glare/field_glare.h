@@ -23,9 +23,11 @@
 
 namespace calc {
 
-inline constexpr double kFieldEye_m = 1.5;        // above the field
-inline constexpr double kFieldLook_deg = 2.0;     // below the horizon
-inline constexpr double kLeastFieldGlare = 10.0;  // where the scale of GR begins
+inline constexpr double kFieldEye_m = 1.5;     // above the field
+inline constexpr double kFieldLook_deg = 2.0;  // below the horizon
+
+// More eyes and luminaires than that, one times the other, take minutes before anything is judged.
+inline constexpr double kMostFieldPairs = 5.0e6;
 
 // Of new luminaires, cd/m2: the highest of all eyes above these points of a level field. Nothing
 // anywhere: 0. along: the field's first axis, horizontal, unit: where the first direction looks.

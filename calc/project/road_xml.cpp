@@ -159,6 +159,7 @@ class RoadReader {
     space_.planes.push_back(std::move(plane));
     read_strips(road, is_good);
     if (is_good) space_.notes.push_back(road_method_words(road));
+    road.is_street_assumed = is_street_assumed_;
     space_.road = std::move(road);
     space_.notes.push_back(say<Sentence::road_rows_go_on>(kRoadReach_heights));
   }
@@ -276,6 +277,7 @@ class RoadReader {
     const double street_c_rad =
         street ? 0.5 * kPi * static_cast<double>(*street) : usual_street_c_rad(*web);
     if (!street) {
+      is_street_assumed_ = true;
       warn_if_turned(*web, row, street_c_rad);
       space_.notes.push_back(say<Sentence::road_street>(
           luminaire.id, static_cast<int>(std::lround(degrees_from_radians(street_c_rad)))));
@@ -348,6 +350,7 @@ class RoadReader {
   ProjectContext& context_;
   ElementReader& reader_;
   Space& space_;
+  bool is_street_assumed_ = false;
 };
 
 }  // namespace

@@ -145,7 +145,8 @@ RoadValues road_values(const Project& project, const Space& space, const LightSc
   values.rei = of_edges(light, layout);
   values.words = say<Sentence::road_standard>();
   values.stated = road_stated_words(*space.road);
-  values.is_wet = layout.table->is_wet;
+  if (layout.table->is_wet) values.why_no_row = say<Sentence::road_wet_row>(space.road->surface);
+  if (space.road->is_street_assumed) values.words += "; " + say<Sentence::road_street_assumed>();
   return values;
 }
 

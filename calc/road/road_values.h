@@ -19,9 +19,9 @@ struct RoadValue {
 
 struct RoadValues {
   RoadValue luminance_cd_m2, uo, ul, ti_percent, rei;
-  std::string words{};   // by which standard
-  std::string stated{};  // what the project says of the road itself, which no design changes
-  bool is_wet = false;   // of its surface
+  std::string words{};       // by which standard
+  std::string stated{};      // what the project says of the road itself, which no design changes
+  std::string why_no_row{};  // why no row of a rule pack is about it, in words; "" = one may be
 };
 
 // scene: null, or one of the project's: the rows count with its levels. space.road must be there.

@@ -32,7 +32,6 @@ InstalledPower installed_power(const Project& project, const Space& space) {
     power.power_w += power_w;
     if (!(power_w > 0.0)) ++power.without_power;
   }
-  if (space.road) power.area_m2 = space.road->spacing_m * space.road->width_m;
   if (space.shell) power.area_m2 = std::abs(signed_area(space.shell->footprint_m));
   return power;
 }

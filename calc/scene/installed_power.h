@@ -12,7 +12,7 @@ namespace calc {
 // what the project states, else the photometry file.
 struct InstalledPower {
   double power_w = 0.0;   // of the luminaires that state it
-  double area_m2 = 0.0;   // of the room's floor or the field's carriageway; 0 = not known
+  double area_m2 = 0.0;   // of the room's floor; 0 = not known
   int luminaires = 0;     // all
   int without_power = 0;  // of them: nobody states their power
 

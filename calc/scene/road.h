@@ -30,6 +30,9 @@ struct Road {
   // the road's frame.
   std::vector<Luminaire> rows;
 
+  // Nobody says of some row which side of its photometry looks to the street.
+  bool is_street_assumed = false;
+
   double lane_m() const { return width_m / static_cast<double>(is_oncoming.size()); }
 };
 

@@ -109,7 +109,7 @@ class SpaceValues {
                                  std::get<calc::PlanarArea>(plane.area).u);
     });
   }
-  std::string surface() const { return space_.road ? space_.road->surface : ""; }
+  std::size_t luminaires() const { return space_.luminaires.size(); }
   // Null: the space is no road.
   const calc::RoadValues* road(const std::string& scene) {
     if (!space_.road) return nullptr;
@@ -186,12 +186,11 @@ const calc::RoadValue& road_value(const calc::RoadValues& road, Metric metric) {
 }
 
 // road: null where a plane of something else asks for it, which the reader has refused.
-void set_road(const calc::RoadValues* road, const std::string& surface, Requirement& requirement) {
+void set_road(const calc::RoadValues* road, Requirement& requirement) {
   if (road == nullptr) return;
   requirement.stated_words = road->stated;
-  if (road->is_wet && !requirement.origin.pack.empty() && requirement.problem.empty()) {
-    requirement.problem = calc::say<calc::Sentence::road_wet_row>(surface);
-  }
+  const bool is_of_row = !requirement.origin.pack.empty();
+  if (is_of_row && requirement.problem.empty()) requirement.problem = road->why_no_row;
   const calc::RoadValue& value = road_value(*road, requirement.metric);
   if (requirement.problem.empty()) requirement.problem = value.problem;
   requirement.of_space = value.value;
@@ -200,20 +199,29 @@ void set_road(const calc::RoadValues* road, const std::string& surface, Requirem
 }
 
 // Why there is no GR of this plane; "" = there is.
-std::string why_no_field(const calc::CalcPlane& plane, const Requirement& requirement) {
+std::string why_no_field(const calc::CalcPlane& plane, std::size_t luminaire_count,
+                         const Requirement& requirement) {
   constexpr double kLevel = 0.9998;  // cosine of one degree
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   const bool is_level = area != nullptr && plane.usual_role.empty() && area->normal().z >= kLevel &&
                         plane.kernel == calc::ReceiverKernel::planar &&
                         plane.derived == calc::DerivedQuantity::none;
   if (!is_level) return calc::say<calc::Sentence::no_field>();
-  return requirement.field_reflectance > 0.0 ? ""
-                                             : calc::say<calc::Sentence::no_field_reflectance>();
+  if (!(requirement.field_reflectance > 0.0)) {
+    return calc::say<calc::Sentence::no_field_reflectance>();
+  }
+  const double points = calc::planned_points(plane);
+  const auto luminaires = static_cast<double>(luminaire_count);
+  return points * luminaires <= calc::kMostFieldPairs
+             ? ""
+             : calc::say<calc::Sentence::field_too_many>(points, luminaires, calc::kMostFieldPairs);
 }
 
 void set_field_glare(SpaceValues& of_space, const calc::CalcPlane& plane,
                      Requirement& requirement) {
-  if (requirement.problem.empty()) requirement.problem = why_no_field(plane, requirement);
+  if (requirement.problem.empty()) {
+    requirement.problem = why_no_field(plane, of_space.luminaires(), requirement);
+  }
   if (!requirement.problem.empty()) return;
   requirement.veiling_cd_m2 = of_space.veiling(plane, requirement.scene);
   requirement.stated_words = calc::say<calc::Sentence::field_stated>(requirement.field_reflectance);
@@ -227,11 +235,7 @@ void refuse_glare_elsewhere(std::vector<Requirement>& of_plane) {
   for (Requirement& requirement : of_plane) {
     const RuleOrigin& origin = requirement.origin;
     if (requirement.metric != Metric::glare_rating || origin.pack.empty()) continue;
-    const bool is_there = std::any_of(of_plane.begin(), of_plane.end(), [&](const auto& other) {
-      return other.metric == Metric::average && other.origin.pack == origin.pack &&
-             other.origin.row == origin.row;
-    });
-    if (!is_there && requirement.problem.empty()) {
+    if (requirement.problem.empty() && area_of(requirement, of_plane) == nullptr) {
       requirement.problem = calc::say<calc::Sentence::field_glare_elsewhere>();
     }
   }
@@ -246,7 +250,7 @@ void set_space_value(SpaceValues& of_space, const calc::CalcPlane& plane,
   if (requirement.metric == Metric::ugr_table) {
     set_ugr(of_space.ugr(requirement.scene), requirement);
   } else if (is_of_road(requirement.metric)) {
-    set_road(of_space.road(requirement.scene), of_space.surface(), requirement);
+    set_road(of_space.road(requirement.scene), requirement);
   } else {
     set_power(of_space, requirement);
   }

@@ -86,7 +86,7 @@ inline constexpr std::array kMetrics = [] {
       MetricRow{leni, "LENI", "kWh/m2/a", space, all, false},
       MetricRow{gradient, "gradient", "", neighbours, illuminances, false, kGradient},
       MetricRow{ugr_table, "UGR-table", "", space_in_scene, all, false},
-      MetricRow{road_luminance, "road-luminance", "cd/m2", space_in_scene, all, false},
+      MetricRow{road_luminance, "road-luminance", "cd/m2", space_in_scene, all, true},
       MetricRow{road_uniformity, "road-Uo", "", space_in_scene, all, false, kShare},
       MetricRow{road_lengthwise, "road-Ul", "", space_in_scene, all, false, kShare},
       MetricRow{threshold_increment, "TI", "%", space_in_scene, all, false},

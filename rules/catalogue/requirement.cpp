@@ -1,5 +1,6 @@
 #include "rules/catalogue/requirement.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace rules {
@@ -16,6 +17,14 @@ const char* comparison_name(Comparison comparison) {
       return "less-than";
   }
   return "";
+}
+
+const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane) {
+  const auto area = std::find_if(of_plane.begin(), of_plane.end(), [&](const Requirement& other) {
+    return other.metric == Metric::average && other.origin.pack == glare.origin.pack &&
+           other.origin.row == glare.origin.row;
+  });
+  return area == of_plane.end() ? nullptr : &*area;
 }
 
 const char* unit_of(const Requirement& requirement) {

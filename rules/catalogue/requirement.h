@@ -96,6 +96,10 @@ inline std::optional<LightState> fixed_state(Metric metric) {
   return is_glare ? std::optional(LightState::initial) : std::nullopt;
 }
 
+// Of the same row of a rule pack, on the same plane: the average that is asked of the area which
+// `glare` is rated on. of_plane: all of the plane; null: there is none.
+const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane);
+
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {
   return comparison == Comparison::at_least || comparison == Comparison::more_than;

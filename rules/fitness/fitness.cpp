@@ -411,16 +411,6 @@ std::string take_statements(const Requirement& requirement, std::string_view tod
   return open;
 }
 
-// Of the same row, on the same plane: what is asked of its illuminance; null: nothing.
-const RuleCheck* check_of_area(const Requirement& glare, const std::vector<Requirement>& of_plane,
-                               const RulePack& pack) {
-  const auto area = std::find_if(of_plane.begin(), of_plane.end(), [&](const Requirement& other) {
-    return other.metric == Metric::average && other.origin.pack == glare.origin.pack &&
-           other.origin.row == glare.origin.row;
-  });
-  return area == of_plane.end() ? nullptr : pack.find_check(area->origin.check);
-}
-
 }  // namespace
 
 std::string speck_words(const calc::CalcPlane& plane) {
@@ -447,7 +437,8 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
         pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
     // Glare outdoors is rated on the area that the row is about, which must be fit for the row.
     if (check != nullptr && requirement.metric == Metric::glare_rating) {
-      check = check_of_area(requirement, requirements, *pack);
+      const Requirement* area = area_of(requirement, requirements);
+      check = area == nullptr ? nullptr : pack->find_check(area->origin.check);
     }
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {

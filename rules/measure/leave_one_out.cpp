@@ -35,18 +35,7 @@ double value_of(const std::vector<double>& means_lx, double average_lx, Metric m
       return ranked_value(means_lx, percentile_rank(percent, means_lx.size()));
     case Metric::value_at_point:
       return means_lx[point.value()];
-    case Metric::share:
-    case Metric::power_density:
-    case Metric::power_per_100_lx:
-    case Metric::leni:
-    case Metric::ugr_table:
-    case Metric::road_luminance:
-    case Metric::road_uniformity:
-    case Metric::road_lengthwise:
-    case Metric::threshold_increment:
-    case Metric::edge_ratio:
-    case Metric::glare_rating:
-    case Metric::gradient:
+    default:  // not from values alone, see MetricSource and measure.cpp
       break;
   }
   return std::nan("");

@@ -193,18 +193,7 @@ std::optional<MetricEstimate> unbounded_metric(const PointValues& values, Metric
       return MetricEstimate{percentile(values, percent, alpha), std::nullopt};
     case Metric::value_at_point:
       return MetricEstimate{value_at(values, point.value(), alpha), point};
-    case Metric::share:  // not from values alone, see MetricSource and measure.cpp
-    case Metric::power_density:
-    case Metric::power_per_100_lx:
-    case Metric::leni:
-    case Metric::ugr_table:
-    case Metric::road_luminance:
-    case Metric::road_uniformity:
-    case Metric::road_lengthwise:
-    case Metric::threshold_increment:
-    case Metric::edge_ratio:
-    case Metric::glare_rating:
-    case Metric::gradient:
+    default:  // not from values alone, see MetricSource and measure.cpp
       break;
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include "calc/project/project_xml.h"
 #include "calc/road/road_values.h"
 #include "calc/scene/installed_power.h"
+#include "calc/scene/lighting_energy.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/sensor_grid.h"
 #include "tests/support/memory_file_reader.h"
@@ -57,13 +58,15 @@ TEST(RoadPlane, HasTheLightOfItsPointsLuminaires) {
   EXPECT_GT(beyond, 50u);  // else this shows nothing
 }
 
-// Its power is that of one field: one luminaire of each row, over its carriageway.
+// Its power is that of one field: one luminaire of each row. It has no floor, so that neither power
+// density nor energy of buildings is made of it.
 TEST(RoadPlane, HasThePowerOfOneField) {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.8'><luminaire-type id='head' "
       "photometry='head.ies' power-w='70'/><road id='a' width='7' lanes='2' spacing='20' "
       "surface='R3'><luminaire-row id='r' type='head' side='right' height='10'/><luminaire-row "
-      "id='l' type='head' side='left' height='10'/></road></luxgate>";
+      "id='l' type='head' side='left' height='10'/></road><energy day-hours='2000' "
+      "night-hours='2000' parasitic='0'/></luxgate>";
   Diagnostics diagnostics;
   const MemoryFileReader files({{"p.xml", xml}, {"head.ies", kHead}});
   const auto project = load_project(files, "p.xml", diagnostics);
@@ -71,7 +74,10 @@ TEST(RoadPlane, HasThePowerOfOneField) {
   const InstalledPower power = installed_power(*project, project->spaces.at(0));
   EXPECT_GT(project->spaces[0].luminaires.size(), 8u);
   EXPECT_EQ(power.luminaires, 2);
-  EXPECT_NEAR(power.density_w_m2().value(), 1.0, 1e-12);
+  EXPECT_EQ(power.power_w, 140.0);
+  EXPECT_FALSE(power.density_w_m2().has_value());
+  const LightingEnergy energy = lighting_energy(*project, project->spaces[0], power);
+  EXPECT_EQ(energy.problem, "the floor area of the space is not known");
 }
 
 }  // namespace

@@ -27,13 +27,14 @@ struct Field {
 };
 
 Field bind_field(const std::string& require,
-                 const std::string& plane = "origin='0 0 0' u='40 0 0' v='0 20 0'") {
+                 const std::string& plane = "origin='0 0 0' u='40 0 0' v='0 20 0'",
+                 const std::string& beside = "") {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.8'><luminaire-type id='flood' "
       "photometry='flood.ies'/><scene id='half'><dim group='g' level='0.5'/></scene>"
       "<luminaire-grid id='m' type='flood' origin='-10 -10 12' size='60 40' columns='2' rows='2' "
-      "group='g'/><plane id='p' " +
-      plane + ">" + require + "</plane></luxgate>";
+      "group='g'/>" +
+      beside + "<plane id='p' " + plane + ">" + require + "</plane></luxgate>";
   calc::Diagnostics diagnostics;
   const calc::MemoryFileReader files({{"p.xml", xml}, {"flood.ies", kFlood}});
   Field field;
@@ -108,6 +109,20 @@ TEST(FieldGlareRequirement, IsNotOfRoads) {
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   ASSERT_TRUE(judged.has_value());
   EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("not of a road"));
+}
+
+// Before anything is judged, nobody can stop it.
+TEST(FieldGlareRequirement, EndsWhereItWouldTakeMinutes) {
+  const std::string require = "<require quantity='GR' at-most='50' reflectance='0.2'/>";
+  const std::string area = "origin='0 0 0' u='40 0 0' v='0 20 0' ";
+  EXPECT_EQ(bind_field(require, area + "count='100 100'").requirements.at(0).problem, "");
+  EXPECT_THAT(bind_field("<require quantity='GR' at-most='50' reflectance='0.2'/>",
+                         area + "count='1000 1000'",
+                         "<luminaire-grid id='n' type='flood' origin='0 0 9' size='9 9' "
+                         "columns='2' rows='2'/>")
+                  .requirements.at(0)
+                  .problem,
+              HasSubstr("are too many for GR"));
 }
 
 TEST(FieldGlareRequirement, IsOfLevelAreas) {

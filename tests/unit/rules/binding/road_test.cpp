@@ -212,6 +212,15 @@ TEST(RoadRequirements, SayWhatTheRoadIs) {
       "and 0 m");
 }
 
+// An assumption that turns everything is with every value.
+TEST(RoadRequirements, SayThatTheStreetIsAssumed) {
+  EXPECT_THAT(bind_road({kAll}).by("TI").note,
+              HasSubstr("looks to the street is taken as is usual"));
+  RoadText text{kAll};
+  text.row = "street='C90'";
+  EXPECT_THAT(bind_road(text).by("TI").note, Not(HasSubstr("looks to the street")));
+}
+
 // M classes are of dry surfaces; a limit of the project's own may be of a wet one.
 TEST(RoadRequirements, OfRowsAreOfDrySurfaces) {
   RoadText text{
