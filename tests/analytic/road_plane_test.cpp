@@ -66,7 +66,7 @@ TEST(RoadPlane, HasThePowerOfOneField) {
       "photometry='head.ies' power-w='70'/><road id='a' width='7' lanes='2' spacing='20' "
       "surface='R3'><luminaire-row id='r' type='head' side='right' height='10'/><luminaire-row "
       "id='l' type='head' side='left' height='10'/></road><energy day-hours='2000' "
-      "night-hours='2000' parasitic='0'/></luxgate>";
+      "night-hours='2000' parasitic-kwh-m2='0'/></luxgate>";
   Diagnostics diagnostics;
   const MemoryFileReader files({{"p.xml", xml}, {"head.ies", kHead}});
   const auto project = load_project(files, "p.xml", diagnostics);
