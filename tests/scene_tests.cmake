@@ -7,6 +7,7 @@ luxgate_test(scene_tests
     unit/calc/meshes/mesh_ply_test.cpp
     unit/calc/meshes/mesh_stl_test.cpp
     unit/calc/glare/field_glare_test.cpp
+    unit/calc/glare/luminaires_seen_test.cpp
     unit/calc/glare/room_ugr_test.cpp
     unit/calc/glare/ugr_table_test.cpp
     unit/calc/road/r_table_test.cpp

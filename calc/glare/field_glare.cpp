@@ -2,6 +2,7 @@
 
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
+#include "calc/glare/luminaires_seen.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
 
@@ -57,15 +58,6 @@ struct Veil {
   double least = 0.0, most = 0.0;
 };
 
-// What hides a luminaire from an eye stands on the way between them, and so above the lower one.
-bool may_hide(const Space& space, double lower_z_m) {
-  if (space.shell || !space.surfaces_file.empty()) return true;
-  return std::any_of(space.bodies.begin(), space.bodies.end(), [&](const Body& body) {
-    return std::any_of(body.vertex_m.begin(), body.vertex_m.end(),
-                       [&](const glm::dvec3& vertex) { return vertex.z > lower_z_m; });
-  });
-}
-
 }  // namespace
 
 Estimate field_veiling(const Project& project, const Space& space, const LightScene* scene,
@@ -107,7 +99,7 @@ Estimate field_veiling(const Project& project, const Space& space, const LightSc
       if (i % kEveryThird == 0) highest.value = std::max(highest.value, veils[i].least);
     }
   }
-  highest.low = may_hide(space, lowest_m) ? 0.0 : highest.value;
+  highest.low = may_hide_luminaires(space, lowest_m) ? 0.0 : highest.value;
   return highest;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace calc {
 namespace {
@@ -59,6 +60,17 @@ glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline) {
   while (!(axis.x > 0.0 && std::abs(axis.y) <= axis.x * (1.0 + kTie))) axis = {-axis.y, axis.x};
   if (std::abs(axis.y) < kTie) axis = {1.0, 0.0};
   return axis;
+}
+
+double width_of(const std::vector<glm::dvec2>& outline) {
+  const glm::dvec2 along = long_axis(outline), across(-along.y, along.x);
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const glm::dvec2& corner : outline) {
+    const glm::dvec2 place(glm::dot(corner, along), glm::dot(corner, across));
+    low = glm::min(low, place);
+    high = glm::max(high, place);
+  }
+  return std::min(high.x - low.x, high.y - low.y);
 }
 
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up) {

@@ -19,6 +19,9 @@ PlanarArea rectangle_area(const Rectangle& rectangle);
 // itself.
 glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline);
 
+// The smaller side of the rectangle around an outline that lies along its long axis.
+double width_of(const std::vector<glm::dvec2>& outline);
+
 // The whole footprint at `height_m` above the floor, facing up (u = its long axis, v across it) or
 // down (v reversed). A grid along x and y would miss the sides of a room that stands at an angle.
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up);

@@ -118,6 +118,14 @@ const ValueType kSizeType{.name = "size",
                           .most = 3};
 const ValueType kVector2Type{
     .name = "vector2", .meaning = "x y", .item = &kNumberType, .least = 2, .most = 2};
+const ValueType kFootType{
+    .name = "foot", .meaning = "x y x y", .item = &kNumberType, .least = 4, .most = 4};
+const ValueType kFromToType{.name = "fromTo",
+                            .meaning = "Two ascending numbers from 0.",
+                            .item = &kNonNegativeType,
+                            .least = 2,
+                            .most = 2};
+const ValueType kLeanType{.name = "lean", .base = &kAnyDouble, .range = kLean};
 const ValueType kSize2Type{
     .name = "size2", .meaning = "x y, each above 0", .item = &kPositiveType, .least = 2, .most = 2};
 const ValueType kCounts3Type{.name = "counts3", .item = &kCountType, .least = 3, .most = 3};
@@ -703,8 +711,8 @@ const ElementRow kWorkplaceElement{
     .type = "workplace",
     .meaning =
         R"(Planes of a room, with grids and limits, as the row of a rule pack asks for them: "id.task", "id.surround",
-"id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y. See
-rules/README.md.)",
+"id.wall.1" ... The task area is the whole room, or origin and size, or footprint, in the room's x and y, or upright:
+a part of a wall, or a face. See rules/README.md.)",
     .attributes = {kIdAttribute,
                    kNameAttribute,
                    kWasAttribute,
@@ -712,6 +720,15 @@ rules/README.md.)",
                    kZoneSizeAttribute,
                    kZoneFootprintAttribute,
                    kHeightAboveFloorAttribute,
+                   {"wall", &kCountType, optional, "The task is on the wall of this number."},
+                   {"along", &kFromToType, optional,
+                    "Where on it, from its left end as seen from the room; else all of it."},
+                   {"face", &kFootType, optional,
+                    "The task is an upright face: its foot in the room's x and y, from left to "
+                    "right as whoever looks at it sees it."},
+                   {"heights", &kFromToType, optional,
+                    "Of an upright task, above the floor: its lower and its upper edge."},
+                   {"lean", &kLeanType, optional, "Of a face: degrees that it leans back.", "0"},
                    {"glare", &kGlareMethodType, optional,
                     "How glare is judged: by the tabular method, or at observers; if not given by "
                     "the table, where the room is one that it is for."}},

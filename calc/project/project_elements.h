@@ -22,6 +22,7 @@ inline constexpr NumberRange kTurn{-kFullTurn_deg, kFullTurn_deg, false,
                                    "a number from -360 to 360 (degrees)"};
 
 inline constexpr NumberRange kTilt{-90.0, 90.0, false, "a number from -90 to 90 (degrees)"};
+inline constexpr NumberRange kLean{0.0, 80.0, false, "a number from 0 to 80 (degrees)"};
 inline constexpr NumberRange kQ0{0.01, 0.5, false, "a number from 0.01 to 0.5"};
 
 // Types that others need, too: words of choices, and what attributes of requirements hold.

@@ -2,6 +2,7 @@
 
 #include "calc/project/plane_area.h"
 #include "calc/project/project_elements.h"
+#include "calc/project/upright_task.h"
 #include "calc/project/waiver_attributes.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
@@ -45,6 +46,7 @@ class WorkplaceReader {
     workplace.element = reader.element();
     workplace.task_m = read_area(reader);
     workplace.height_m = read_height(reader);
+    workplace.upright = read_upright_task(context_, reader, around_);
     add_room(workplace);
     for (const XmlElement& child : reader.element().children) {
       if (child.name == "zone" || child.name == "without") read_zone(child, workplace);
@@ -179,9 +181,9 @@ constexpr double kMostCopies = 4000.0;
 Copies read_copies(const ProjectContext& context, ElementReader& reader) {
   const std::vector<int> count = reader.integers("repeat", 2, "2 whole numbers (along x and y)", 1);
   const std::vector<double> step = reader.numbers("step", 2, "2 numbers (x y)");
-  if (!reader.has("size") && !reader.has("footprint")) {
+  if (!reader.has("size") && !reader.has("footprint") && !reader.has("face")) {
     reader.report(DiagnosticId::missing_form, reader.where(), "workplace-grid",
-                  "the area of its first copy: 'origin' and 'size', or 'footprint'");
+                  "the area of its first copy: 'origin' and 'size', 'footprint' or 'face'");
   }
   if (!reader.ok()) return {};
   if (static_cast<double>(count[0]) * count[1] > kMostCopies) {
@@ -201,6 +203,7 @@ Copies read_copies(const ProjectContext& context, ElementReader& reader) {
 
 Workplace moved(Workplace workplace, const glm::dvec2& by_m) {
   for (glm::dvec2& corner : workplace.task_m) corner += by_m;
+  if (workplace.upright) workplace.upright->area.origin_m += glm::dvec3(by_m, 0.0);
   for (ZoneText& zone : workplace.zones) {
     for (glm::dvec2& corner : zone.area_m) corner += by_m;
   }
@@ -210,6 +213,9 @@ Workplace moved(Workplace workplace, const glm::dvec2& by_m) {
 // No copy without its area in the room; the first is checked where it is read.
 void check_copy(ElementReader& reader, const Workplace& copy, const Space& space) {
   if (!space.shell) return;
+  if (copy.upright && !lies_within(*copy.upright, *space.shell)) {
+    reader.report(DiagnosticId::copy_face_outside_room, reader.where("step"), copy.id, space.id);
+  }
   double outside_m2 = area_outside_m2(copy.task_m, *space.shell);
   for (const ZoneText& zone : copy.zones) outside_m2 += area_outside_m2(zone.area_m, *space.shell);
   if (outside_m2 == 0.0) return;

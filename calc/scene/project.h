@@ -196,7 +196,7 @@ struct CalcPlane {
   // Of a plane that a workplace has made, for reports: from what, and what the project changed;
   // else "".
   std::string made_by, changed;
-  std::optional<double> own_margin_m;  // what the project says instead of the rule's
+  std::optional<double> own_margin_m;  // what the project, or the room's width, makes of the rule's
   std::string usual_role;  // that packs know what the road has made by; "" of any other plane
   SourceLocation where;
 };
@@ -218,6 +218,13 @@ struct UnmadeZone {
   std::optional<Waiver> left_out;  // by the project; else there is no place for it
 };
 
+// The task of a workplace that is no level area: a board on a wall, the face of a rack.
+struct UprightTask {
+  PlanarArea area;  // a rectangle; u along its foot, v up, facing whoever looks at it
+  double low_m = 0.0, high_m = 0.0;  // above the floor
+  std::optional<std::size_t> wall;   // that it is on, from 0
+};
+
 // A plane that a workplace would have, had the project not left it out for a time: without an area.
 struct LeftOutPlane {
   CalcPlane plane;
@@ -230,6 +237,7 @@ struct Workplace {
   std::string id, was, name;  // was: as of a plane
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
   std::vector<glm::dvec2> task_m;  // world x and y, counter-clockwise; empty: the whole room
+  std::optional<UprightTask> upright;  // instead of task_m
   std::optional<double> height_m;  // of the task, above the floor
   PlanarArea ceiling;
   std::vector<PlanarArea> walls;  // in the order of the project's numbers

@@ -148,6 +148,12 @@ void describe(auto& v, Is<rules::Finding> auto& finding) {
   v.field("from_lx", requirement.range.from, {.presence = only_if(is_share && !is_plain)});
   v.field("to_lx", or_null(requirement.range.to, kOpen),
           {.words = "null: no upper end.", .presence = only_if(is_share && !is_plain)});
+  const bool has_heights = rules::has_mounting_heights(requirement.metric);
+  v.field("from_m", requirement.range.from,
+          {.words = "Of the luminaires that count, above the floor.",
+           .presence = only_if(has_heights)});
+  v.field("to_m", or_null(requirement.range.to, kOpen),
+          {.words = "They hang below it. null: no upper end.", .presence = only_if(has_heights)});
   const auto mask = [&](auto& o) {
     o.field("id", requirement.mask.id);
     o.field("points_used", finding.points_used);

@@ -21,6 +21,18 @@ namespace {
 constexpr double kStraight = 1e-6;  // of a direction cosine
 
 // "share of points from 300 to 500 lx"
+// Of the luminaires that count; "" = all.
+std::string mounting_words(const Texts& t, const rules::ValueRange& range) {
+  const bool has_to = std::isfinite(range.to);
+  const std::string to = has_to ? format_shortest(t, range.to) : "";
+  if (range.from > 0.0 && has_to) {
+    return ", " + t.say<Text::mounted_between>(format_shortest(t, range.from), to);
+  }
+  if (has_to) return ", " + t.say<Text::mounted_below>(to);
+  if (range.from > 0.0) return ", " + t.say<Text::mounted_from>(format_shortest(t, range.from));
+  return {};
+}
+
 std::string range_words(const Texts& t, const rules::ValueRange& range,
                         calc::DerivedQuantity derived) {
   std::string words = t[Text::share];
@@ -188,7 +200,9 @@ std::string quantity_words(const Texts& t, const rules::Requirement& requirement
                ? t.say<Text::value_at_facing>(place, format_position(t, *requirement.facing))
                : t.say<Text::value_at>(place);
   }
-  return t[metric_text(metric)];
+  std::string words = t[metric_text(metric)];
+  if (rules::has_mounting_heights(metric)) words += mounting_words(t, requirement.range);
+  return words;
 }
 
 std::string quantity_words(const Texts& t, const rules::Requirement& requirement,

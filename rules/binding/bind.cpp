@@ -9,6 +9,7 @@
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
 #include "calc/scene/sensor_grid.h"
+#include "rules/binding/luminaire_values.h"
 #include "rules/binding/requirement_reader.h"
 
 #include <fmt/format.h>
@@ -97,17 +98,28 @@ class SpaceValues {
   }
   // Of eyes above the points of a plane of the space.
   calc::Estimate veiling(const calc::CalcPlane& plane, const std::string& scene) {
-    if (veiled_ != &plane) {
-      veiled_ = &plane;
-      veiling_.clear();
-      calc::Diagnostics said;  // where the plane is made to be calculated
-      const auto grid = calc::make_sensor_grid(plane, space_, said);
-      eyes_m_ = grid ? grid->position_m : std::vector<glm::dvec3>();
-    }
+    const std::vector<glm::dvec3>& points_m = points_of(plane).position_m;
     return known(veiling_, scene, [&](const calc::LightScene* levels) {
-      return calc::field_veiling(project_, space_, levels, eyes_m_,
+      return calc::field_veiling(project_, space_, levels, points_m,
                                  std::get<calc::PlanarArea>(plane.area).u);
     });
+  }
+  void set_luminaires(const calc::CalcPlane& plane, Requirement& requirement) {
+    const std::string& scene = requirement.scene;
+    set_luminaire_value(
+        {project_, space_, scene_named(scene),
+         [&]() -> const std::vector<calc::ZoneIntensity>& {
+           return known(glare_intensities_, scene, [&](const calc::LightScene* levels) {
+             return calc::zone_intensities(project_, space_, levels, kGlareFrom_deg, kGlareTo_deg);
+           });
+         },
+         [&] {
+           return known(upward_, scene, [&](const calc::LightScene* levels) {
+             return calc::upward_share_percent(project_, space_, levels);
+           });
+         },
+         [&]() -> const PlanePoints& { return points_of(plane); }},
+        requirement);
   }
   std::size_t luminaires() const { return space_.luminaires.size(); }
   // Null: the space is no road.
@@ -124,30 +136,41 @@ class SpaceValues {
                      Calculate calculate) {
     const auto there = by_scene.find(scene);
     if (there != by_scene.end()) return there->second;
+    return by_scene.emplace(scene, calculate(scene_named(scene))).first->second;
+  }
+
+  const calc::LightScene* scene_named(const std::string& scene) const {
     const auto found =
         std::find_if(project_.scenes.begin(), project_.scenes.end(),
                      [&](const calc::LightScene& candidate) { return candidate.id == scene; });
-    return by_scene.emplace(scene, calculate(found == project_.scenes.end() ? nullptr : &*found))
-        .first->second;
+    return found == project_.scenes.end() ? nullptr : &*found;
+  }
+
+  // Of one plane after the other.
+  const PlanePoints& points_of(const calc::CalcPlane& plane) {
+    if (plane_ == &plane) return points_;
+    plane_ = &plane;
+    veiling_.clear();
+    calc::Diagnostics said;  // where the plane is made to be calculated
+    const auto grid = calc::make_sensor_grid(plane, space_, said);
+    points_ = grid ? PlanePoints{grid->position_m, grid->normal} : PlanePoints{};
+    return points_;
   }
 
   const calc::Project& project_;
   const calc::Space& space_;
-  std::map<std::string, calc::RoomUgr> ugr_;      // by scene
-  std::map<std::string, calc::RoadValues> road_;  // by scene
-  const calc::CalcPlane* veiled_ = nullptr;       // that these are of
-  std::vector<glm::dvec3> eyes_m_;
+  std::map<std::string, calc::RoomUgr> ugr_;                                   // by scene
+  std::map<std::string, calc::RoadValues> road_;                               // by scene
+  std::map<std::string, calc::Estimate> upward_;                               // by scene
+  std::map<std::string, std::vector<calc::ZoneIntensity>> glare_intensities_;  // by scene
+  const calc::CalcPlane* plane_ = nullptr;                                     // that these are of
+  PlanePoints points_;
   std::map<std::string, calc::Estimate> veiling_;  // by scene
 
  public:
   const calc::InstalledPower power;
   const calc::LightingEnergy energy;
 };
-
-void add_note(const std::string& words, Requirement& requirement) {
-  if (words.empty()) return;
-  requirement.note += (requirement.note.empty() ? "" : "; ") + words;
-}
 
 void set_ugr(const calc::RoomUgr& ugr, Requirement& requirement) {
   if (requirement.problem.empty()) requirement.problem = ugr.problem;
@@ -249,6 +272,8 @@ void set_space_value(SpaceValues& of_space, const calc::CalcPlane& plane,
   }
   if (requirement.metric == Metric::ugr_table) {
     set_ugr(of_space.ugr(requirement.scene), requirement);
+  } else if (is_of_luminaires(requirement.metric)) {
+    of_space.set_luminaires(plane, requirement);
   } else if (is_of_road(requirement.metric)) {
     set_road(of_space.road(requirement.scene), requirement);
   } else {

@@ -99,16 +99,21 @@ std::optional<glm::dvec3> read_direction(ElementReader& reader, const char* attr
   return std::nullopt;
 }
 
-// Of a share: from, to or both.
+// Of a share: from, to or both. Of heights of luminaires: either, or none.
 void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity derived,
                 ValueRange& range) {
+  constexpr calc::NumberRange kHeight{0.0, 1.0e6, false, "a height in metres from 0 to 1e6"};
   constexpr calc::NumberRange kLux{0.0, 1.0e9, false, "an illuminance in lx from 0 to 1e9"};
   constexpr calc::NumberRange kPlain{0.0, 1.0e9, false, "a number from 0 to 1e9"};
-  const calc::NumberRange& kEnd = calc::is_plain_number(derived) ? kPlain : kLux;
-  const bool has_from = is_given_for(reader, "from", Metric::share, metric) && reader.has("from");
-  const bool has_to = is_given_for(reader, "to", Metric::share, metric) && reader.has("to");
-  if (metric != Metric::share) return;
-  if (!has_from && !has_to) {
+  const bool has_heights = has_mounting_heights(metric);
+  const calc::NumberRange& kEnd = has_heights                      ? kHeight
+                                  : calc::is_plain_number(derived) ? kPlain
+                                                                   : kLux;
+  const Metric owner = has_heights ? metric : Metric::share;
+  const bool has_from = is_given_for(reader, "from", owner, metric) && reader.has("from");
+  const bool has_to = is_given_for(reader, "to", owner, metric) && reader.has("to");
+  if (metric != owner) return;
+  if (!has_from && !has_to && !has_heights) {
     reader.report(DiagnosticId::missing_form, reader.where(), kElement, "'from' or 'to', or both");
   }
   if (has_from) range.from = reader.number("from", kEnd);

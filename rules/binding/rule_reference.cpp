@@ -160,7 +160,11 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.comparison = check.comparison;
   requirement.limit = limit.status == LimitStatus::known ? limit.value.value
                                                          : std::numeric_limits<double>::quiet_NaN();
-  requirement.state = fixed_state(requirement.metric).value_or(check.state);
+  // A pack may say that the scene's levels are those of a battery in the end.
+  const bool is_of_battery =
+      check.state == LightState::end_of_duration && is_of_luminaires(requirement.metric);
+  requirement.state =
+      is_of_battery ? check.state : fixed_state(requirement.metric).value_or(check.state);
   requirement.scene = reference.scene.id;
   requirement.clause = clause_text(reference.pack, check, reference.row, limit.level, limit.trust);
   requirement.note = note_of(reference.pack, check, limit.trust);

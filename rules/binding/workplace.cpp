@@ -140,6 +140,11 @@ class WorkplaceMaker {
   // After check_zones() without an error. Nothing is added after an error.
   void run(LineOfPlane& ids, Total& total) {
     const std::size_t errors = diagnostics_.error_count();
+    if (row_.task_orientation == kUpright && !workplace_.upright) {
+      diagnostics_.report(DiagnosticId::workplace_task_is_upright, workplace_.where, workplace_.id,
+                          row_.ref);
+      return;
+    }
     choose_methods();
     for (const std::string& role : pack_.roles()) add_role(role);
     if (std::none_of(pack_.planes.begin(), pack_.planes.end(), has_area)) {
@@ -218,9 +223,24 @@ class WorkplaceMaker {
     };
     if (is_surface && zone.height_m) refuse("height", "");
     if (is_surface && !zone.area_m.empty()) refuse("footprint' or 'size", "");
+    if (plane != nullptr && workplace_.upright && is_in_its_plane(*plane)) {
+      const std::string_view form = workplace_.upright->wall ? "wall" : "face";
+      const std::string beside = fmt::format(" and '{}' of <workplace>", form);
+      if (zone.height_m) refuse("height", beside);
+      if (!zone.area_m.empty()) refuse("footprint' or 'size", beside);
+      if (zone.margin_m && plane->area != ZoneArea::task) refuse("margin", beside);
+      return;
+    }
     if (plane == nullptr || plane->area != ZoneArea::task) return;
     if (zone.height_m && workplace_.height_m) refuse("height", " and 'height' of <workplace>");
     if (!zone.area_m.empty()) refuse("footprint' or 'size", ": give the area to <workplace>");
+  }
+
+  // Of an upright task: it and the band around it.
+  bool is_in_its_plane(const RulePlane& plane) const {
+    const RulePlane* inside = pack_.find_plane(plane.around);
+    return plane.area == ZoneArea::task ||
+           (plane.area == ZoneArea::band && inside != nullptr && inside->area == ZoneArea::task);
   }
 
   const Quantity* find_quantity(const std::string& role) const {
@@ -424,7 +444,7 @@ class WorkplaceMaker {
     calc::CalcPlane plane = plane_of(name, rule, part, made.words);
     plane.area = std::move(made.area);
     plane.changed = std::move(made.changed);
-    if (zone != nullptr) plane.own_margin_m = zone->margin_m;
+    plane.own_margin_m = zone != nullptr && zone->margin_m ? zone->margin_m : made.narrow_margin_m;
     planes_.push_back(std::move(plane));
     if (std::find(roles_made_.begin(), roles_made_.end(), rule.role) == roles_made_.end()) {
       roles_made_.push_back(rule.role);

@@ -38,6 +38,10 @@ bool is_of_road(Metric metric) {
   return metric >= Metric::road_luminance && metric <= Metric::edge_ratio;
 }
 
+bool is_of_luminaires(Metric metric) {
+  return metric >= Metric::upward_share && metric <= Metric::luminaire_distance;
+}
+
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
   switch (metric_row(metric).domain) {
     case MetricDomain::all:

@@ -34,6 +34,10 @@ enum class Metric {
   threshold_increment,  // TI, disability glare on a road, of the worst observer
   edge_ratio,           // edge illuminance ratio REI, of the darker edge
   glare_rating,         // GR of a field outdoors, of the worst observer above its points
+  upward_share,         // ULR of the space's luminaires as mounted
+  intensity,            // the greatest of one luminaire towards the plane's points
+  glare_intensity,      // the greatest of one luminaire 60 to 90 degrees from the vertical
+  luminaire_distance,   // in plan, from a point of the plane to the nearest luminaire
 };
 
 // What it is computed from.
@@ -92,6 +96,10 @@ inline constexpr std::array kMetrics = [] {
       MetricRow{threshold_increment, "TI", "%", space_in_scene, all, false},
       MetricRow{edge_ratio, "REI", "", space_in_scene, all, false, kEdgeRatio},
       MetricRow{glare_rating, "GR", "", space_and_light, illuminances, false},
+      MetricRow{upward_share, "ULR", "%", space_in_scene, all, false},
+      MetricRow{intensity, "intensity", "cd", space_in_scene, all, true},
+      MetricRow{glare_intensity, "glare-intensity", "cd", space_in_scene, all, true},
+      MetricRow{luminaire_distance, "luminaire-distance", "m", space_in_scene, all, false},
   };
 }();
 
@@ -112,10 +120,10 @@ std::vector<std::string_view> metric_names();
 // All: as projects have them; those about the space at the end.
 std::vector<std::string_view> all_metric_names();
 
-// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a"; of illuminances.
+// "lx", "" for ratios, "W/m2", "W/m2/100lx", "kWh/m2/a", "cd", ...; of illuminances.
 inline const char* metric_unit(Metric metric) { return metric_row(metric).unit; }
 bool is_ratio(Metric metric);  // of two values of one plane
-// Power, energy or glare of the plane's space, or a road's luminance.
+// Power, energy or glare of the plane's space, its luminaires as such, or a road's luminance.
 bool is_about_space(Metric metric);
 // It is in calc::unit_of() the points' quantity, as their values are.
 bool has_unit_of_values(Metric metric);
@@ -125,6 +133,8 @@ bool is_of_space(Metric metric);
 bool is_of_space_in_scene(Metric metric);
 // Of the carriageway of a road.
 bool is_of_road(Metric metric);
+// Of luminaires as such: what they send where, and where they are.
+bool is_of_luminaires(Metric metric);
 // Whether points that measure this have it.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 

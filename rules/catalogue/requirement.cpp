@@ -5,6 +5,11 @@
 
 namespace rules {
 
+void add_note(const std::string& words, Requirement& requirement) {
+  if (words.empty()) return;
+  requirement.note += (requirement.note.empty() ? "" : "; ") + words;
+}
+
 const char* comparison_name(Comparison comparison) {
   switch (comparison) {
     case Comparison::at_least:

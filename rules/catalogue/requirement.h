@@ -62,12 +62,14 @@ struct Requirement {
   double percent = 0.0;                                         // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   std::optional<glm::dvec3> facing;   // of that point: the way it looks, unit
-  ValueRange range;                   // of Metric::share, lx or plain as the points' values are
-  double power_density_w_m2 = 0.0;    // of Metric::power_per_100_lx: the space's
-  calc::Estimate of_space{};          // of a metric that is_of_space(): what it is
-  calc::Estimate veiling_cd_m2{};     // of Metric::glare_rating: the luminaires' veil
-  double field_reflectance = 0.0;     // of Metric::glare_rating, (0, 1]; 0: not stated
-  std::string stated_words{};         // what the project states that the value rests on
+  // Of Metric::share, lx or plain as the points' values are. Of Metric::glare_intensity: metres
+  // above the floor, of the luminaires that count; the upper end does not belong to it.
+  ValueRange range;
+  double power_density_w_m2 = 0.0;  // of Metric::power_per_100_lx: the space's
+  calc::Estimate of_space{};        // of a metric that is_of_space(): what it is
+  calc::Estimate veiling_cd_m2{};   // of Metric::glare_rating: the luminaires' veil
+  double field_reflectance = 0.0;   // of Metric::glare_rating, (0, 1]; 0: not stated
+  std::string stated_words{};       // what the project states that the value rests on
   Comparison comparison = Comparison::at_least;
   double limit = 0.0;  // unit_of() this; NaN: not known, see `problem`
   LightState state = LightState::maintained;
@@ -88,17 +90,23 @@ struct Requirement {
   calc::SourceLocation where;
 };
 
-// Of which light a metric is, if nobody may choose: glare is worst when everything is new.
+// Of which light a metric is, if nobody may choose: glare and stray light are worst when everything
+// is new, and places of luminaires do not age.
 inline std::optional<LightState> fixed_state(Metric metric) {
   if (is_of_road(metric) && metric != Metric::threshold_increment) return LightState::maintained;
-  const bool is_glare = metric == Metric::ugr_table || metric == Metric::threshold_increment ||
-                        metric == Metric::glare_rating;
-  return is_glare ? std::optional(LightState::initial) : std::nullopt;
+  const bool is_new = is_of_space_in_scene(metric) || metric == Metric::glare_rating;
+  return is_new ? std::optional(LightState::initial) : std::nullopt;
 }
+
+// Whether its range is one of heights of luminaires.
+constexpr bool has_mounting_heights(Metric metric) { return metric == Metric::glare_intensity; }
 
 // Of the same row of a rule pack, on the same plane: the average that is asked of the area which
 // `glare` is rated on. of_plane: all of the plane; null: there is none.
 const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane);
+
+// What every report must say with it, behind what it says already.
+void add_note(const std::string& words, Requirement& requirement);
 
 // at_least, more_than
 constexpr bool is_lower_limit(Comparison comparison) {

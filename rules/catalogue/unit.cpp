@@ -15,6 +15,7 @@ constexpr std::array kUnits{
     Unit{"lx", Dimension::illuminance, 1.0},
     Unit{"fc", Dimension::illuminance, calc::kLuxPerFootcandle},
     Unit{"cd/m2", Dimension::luminance, 1.0},
+    Unit{"cd", Dimension::intensity, 1.0},
     Unit{"W", Dimension::power, 1.0},
     Unit{"W/m2", Dimension::power_density, 1.0},
     Unit{"W/ft2", Dimension::power_density, kPerSquareFoot},
@@ -61,6 +62,8 @@ const char* base_unit(Dimension dimension) {
       return "lx";
     case Dimension::luminance:
       return "cd/m2";
+    case Dimension::intensity:
+      return "cd";
     case Dimension::power:
       return "W";
     case Dimension::power_density:
@@ -81,6 +84,8 @@ const char* dimension_name(Dimension dimension) {
       return "an illuminance (lx, fc)";
     case Dimension::luminance:
       return "a luminance (cd/m2)";
+    case Dimension::intensity:
+      return "a luminous intensity (cd)";
     case Dimension::power:
       return "a power (W)";
     case Dimension::power_density:

@@ -13,14 +13,15 @@ enum class Dimension {
   plain,
   illuminance,
   luminance,
+  intensity,
   power,
   power_density,
   energy_density,  // in a year
   length
 };
 
-// value in base units = value * factor; base units are lx, cd/m2, W, W/m2, kWh/m2/a
-// and m.
+// value in base units = value * factor; base units are lx, cd/m2, cd, W, W/m2,
+// kWh/m2/a and m.
 struct Unit {
   std::string_view name;
   Dimension dimension;

@@ -5,6 +5,7 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
+#include "calc/project/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
 #include "rules/fitness/covered_surface.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,19 +51,18 @@ std::string role_words(const Meant& meant) {
   return say<Sentence::role_of>(meant.check.role, meant.pack.full_id());
 }
 
-bool faces(const RulePlane& role, const glm::dvec3& normal) {
-  if (role.area == ZoneArea::ceiling) return looks_down(normal);
-  if (role.area == ZoneArea::walls) return looks_sideways(normal);
-  if (role.orientation == "horizontal-up") return looks_up(normal);
-  if (role.orientation == "horizontal-down") return looks_down(normal);
-  if (role.orientation == "vertical") return looks_sideways(normal);
-  return true;  // surface, free
+// As packs have it.
+std::string orientation_words(const Meant& meant) {
+  if (meant.plane.area == ZoneArea::ceiling) return "horizontal-down";
+  if (meant.plane.area == ZoneArea::walls) return std::string(kUpright);
+  return orientation_of(meant.plane, meant.row);
 }
 
-const char* orientation_words(const RulePlane& role) {
-  if (role.area == ZoneArea::ceiling) return "horizontal-down";
-  if (role.area == ZoneArea::walls) return "vertical";
-  return role.orientation.c_str();
+bool faces(const std::string& orientation, const glm::dvec3& normal) {
+  if (orientation == "horizontal-up") return looks_up(normal);
+  if (orientation == "horizontal-down") return looks_down(normal);
+  if (orientation == kUpright) return looks_sideways(normal);
+  return true;  // surface, free
 }
 
 class PlaneFit {
@@ -113,11 +114,10 @@ class PlaneFit {
     if (is_of_cylinders()) return axis(meant);
     if (!faces_somewhere()) return {};
     const std::vector<glm::dvec3> normals = calc::normals_of(plane());
-    const bool fits = std::all_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
-      return faces(meant.plane, normal);
-    });
+    const std::string words = orientation_words(meant);
+    const bool fits = std::all_of(normals.begin(), normals.end(),
+                                  [&](const glm::dvec3& normal) { return faces(words, normal); });
     if (!fits) {
-      const char* words = orientation_words(meant.plane);
       return is_route() ? say<Sentence::wrong_way_route>(role_words(meant), words)
                         : say<Sentence::wrong_way>(role_words(meant), words);
     }
@@ -128,11 +128,12 @@ class PlaneFit {
 
   std::string axis(const Meant& meant) const {
     const std::vector<glm::dvec3> axes = calc::normals_of(plane());
+    const std::string asked = orientation_words(meant);
     const auto unfit = std::find_if(axes.begin(), axes.end(), [&](const glm::dvec3& end) {
-      return !faces(meant.plane, end) && !faces(meant.plane, -end);
+      return !faces(asked, end) && !faces(asked, -end);
     });
     if (unfit == axes.end()) return {};
-    const bool is_upright = std::string_view(orientation_words(meant.plane)) != "vertical";
+    const bool is_upright = asked != kUpright;
     const double leans_deg = calc::acos(std::min(1.0, std::abs(unfit->z))) * kDegrees;
     return is_upright ? say<Sentence::cylinders_lean>(role_words(meant), leans_deg)
                       : say<Sentence::cylinders_stand>(role_words(meant), leans_deg);
@@ -181,7 +182,7 @@ class PlaneFit {
     const auto [from_m, to_m] = *asked;
     const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
     // An upright plane has a height of its own: it must reach the height that is asked for.
-    const bool is_upright = role.orientation == "vertical";
+    const bool is_upright = orientation_of(role, meant.row) == kUpright;
     const double from = from_m - kLift_m, to = to_m + kLift_m;
     const bool fits =
         is_upright ? highest_m >= from && lowest_m <= to : lowest_m >= from && highest_m <= to;
@@ -291,8 +292,10 @@ class PlaneFit {
   }
 
   // The widest strip that the role leaves out: its own margin, or what its mask takes.
-  static double allowed_margin_m(const Meant& meant) {
-    return std::max(meant.plane.margin_m, mask_strip_m(meant));
+  double allowed_margin_m(const Meant& meant) const {
+    const double width_m = context_.space.shell ? calc::width_of(context_.space.shell->footprint_m)
+                                                : std::numeric_limits<double>::infinity();
+    return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant));
   }
 
   static double mask_strip_m(const Meant& meant) {

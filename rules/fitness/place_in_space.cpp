@@ -88,18 +88,20 @@ bool looks_up(const glm::dvec3& normal) { return normal.z >= kAlike; }
 bool looks_down(const glm::dvec3& normal) { return normal.z <= -kAlike; }
 bool looks_sideways(const glm::dvec3& normal) { return std::abs(normal.z) <= kAcross; }
 
+double height_above_floor_m(const glm::dvec3& place, const calc::Space& space) {
+  if (space.shell) return place.z - space.shell->floor_z_m;
+  const bool is_open = space.surfaces_file.empty();
+  return place.z - (is_open ? surface_below_m(space, place) : lowest_corner_m(space));
+}
+
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space) {
   if (const auto* route = std::get_if<calc::EscapeRoute>(&plane.area)) {
     return {route->height_m, route->height_m};
   }
-  const bool is_open = !space.shell && space.surfaces_file.empty();
-  const double floor_m = space.shell ? space.shell->floor_z_m
-                         : is_open   ? 0.0
-                                     : lowest_corner_m(space);
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const glm::dvec3& place : calc::places_of(plane)) {
-    const double height_m = place.z - (is_open ? surface_below_m(space, place) : floor_m);
+    const double height_m = height_above_floor_m(place, space);
     lowest = std::min(lowest, height_m);
     highest = std::max(highest, height_m);
   }

@@ -19,10 +19,12 @@ bool looks_up(const glm::dvec3& normal);
 bool looks_down(const glm::dvec3& normal);
 bool looks_sideways(const glm::dvec3& normal);
 
-// Lowest and highest place above the floor, in metres. The floor is a room's own; of a room from a
-// building file the lowest corner of its surfaces; in the open space the highest surface below the
-// place, or z = 0 where there is none. Of a route it is what it states: its points follow the
-// floor.
+// In metres. The floor is a room's own; of a room from a building file the lowest corner of its
+// surfaces; in the open space the highest surface below the place, or z = 0 where there is none.
+double height_above_floor_m(const glm::dvec3& place, const calc::Space& space);
+
+// Lowest and highest place of a plane above the floor, as before. Of a route it is what it states:
+// its points follow the floor.
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,
                                                 const calc::Space& space);
 

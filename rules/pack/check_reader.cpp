@@ -47,20 +47,22 @@ void read_limit(ElementReader& reader, RuleCheck& check) {
   check.limit = std::move(*parsed.expression);
 }
 
-// An end of the range: a number with the unit of the quantity.
+// An end of the range: a number with the unit of the quantity, or a height.
 double read_end(ElementReader& reader, const char* name, const RuleCheck& check) {
+  const Dimension dimension =
+      check.has_mounting_heights() ? Dimension::length : check.quantity->dimension;
   const std::string text = reader.text(name);
   const ParsedExpression parsed = parse_expression(text);
   const bool is_number = parsed.expression && parsed.expression->kind == ExpressionKind::number &&
-                         parsed.expression->dimension == check.quantity->dimension;
+                         parsed.expression->dimension == dimension;
   if (is_number) return parsed.expression->number;
   reader.report(DiagnosticId::rule_units, reader.where(name), name, "check", text,
-                fmt::format("expected {}", dimension_name(check.quantity->dimension)));
+                fmt::format("expected {}", dimension_name(dimension)));
   return 0.0;
 }
 
 void read_range(ElementReader& reader, RuleCheck& check) {
-  if (!reader.has("from") && !reader.has("to")) {
+  if (!reader.has("from") && !reader.has("to") && !check.has_mounting_heights()) {
     reader.report(DiagnosticId::missing_form, reader.where(), "check", "'from' or 'to', or both");
   }
   if (reader.has("from")) check.range.from = read_end(reader, "from", check);
@@ -113,7 +115,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("percent"), "check",
                   "percent", fmt::format("statistic=\"{}\"", calc::name_of(check.metric)));
   }
-  if (check.metric == Metric::share) {
+  if (check.metric == Metric::share || check.has_mounting_heights()) {
     read_range(reader, check);
   } else {
     for (const char* end : {"from", "to"}) {

@@ -26,20 +26,19 @@ using calc::XmlElement;
 // A parameter of the pack and where its numbers are.
 struct Parameter {
   const char* name;
-  const char* of_upright;  // the parameter that takes the number in rows about upright tasks, or ""
   ImportColumnIndex required;
   std::optional<ImportColumnIndex> modified;  // none: one level only
   std::string_view confirmed;                 // as the column `confirmed` names it
   std::string_view confirmed_modified;
 };
 constexpr std::array kParameters{
-    Parameter{"Em", "Ev", kEmColumn, kEmModifiedColumn, "Em_required", "Em_modified"},
-    Parameter{"Uo", "Uov", kUoColumn, {}, "Uo", ""},
-    Parameter{"Ra", "", kRaColumn, {}, "Ra", ""},
-    Parameter{"RUGL", "", kRuglColumn, {}, "RUGL", ""},
-    Parameter{"Ez", "", kEzColumn, {}, "Ez", ""},
-    Parameter{"Ewall", "", kEwallColumn, {}, "Em_wall", ""},
-    Parameter{"Eceiling", "", kEceilingColumn, {}, "Em_ceiling", ""},
+    Parameter{"Em", kEmColumn, kEmModifiedColumn, "Em_required", "Em_modified"},
+    Parameter{"Uo", kUoColumn, {}, "Uo", ""},
+    Parameter{"Ra", kRaColumn, {}, "Ra", ""},
+    Parameter{"RUGL", kRuglColumn, {}, "RUGL", ""},
+    Parameter{"Ez", kEzColumn, {}, "Ez", ""},
+    Parameter{"Ewall", kEwallColumn, {}, "Em_wall", ""},
+    Parameter{"Eceiling", kEceilingColumn, {}, "Em_ceiling", ""},
 };
 
 std::string escaped(std::string_view text) {
@@ -170,14 +169,9 @@ class Importer {
           row, "task-heights",
           fmt::format("{:.6g} {:.6g}", plane->heights_m->lowest_m, plane->heights_m->highest_m));
     }
+    if (plane && plane->is_upright) set_attribute(row, "task-orientation", std::string(kUpright));
     for (const Parameter& parameter : kParameters) {
-      std::string name_of_value = parameter.name;
-      if (plane && plane->is_upright && *parameter.of_upright != '\0') {
-        row.children.push_back(
-            element_of("value", {{"of", name_of_value}, {"none", "not-applicable"}}));
-        name_of_value = parameter.of_upright;
-      }
-      row.children.push_back(value(record, parameter, name_of_value, trust));
+      row.children.push_back(value(record, parameter, trust));
     }
     if (plane) count(*plane);
     return row;
@@ -185,9 +179,7 @@ class Importer {
 
   // The head of the column that a number of the pack is from, as it is written.
   const std::string& head_of(std::string_view parameter, bool is_modified) const {
-    const auto is_it = [&](const Parameter& p) {
-      return p.name == parameter || p.of_upright == parameter;
-    };
+    const auto is_it = [&](const Parameter& p) { return p.name == parameter; };
     const Parameter& found = *std::find_if(kParameters.begin(), kParameters.end(), is_it);
     return written_[is_modified ? *found.modified : found.required];
   }
@@ -286,18 +278,17 @@ class Importer {
     return text;
   }
 
-  XmlElement value(const CsvRecord& record, const Parameter& parameter,
-                   const std::string& name_of_value, const std::string& trust) {
+  XmlElement value(const CsvRecord& record, const Parameter& parameter, const std::string& trust) {
     const std::string required = number(record, parameter.required);
     if (required.empty()) {
-      return element_of("value", {{"of", name_of_value}, {"none", "not-specified"}});
+      return element_of("value", {{"of", parameter.name}, {"none", "not-specified"}});
     }
     const std::string modified = parameter.modified ? number(record, *parameter.modified) : "";
     const bool is_better = columns_.cell(record, kTrustColumn) == "A-part" &&
                            is_confirmed(record, parameter.confirmed) &&
                            (modified.empty() || is_confirmed(record, parameter.confirmed_modified));
     const std::string own = is_better ? std::string(calc::name_of(Trust::confirmed)) : trust;
-    return element_of("value", {{"of", name_of_value},
+    return element_of("value", {{"of", parameter.name},
                                 {"required", required},
                                 {"modified", modified},
                                 {"trust", own == trust ? "" : own}});
@@ -315,44 +306,13 @@ struct ImportedRow {
   int table_line = 0;
 };
 
-// What a pack for horizontal tasks lacks for upright ones: their own parameters, so that no row can
-// be held against the wrong plane; their plane, with the grid of the others; their checks.
-std::vector<XmlElement> upright_parts(const XmlElement& like) {
-  const std::string role(kUprightTaskRole);
-  const auto is_task = [](const XmlElement& child) {
-    const calc::XmlAttribute* own = child.find("role");
-    return child.name == "plane" && own != nullptr && own->value == "task";
-  };
-  const auto task = std::find_if(like.children.begin(), like.children.end(), is_task);
-  const calc::XmlAttribute* grid = task == like.children.end() ? nullptr : task->find("grid");
-  const auto check = [&](const char* suffix, const char* statistic, const char* limit) {
-    return element_of("check", {{"id", role + suffix},
-                                {"role", role},
-                                {"quantity", "planar"},
-                                {"statistic", statistic},
-                                {"at-least", limit}});
-  };
-  return {element_of("parameter", {{"id", "Ev"},
-                                   {"unit", "lx"},
-                                   {"meaning", "maintained average of an upright task area"}}),
-          element_of("parameter", {{"id", "Uov"},
-                                   {"unit", "none"},
-                                   {"meaning", "minimum to average of an upright task area"}}),
-          element_of("plane", {{"role", role},
-                               {"orientation", "vertical"},
-                               {"grid", grid == nullptr ? "" : grid->value},
-                               {"note", "a shelf, a board or a face, over its whole area"}}),
-          check(".Em", "average", "row(Ev)"), check(".Uo", "Uo", "row(Uov)")};
-}
-
 // Everything of `like` but its sources and rows, with new ones before the first check.
 WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
-                      const std::vector<ImportedRow>& rows, bool has_upright_rows) {
+                      const std::vector<ImportedRow>& rows) {
   set_attribute(like, "id", pack_id);
   set_attribute(like, "version", "1");
   set_attribute(like, "licence", "user-supplied");
   set_attribute(like, "licence-note", "imported from " + csv_file + "; not for redistribution");
-  const std::vector<XmlElement> upright = upright_parts(like);
   WrittenPack pack;
   pack.add("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0);
   const std::vector<XmlElement> children = std::exchange(like.children, {});
@@ -360,9 +320,6 @@ WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::st
   pack.text.replace(pack.text.size() - 3, 2, ">");
   write_element(element_of("source", {{"id", "table"}, {"note", "table of the user: " + csv_file}}),
                 1, 0, pack);
-  if (has_upright_rows) {
-    for (const XmlElement& part : upright) write_element(part, 1, 0, pack);
-  }
   bool has_rows = false;
   for (const XmlElement& child : children) {
     if (child.name == "source" || child.name == "row") continue;
@@ -437,7 +394,7 @@ std::optional<ImportedPack> import_rows(std::string_view csv, const std::string&
   const std::optional<XmlElement> like =
       calc::parse_xml(std::string(like_xml), "built in", diagnostics);
   if (!like) return std::nullopt;
-  WrittenPack pack = assembled(*like, pack_id, csv_file, rows, importer.upright_rows() > 0);
+  WrittenPack pack = assembled(*like, pack_id, csv_file, rows);
   calc::Diagnostics of_pack;
   const std::optional<RulePack> parsed = parse_rule_pack(pack.text, pack_id + ".xml", of_pack);
   if (!parsed) {

@@ -13,13 +13,9 @@ struct ImportedPack {
   std::string text;
   int rows = 0;
   int floor_rows = 0;    // of them, about a task on the floor
-  int upright_rows = 0;  // of them, about an upright one: role kUprightTaskRole
+  int upright_rows = 0;  // of them, about an upright one
   int left_out = 0;      // beside them
 };
-
-// Of rows about shelves and boards; the role `task` of indoor work places is about horizontal
-// planes.
-inline constexpr std::string_view kUprightTaskRole = "task-vertical";
 
 // The text of a pack like `like_xml` (the text of a pack for indoor work places) with the id
 // `pack_id` and the rows of the table in place of its own. The table's first line names its

@@ -192,7 +192,11 @@ along the edges of walls and ceiling.)"},
         {"around", &kIdType},
         {"width", &kAmountType},
         {"height", &kAmountType},
-        {"margin", &kAmountType}}};
+        {"margin", &kAmountType},
+        {"narrow-below", &kPositiveType, optional,
+         "Of horizontal areas: in rooms less wide than that the margin is at most narrow-share of "
+         "the width."},
+        {"narrow-share", &kStripShareType}}};
 
 const ElementRow kValueElement{.type = "value",
                                .attributes = {{"of", &kIdType, required},
@@ -204,10 +208,15 @@ const ElementRow kValueElement{.type = "value",
 const ElementRow kRowElement{.type = "row",
                              .attributes = {{"ref", &kIdType, required},
                                             {"name", &kTextType, required},
+                                            {"name-de", &kTextType, optional,
+                                             "The same for readers of the German edition."},
                                             {"trust", &kTrustType, required},
                                             {"sources", &kIdsType},
                                             kNoteAttribute,
-                                            {"task-heights", &kTextType}},
+                                            {"task-heights", &kTextType},
+                                            {"task-orientation", &kOrientationType, optional,
+                                             "Of the task and the band around it, where it is not "
+                                             "that of the role's plane."}},
                              .children = {{"value", &kValueElement}}};
 
 const ElementRow kCheckElement{

@@ -174,11 +174,16 @@ RuleRow read_row(const calc::XmlElement& element, const RulePack& pack,
   row.where = element.where;
   row.ref = reader.id("ref");
   row.name = reader.text("name");
+  if (reader.has("name-de")) row.name_de = reader.text("name-de");
   if (!reader.has("trust")) reader.text("trust");  // required: reports its absence
   row.trust = read_trust(reader);
   row.note = reader.text_or("note", "");
   if (const auto heights = read_heights(reader, "task-heights")) {
     row.task_heights_m = {heights->first, heights->second};
+  }
+  if (reader.has("task-orientation")) {
+    row.task_orientation =
+        kOrientationType.words[reader.choice("task-orientation", kOrientationType.words)];
   }
   if (reader.has("sources")) row.sources = read_ids(reader, "sources");
   for (const std::string& id : row.sources) {

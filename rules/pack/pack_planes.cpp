@@ -18,7 +18,8 @@ void read_zone(ElementReader& reader, RulePlane& plane) {
   constexpr std::array kAreas{ZoneArea::task, ZoneArea::band, ZoneArea::task_and_band,
                               ZoneArea::walls, ZoneArea::ceiling};
   if (!reader.has("area")) {
-    for (const char* name : {"around", "width", "height", "margin"}) {
+    for (const char* name :
+         {"around", "width", "height", "margin", "narrow-below", "narrow-share"}) {
       if (reader.has(name)) reader.require_together(name, "area");
     }
     return;
@@ -35,12 +36,16 @@ void read_zone(ElementReader& reader, RulePlane& plane) {
   refuse("around", is_band);
   refuse("width", has_width);
   refuse("height", !is_surface);
+  refuse("narrow-below", !is_surface);
   if (is_band) plane.around = reader.id("around");
   if (has_width) {
     plane.width_m = reader.number("width", is_band ? calc::kPositive : calc::kNonNegative);
   }
   plane.height_m = reader.optional_number("height", calc::kNonNegative);
   plane.margin_m = reader.number_or("margin", calc::kNonNegative, 0.0);
+  reader.require_together("narrow-below", "narrow-share");
+  plane.narrow_m = reader.number_or("narrow-below", calc::kPositive, 0.0);
+  plane.narrow_share = reader.number_or("narrow-share", kStripShare, 0.0);
   if (plane.area == ZoneArea::task && !plane.height_m) reader.number("height", calc::kNonNegative);
 }
 

@@ -46,6 +46,14 @@ constexpr std::array kQuantities{
              Metric::threshold_increment},
     Quantity{"REI", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
              Metric::edge_ratio},
+    Quantity{"ULR", Dimension::plain, std::nullopt, calc::DerivedQuantity::none,
+             Metric::upward_share},
+    Quantity{"intensity", Dimension::intensity, std::nullopt, calc::DerivedQuantity::none,
+             Metric::intensity},
+    Quantity{"glare-intensity", Dimension::intensity, std::nullopt, calc::DerivedQuantity::none,
+             Metric::glare_intensity},
+    Quantity{"luminaire-distance", Dimension::length, std::nullopt, calc::DerivedQuantity::none,
+             Metric::luminaire_distance},
 };
 
 template <class Item, class Key>
@@ -160,14 +168,32 @@ std::vector<std::string> RulePack::roles() const {
   return roles;
 }
 
+namespace {
+
+bool is_of_task(const RulePlane& plane) {
+  return plane.area == ZoneArea::task || (plane.area == ZoneArea::band && !plane.height_m);
+}
+
+}  // namespace
+
+std::string orientation_of(const RulePlane& plane, const RuleRow* row) {
+  const bool is_of_row = row != nullptr && !row->task_orientation.empty() && is_of_task(plane);
+  return is_of_row ? row->task_orientation : plane.orientation;
+}
+
 std::optional<RuleRow::Heights> heights_of(const RulePlane& plane, const RuleRow* row) {
-  const bool follows_task = plane.area == ZoneArea::task ||
-                            (plane.area == ZoneArea::band && !plane.height_m) ||
-                            (plane.orientation == "vertical" && !plane.has_heights);
-  const bool has_own = plane.has_heights || plane.orientation == "vertical";
+  const bool is_upright = plane.orientation == kUpright;
+  const bool follows_task = is_of_task(plane) || (is_upright && !plane.has_heights);
+  const bool has_own = plane.has_heights || is_upright;
   if (follows_task && has_own && row != nullptr && row->task_heights_m) return row->task_heights_m;
+  if (orientation_of(plane, row) != plane.orientation) return std::nullopt;
   if (!plane.has_heights) return std::nullopt;
   return RuleRow::Heights{plane.lowest_m, plane.highest_m};
+}
+
+double margin_in_room_m(const RulePlane& plane, double width_m) {
+  if (!(width_m < plane.narrow_m)) return plane.margin_m;
+  return std::min(plane.margin_m, plane.narrow_share * width_m);
 }
 
 std::string grid_text(const RuleGrid& grid) {

@@ -75,7 +75,8 @@ struct RuleValue {
 
 struct RuleRow {
   std::string ref;   // "34.2", unique in the pack
-  std::string name;  // use of the space, in own words
+  std::string name;     // use of the space, in own words
+  std::string name_de;  // the same for readers of the German edition; "" = none
   Trust trust = Trust::confirmed;
   std::vector<std::string> sources;
   std::string note;
@@ -84,11 +85,15 @@ struct RuleRow {
     double lowest_m, highest_m;
   };
   std::optional<Heights> task_heights_m;  // where they are not those of the plane's role
+  std::string task_orientation;           // "": that of the plane's role
   calc::SourceLocation where;
 
   const RuleValue* find_value(std::string_view parameter) const;
   bool has_modified_level() const;
 };
+
+// Of planes and rows, as packs have it.
+inline constexpr std::string_view kUpright = "vertical";
 
 enum class TableMatch { exact, next_lower, next_higher, linear };
 
@@ -170,7 +175,7 @@ struct RuleCheck {
   const Quantity* quantity = nullptr;
   Metric metric = Metric::average;
   double percent = 0.0;  // of Metric::percentile
-  ValueRange range;      // of Metric::share, base units
+  ValueRange range;      // of Metric::share, base units; of has_mounting_heights(), metres
   Mask mask;
   LightState state = LightState::maintained;
   LightSources sources = LightSources::all;
@@ -187,6 +192,10 @@ struct RuleCheck {
   std::string instead_of;
   calc::SourceLocation where;
 
+  // Of a quantity of the space that counts luminaires by their height.
+  bool has_mounting_heights() const {
+    return quantity->of_space && rules::has_mounting_heights(*quantity->of_space);
+  }
   Dimension dimension() const { return is_ratio(metric) ? Dimension::plain : quantity->dimension; }
 };
 
@@ -242,13 +251,23 @@ struct RulePlane {
   double width_m = 0.0;            // of a band; of task_and_band: of the band around the task
   std::optional<double> height_m;  // of a workplace's plane; empty: that of the task
   double margin_m = 0.0;           // left out along walls, along all edges of walls and ceilings
+  double narrow_m = 0.0;           // a room less wide than that has
+  double narrow_share = 0.0;       // this share of its width for a margin, if that is less
   double missing_share = 0.1;      // of the points, that bodies or walls may take
 };
 
+// Which way planes of a role look, for a row (may be null): the row's, where the role is that of
+// the task or a band in its plane.
+std::string orientation_of(const RulePlane& plane, const RuleRow* row);
+
 // What planes of a role are above the floor, for a row (may be null): its task heights, where the
 // role is that of the task, a band at the task's height, or upright without heights of its own.
-// Empty: anything.
+// Empty: anything, as for the task of a row that looks another way than the role and has no
+// heights.
 std::optional<RuleRow::Heights> heights_of(const RulePlane& plane, const RuleRow* row);
+
+// What is left out along the walls of a room of this width.
+double margin_in_room_m(const RulePlane& plane, double width_m);
 
 struct RulePack {
   std::string id;            // "en12464-1"

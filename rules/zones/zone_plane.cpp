@@ -1,7 +1,10 @@
 #include "rules/zones/zone_plane.h"
 
+#include "calc/base/elementary.h"
 #include "calc/base/sentences.h"
+#include "calc/base/units.h"
 #include "calc/project/plane_area.h"
+#include "calc/project/upright_task.h"
 #include "calc/scene/polygon.h"
 #include "calc/scene/zone_shapes.h"
 #include "rules/zones/zone_outline.h"
@@ -33,6 +36,10 @@ class ZoneMaker {
       zone_.area = source_.workplace.ceiling;
       turn_area();
       make_surface(calc::say<calc::Sentence::zone_ceiling>());
+    } else if (upright() && rule_.area == ZoneArea::task) {
+      make_face();
+    } else if (upright() && rule_.area == ZoneArea::band && !is_area_given()) {
+      make_band_of_face();
     } else {
       make_horizontal();
     }
@@ -48,15 +55,21 @@ class ZoneMaker {
   const Polygon& task() const { return source_.workplace.task_m; }
   bool is_whole_room() const { return task().empty(); }
 
+  const std::optional<calc::UprightTask>& upright() const { return source_.workplace.upright; }
+
   void note_change(const std::string& words) {
     zone_.changed += (zone_.changed.empty() ? "" : ", ") + words;
   }
 
   double margin_m() {
-    if (change_ == nullptr || !change_->margin_m) return rule_.margin_m;
-    if (*change_->margin_m != rule_.margin_m) {
-      note_change(calc::say<calc::Sentence::changed_margin>(metres(*change_->margin_m),
-                                                            metres(rule_.margin_m)));
+    const double by_rule = margin_in_room_m(rule_, calc::width_of(room()));
+    if (change_ == nullptr || !change_->margin_m) {
+      if (by_rule < rule_.margin_m) zone_.narrow_margin_m = by_rule;
+      return by_rule;
+    }
+    if (*change_->margin_m != by_rule) {
+      note_change(
+          calc::say<calc::Sentence::changed_margin>(metres(*change_->margin_m), metres(by_rule)));
     }
     return *change_->margin_m;
   }
@@ -74,6 +87,41 @@ class ZoneMaker {
     if (zone_.area.margin_m > 0.0) {
       zone_.words += ", " + calc::say<calc::Sentence::zone_off_edges>(metres(zone_.area.margin_m));
     }
+  }
+
+  void make_face() {
+    using enum calc::Sentence;
+    zone_.area = upright()->area;
+    if (change_ != nullptr && change_->margin_m) {
+      zone_.area.margin_m = *change_->margin_m;
+      note_change(calc::say<changed_own_margin>(metres(zone_.area.margin_m)));
+    }
+    const std::string low = metres(upright()->low_m), high = metres(upright()->high_m);
+    zone_.words = upright()->wall ? calc::say<zone_on_wall>(*upright()->wall + 1, low, high)
+                                  : calc::say<zone_face>(low, high);
+    const double lean_deg =
+        calc::degrees_from_radians(calc::acos(std::min(1.0, upright()->area.v.z)));
+    if (lean_deg > 0.0) zone_.words += ", " + calc::say<zone_face_leans>(lean_deg);
+  }
+
+  // What is farther out than the first band is on the floor, and where, nobody says.
+  void make_band_of_face() {
+    const RulePlane* inside = source_.pack.find_plane(rule_.around);
+    if (inside == nullptr || inside->area != ZoneArea::task) {
+      zone_.not_made = calc::say<calc::Sentence::task_is_upright>();
+      return;
+    }
+    const calc::RoomBeside room = calc::room_beside(*upright(), *source_.space.shell);
+    zone_.area = upright()->area;
+    const Polygon inner = zone_.area.outline_m;
+    const glm::dvec2 from = glm::max(inner[0] - rule_.width_m, room.from_m);
+    const glm::dvec2 to = glm::min(inner[2] + rule_.width_m, room.to_m);
+    zone_.area.outline_m = {from, {to.x, from.y}, to, {from.x, to.y}};
+    zone_.area.holes_m = {inner};
+    zone_.words = calc::say<calc::Sentence::zone_face_band>(metres(rule_.width_m), rule_.around);
+    constexpr double kNothing_m2 = 1.0e-6;
+    if (calc::area_left(zone_.area.outline_m, zone_.area.holes_m) > kNothing_m2) return;
+    zone_.not_made = calc::say<calc::Sentence::nothing_around>(rule_.around);
   }
 
   // Rules about sides and spacings are meant along the area's own sides.
@@ -149,8 +197,10 @@ class ZoneMaker {
     }
   }
 
+  bool is_area_given() const { return change_ != nullptr && !change_->area_m.empty(); }
+
   void make_outline() {
-    if (change_ != nullptr && !change_->area_m.empty()) return make_given(change_->area_m);
+    if (is_area_given()) return make_given(change_->area_m);
     if (rule_.area != ZoneArea::band && is_whole_room()) return make_whole_room();
     if (rule_.area == ZoneArea::task) return make_given(task());
     if (is_whole_room()) {
@@ -175,11 +225,10 @@ class ZoneMaker {
           calc::say<calc::Sentence::zone_room_lost>(lost_m2, metres(2.0 * zone_.area.margin_m)) +
           ")";
     }
-    const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
-    if (std::min(side_m.x, side_m.y) <= 2.0 * zone_.area.margin_m) {
-      zone_.problem =
-          fmt::format("the room is {} wide, and {} along its walls do not count",
-                      metres(std::min(side_m.x, side_m.y)), metres(zone_.area.margin_m));
+    const double width_m = calc::width_of(room());
+    if (width_m <= 2.0 * zone_.area.margin_m) {
+      zone_.problem = fmt::format("the room is {} wide, and {} along its walls do not count",
+                                  metres(width_m), metres(zone_.area.margin_m));
     }
   }
 

@@ -23,6 +23,7 @@ struct ZonePlane {
   calc::PlanarArea area;  // with its grid
   std::string words;      // "band of 0.5 m around the task, 0.75 m above the floor, ..."
   std::string changed;    // by the project, in words; or ""
+  std::optional<double> narrow_margin_m;  // as the room is narrow, in place of the rule's
   std::string not_made;   // why there is no such zone in this room; "" = there is
   std::string problem;    // an error: why nothing is left of it; "" = none
   bool is_simple = true;  // false: the problem is that the outline crosses itself

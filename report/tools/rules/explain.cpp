@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace cli {
@@ -35,7 +36,9 @@ std::string value_text(const RulePack& pack, const rules::RuleValue& value) {
 }
 
 std::string row_text(const RulePack& pack, const RuleRow& row) {
-  std::string text = fmt::format("{}  {} ({})\n    ", row.ref, row.name, calc::name_of(row.trust));
+  const std::string german = row.name_de.empty() ? "" : " / " + row.name_de;
+  std::string text =
+      fmt::format("{}  {}{} ({})\n    ", row.ref, row.name, german, calc::name_of(row.trust));
   for (const rules::RuleValue& value : row.values) {
     text += (&value == &row.values.front() ? "" : ", ") + value_text(pack, value);
   }
@@ -45,6 +48,9 @@ std::string row_text(const RulePack& pack, const RuleRow& row) {
                 ? fmt::format("    task {:g} m above the floor\n", row.task_heights_m->lowest_m)
                 : fmt::format("    task {:g} to {:g} m above the floor\n",
                               row.task_heights_m->lowest_m, row.task_heights_m->highest_m);
+  }
+  if (!row.task_orientation.empty()) {
+    text += fmt::format("    task {}\n", row.task_orientation);
   }
   if (!row.note.empty()) text += "    " + row.note + "\n";
   return text;
@@ -78,6 +84,21 @@ std::string measured_on(const rules::Quantity& quantity) {
     return "on the plane that the row is asked of, of eyes above its points; reflectance=\"...\" "
            "states that of the field";
   }
+  if (quantity.of_space == rules::Metric::upward_share) {
+    return "on any plane of the space: of all its luminaires together, as they are mounted";
+  }
+  if (quantity.of_space == rules::Metric::intensity) {
+    return "on a plane whose points are where people look from: the greatest intensity of one "
+           "luminaire towards one of them";
+  }
+  if (quantity.of_space == rules::Metric::glare_intensity) {
+    return "on any plane of the space: of each luminaire, 60 to 90 degrees from the vertical, in "
+           "all directions";
+  }
+  if (quantity.of_space == rules::Metric::luminaire_distance) {
+    return "on the plane of the item: in plan, from each of its points to the nearest luminaire "
+           "that is on";
+  }
   if (quantity.of_space && rules::is_of_road(*quantity.of_space)) {
     return "on a <road>: by EN 13201-3, for the road and its rows of luminaires alone";
   }
@@ -94,6 +115,10 @@ std::string check_text(const RulePack& pack, const RuleCheck& check) {
       fmt::format("{}  {} of {}, role {}: {} {}\n    {}", check.id, calc::name_of(check.metric),
                   check.quantity->name, check.role, comparison_name(check.comparison),
                   check.limit_text, light_text(check));
+  if (check.has_mounting_heights()) {
+    text += fmt::format(", of luminaires from {:g} m above the floor", check.range.from);
+    if (std::isfinite(check.range.to)) text += fmt::format(" to below {:g} m", check.range.to);
+  }
   if (!check.mask.id.empty()) text += ", mask " + check.mask.id;
   if (check.severity == rules::Severity::advice) text += ", advice";
   if (check.severity == rules::Severity::in_aggregate) text += ", counts only in its aggregates";
@@ -135,7 +160,8 @@ std::string zone_text(const rules::RulePlane& plane, std::optional<double> heigh
 
 // row: whose planes are meant; nullptr = any.
 std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
-  std::string text = fmt::format("plane for role {}: {}", plane.role, plane.orientation);
+  const std::string orientation = orientation_of(plane, row);
+  std::string text = fmt::format("plane for role {}: {}", plane.role, orientation);
   const std::optional<RuleRow::Heights> heights = heights_of(plane, row);
   if (heights) {
     text += heights->lowest_m == heights->highest_m
@@ -154,7 +180,10 @@ std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
   if (!plane.mask.empty()) text += ", mask " + plane.mask;
   const bool has_own_height = heights && plane.area == rules::ZoneArea::task && row != nullptr &&
                               row->task_heights_m.has_value();
-  text += zone_text(plane, has_own_height ? heights->lowest_m : plane.height_m);
+  const bool has_no_height = orientation != plane.orientation;  // it is where the project says
+  text += zone_text(plane, has_no_height    ? std::nullopt
+                           : has_own_height ? heights->lowest_m
+                                            : plane.height_m);
   if (!plane.note.empty()) text += " (" + plane.note + ")";
   return text + "\n";
 }

@@ -111,10 +111,7 @@ struct ImportOptions {
 std::string import_summary(const rules::ImportedPack& pack, const std::string& output) {
   std::string text = fmt::format("Wrote {}: {} rows", output, pack.rows);
   if (pack.floor_rows > 0) text += fmt::format(", {} of them on the floor", pack.floor_rows);
-  if (pack.upright_rows > 0) {
-    text += fmt::format(", {} of them upright (role=\"{}\")", pack.upright_rows,
-                        rules::kUprightTaskRole);
-  }
+  if (pack.upright_rows > 0) text += fmt::format(", {} of them upright", pack.upright_rows);
   if (pack.left_out > 0) text += fmt::format("; {} left out", pack.left_out);
   return text + fmt::format(". Next: luxgate rules lint {}\n", output);
 }

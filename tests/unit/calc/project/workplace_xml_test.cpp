@@ -57,6 +57,35 @@ TEST(WorkplacesXml, FactsAreReadInWorldCoordinatesAndMetres) {
   EXPECT_EQ(w.zones[2].left_out->reason, "glass");
 }
 
+TEST(WorkplacesXml, UprightTasksAreInTheProjectsUnitsAndInTheWorld) {
+  const auto upright = [](const std::string& attributes) {
+    const Loaded loaded = load(
+        "<luxgate version='1' units='cm'><material id='white' reflectance='0.7'/>"
+        "<luminaire-type id='spot' photometry='spot.ies'/>"
+        "<room id='r' origin='1000 2000 100' size='400 300 250' ceiling='white' walls='white' "
+        "floor='white'><luminaire id='l' type='spot' position='200 150 250'/>"
+        "<workplace id='w' pack='p' row='1' " +
+        attributes + "/></room></luxgate>");
+    EXPECT_TRUE(loaded.project) << loaded.messages;
+    return loaded.project ? loaded.project->spaces.at(0).workplaces.at(0).upright : std::nullopt;
+  };
+  // Wall 1 runs along y = 0; seen from the room its left end is at x = 4 m.
+  const auto board = upright("wall='1' along='100 250' heights='90 210'");
+  ASSERT_TRUE(board);
+  EXPECT_EQ(board->wall, 0u);
+  EXPECT_EQ(board->area.origin_m, glm::dvec3(13, 20, 1.9));
+  EXPECT_EQ(board->area.u, glm::dvec3(-1, 0, 0));
+  EXPECT_EQ(board->area.normal(), glm::dvec3(0, 1, 0));
+  EXPECT_NEAR(board->area.outline_m[2].x, 1.5, 1e-12);
+  EXPECT_NEAR(board->area.outline_m[2].y, 1.2, 1e-12);
+  const auto face = upright("face='300 100 100 100' heights='0 200'");
+  ASSERT_TRUE(face);
+  EXPECT_FALSE(face->wall);
+  EXPECT_EQ(face->area.origin_m, glm::dvec3(13, 21, 1));
+  EXPECT_EQ(face->area.normal(), glm::dvec3(0, 1, 0));
+  EXPECT_NEAR(face->high_m, 2.0, 1e-12);
+}
+
 TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
   const Loaded loaded = load_workplace("");
   ASSERT_TRUE(loaded.project) << loaded.messages;

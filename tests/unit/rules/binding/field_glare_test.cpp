@@ -122,7 +122,7 @@ TEST(FieldGlareRequirement, EndsWhereItWouldTakeMinutes) {
                          "columns='2' rows='2'/>")
                   .requirements.at(0)
                   .problem,
-              HasSubstr("are too many for GR"));
+              HasSubstr("are too many: at most"));
 }
 
 TEST(FieldGlareRequirement, IsOfLevelAreas) {

@@ -236,6 +236,166 @@ TEST(Workplace, SomeRowsAreAboutFloors) {
   EXPECT_EQ(made.plane("w.task").changed, "");
 }
 
+// A corridor 1.6 m wide keeps 0.24 m of each side free, and so do the masks; from 3 m on it is 0.5
+// m.
+TEST(Workplace, NarrowRoomsHaveNarrowMargins) {
+  const auto margin = [](const std::string& size) {
+    const Made made =
+        make("<workplace id='w' pack='en12464-1:2021' row='9.1'/>", "size='" + size + "'");
+    EXPECT_THAT(made.messages, IsEmpty());
+    for (const Requirement& r : requirements_of_plane(made.requirements, "w.cylinder")) {
+      EXPECT_DOUBLE_EQ(r.mask.operations.at(0).metres, made.area("w.task").margin_m);
+    }
+    return made.area("w.task").margin_m;
+  };
+  EXPECT_DOUBLE_EQ(margin("12 1.6 2.8"), 0.24);
+  EXPECT_DOUBLE_EQ(margin("1.6 12 2.8"), 0.24);
+  EXPECT_DOUBLE_EQ(margin("12 2.99 2.8"), 0.15 * 2.99);
+  EXPECT_DOUBLE_EQ(margin("12 3 2.8"), 0.5);
+  // 15 % of the width: of a corridor that is hardly one, too.
+  EXPECT_DOUBLE_EQ(margin("12 0.9 2.8"), 0.135);
+}
+
+std::string upright(const std::string& attributes, const std::string& children = "") {
+  return "<workplace id='w' pack='en12464-1:2021' row='44.4.1' " + attributes + ">" + children +
+         "</workplace>";
+}
+
+TEST(Workplace, ABoardIsOnItsWallWithABandAroundIt) {
+  const Made made = make(upright("wall='2' along='1.5 4.5' heights='0.9 2.1'"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(made.ids(),
+              ElementsAre("w.task", "w.surround", "w.wall.1", "w.wall.2", "w.wall.3", "w.wall.4",
+                          "w.ceiling", "w.cylinder", "w.modelling", "w.observer.1", "w.observer.2",
+                          "w.observer.3", "w.observer.4"));
+  const calc::PlanarArea& task = made.area("w.task");
+  // The wall at x = 12 from y = 8 on, as seen from the room.
+  EXPECT_EQ(task.origin_m, glm::dvec3(22.0, 26.5, 1.9));
+  EXPECT_EQ(task.u, glm::dvec3(0, -1, 0));
+  EXPECT_EQ(task.normal(), glm::dvec3(-1, 0, 0));
+  EXPECT_NEAR(made.area_m2("w.task"), 3.0 * 1.2, 1e-12);
+  EXPECT_NEAR(made.area_m2("w.surround"), 4.0 * 2.2 - 3.0 * 1.2, 1e-12);
+  EXPECT_EQ(made.area("w.surround").normal(), task.normal());
+  std::vector<double> limits;
+  for (const char* plane : {"w.task", "w.surround"}) {
+    for (const Requirement& r : requirements_of_plane(made.requirements, plane)) {
+      limits.push_back(r.limit);
+    }
+  }
+  EXPECT_THAT(limits, ElementsAre(500, 0.7, 300, 0.4));
+  EXPECT_THAT(made.plane("w.task").made_by, HasSubstr("on wall 2, 0.9 m to 2.1 m above the floor"));
+  EXPECT_THAT(made.space().notes, ElementsAre(HasSubstr("background (the task is upright")));
+  // What the row asks of the room is asked of all of it.
+  EXPECT_NEAR(made.area_m2("w.cylinder"), 12.0 * 8.0, 1e-9);
+}
+
+TEST(Workplace, TheBandAroundAnUprightTaskEndsWhereTheRoomEnds) {
+  // 0.25 m of the wall left and right of it, 0.2 m above it, and the floor below.
+  const Made made = make(upright("wall='2' along='0.25 7.75' heights='0 2.6'"));
+  EXPECT_NEAR(made.area_m2("w.surround"), 8.0 * 2.8 - 7.5 * 2.6, 1e-9);
+  const Made whole = make(upright("wall='2'"));
+  EXPECT_THAT(whole.messages, IsEmpty());
+  EXPECT_NEAR(whole.area_m2("w.task"), 8.0 * 2.8, 1e-9);
+  EXPECT_THAT(whole.space().notes, ElementsAre(HasSubstr("surround (nothing of the room is left")));
+}
+
+// Who knows where the background is may say so.
+TEST(Workplace, TheBackgroundOfAnUprightTaskIsWhereTheProjectSays) {
+  const Made made = make(upright("wall='2'", "<zone role='background' origin='6 1' size='5 6'/>"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_NEAR(made.area_m2("w.background"), 30.0, 1e-9);
+  EXPECT_EQ(made.area("w.background").normal(), glm::dvec3(0, 0, 1));
+  EXPECT_NEAR(made.height_m("w.background"), 0.0, 1e-12);
+}
+
+TEST(Workplace, FacesStandInTheRoomAndEndAtItsWalls) {
+  const std::string face = "face='2 3 11.8 3' heights='0.5 2'";
+  const Made made = make(upright(face));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_EQ(made.area("w.task").origin_m, glm::dvec3(12, 23, 1.5));
+  EXPECT_EQ(made.area("w.task").normal(), glm::dvec3(0, -1, 0));
+  EXPECT_NEAR(made.area_m2("w.surround"), (0.5 + 9.8 + 0.2) * 2.5 - 9.8 * 1.5, 1e-9);
+  const Made back = make(upright("face='11.8 3 2 3' heights='0.5 2'"));
+  EXPECT_EQ(back.area("w.task").normal(), glm::dvec3(0, 1, 0));
+  // An arm of the room, 2 m wide: the face across it goes no further.
+  const Made arm = make(upright("face='6.5 6 7.5 6' heights='0.5 1'"),
+                        "footprint='0 0 12 0 12 4 8 4 8 8 6 8 6 4 0 4' height='2.8'");
+  EXPECT_THAT(arm.messages, IsEmpty());
+  EXPECT_NEAR(arm.area_m2("w.surround"), 2.0 * 1.5 - 1.0 * 0.5, 1e-9);
+}
+
+TEST(Workplace, AFaceThatLeansIsLongerThanItIsHigh) {
+  const Made made = make(upright("face='2 3 4 3' heights='0.5 1.5' lean='60'"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  const calc::PlanarArea& task = made.area("w.task");
+  EXPECT_NEAR(made.area_m2("w.task"), 2.0 * 2.0, 1e-9);
+  const glm::dvec3 upper = task.origin_m + task.outline_m[3].y * task.v;
+  EXPECT_NEAR(upper.z - 1.0, 1.5, 1e-12);
+  EXPECT_NEAR(upper.y, 23.0 + std::sqrt(3.0), 1e-12);  // away from who looks at it
+  EXPECT_NEAR(task.normal().z, std::sin(std::acos(0.5)), 1e-12);
+  EXPECT_THAT(made.plane("w.task").made_by, HasSubstr("leaning back by 60 degrees"));
+}
+
+TEST(WorkplaceGrid, CopiesOfAFaceLieInTheRoom) {
+  const auto grid = [](const std::string& step) {
+    return make(
+        "<workplace-grid id='w' pack='en12464-1:2021' row='13.6' face='2 1 10 1' "
+        "heights='0 2' repeat='1 3' step='" +
+        step + "'/>");
+  };
+  const Made made = grid("0 2.5");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_EQ(made.area("w[0,2].task").origin_m, glm::dvec3(12, 26, 1));
+  EXPECT_THAT(grid("0 3.6").messages,
+              ElementsAre(HasSubstr("copy 'w[0,2]': its face does not lie within room 'r'")));
+  // The last copy lies on the far wall, and looks at the room; the other way it looks out of it.
+  EXPECT_THAT(grid("0 3.5").messages, IsEmpty());
+  EXPECT_THAT(make("<workplace-grid id='w' pack='en12464-1:2021' row='13.6' face='10 1 2 1' "
+                   "heights='0 2' repeat='1 3' step='0 3.5'/>")
+                  .messages,
+              ElementsAre(HasSubstr("copy 'w[0,2]': its face does not lie within room 'r'")));
+}
+
+TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
+  const auto message = [](const std::string& attributes, const std::string& children = "") {
+    return make(upright(attributes, children)).messages;
+  };
+  EXPECT_THAT(message(""),
+              ElementsAre(HasSubstr("the task of row '44.4.1' is upright; say where")));
+  EXPECT_THAT(message(kDesk), ElementsAre(HasSubstr("the task of row '44.4.1' is upright")));
+  EXPECT_THAT(message("wall='5'"),
+              ElementsAre(HasSubstr("the number of a wall of the room, 1 to 4")));
+  EXPECT_THAT(message("wall='0'"), ElementsAre(HasSubstr("'wall'")));
+  EXPECT_THAT(message("wall='2' along='1 8.1'"),
+              ElementsAre(HasSubstr("two ascending numbers from 0 to the wall's length 8")));
+  EXPECT_THAT(message("wall='2' along='3 3'"), ElementsAre(HasSubstr("two ascending numbers")));
+  EXPECT_THAT(message("wall='2' heights='0 2.9'"),
+              ElementsAre(HasSubstr("from 0 to the room's height 2.8")));
+  EXPECT_THAT(message("wall='2' lean='5'"), ElementsAre(HasSubstr("'lean'")));
+  EXPECT_THAT(message("wall='2' height='1'"), ElementsAre(HasSubstr("'height'")));
+  EXPECT_THAT(message("wall='2' face='1 1 2 1' heights='0 1'"), ElementsAre(HasSubstr("'face'")));
+  EXPECT_THAT(message("wall='2' " + kDesk), ElementsAre(HasSubstr("'size'")));
+  EXPECT_THAT(message("heights='0 1'"),
+              ElementsAre(HasSubstr("needs 'wall' or 'face' beside 'heights'")));
+  EXPECT_THAT(message("face='1 1 2 1'"), ElementsAre(HasSubstr("'heights'")));
+  EXPECT_THAT(message("face='1 1 1 1' heights='0 1'"),
+              ElementsAre(HasSubstr("two different places")));
+  for (const char* face : {"1 1 13 1", "0 0 12 0", "2 8 -1 8"}) {
+    EXPECT_THAT(message(std::string("heights='0 1' face='") + face + "'"),
+                ElementsAre(HasSubstr("a face within the room that looks into it")))
+        << face;
+  }
+  EXPECT_THAT(message("wall='2'", "<zone role='surround' height='1'/>"),
+              ElementsAre(HasSubstr("'height' has no meaning")));
+  EXPECT_THAT(message("wall='2'", "<zone role='task' origin='1 1' size='1 1'/>"),
+              ElementsAre(HasSubstr("'footprint' or 'size' has no meaning")));
+  // From one end to the other it leaves the room.
+  EXPECT_THAT(make(upright("face='1 5 11 5' heights='0 1'"),
+                   "footprint='0 0 12 0 12 8 8 8 8 4 4 4 4 8 0 8' height='2.8'")
+                  .messages,
+              ElementsAre(HasSubstr("a face within the room that looks into it")));
+}
+
 TEST(Workplace, ANarrowWallIsNotMade) {
   const Made made =
       make(workplace(""), "footprint='0 0  8 0  8 4  7.2 4  7.2 8  0 8' height='2.8'");

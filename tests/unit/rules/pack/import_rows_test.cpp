@@ -141,28 +141,30 @@ TEST(ImportRows, KeepsWhereTheTaskIs) {
   EXPECT_EQ(heights("1", task), std::pair(0.0, 0.2));
   EXPECT_EQ(heights("2", task), std::pair(0.72, 0.85));
   EXPECT_EQ(heights("3", task), std::pair(1.1, 1.1));
-  const RulePlane& upright = *pack.find_plane(kUprightTaskRole);
-  EXPECT_EQ(upright.orientation, "vertical");
-  EXPECT_EQ(upright.grid, "formula");
-  EXPECT_EQ(heights("4", upright), std::pair(0.3, 2.0));
-  EXPECT_FALSE(heights_of(upright, pack.find_row("5")).has_value());
+  EXPECT_EQ(heights("4", task), std::pair(0.3, 2.0));
+  EXPECT_FALSE(heights_of(task, pack.find_row("5")).has_value());
+  const auto orientation = [&](const char* ref) {
+    return orientation_of(task, pack.find_row(ref));
+  };
+  EXPECT_EQ(orientation("3"), "horizontal-up");
+  EXPECT_EQ(orientation("4"), "vertical");
+  EXPECT_EQ(orientation("5"), "vertical");
 }
 
 TEST(ImportRows, HoldsAnUprightTaskAgainstUprightPlanesOnly) {
   const RulePack pack =
       pack_of(kShort + "4,shelf,shelf,200,300,0.5,80,25,50,,,\n5,desk,,500,,0.6,80,19,,,,\n");
-  const auto status = [&](const char* ref, const char* check) {
-    return evaluate_limit(*pack.find_check(check), {pack, pack.find_row(ref)}).status;
+  const auto orientation = [&](const char* ref, const char* role) {
+    return orientation_of(*pack.find_plane(role), pack.find_row(ref));
   };
-  for (const char* check : {"task.Em", "task.Uo", "surround.Em", "background.Em"}) {
-    EXPECT_EQ(status("4", check), LimitStatus::not_applicable) << check;
-    EXPECT_EQ(status("5", check), LimitStatus::known) << check;
+  for (const char* role : {"task", "surround"}) {
+    EXPECT_EQ(orientation("4", role), "vertical") << role;
+    EXPECT_EQ(orientation("5", role), "horizontal-up") << role;
   }
-  for (const char* check : {"task-vertical.Em", "task-vertical.Uo"}) {
-    EXPECT_EQ(status("4", check), LimitStatus::known) << check;
-    EXPECT_EQ(status("5", check), LimitStatus::not_applicable) << check;
+  for (const char* role : {"background", "cylinder"}) {
+    EXPECT_EQ(orientation("4", role), "horizontal-up") << role;
   }
-  EXPECT_EQ(pack.find_row("4")->find_value("Ev")->modified, 300.0);
+  EXPECT_EQ(pack.find_row("4")->find_value("Em")->modified, 300.0);
   EXPECT_EQ(pack.find_row("4")->find_value("Ez")->required, 50.0);
 }
 

@@ -1,0 +1,132 @@
+#include "rules/binding/luminaire_values.h"
+
+#include "calc/base/sentences.h"
+#include "calc/glare/field_glare.h"
+#include "rules/fitness/place_in_space.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace rules {
+namespace {
+
+using calc::say;
+using calc::Sentence;
+
+std::string place_words(const glm::dvec3& place) {
+  return say<Sentence::place_of_point>(place.x, place.y, place.z);
+}
+
+// One emitter has the id of its luminaire.
+const std::string& name_of(const LuminaireFacts& facts, std::size_t luminaire) {
+  return facts.space.luminaires[luminaire].id;
+}
+
+// Nothing is said of a plane that takes minutes.
+bool are_too_many(const LuminaireFacts& facts, Requirement& requirement) {
+  const auto points = static_cast<double>(facts.points().position_m.size());
+  const auto luminaires = static_cast<double>(facts.space.luminaires.size());
+  if (points * luminaires <= calc::kMostFieldPairs) return false;
+  requirement.problem = say<Sentence::field_too_many>(points, luminaires, calc::kMostFieldPairs);
+  return true;
+}
+
+void set_intensity(const LuminaireFacts& facts, Requirement& requirement) {
+  if (are_too_many(facts, requirement)) return;
+  const PlanePoints& points = facts.points();
+  const calc::StrongestLight strongest = calc::strongest_intensity(
+      facts.project, facts.space, facts.scene, points.position_m, points.normal);
+  requirement.of_space = strongest.cd;
+  if (strongest.cd.value > 0.0) {
+    add_note(say<Sentence::strongest_of>(name_of(facts, strongest.luminaire),
+                                         place_words(points.position_m[strongest.point])),
+             requirement);
+  }
+  add_note(say<Sentence::strongest_method>(), requirement);
+  if (!(strongest.cd.low < strongest.cd.value)) return;
+  add_note(strongest.may_be_hidden ? say<Sentence::luminaires_may_be_hidden>()
+                                   : say<Sentence::luminaires_behind>(),
+           requirement);
+}
+
+void set_distance(const LuminaireFacts& facts, Requirement& requirement) {
+  if (are_too_many(facts, requirement)) return;
+  const PlanePoints& points = facts.points();
+  const calc::NearestLuminaire nearest =
+      calc::nearest_luminaire(facts.project, facts.space, facts.scene, points.position_m);
+  requirement.of_space = nearest.m;
+  if (points.position_m.empty()) return;
+  add_note(say<Sentence::nearest_of>(place_words(points.position_m[nearest.point]),
+                                     name_of(facts, nearest.luminaire)),
+           requirement);
+}
+
+// What a battery gives before its end is somewhere between the scene's level and full output.
+void add_full_output(const LuminaireFacts& facts, std::vector<calc::ZoneIntensity>& intensities) {
+  const std::vector<calc::ZoneIntensity> full =
+      calc::zone_intensities(facts.project, facts.space, nullptr, kGlareFrom_deg, kGlareTo_deg);
+  for (calc::ZoneIntensity& one : intensities) {
+    for (const calc::ZoneIntensity& same : full) {
+      if (same.luminaire != one.luminaire) continue;
+      one.cd.value = std::max(one.cd.value, same.cd.value);
+      one.cd.high = std::max(one.cd.high, same.cd.high);
+    }
+  }
+}
+
+void set_glare_intensity(const LuminaireFacts& facts, Requirement& requirement) {
+  std::size_t count = 0, worst = 0;
+  calc::Estimate greatest;
+  std::vector<calc::ZoneIntensity> intensities = facts.glare_intensities();
+  const bool is_of_battery = requirement.state == LightState::end_of_duration;
+  if (is_of_battery) add_full_output(facts, intensities);
+  for (const calc::ZoneIntensity& one : intensities) {
+    const glm::dvec3& place = facts.space.luminaires[one.luminaire].position_m;
+    const double height_m = height_above_floor_m(place, facts.space);
+    if (height_m < requirement.range.from || height_m >= requirement.range.to) continue;
+    if (++count == 1 || one.cd.value > greatest.value) worst = one.luminaire;
+    greatest = {std::max(greatest.value, one.cd.value), std::max(greatest.low, one.cd.low),
+                std::max(greatest.high, one.cd.high)};
+  }
+  requirement.of_space = greatest;
+  if (count == 0) return add_note(say<Sentence::nobody_hangs_there>(), requirement);
+  const glm::dvec3& place = facts.space.luminaires[worst].position_m;
+  add_note(say<Sentence::glare_zone_of>(name_of(facts, worst),
+                                        height_above_floor_m(place, facts.space), count),
+           requirement);
+  if (greatest.low < greatest.high && is_of_battery) {
+    add_note(say<Sentence::battery_begins_full>(), requirement);
+  }
+}
+
+}  // namespace
+
+void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement) {
+  if (!requirement.problem.empty()) return;
+  if (facts.space.road) {
+    requirement.problem = say<Sentence::luminaires_go_on>();
+    return;
+  }
+  // Dark everywhere is no light that anybody has judged.
+  if (!calc::has_light(facts.project, facts.space, facts.scene)) {
+    requirement.problem = say<Sentence::no_luminaire_is_on>();
+    return;
+  }
+  switch (requirement.metric) {
+    case Metric::upward_share:
+      requirement.of_space = facts.upward_percent();
+      return add_note(say<Sentence::upward_method>(), requirement);
+    case Metric::intensity:
+      return set_intensity(facts, requirement);
+    case Metric::glare_intensity:
+      return set_glare_intensity(facts, requirement);
+    case Metric::luminaire_distance:
+      return set_distance(facts, requirement);
+    default:
+      throw std::logic_error("this is not of luminaires");
+  }
+}
+
+}  // namespace rules

@@ -1,0 +1,237 @@
+// What is required of luminaires as such: values that are known by hand, and what is said of them.
+#include "rules/binding/judged_project.h"
+#include "rules/pack/rule_pack.h"
+#include "tests/support/memory_file_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace rules {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string ies(const std::string& gammas, const std::string& candelas, int count) {
+  return "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
+         "TILT=NONE\n1 -1 1 " +
+         std::to_string(count) + " 1 1 2 0 0 0\n1 1 10\n" + gammas + "\n0\n" + candelas + "\n";
+}
+
+struct Bound {
+  std::vector<Requirement> requirements;
+  std::vector<std::string> messages;
+
+  const Requirement& at(std::size_t i) const { return requirements.at(i); }
+};
+
+// 'ball': 100 cd everywhere; 'wide': 0 cd straight down to 900 cd at 90 degrees, nothing above.
+Bound bind_plane(const std::string& beside, const std::string& require,
+                 const std::string& plane = "origin='0 0 1' u='0 2 0' v='0 0 1' count='1 1'",
+                 const std::string& room = "", const std::string& end_of_room = "") {
+  const std::string xml =
+      "<luxgate version='1' maintenance-factor='0.5'><material id='m' reflectance='0.5'/>"
+      "<luminaire-type id='ball' photometry='ball.ies'/>"
+      "<luminaire-type id='wide' photometry='wide.ies'/>"
+      "<scene id='half'><dim group='g' level='0.5'/></scene>"
+      "<scene id='none'><dim group='g' level='0'/></scene>" +
+      room + beside + "<plane id='p' " + plane + ">" + require + "</plane>" + end_of_room +
+      "</luxgate>";
+  calc::Diagnostics diagnostics;
+  const calc::MemoryFileReader files({{"p.xml", xml},
+                                      {"ball.ies", ies("0 180", "100 100", 2)},
+                                      {"wide.ies", ies("0 90", "0 900", 2)}});
+  Bound bound;
+  auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+  for (const auto& d : diagnostics.all()) bound.messages.push_back(format_diagnostic(d));
+  if (judged) bound.requirements = std::move(judged->requirements);
+  return bound;
+}
+
+// The plane's one point is (0, 1, 1.5) and looks along +x.
+const std::string kBall = "<luminaire id='b' type='ball' position='4 4 5' group='g'/>";
+const std::string kRoom = "<room id='r' size='10 10 6' ceiling='m' walls='m' floor='m'>";
+
+TEST(LuminaireValue, UpwardShareIsOfNewLuminairesInTheScene) {
+  const std::string wide = "<luminaire id='w' type='wide' position='4 4 5'/>";
+  const std::string require =
+      "<require quantity='ULR' at-most='5'/><require id='dim' quantity='ULR' at-most='5' "
+      "scene='half'/>";
+  const Bound bound = bind_plane(kBall + wide, require);
+  EXPECT_THAT(bound.messages, IsEmpty());
+  // 400 pi lm, half of them up; of 10 rad-wise linear candelas to 900 cd all goes down:
+  // 2 pi (900 / (pi / 2)) times the integral of g sin g to pi / 2, which is 1.
+  const double ball = 400.0 * M_PI, down = 2.0 * M_PI * 1800.0 / M_PI;
+  EXPECT_NEAR(bound.at(0).of_space.value, 100.0 * 0.5 * ball / (ball + down), 1e-9);
+  EXPECT_NEAR(bound.at(1).of_space.value, 100.0 * 0.25 * ball / (0.5 * ball + down), 1e-9);
+  EXPECT_EQ(bound.at(0).state, LightState::initial);
+  EXPECT_STREQ(unit_of(bound.at(0)), "%");
+  EXPECT_THAT(bound.at(0).note, HasSubstr("as they are mounted"));
+}
+
+TEST(LuminaireValue, IntensityIsTowardsThePointsAndSaysOfWhich) {
+  const Bound bound = bind_plane(kBall + "<luminaire id='w' type='wide' position='3 1 1.5'/>",
+                                 "<require quantity='intensity' at-most='500'/>");
+  EXPECT_THAT(bound.messages, IsEmpty());
+  // The point is at 90 degrees of the second one.
+  EXPECT_NEAR(bound.at(0).of_space.value, 900.0, 1e-9);
+  EXPECT_NEAR(bound.at(0).of_space.low, 900.0, 1e-9);
+  EXPECT_STREQ(unit_of(bound.at(0)), "cd");
+  EXPECT_THAT(bound.at(0).note, HasSubstr("that of 'w' towards (0.00, 1.00, 1.50) m"));
+  EXPECT_THAT(bound.at(0).note, Not(HasSubstr("may hide")));
+}
+
+TEST(LuminaireValue, WhatMayBeHiddenOrBehindCannotFail) {
+  const std::string require = "<require quantity='intensity' at-most='50'/>";
+  const Bound behind = bind_plane("<luminaire id='b' type='ball' position='-4 4 5'/>", require);
+  EXPECT_EQ(behind.at(0).of_space.high, 100.0);
+  EXPECT_EQ(behind.at(0).of_space.low, 0.0);
+  EXPECT_THAT(behind.at(0).note, HasSubstr("behind the plane of the points"));
+  const Bound wall =
+      bind_plane(kBall + "<box id='x' size='1 1 3' position='2 2 0' material='m'/>", require);
+  EXPECT_EQ(wall.at(0).of_space.high, 100.0);
+  EXPECT_EQ(wall.at(0).of_space.low, 0.0);
+  EXPECT_THAT(wall.at(0).note, HasSubstr("may hide luminaires"));
+  const Bound ground = bind_plane(
+      kBall + "<quad id='x' origin='-9 -9 0' u='30 0 0' v='0 30 0' material='m'/>", require);
+  EXPECT_EQ(ground.at(0).of_space.low, 100.0);
+}
+
+TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
+  const std::string lights =
+      "<luminaire id='low' type='ball' position='4 4 2.49'/>"
+      "<luminaire id='mid' type='wide' position='4 4 2.5'/>"
+      "<luminaire id='high' type='ball' position='4 4 3'/>";
+  const Bound bound =
+      bind_plane(lights,
+                 "<require id='a' quantity='glare-intensity' to='2.5' at-most='500'/>"
+                 "<require id='b' quantity='glare-intensity' from='2.5' to='3' at-most='900'/>"
+                 "<require id='c' quantity='glare-intensity' from='3' at-most='900'/>"
+                 "<require id='d' quantity='glare-intensity' at-most='900'/>"
+                 "<require id='e' quantity='glare-intensity' from='4' at-most='900'/>",
+                 "height='1' count='1 1'", kRoom, "</room>");
+  EXPECT_THAT(bound.messages, IsEmpty());
+  EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
+  EXPECT_THAT(bound.at(0).note, HasSubstr("'low', 2.49 m above the floor; 1 of them"));
+  EXPECT_NEAR(bound.at(1).of_space.value, 900.0, 1e-9);
+  EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
+  EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
+  EXPECT_THAT(bound.at(3).note, HasSubstr("3 of them"));
+  EXPECT_EQ(bound.at(4).of_space.high, 0.0);
+  EXPECT_THAT(bound.at(4).note, HasSubstr("none of the luminaires that are on hangs there"));
+}
+
+// The floor of a room is where the room is.
+TEST(LuminaireValue, HeightsAreAboveTheFloor) {
+  const std::string raised =
+      "<room id='r' origin='0 0 7' size='10 10 6' ceiling='m' walls='m' floor='m'>";
+  const Bound bound = bind_plane("<luminaire id='l' type='ball' position='4 4 2.4'/>",
+                                 "<require quantity='glare-intensity' to='2.5' at-most='500'/>",
+                                 "height='1' count='1 1'", raised, "</room>");
+  EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
+}
+
+TEST(LuminaireValue, TheNearestLuminaireIsInPlanAndOn) {
+  const std::string lights =
+      "<luminaire id='near' type='ball' position='1 1 9' group='g'/>"
+      "<luminaire id='far' type='ball' position='0 4 2'/>";
+  const Bound bound =
+      bind_plane(lights,
+                 "<require quantity='luminaire-distance' at-most='2'/>"
+                 "<require id='dark' quantity='luminaire-distance' at-most='2' scene='none'/>");
+  EXPECT_THAT(bound.messages, IsEmpty());
+  EXPECT_DOUBLE_EQ(bound.at(0).of_space.value, 1.0);
+  EXPECT_DOUBLE_EQ(bound.at(1).of_space.value, 3.0);
+  EXPECT_STREQ(unit_of(bound.at(1)), "m");
+  EXPECT_THAT(bound.at(1).note, HasSubstr("from (0.00, 1.00, 1.50) m to 'far'"));
+}
+
+TEST(LuminaireValue, WithoutLightNothingIsJudged) {
+  for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "luminaire-distance"}) {
+    const Bound dark =
+        bind_plane(kBall, "<require quantity='" + quantity + "' at-most='5' scene='none'/>");
+    EXPECT_THAT(dark.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+    const Bound empty = bind_plane("", "<require quantity='" + quantity + "' at-most='5'/>");
+    EXPECT_THAT(empty.at(0).problem, HasSubstr("no luminaire is on")) << quantity;
+  }
+}
+
+TEST(LuminaireValue, OfARoadIsNotJudged) {
+  for (const std::string quantity : {"ULR", "intensity", "glare-intensity", "luminaire-distance"}) {
+    const std::string xml =
+        "<luxgate version='1' maintenance-factor='0.8'><luminaire-type id='ball' "
+        "photometry='ball.ies'/><road id='a' width='7' lanes='2' spacing='40' surface='R3'>"
+        "<luminaire-row id='r' type='ball' side='right' height='8'/><require quantity='" +
+        quantity + "' at-most='55'/></road></luxgate>";
+    calc::Diagnostics diagnostics;
+    const calc::MemoryFileReader files({{"p.xml", xml}, {"ball.ies", ies("0 180", "100 100", 2)}});
+    const auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
+    ASSERT_TRUE(judged.has_value());
+    EXPECT_THAT(judged->requirements.at(0).problem, HasSubstr("whose luminaires go on"))
+        << quantity;
+  }
+}
+
+TEST(LuminaireValueMessage, AttributesThatMeanNothing) {
+  const auto messages = [](const std::string& require) {
+    return bind_plane(kBall, require).messages;
+  };
+  EXPECT_THAT(messages("<require quantity='intensity' at-most='5' state='maintained'/>"),
+              ElementsAre(HasSubstr("'state' has no meaning")));
+  EXPECT_THAT(messages("<require quantity='intensity' at-most='5' unit='fc'/>"),
+              ElementsAre(HasSubstr("'unit' has no meaning")));
+  EXPECT_THAT(messages("<require quantity='intensity' at-most='5' from='2'/>"),
+              ElementsAre(HasSubstr("'from' has no meaning")));
+  EXPECT_THAT(messages("<require quantity='glare-intensity' at-most='5' from='3' to='2'/>"),
+              ElementsAre(HasSubstr("'to'")));
+  EXPECT_THAT(messages("<require quantity='ULR' at-most='5' light='direct'/>"),
+              ElementsAre(HasSubstr("'light' has no meaning")));
+}
+
+// Of zones the limit is the row's, and of emergency a luminaire is 2 m away at most.
+TEST(LuminaireValue, RowsAskForThem) {
+  const Bound zone = bind_plane(kBall,
+                                "<require pack='en12464-2' row='E2' role='window'/>"
+                                "<require pack='en12464-2' row='E2' role='bystander'/>"
+                                "<require pack='en12464-2' row='E2' role='site'/>");
+  ASSERT_EQ(zone.requirements.size(), 3u) << testing::PrintToString(zone.messages);
+  EXPECT_EQ(zone.at(0).metric, Metric::maximum);
+  EXPECT_EQ(zone.at(0).limit, 5.0);
+  EXPECT_EQ(zone.at(0).state, LightState::initial);
+  EXPECT_EQ(zone.at(1).metric, Metric::intensity);
+  EXPECT_EQ(zone.at(1).limit, 7500.0);
+  EXPECT_EQ(zone.at(2).metric, Metric::upward_share);
+  EXPECT_EQ(zone.at(2).limit, 5.0);
+  const Bound item = bind_plane(kBall, "<require pack='en1838' role='safety-item' scene='half'/>");
+  ASSERT_EQ(item.requirements.size(), 2u) << testing::PrintToString(item.messages);
+  EXPECT_EQ(item.at(1).metric, Metric::luminaire_distance);
+  EXPECT_EQ(item.at(1).limit, 2.0);
+  EXPECT_EQ(item.at(1).of_space.value, 5.0);
+  // Its group is named in the scene; else nobody knows whether it is on in an emergency.
+  const Bound unnamed = bind_plane(kBall + "<luminaire id='x' type='ball' position='0 1 3'/>",
+                                   "<require pack='en1838' role='emphasis' scene='half'/>");
+  EXPECT_THAT(unnamed.at(0).problem, HasSubstr("does not say what"));
+}
+
+// The scene has the levels of the end; before it luminaires may give more.
+TEST(LuminaireValue, GlareInAnEmergencyIsUpToFullOutput) {
+  const Bound bound = bind_plane("<luminaire id='l' type='ball' position='4 4 2.4' group='g'/>",
+                                 "<require pack='en1838' role='glare' scene='half'/>",
+                                 "height='1' count='1 1'", kRoom, "</room>");
+  ASSERT_EQ(bound.requirements.size(), 6u) << testing::PrintToString(bound.messages);
+  EXPECT_EQ(bound.at(0).limit, 500.0);
+  EXPECT_EQ(bound.at(0).state, LightState::end_of_duration);
+  EXPECT_NEAR(bound.at(0).of_space.low, 50.0, 1e-9);
+  EXPECT_NEAR(bound.at(0).of_space.high, 100.0, 1e-9);
+  EXPECT_THAT(bound.at(0).note, HasSubstr("to full output"));
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(bound.at(i).of_space.high, 0.0) << i;
+}
+
+}  // namespace
+}  // namespace rules
