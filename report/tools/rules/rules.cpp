@@ -6,8 +6,9 @@
 #include "report/formats/write.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
-#include "report/text/plain_text.h"
 #include "report/tools/rules/explain.h"
+#include "report/tools/rules/pack_words.h"
+#include "report/tools/rules/rules_diff.h"
 #include "rules/pack/builtin_packs.h"
 #include "rules/pack/import_columns.h"
 #include "rules/pack/import_rows.h"
@@ -26,38 +27,9 @@
 namespace cli {
 namespace {
 
-// What a pack says may hold anything.
-std::string printable_lines(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    result += report::printable(text.substr(0, end)) + "\n";
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return result;
-}
-
 ExitCode finished(std::string out, const calc::Diagnostics& diagnostics) {
   return print_outcome(
       {diagnostics.has_errors() ? kNotJudged : kAllMet, std::move(out), diagnostics.all()});
-}
-
-std::string joined_ids(const std::vector<rules::RulePack>& packs) {
-  calc::Names names;
-  std::vector<std::string> ids;
-  for (const rules::RulePack& pack : packs) ids.push_back(pack.full_id());
-  for (const std::string& id : ids) names.emplace_back(id);
-  return calc::join_choices(names);
-}
-
-// An ambiguous name is reported; one that is unknown is left to the caller.
-rules::NamedPack find_pack(const std::string& name, const std::vector<rules::RulePack>& packs,
-                           calc::Diagnostics& diagnostics) {
-  rules::NamedPack found = rules::named_pack(name, packs);
-  if (found.is_ambiguous()) {
-    diagnostics.report(calc::DiagnosticId::ambiguous_rule_pack, {}, name, found.candidates);
-  }
-  return found;
 }
 
 // part: a row, role or check; "" = all of it.
@@ -267,8 +239,9 @@ Command schema_action() {
 }  // namespace
 
 Command rules_command() {
-  Command command{"rules", "List, show, check and import rule packs (standards as data)"};
-  command.actions = {list_action(), show_action(), lint_action(), import_action(), schema_action()};
+  Command command{"rules", "List, show, compare, check and import rule packs (standards as data)"};
+  command.actions = {list_action(), show_action(),   diff_action(),
+                     lint_action(), import_action(), schema_action()};
   command.footer = "'luxgate rules ACTION --help' explains an action.";
   return command;
 }

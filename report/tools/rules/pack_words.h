@@ -1,0 +1,24 @@
+#pragma once
+// Names of rule packs on the command line, and texts from packs for people.
+
+#include "calc/base/diagnostics.h"
+#include "rules/pack/named_pack.h"
+#include "rules/pack/rule_pack.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+// What a pack says may hold anything.
+std::string printable_lines(std::string_view text);
+
+// "a:1, b:2".
+std::string joined_ids(const std::vector<rules::RulePack>& packs);
+
+// An ambiguous name is reported; one that is unknown is left to the caller.
+rules::NamedPack find_pack(const std::string& name, const std::vector<rules::RulePack>& packs,
+                           calc::Diagnostics& diagnostics);
+
+}  // namespace cli
