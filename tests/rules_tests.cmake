@@ -30,6 +30,7 @@ luxgate_test(rules_tests
     unit/rules/binding/project_schema_test.cpp
     unit/rules/binding/requirement_attributes_test.cpp
     unit/rules/catalogue/requirement_test.cpp
+    unit/rules/pack/pack_diff_test.cpp
     unit/rules/pack/pack_elements_test.cpp
     unit/rules/pack/rule_corpus_test.cpp
     unit/rules/pack/row_values_test.cpp

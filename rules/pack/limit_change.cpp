@@ -8,15 +8,21 @@
 namespace rules {
 namespace {
 
-bool has_part(const Expression& expression, const RulePack& pack, ExpressionKind kind,
-              const std::string& name) {
-  if (expression.kind == kind && expression.name == name) return true;
+bool has_part(const Expression& expression, const RulePack& pack,
+              const std::function<bool(const Expression&)>& is_it) {
+  if (is_it(expression)) return true;
   if (expression.kind == ExpressionKind::limit_of) {
-    if (has_part(pack.find_check(expression.name)->limit, pack, kind, name)) return true;
+    return has_part(pack.find_check(expression.name)->limit, pack, is_it);
   }
-  return std::any_of(
-      expression.operands.begin(), expression.operands.end(),
-      [&](const Expression& operand) { return has_part(operand, pack, kind, name); });
+  return std::any_of(expression.operands.begin(), expression.operands.end(),
+                     [&](const Expression& operand) { return has_part(operand, pack, is_it); });
+}
+
+// On what only a project knows.
+bool hangs_on_project(const RuleCheck& check, const RulePack& pack) {
+  return has_part(check.limit, pack, [](const Expression& part) {
+    return part.kind == ExpressionKind::fact || part.kind == ExpressionKind::result_of;
+  });
 }
 
 // A requirement more is stricter, unless it is only one more way to meet another.
@@ -42,7 +48,10 @@ class LimitChange {
     const Limit is = evaluate_limit(changed, {after_, row_after, level});
     if (was.status == LimitStatus::unknown || is.status == LimitStatus::unknown) {
       // Where the scale ends, or for values off it, nobody can take steps.
-      return level.steps == 0 ? Tightening::unclear : Tightening::none;
+      if (level.steps != 0) return Tightening::none;
+      const bool is_never_known = was.status == is.status && !hangs_on_project(check, before_) &&
+                                  !hangs_on_project(changed, after_);
+      return is_never_known ? Tightening::none : Tightening::unclear;
     }
     if (was.status != is.status) {
       if (is_alternative(check, before_) &&
@@ -137,7 +146,8 @@ Tightening tightening_of_row(const RulePack& before, const RulePack& after, std:
 
 bool has_part(const RuleCheck& check, const RulePack& pack, ExpressionKind kind,
               const std::string& name) {
-  return has_part(check.limit, pack, kind, name);
+  return has_part(check.limit, pack,
+                  [&](const Expression& part) { return part.kind == kind && part.name == name; });
 }
 
 }  // namespace rules

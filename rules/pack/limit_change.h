@@ -4,6 +4,7 @@
 #include "calc/base/names.h"
 #include "rules/pack/rule_pack.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -23,8 +24,9 @@ Tightening tightening_of(Comparison before_by, double before, Comparison after_b
 using HangsOn = std::function<bool(const RuleCheck&)>;
 
 // Over all checks that both packs have, for every row of `before` at all levels that a project may
-// ask for. after: the same pack but for the change; of the same rows. A limit that is not known
-// beforehand, as of a fact that the project states, makes it unclear if it hangs on the change.
+// ask for. after: the same pack but for the change; of the same rows. A limit that only a
+// project knows, by a fact or a result, makes it unclear if it hangs on the change; one that nobody
+// knows, before or after, is no limit.
 Tightening tightening_of(const RulePack& before, const RulePack& after, const HangsOn& hangs_on);
 
 // Of one row alone, by its place in both packs.

@@ -11,6 +11,8 @@
 #include "report/tools/check/checked_document.h"
 #include "report/tools/check/watched_project.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -41,12 +43,12 @@ rules::RulePack renamed(rules::RulePack pack, const rules::RowNames& names) {
   return pack;
 }
 
-// What a finding is, of whichever of the two packs; requirements of one plane have ids of their
-// own.
+// What a finding is, of whichever of the two packs.
 struct Asked {
   std::string place, id;
   JudgedLimit judged;
-  bool is_of_pack = false;
+  std::string key;          // of the same requirement with the other pack
+  bool is_of_pack = false;  // of aggregates: their checks are
 };
 
 std::string verdict_words(rules::Verdict verdict, bool is_waived) {
@@ -66,24 +68,34 @@ class AskedOf {
       }
     }
     for (const rules::AggregateFinding& finding : project.aggregates) {
-      asked.push_back({finding.plane_id.empty() ? finding.space_id : finding.plane_id,
+      const std::string& place = finding.plane_id.empty() ? finding.space_id : finding.plane_id;
+      asked.push_back({place,
                        finding.id,
                        {"", verdict_words(finding.verdict, finding.is_waived)},
-                       true});
+                       fmt::format("{} {} {}", calc::name_of(finding.kind), place, finding.id)});
     }
     return asked;
   }
 
  private:
+  // Ids of requirements are numbered where a statistic repeats: one more changes those of others.
   Asked of(const report::PlanePart& plane, const rules::Finding& finding) const {
     const rules::Requirement& requirement = finding.requirement;
-    const std::string& pack = requirement.origin.pack;
-    const rules::Comparison comparison = requirement.comparison;
-    return {plane.id,
-            requirement.id,
-            {report::format_required({requirement.limit, comparison}, unit_of(requirement)),
-             verdict_words(finding.verdict, finding.is_waived)},
-            pack == compared_.before.full_id() || pack == compared_.after.full_id()};
+    const rules::RuleOrigin& origin = requirement.origin;
+    const std::string limit =
+        report::format_required({requirement.limit, requirement.comparison}, unit_of(requirement));
+    Asked asked{
+        plane.id, requirement.id, {limit, verdict_words(finding.verdict, finding.is_waived)}, ""};
+    asked.is_of_pack =
+        origin.pack == compared_.before.full_id() || origin.pack == compared_.after.full_id();
+    if (origin.pack.empty()) {
+      asked.key = fmt::format("{} {} {} {}", plane.id, calc::name_of(requirement.metric), limit,
+                              requirement.scene);
+    } else {
+      asked.id = origin.check;
+      asked.key = fmt::format("{} {} {} {}", plane.id, origin.pack, origin.check, origin.row);
+    }
+    return asked;
   }
 
   const ComparedPacks& compared_;
@@ -127,7 +139,7 @@ ProjectEffect effect_on(const report::ProjectPart& before, const report::Project
   effect.after = report::outcome_of(after);
   const AskedOf asked(compared);
   const std::vector<Asked> was = asked.list(before), is = asked.list(after);
-  const auto key = [](const Asked& one) { return std::pair(one.place, one.id); };
+  const auto key = [](const Asked& one) -> const std::string& { return one.key; };
   for (const auto& pair : report::match_parts(was, is, key)) {
     const Asked& any = pair.before != nullptr ? *pair.before : *pair.after;
     effect.asked += any.is_of_pack || (pair.after != nullptr && pair.after->is_of_pack) ? 1 : 0;

@@ -7,6 +7,7 @@
 #include "rules/pack/pack_fields.h"
 #include "rules/pack/rule_pack.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,8 @@ struct JudgedLimit {
 };
 
 struct ChangedVerdict {
-  std::string place;                         // the plane, else the room; "" = the project
-  std::string id;                            // of the requirement or aggregate
+  std::string place;  // the plane, else the room; "" = the project
+  std::string id;     // of the check, the project's own requirement or the aggregate
   std::optional<JudgedLimit> before, after;  // empty: it is not asked
 };
 
@@ -32,14 +33,15 @@ struct ProjectEffect {
   std::vector<ChangedVerdict> changed;
 };
 
-// Packs for a run of a project in which `pack` stands for both of the two that are compared,
-// whichever of them the project names, and by the rows that it names: `loaded` without those.
-// rows_of_first, rows_of_second: what rows of `pack` are called in them.
+// The packs that are compared.
 struct ComparedPacks {
   const rules::RulePack& before;
   const rules::RulePack& after;
-  const rules::RowNames& rows;  // of `before`, by what they are called in `after`
+  const rules::RowNames& rows;  // what rows of `before` are called in `after`
 };
+
+// For a check in which one of them stands for both, whichever of them the project names, and with
+// the rows that it names by their numbers there. loaded: all others.
 std::vector<rules::RulePack> packs_with(bool is_after, const ComparedPacks& compared,
                                         const std::vector<rules::RulePack>& loaded);
 
@@ -47,7 +49,8 @@ std::vector<rules::RulePack> packs_with(bool is_after, const ComparedPacks& comp
 ProjectEffect effect_on(const report::ProjectPart& before, const report::ProjectPart& after,
                         const ComparedPacks& compared);
 
-// Empty after an error, which has been printed. check: of one project.
+// Empty after an error, or if the project cannot be judged with one of them, which has been
+// printed. check: of one project.
 std::optional<ProjectEffect> check_with_both(const CheckOptions& check, const RunContext& context,
                                              const ComparedPacks& compared);
 

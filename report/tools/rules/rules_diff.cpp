@@ -2,6 +2,7 @@
 
 #include "report/check/load_rules.h"
 #include "report/check/settings.h"
+#include "report/shell/interrupt.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/tools/check/check_setup.h"
@@ -56,12 +57,6 @@ std::optional<rules::RulePack> find_or_read(const std::string& name,
   return rules::parse_rule_pack(content.bytes, name, diagnostics);
 }
 
-ExitCode print(const DiffOptions& options, const ShownDiff& diff, calc::Diagnostics& diagnostics) {
-  return print_outcome({diff.parts.empty() ? kAllMet : kNotMet,
-                        options.as_json ? diff_json(diff) : printable_lines(diff_text(diff)),
-                        diagnostics.all()});
-}
-
 ExitCode run_diff(const DiffOptions& asked, const RunContext& context) {
   DiffOptions options = asked;
   if (!options.project.empty()) {
@@ -85,11 +80,14 @@ ExitCode run_diff(const DiffOptions& asked, const RunContext& context) {
   }
   if (diagnostics.has_errors()) return print_outcome({kNotJudged, "", diagnostics.all()});
   ShownDiff diff{*before, *after, rules::diff_of(*before, *after, rows.names), std::nullopt};
+  ExitCode code = diff.parts.empty() ? kAllMet : kNotMet;
   if (!options.project.empty()) {
     diff.effect = check_with_both(options.check, context, {*before, *after, rows.names});
-    if (!diff.effect) return kNotJudged;
+    if (interrupted()) return kInterrupted;
+    if (!diff.effect) code = kNotJudged;
   }
-  return print(options, diff, diagnostics);
+  return print_outcome({code, options.as_json ? diff_json(diff) : printable_lines(diff_text(diff)),
+                        diagnostics.all()});
 }
 
 }  // namespace
@@ -112,8 +110,8 @@ Command diff_action() {
   command.footer =
       "[stricter] and [easier] are of a change by itself, everything else as in A or as in B,\n"
       "and stand only where that is certain.\n"
-      "Exit codes: 0 the packs are equal, 1 they differ, 2 at least one error, or the project\n"
-      "could not be judged with one of them.";
+      "Exit codes: 0 the packs are equal, 1 they differ, 2 at least one error, also one that\n"
+      "leaves the project unread or not calculated with one of them. Verdicts change no code.";
   command.complete = [options](const Environment& environment) -> std::string {
     std::string date;
     const std::string problem = take_source_date(environment.source_date_epoch, date);
