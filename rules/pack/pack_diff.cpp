@@ -26,16 +26,30 @@ Item* find_in(std::vector<Item>& items, const std::string& wanted, Key key) {
   return found == items.end() ? nullptr : &*found;
 }
 
-// What one change of `before` towards `after` does, nothing else being changed.
+// Puts a part back as it was.
+template <class Part>
+class Restored {
+ public:
+  explicit Restored(Part& part) : part_(part), was_(part) {}
+  Restored(const Restored&) = delete;
+  Restored& operator=(const Restored&) = delete;
+  ~Restored() { part_ = std::move(was_); }
+
+ private:
+  Part& part_;
+  Part was_;
+};
+
+// What one change of a pack does, nothing else being changed.
 class OneChange {
  public:
-  explicit OneChange(const RulePack& pack) : pack_(pack) {}
+  explicit OneChange(const RulePack& pack) : pack_(pack), changed_(pack) {}
 
   // A value of one of its rows becomes that of another row; null: it goes.
   Tightening of_value(const std::string& ref, const std::string& parameter, const RuleValue* to,
-                      bool is_modified) const {
-    RulePack changed = pack_;
-    RuleRow* row = find_in(changed.rows, ref, &RuleRow::ref);
+                      bool is_modified) {
+    RuleRow* row = find_in(changed_.rows, ref, &RuleRow::ref);
+    const Restored restored(*row);
     RuleValue* value = find_in(row->values, parameter, &RuleValue::parameter);
     if (is_modified) {
       if (value == nullptr || !value->required) return Tightening::unclear;
@@ -50,47 +64,43 @@ class OneChange {
       value->required = to->required;
       value->why = to->why;
     }
-    const auto place = static_cast<std::size_t>(row - changed.rows.data());
-    return tightening_of_row(pack_, changed, place, [&](const RuleCheck& check) {
+    const auto place = static_cast<std::size_t>(row - changed_.rows.data());
+    return tightening_of_row(pack_, changed_, place, [&](const RuleCheck& check) {
       return has_part(check, pack_, ExpressionKind::row_value, parameter);
     });
   }
 
   // An entry of a table becomes another; null: it goes.
-  Tightening of_entry(const std::string& table_id, double key, const RuleTable::Entry* to) const {
-    RulePack changed = pack_;
-    RuleTable* table = find_in(changed.tables, table_id, &RuleTable::id);
+  Tightening of_entry(const std::string& table_id, double key, const RuleTable::Entry* to) {
+    RuleTable* table = find_in(changed_.tables, table_id, &RuleTable::id);
+    const Restored restored(*table);
     std::erase_if(table->entries, [&](const RuleTable::Entry& entry) { return entry.key == key; });
     if (to != nullptr) table->entries.push_back(*to);
     std::sort(table->entries.begin(), table->entries.end(),
               [](const auto& a, const auto& b) { return a.key < b.key; });
-    return tightening_of(pack_, changed, [&](const RuleCheck& check) {
+    return tightening_of(pack_, changed_, [&](const RuleCheck& check) {
       return has_part(check, pack_, ExpressionKind::table, table_id);
     });
   }
 
   // A check gets the limit of another.
-  Tightening of_limit(const std::string& check_id, const RuleCheck& to) const {
-    RulePack changed = pack_;
-    RuleCheck* check = find_in(changed.checks, check_id, &RuleCheck::id);
-    const RuleCheck was = *check;
+  Tightening of_limit(const std::string& check_id, const RuleCheck& to) {
+    RuleCheck* check = find_in(changed_.checks, check_id, &RuleCheck::id);
+    const Restored restored(*check);
     check->limit = to.limit;
     check->comparison = to.comparison;
     // Names that this pack does not have, other units, circles.
     calc::Diagnostics diagnostics;
-    check_rule_pack(changed, diagnostics);
+    check_rule_pack(changed_, diagnostics);
     if (diagnostics.has_errors()) return Tightening::unclear;
-    // Whatever the row.
-    if (was.limit.kind == ExpressionKind::number && to.limit.kind == ExpressionKind::number) {
-      return tightening_of(was.comparison, was.limit.number, to.comparison, to.limit.number);
-    }
-    return tightening_of(pack_, changed, [&](const RuleCheck& other) {
+    return tightening_of(pack_, changed_, [&](const RuleCheck& other) {
       return other.id == check_id || has_part(other, pack_, ExpressionKind::limit_of, check_id);
     });
   }
 
  private:
   const RulePack& pack_;
+  RulePack changed_;  // the same between two calls
 };
 
 bool is_changed(const PartDifference& part, std::string_view field) {
@@ -130,7 +140,7 @@ Tightening of_severity(const FieldDifference& field) {
 class PackDiff {
  public:
   PackDiff(const RulePack& before, const RulePack& after, const RowNames& rows)
-      : before_(before), after_(after), rows_(rows) {
+      : before_(before), after_(after), rows_(rows), in_before_(before), in_after_(after) {
     for (const auto& [from, to] : rows) taken_.insert(to);
   }
 
@@ -240,7 +250,7 @@ class PackDiff {
     });
   }
 
-  void judge(PartDifference& part) const {
+  void judge(PartDifference& part) {
     if (part.change != PartChange::changed) {
       if (part.part == PackPart::check) part.tightening = of_check(part);
       return;
@@ -274,7 +284,7 @@ class PackDiff {
     return is_added ? Tightening::stricter : Tightening::easier;
   }
 
-  Tightening of_row_field(const PartDifference& part, const FieldDifference& field) const {
+  Tightening of_row_field(const PartDifference& part, const FieldDifference& field) {
     const RuleRow& was = *before_.find_row(part.id);
     const std::string& ref_after = part.id_after.empty() ? part.id : part.id_after;
     const RuleRow& is = *after_.find_row(ref_after);
@@ -283,15 +293,15 @@ class PackDiff {
       if (field.name != parameter.id && !is_modified) continue;
       const RuleName* other = after_.find_parameter(parameter.id);
       if (other == nullptr || other->unit.dimension != parameter.unit.dimension) break;
-      return agreed(OneChange(before_).of_value(was.ref, parameter.id, is.find_value(parameter.id),
-                                                is_modified),
-                    opposite(OneChange(after_).of_value(
-                        is.ref, parameter.id, was.find_value(parameter.id), is_modified)));
+      return agreed(
+          in_before_.of_value(was.ref, parameter.id, is.find_value(parameter.id), is_modified),
+          opposite(
+              in_after_.of_value(is.ref, parameter.id, was.find_value(parameter.id), is_modified)));
     }
     return Tightening::unclear;
   }
 
-  Tightening of_table_field(const PartDifference& part, const FieldDifference& field) const {
+  Tightening of_table_field(const PartDifference& part, const FieldDifference& field) {
     const RuleTable& was = *before_.find_table(part.id);
     const RuleTable& is = *after_.find_table(part.id);
     if (was.key_unit.dimension != is.key_unit.dimension ||
@@ -302,11 +312,11 @@ class PackDiff {
     const RuleTable::Entry* other = find_entry(is, field.name);
     if (entry == nullptr && other == nullptr) return Tightening::unclear;
     const double key = entry != nullptr ? entry->key : other->key;
-    return agreed(OneChange(before_).of_entry(part.id, key, other),
-                  opposite(OneChange(after_).of_entry(part.id, key, entry)));
+    return agreed(in_before_.of_entry(part.id, key, other),
+                  opposite(in_after_.of_entry(part.id, key, entry)));
   }
 
-  Tightening of_check_field(const PartDifference& part, const FieldDifference& field) const {
+  Tightening of_check_field(const PartDifference& part, const FieldDifference& field) {
     const RuleCheck& was = *before_.find_check(part.id);
     const RuleCheck& is = *after_.find_check(part.id);
     if (field.name == "severity") {
@@ -319,8 +329,7 @@ class PackDiff {
                               "state", "sources", "light", "outage"}) {
       if (is_changed(part, other)) return Tightening::unclear;
     }
-    return agreed(OneChange(before_).of_limit(part.id, is),
-                  opposite(OneChange(after_).of_limit(part.id, was)));
+    return agreed(in_before_.of_limit(part.id, is), opposite(in_after_.of_limit(part.id, was)));
   }
 
   static Tightening of_aggregate_field(const PartDifference& part, const FieldDifference& field) {
@@ -335,6 +344,7 @@ class PackDiff {
   const RulePack& before_;
   const RulePack& after_;
   const RowNames& rows_;
+  OneChange in_before_, in_after_;
   std::set<std::string> taken_;  // names in the second pack that rows of other names have
   std::vector<PartDifference> differences_;
 };

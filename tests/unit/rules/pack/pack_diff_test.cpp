@@ -503,6 +503,21 @@ TEST(Tightening, OfLimits) {
               ElementsAre("check percent: limit less-than 7 lx -> at-most 7 lx [easier]"));
 }
 
+// Higher is stricter for `idle`, and easier for what may be twice as much.
+TEST(Tightening, OfLimitsInTheLimitsOfOthers) {
+  const auto with = [](const std::string& limit) {
+    return edited(kEverything, "less-than='7 lx'", limit);
+  };
+  const std::string lower = with("at-least='2 * limit(idle)'");
+  const std::string upper = with("at-most='2 * limit(idle)'");
+  const std::string line = "check idle: limit at-least 1 lx -> at-least 2 lx";
+  const auto raised = [](const std::string& pack) {
+    return edited(pack, "at-least='1 lx'", "at-least='2 lx'");
+  };
+  EXPECT_THAT(lines_of(lower, raised(lower)), ElementsAre(line + " [stricter]"));
+  EXPECT_THAT(lines_of(upper, raised(upper)), ElementsAre(line));
+}
+
 // Of 1.2 nobody knows a limit, before or after.
 TEST(Tightening, OfLimitsThatHangOnRows) {
   EXPECT_THAT(change("at-least='row(E)'", "at-least='2 * row(E)'"),
