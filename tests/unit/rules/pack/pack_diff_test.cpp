@@ -425,6 +425,12 @@ TEST(Tightening, AHigherLowerLimitIsStricterAndAHigherUpperLimitEasier) {
               ElementsAre("row 1.1: R 19 -> 16 [stricter]"));
 }
 
+TEST(Tightening, EachChangeIsJudgedByItself) {
+  EXPECT_THAT(change("required='300' modified='500'", "required='400' modified='450'"),
+              ElementsAre("row 1.1: E 300 lx -> 400 lx [stricter]",
+                          "row 1.1: E modified 500 lx -> 450 lx [easier]"));
+}
+
 TEST(Tightening, AValueThatIsNotKnownIsNeither) {
   EXPECT_THAT(change("of='E' none='unknown'", "of='E' required='200'"),
               ElementsAre("row 1.2: E unknown -> 200 lx"));
@@ -465,6 +471,8 @@ TEST(Tightening, AValueThatOnlyOnePackUsesIsNeither) {
   const std::string unused = edited(kEverything, "at-least='row(E)'", "at-least='5 lx'");
   const std::string none = edited(unused, "at-least='table(t, row(E))'", "at-least='6 lx'");
   EXPECT_THAT(lines_of(none, edited(kEverything, "required='300'", "required='400'")),
+              Contains("row 1.1: E 300 lx -> 400 lx"));
+  EXPECT_THAT(lines_of(kEverything, edited(none, "required='300'", "required='400'")),
               Contains("row 1.1: E 300 lx -> 400 lx"));
 }
 
@@ -528,6 +536,15 @@ TEST(Tightening, OfLimitsThatHangOnRows) {
   // Higher for one row and lower for the other.
   EXPECT_THAT(lines_of(known, edited(known, "at-least='row(E)'", "at-least='200 lx'")),
               ElementsAre("check a: limit at-least row(E) -> at-least 200 lx"));
+}
+
+// The table has nothing for 300 lx.
+TEST(Tightening, ALimitThatIsKnownNoMoreIsNeither) {
+  const std::string known =
+      edited(edited(kEverything, "of='E' none='unknown'", "of='E' required='200'"),
+             "<entry key='7' value='8'/>", "<entry key='200' value='250'/>");
+  EXPECT_THAT(lines_of(known, edited(known, "at-least='row(E)'", "at-least='table(idle, row(E))'")),
+              ElementsAre("check a: limit at-least row(E) -> at-least table(idle, row(E))"));
 }
 
 TEST(Tightening, WhatHangsOnFactsOrResultsIsNeither) {
