@@ -10,14 +10,14 @@
 
 namespace rules {
 
-// stricter: no limit became easier to meet, and one harder. unclear: nobody can be sure.
+// stricter: no limit became easier to meet, and one harder; easier: the other way round. unclear:
+// nobody can be sure.
 enum class Tightening { none, stricter, easier, unclear };
 
 // Both together.
 Tightening joined(Tightening a, Tightening b);
 
-// Of a limit for one value of another, of the same comparison or one that only counts equality
-// otherwise.
+// Of one limit in place of another; of a lower one in place of an upper one nobody can be sure.
 Tightening tightening_of(Comparison before_by, double before, Comparison after_by, double after);
 
 // Whether a limit may hang on what was changed.

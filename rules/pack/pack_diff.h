@@ -28,7 +28,7 @@ struct PartDifference {
   PartChange change = PartChange::changed;
   std::string id;        // in the first pack; of what was added: in the second
   std::string id_after;  // of a row that is matched with another
-  std::string title;     // of rows: their name; ""
+  std::string title;     // of rows: their name
   // Of a check that is there or not.
   Tightening tightening = Tightening::unclear;
   std::vector<FieldDifference> fields;  // of what was added or removed: all that it has
@@ -44,10 +44,10 @@ std::vector<PartDifference> diff_of(const RulePack& before, const RulePack& afte
 // has.
 RowNames likely_row_names(const std::vector<PartDifference>& parts);
 
-// "5.26.2=34.2", of rows that are there; why not in words.
+// Of texts like "5.26.2=34.2", whose rows must be there.
 struct ReadRowNames {
   RowNames names;
-  std::string problem;  // "" = none
+  std::string problem;  // in words; "" = none
 };
 ReadRowNames read_row_names(const std::vector<std::string>& texts, const RulePack& before,
                             const RulePack& after);
