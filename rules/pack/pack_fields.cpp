@@ -182,7 +182,9 @@ std::vector<PackField> of_plane(const RulePlane& plane) {
           words("around", plane.around),
           number_if(has_width, "width", plane.width_m, "m"),
           number_if(plane.height_m.has_value(), "height", plane.height_m.value_or(0.0), "m"),
-          number_if(has_area, "margin", plane.margin_m, "m")};
+          number_if(has_area, "margin", plane.margin_m, "m"),
+          number_if(plane.narrow_m > 0.0, "narrow-below", plane.narrow_m, "m"),
+          number_if(plane.narrow_m > 0.0, "narrow-share", plane.narrow_share)};
 }
 
 void add_value(std::vector<PackField>& fields, const RuleValue& value, const Unit& unit) {
@@ -194,9 +196,13 @@ void add_value(std::vector<PackField>& fields, const RuleValue& value, const Uni
 }
 
 std::vector<PackField> of_row(const RuleRow& row, const RulePack& pack) {
-  std::vector<PackField> fields{words("ref", row.ref), words("name", row.name),
+  std::vector<PackField> fields{words("ref", row.ref),
+                                words("name", row.name),
+                                words("name-de", row.name_de),
                                 words("trust", calc::name_of(row.trust)),
-                                words("sources", set_text(row.sources)), words("note", row.note)};
+                                words("sources", set_text(row.sources)),
+                                words("note", row.note),
+                                words("task-orientation", row.task_orientation)};
   fields.push_back(words(
       "task-heights",
       row.task_heights_m ? heights_text(row.task_heights_m->lowest_m, row.task_heights_m->highest_m)
@@ -209,8 +215,9 @@ std::vector<PackField> of_row(const RuleRow& row, const RulePack& pack) {
 }
 
 std::vector<PackField> of_check(const RuleCheck& check) {
-  const bool is_share = check.metric == Metric::share;
-  const char* unit = base_unit(check.quantity->dimension);
+  const bool has_range = check.metric == Metric::share || check.has_mounting_heights();
+  const char* unit =
+      base_unit(check.has_mounting_heights() ? Dimension::length : check.quantity->dimension);
   PackField limit =
       words("limit", fmt::format("{} {}", comparison_name(check.comparison), check.limit_text));
   limit.meaning = fmt::format("{} {}", comparison_name(check.comparison), meaning_of(check.limit));
@@ -221,8 +228,8 @@ std::vector<PackField> of_check(const RuleCheck& check) {
           words("quantity", check.quantity->name),
           words("statistic", calc::name_of(check.metric)),
           number_if(check.metric == Metric::percentile, "percent", check.percent),
-          number_if(is_share && check.range.from > 0.0, "from", check.range.from, unit),
-          number_if(is_share && std::isfinite(check.range.to), "to", check.range.to, unit),
+          number_if(has_range && check.range.from > 0.0, "from", check.range.from, unit),
+          number_if(has_range && std::isfinite(check.range.to), "to", check.range.to, unit),
           words("mask", check.mask.id),
           words("state", calc::name_of(check.state)),
           words("sources", calc::name_of(check.sources)),

@@ -99,11 +99,13 @@ const std::vector<std::string> kParts{
     "<grid id='counted' method='fixed-count' count='given' cells='9 3'/>",
     "<grid id='idle' method='project' count='given'/>",
     "<plane role='desk' orientation='horizontal-up' heights='0.7 0.8' heights-are='usual' grid='g' "
-    "mask='m' missing='0.15' note='n' area='task' height='0.75' margin='0.5'/>",
+    "mask='m' missing='0.15' note='n' area='task' height='0.75' margin='0.5' narrow-below='3' "
+    "narrow-share='0.15'/>",
     "<plane role='band' orientation='horizontal-up' area='band' around='desk' width='0.4'/>",
     "<plane role='wall' orientation='surface'/>",
     "<plane role='wall' orientation='vertical'/>",
-    "<row ref='1.1' name='shop' trust='confirmed' sources='s' note='n' task-heights='0 0.2'>"
+    "<row ref='1.1' name='shop' trust='confirmed' sources='s' note='n' task-heights='0 0.2' "
+    "task-orientation='vertical' name-de='Laden'>"
     "<value of='E' required='300' modified='500' trust='unverified'/>"
     "<value of='R' required='19'/></row>",
     "<row ref='1.2' name='store' trust='confirmed'><value of='E' none='unknown'/>"
@@ -231,6 +233,12 @@ constexpr Edit kEdits[] = {
     {"plane.width", "width='0.4'", "width='0.3'", "plane band", "width"},
     {"plane.height", "height='0.75'", "height='0.8'", "plane desk", "height"},
     {"plane.margin", "margin='0.5'", "margin='0.4'", "plane desk", "margin"},
+    {"plane.narrow-below", "narrow-below='3'", "narrow-below='2'", "plane desk", "narrow-below"},
+    {"plane.narrow-share", "narrow-share='0.15'", "narrow-share='0.1'", "plane desk",
+     "narrow-share"},
+    {"row.name-de", "name-de='Laden'", "name-de='Markt'", "row 1.1", "name-de"},
+    {"row.task-orientation", "task-orientation='vertical'", "task-orientation='free'", "row 1.1",
+     "task-orientation"},
     {"row.ref", "rows='1.1 1.2'", "rows='1.2 1.1'", "class c", "rows"},
     {"row.name", "name='shop'", "name='mall'", "row 1.1", "name"},
     {"row.trust", "name='shop' trust='confirmed'", "name='shop' trust='unverified'", "row 1.1",
