@@ -216,6 +216,7 @@ struct ZoneText {
 struct UnmadeZone {
   std::string role, why;
   std::optional<Waiver> left_out;  // by the project; else there is no place for it
+  bool is_place_unknown = false;   // there is one, but nobody knows where: the project may say it
 };
 
 // The task of a workplace that is no level area: a board on a wall, the face of a rack.

@@ -254,9 +254,10 @@ class WorkplaceMaker {
     return found == workplace_.zones.end() ? nullptr : &*found;
   }
 
-  void leave_unmade(const std::string& role, const std::string& why) {
+  void leave_unmade(const std::string& role, const std::string& why,
+                    bool is_place_unknown = false) {
     not_made_.push_back(fmt::format("{} ({})", role, why));
-    unmade_.push_back({role, why, std::nullopt});
+    unmade_.push_back({role, why, std::nullopt, is_place_unknown});
   }
 
   // After the last day the plane is asked for again, and nothing is known of it: it has no area.
@@ -280,7 +281,7 @@ class WorkplaceMaker {
       const std::string& name = is_own ? left_out_names_[i] : role;
       if (!unmade_.empty() && unmade_.back().left_out && unmade_.back().role == name) continue;
       left_out_.push_back(fmt::format("{} ({})", name, waiver_words(by)));
-      unmade_.push_back({name, by.reason, by});
+      unmade_.push_back({name, by.reason, by, false});
     }
   }
 
@@ -432,7 +433,7 @@ class WorkplaceMaker {
           return;
         }
       }
-      return leave_unmade(name, made.not_made);
+      return leave_unmade(name, made.not_made, made.is_place_unknown);
     }
     if (!made.problem.empty()) {
       const calc::SourceLocation& where = zone != nullptr ? zone->where : workplace_.where;

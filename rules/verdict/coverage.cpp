@@ -122,9 +122,10 @@ void add_zone_words(const std::string& role, const std::string& zone, const std:
 void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool is_asked,
                   RoleCoverage& coverage) {
   std::string not_made;
-  bool has_ended = false;
+  bool has_ended = false, is_place_unknown = false;
   for (const calc::UnmadeZone& zone : workplace.unmade) {
     if (zone.role != coverage.role && !zone.role.starts_with(coverage.role + ".")) continue;
+    is_place_unknown = is_place_unknown || zone.is_place_unknown;
     if (!zone.left_out) {
       add_zone_words(coverage.role, zone.role, zone.why, not_made);
       continue;
@@ -137,7 +138,9 @@ void cover_unmade(const calc::Workplace& workplace, std::string_view today, bool
     has_ended = has_ended || is_over;
   }
   if (coverage.left_out.empty()) coverage.words = not_made;
-  if (!is_asked && !not_made.empty()) coverage.state = RoleState::not_made;
+  if (!is_asked && !not_made.empty()) {
+    coverage.state = is_place_unknown ? RoleState::never_asked : RoleState::not_made;
+  }
   if (!is_asked && !coverage.left_out.empty()) coverage.state = RoleState::left_out;
   if (has_ended) coverage.state = RoleState::left_out_ended;
 }

@@ -109,6 +109,7 @@ class ZoneMaker {
     const RulePlane* inside = source_.pack.find_plane(rule_.around);
     if (inside == nullptr || inside->area != ZoneArea::task) {
       zone_.not_made = calc::say<calc::Sentence::task_is_upright>();
+      zone_.is_place_unknown = true;
       return;
     }
     const calc::RoomBeside room = calc::room_beside(*upright(), *source_.space.shell);

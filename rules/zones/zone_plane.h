@@ -24,9 +24,10 @@ struct ZonePlane {
   std::string words;      // "band of 0.5 m around the task, 0.75 m above the floor, ..."
   std::string changed;    // by the project, in words; or ""
   std::optional<double> narrow_margin_m;  // as the room is narrow, in place of the rule's
-  std::string not_made;   // why there is no such zone in this room; "" = there is
-  std::string problem;    // an error: why nothing is left of it; "" = none
-  bool is_simple = true;  // false: the problem is that the outline crosses itself
+  std::string not_made;                   // why there is no such zone in this room; "" = there is
+  bool is_place_unknown = false;          // why: no source says where it would be
+  std::string problem;                    // an error: why nothing is left of it; "" = none
+  bool is_simple = true;                  // false: the problem is that the outline crosses itself
 };
 
 // rule: of the pack, with an area; change: empty if the project changes nothing; wall: from 0, for

@@ -118,11 +118,11 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
                  "height='1' count='1 1'", kRoom, "</room>");
   EXPECT_THAT(bound.messages, IsEmpty());
   EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
-  EXPECT_THAT(bound.at(0).note, HasSubstr("'low', 2.49 m above the floor; 1 of them"));
+  EXPECT_THAT(bound.at(0).note, HasSubstr("'low', 2.49 m above the floor; luminaires there: 1"));
   EXPECT_NEAR(bound.at(1).of_space.value, 900.0, 1e-9);
   EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
   EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
-  EXPECT_THAT(bound.at(3).note, HasSubstr("3 of them"));
+  EXPECT_THAT(bound.at(3).note, HasSubstr("luminaires there: 3"));
   EXPECT_EQ(bound.at(4).of_space.high, 0.0);
   EXPECT_THAT(bound.at(4).note, HasSubstr("none of the luminaires that are on hangs there"));
 }
