@@ -13,6 +13,7 @@
 namespace rules {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -125,6 +126,24 @@ TEST(RowCoverage, AWorkplaceAsksTheWholeRow) {
   EXPECT_THAT(covered.roles(), ElementsAre("task met", "surround not-made", "background not-made",
                                            "wall met", "ceiling met", "cylinder met",
                                            "observer met", "room not-made", "lamp not-possible"));
+}
+
+// Nobody says where the background of a board is: until the project does, the row is not whole.
+TEST(RowCoverage, ABackgroundWithoutAPlaceIsMissed) {
+  const auto of_board = [](const std::string& children) {
+    return cover(
+        "<workplace id='w' pack='en12464-1:2021' row='44.4.1' wall='2' along='1 4' "
+        "heights='1 2'>" +
+        children + "</workplace>");
+  };
+  const Covered board = of_board("");
+  EXPECT_FALSE(board.rows.at(0).is_whole());
+  EXPECT_THAT(board.roles(), Contains("background never-asked"));
+  EXPECT_THAT(board.roles(), Contains("surround met"));
+  EXPECT_TRUE(of_board("<zone role='background' origin='8 1' size='3 6'/>").rows.at(0).is_whole());
+  EXPECT_TRUE(of_board("<without role='background' because='x' by='y' until='2028-01-01'/>")
+                  .rows.at(0)
+                  .is_whole());
 }
 
 TEST(RowCoverage, SaysWhatSomebodyLeftOut) {
