@@ -114,8 +114,8 @@ TEST(WorkplaceGridXml, CopiesAreCountedAlongXFirst) {
 TEST(WorkplaceGridXmlMessage, CopiesThatCannotBe) {
   const std::string area = "origin='0.5 0.5' size='1 0.8' ";
   expect_message(load_grid("repeat='2 1' step='1 0'"),
-                 "<workplace-grid> needs the area of its first copy: 'origin' and 'size', or "
-                 "'footprint'");
+                 "<workplace-grid> needs the area of its first copy: 'origin' and 'size', "
+                 "'footprint' or 'face'");
   expect_message(load_grid(area + "repeat='2 1' step='0 1'"),
                  "attribute 'step' of <workplace-grid>: 0 is not allowed; expected a distance "
                  "other than 0 wherever 'repeat' is above 1");

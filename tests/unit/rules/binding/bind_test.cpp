@@ -242,11 +242,11 @@ TEST(BindRequirements, SaysHowWellARequirementIsKnown) {
 }
 
 TEST(BindRequirements, CannotJudgeAValueThatThePackDoesNotKnow) {
-  const Bound bound = bind_one({{"pack", "en12464-1"}, {"row", "26.6"}, {"role", "wall"}});
+  const Bound bound = bind_one({{"pack", "en12193"}, {"row", "ice-hockey-II"}});
   ASSERT_EQ(bound.requirements.size(), 2u);
-  EXPECT_EQ(bound.requirements[0].problem, "row 26.6: Ewall is unknown");
-  EXPECT_TRUE(std::isnan(bound.requirements[0].limit));
-  EXPECT_EQ(bound.requirements[1].problem, "");
+  EXPECT_EQ(bound.requirements[0].problem, "");
+  EXPECT_EQ(bound.requirements[1].problem, "row ice-hockey-II: Uo is unknown");
+  EXPECT_TRUE(std::isnan(bound.requirements[1].limit));
 }
 
 TEST(BindRequirements, LeavesOutWhatTheRowDoesNotSpecify) {
@@ -526,11 +526,12 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   const auto messages = [](const Attributes& attributes) {
     return bind_derived(calc::DerivedQuantity::ugr, attributes).messages;
   };
-  EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
-              ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
-                          "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
-                          "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
-                          "road-Ul, TI or REI"));
+  EXPECT_THAT(
+      messages({{"quantity", "average"}, {"at-most", "19"}}),
+      ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
+                  "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
+                  "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
+                  "road-Ul, TI, REI, ULR, intensity, glare-intensity or luminaire-distance"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -587,7 +588,7 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
                           "Uo, Ud, percentile, value, share, gradient, power-density, "
                           "power-per-100-lx, LENI, UGR-table, road-luminance, road-Uo, road-Ul, "
-                          "TI, REI or GR; "
+                          "TI, REI, GR, ULR, intensity, glare-intensity or luminaire-distance; "
                           "did you mean 'average'?"));
 }
 
@@ -758,8 +759,9 @@ TEST(BindRequirementsMessage, UnknownPack) {
 TEST(BindRequirementsMessage, UnknownRow) {
   EXPECT_THAT(messages_of({{"pack", "en12464-1"}, {"row", "34.9"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'row' of "
-                          "<require>: there is no row '34.9'; allowed: 9.4, 10.4, 10.6, 10.7, "
-                          "13.5, 13.7, 14.1, 15.2, 26.6, 34.2 or 34.7; did you mean '34.2'?"));
+                          "<require>: there is no row '34.9'; allowed: 9.1, 9.2, 9.3, 9.4, 9.5, "
+                          "10.1, 10.2, 10.3, 10.4, 10.5, 10.6, 10.7, 11.1, 13.2, 13.3, 13.5, 13.6, "
+                          "13.7, 14.1 or 15.2 and 30 more; did you mean '33.9'?"));
 }
 
 TEST(BindRequirementsMessage, AmbiguousPack) {
@@ -809,7 +811,7 @@ TEST(BindRequirementsMessage, UnknownRole) {
   EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
                           "<require>: there is no role 'rout'; allowed: route, open-area, "
-                          "high-risk or safety-item; did you mean 'route'?"));
+                          "high-risk, safety-item, emphasis or glare; did you mean 'route'?"));
 }
 
 TEST(BindRequirementsMessage, LevelWithoutRow) {

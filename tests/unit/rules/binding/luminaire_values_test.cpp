@@ -21,7 +21,7 @@ using testing::Not;
 std::string ies(const std::string& gammas, const std::string& candelas, int count) {
   return "IESNA:LM-63-2002\n[TEST] none\n[TESTLAB] none\n[ISSUEDATE] 2024\n[MANUFAC] none\n"
          "TILT=NONE\n1 -1 1 " +
-         std::to_string(count) + " 1 1 2 0 0 0\n1 1 10\n" + gammas + "\n0\n" + candelas + "\n";
+         std::to_string(count) + " 1 1 2 0 0 0\n1 1 100\n" + gammas + "\n0\n" + candelas + "\n";
 }
 
 struct Bound {
@@ -35,18 +35,20 @@ struct Bound {
 Bound bind_plane(const std::string& beside, const std::string& require,
                  const std::string& plane = "origin='0 0 1' u='0 2 0' v='0 0 1' count='1 1'",
                  const std::string& room = "", const std::string& end_of_room = "") {
+  const bool has_group = beside.find("group='g'") != std::string::npos;
+  const std::string scenes = has_group ? "<scene id='half'><dim group='g' level='0.5'/></scene>"
+                                         "<scene id='none'><dim group='g' level='0'/></scene>"
+                                       : "";
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.5'><material id='m' reflectance='0.5'/>"
       "<luminaire-type id='ball' photometry='ball.ies'/>"
-      "<luminaire-type id='wide' photometry='wide.ies'/>"
-      "<scene id='half'><dim group='g' level='0.5'/></scene>"
-      "<scene id='none'><dim group='g' level='0'/></scene>" +
-      room + beside + "<plane id='p' " + plane + ">" + require + "</plane>" + end_of_room +
+      "<luminaire-type id='wide' photometry='wide.ies'/>" +
+      scenes + room + beside + "<plane id='p' " + plane + ">" + require + "</plane>" + end_of_room +
       "</luxgate>";
   calc::Diagnostics diagnostics;
   const calc::MemoryFileReader files({{"p.xml", xml},
                                       {"ball.ies", ies("0 180", "100 100", 2)},
-                                      {"wide.ies", ies("0 90", "0 900", 2)}});
+                                      {"wide.ies", ies("0 90 90.0001 180", "0 900 0 0", 4)}});
   Bound bound;
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   for (const auto& d : diagnostics.all()) bound.messages.push_back(format_diagnostic(d));
@@ -68,8 +70,8 @@ TEST(LuminaireValue, UpwardShareIsOfNewLuminairesInTheScene) {
   // 400 pi lm, half of them up; of 10 rad-wise linear candelas to 900 cd all goes down:
   // 2 pi (900 / (pi / 2)) times the integral of g sin g to pi / 2, which is 1.
   const double ball = 400.0 * M_PI, down = 2.0 * M_PI * 1800.0 / M_PI;
-  EXPECT_NEAR(bound.at(0).of_space.value, 100.0 * 0.5 * ball / (ball + down), 1e-9);
-  EXPECT_NEAR(bound.at(1).of_space.value, 100.0 * 0.25 * ball / (0.5 * ball + down), 1e-9);
+  EXPECT_NEAR(bound.at(0).of_space.value, 100.0 * 0.5 * ball / (ball + down), 1e-3);
+  EXPECT_NEAR(bound.at(1).of_space.value, 100.0 * 0.25 * ball / (0.5 * ball + down), 1e-3);
   EXPECT_EQ(bound.at(0).state, LightState::initial);
   EXPECT_STREQ(unit_of(bound.at(0)), "%");
   EXPECT_THAT(bound.at(0).note, HasSubstr("as they are mounted"));

@@ -10,8 +10,9 @@ namespace {
 
 TEST(RequirementAttributes, WorkplaceHasItsOwnAndThoseOfRules) {
   EXPECT_EQ(calc::attribute_names(workplace_element()),
-            (calc::Names{"id", "name", "was", "origin", "size", "footprint", "height", "glare",
-                         "scene", "pack", "row", "level", "level-because", "facts"}));
+            (calc::Names{"id", "name", "was", "origin", "size", "footprint", "height", "wall",
+                         "along", "face", "heights", "lean", "glare", "scene", "pack", "row",
+                         "level", "level-because", "facts"}));
 }
 
 TEST(RequirementAttributes, NoNameTwiceAndEachWithAMeaning) {

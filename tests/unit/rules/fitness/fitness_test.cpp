@@ -554,8 +554,11 @@ RolePlane plane_of(const std::string& role) {
   if (role == "ceiling") {
     return {"on='ceiling' margin='0.5'", flat(1), "", "origin='2 2 2' u='0 2 0' v='4 0 0'"};
   }
-  if (role == "vertical" || role == "safety-item" || role == "window") {
+  if (role == "vertical" || role == "safety-item") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
+  }
+  if (role == "window") {  // an upper limit: it looks at the luminaires
+    return {"origin='6 2 0.4' u='-4 0 0' v='0 0 2'", flat(1.5), "", ""};
   }
   if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), "", 1.1};
   if (role == "cylinder") {

@@ -205,7 +205,7 @@ TEST(ImportRowsMessage, WarnsOfUnusualNumbers) {
                           "is no step of the scale 'steps'; next to it: 500 lx and 750 lx"));
   EXPECT_THAT(messages_of("1,a,,500,8000,0.6,80,19,,,,"),
               ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'Em mod': "
-                          "8000 lx is no step of the scale 'steps'; next to it: 5000 lx"));
+                          "8000 lx is no step of the scale 'steps'; next to it: 7500 lx"));
   EXPECT_THAT(
       messages_of("1,a,,500,,0.6,80,190,,,,"),
       ElementsAre("rows.csv:2: warning[rule-import-doubtful]: row '1', column 'UGR': 190 is "
