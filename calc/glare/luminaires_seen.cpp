@@ -3,6 +3,7 @@
 #include "calc/base/elementary.h"
 #include "calc/base/units.h"
 #include "calc/photometry/sine_segment.h"
+#include "calc/scene/polygon.h"
 #include "calc/scene/prepared_scene.h"
 #include "calc/scene/scene_level.h"
 
@@ -469,6 +470,17 @@ Range zone_peak_cd(const PhotometricWeb& web, const glm::dvec3& up, double from_
   return ZonePeak(web, up, {-calc::cos(from_rad), -calc::cos(to_rad)}).cd();
 }
 
+// Of a room with walls: its light reaches it.
+bool stands_in(const Space& space, const glm::dvec3& place_m) {
+  if (!space.shell) return true;
+  const RoomShell& room = *space.shell;
+  constexpr double kOnSurface_m = 1.0e-6;
+  const double above_m = place_m.z - room.floor_z_m;
+  return above_m >= -kOnSurface_m && above_m <= room.height_m + kOnSurface_m &&
+         (contains_point(room.footprint_m, glm::dvec2(place_m)) ||
+          distance_to_boundary(room.footprint_m, glm::dvec2(place_m)) <= kOnSurface_m);
+}
+
 }  // namespace
 
 bool has_light(const Project& project, const Space& space, const LightScene* scene) {
@@ -548,6 +560,7 @@ NearestLuminaire nearest_luminaire(const Project& project, const Space& space,
     double nearest_m2 = kInfinity;
     std::size_t luminaire = 0;
     for (const SeenLuminaire& seen : all) {
+      if (!stands_in(space, space.luminaires[seen.index].position_m)) continue;
       const glm::dvec2 way(space.luminaires[seen.index].position_m - points_m[point]);
       const double squared_m2 = glm::dot(way, way);
       if (!(squared_m2 < nearest_m2)) continue;

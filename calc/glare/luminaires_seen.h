@@ -49,6 +49,7 @@ struct NearestLuminaire {
 };
 
 // Distance in plan from a point to the luminaire nearest to it, of the point where it is greatest.
+// Of a room with walls luminaires within it count alone; what stands between is not looked at.
 // Infinite without luminaires, 0 without points.
 NearestLuminaire nearest_luminaire(const Project& project, const Space& space,
                                    const LightScene* scene,

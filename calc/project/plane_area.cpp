@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <queue>
 
 namespace calc {
 namespace {
@@ -62,6 +63,45 @@ glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline) {
   return axis;
 }
 
+namespace {
+
+// Of the largest circle in the outline, up to half a millimetre: squares are quartered, always the
+// one that may hold the centre of the largest.
+double largest_circle_m(const std::vector<glm::dvec2>& outline) {
+  struct Square {
+    glm::dvec2 middle;
+    double half_m, here_m, most_m;
+    bool operator<(const Square& other) const { return most_m < other.most_m; }
+  };
+  constexpr double kFine_m = 5.0e-4, kDiagonal = 1.4142135623730951;
+  double found_m = 0.0;
+  std::priority_queue<Square> squares;
+  const auto add = [&](const glm::dvec2& middle, double half_m) {
+    const double distance_m = distance_to_boundary(outline, middle);
+    const double here_m = contains_point(outline, middle) ? distance_m : -distance_m;
+    found_m = std::max(found_m, here_m);
+    squares.push({middle, half_m, here_m, here_m + half_m * kDiagonal});
+  };
+  glm::dvec2 low = outline[0], high = outline[0];
+  for (const glm::dvec2& corner : outline) {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  add(0.5 * (low + high), 0.5 * std::max(high.x - low.x, high.y - low.y));
+  while (!squares.empty() && squares.top().most_m > found_m + kFine_m) {
+    const Square square = squares.top();
+    squares.pop();
+    const double half_m = 0.5 * square.half_m;
+    for (const glm::dvec2& way :
+         {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)}) {
+      add(square.middle + half_m * way, half_m);
+    }
+  }
+  return 2.0 * found_m;
+}
+
+}  // namespace
+
 double width_of(const std::vector<glm::dvec2>& outline) {
   const glm::dvec2 along = long_axis(outline), across(-along.y, along.x);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
@@ -70,7 +110,10 @@ double width_of(const std::vector<glm::dvec2>& outline) {
     low = glm::min(low, place);
     high = glm::max(high, place);
   }
-  return std::min(high.x - low.x, high.y - low.y);
+  const double side_m = std::min(high.x - low.x, high.y - low.y);
+  constexpr double kSame_m = 2.0e-3;  // as fine as circles are
+  const double circle_m = largest_circle_m(outline);
+  return circle_m < side_m - kSame_m ? circle_m : side_m;
 }
 
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up) {

@@ -11,6 +11,7 @@
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/luminaire_values.h"
 #include "rules/binding/requirement_reader.h"
+#include "rules/fitness/place_in_space.h"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,23 @@ void narrow_strips(Mask& mask, double margin_m) {
   }
 }
 
+// What counts of the strip along walls that a mask leaves out: less, where the project says so, or
+// the room is narrow for the rule.
+std::optional<double> narrower_strip_m(const calc::CalcPlane& plane, const Requirement& requirement,
+                                       const RequirementContext& context) {
+  if (plane.own_margin_m) return plane.own_margin_m;
+  if (requirement.origin.pack.empty() || context.space == nullptr) return std::nullopt;
+  for (const RulePack& pack : context.packs) {
+    if (pack.full_id() != requirement.origin.pack) continue;
+    const RuleCheck* check = pack.find_check(requirement.origin.check);
+    const RulePlane* role = check == nullptr ? nullptr : pack.find_plane(check->role);
+    if (role == nullptr) return std::nullopt;
+    const double strip_m = margin_in_room_m(*role, room_width_m(*context.space));
+    return strip_m < role->margin_m ? std::optional(strip_m) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 // Copies of a workplace have one element, and what is wrong with it is said once.
 class ElementsOnce {
  public:
@@ -107,7 +125,7 @@ class SpaceValues {
   void set_luminaires(const calc::CalcPlane& plane, Requirement& requirement) {
     const std::string& scene = requirement.scene;
     set_luminaire_value(
-        {project_, space_, scene_named(scene),
+        {project_, space_, plane, scene_named(scene),
          [&]() -> const std::vector<calc::ZoneIntensity>& {
            return known(glare_intensities_, scene, [&](const calc::LightScene* levels) {
              return calc::zone_intensities(project_, space_, levels, kGlareFrom_deg, kGlareTo_deg);
@@ -290,7 +308,9 @@ void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
   for (const calc::RequirementText& text : plane.requirements) {
     for (Requirement& requirement : elements.read(text, context, diagnostics)) {
       requirement.plane_id = plane.id;
-      if (plane.own_margin_m) narrow_strips(requirement.mask, *plane.own_margin_m);
+      if (const auto strip_m = narrower_strip_m(plane, requirement, context)) {
+        narrow_strips(requirement.mask, *strip_m);
+      }
       requirement.mask_words = mask_words(requirement.mask, plane.travel);
       if (is_about_space(requirement.metric)) set_space_value(of_space, plane, requirement);
       if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);

@@ -5,6 +5,7 @@
 #include "rules/fitness/place_in_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -54,9 +55,14 @@ void set_intensity(const LuminaireFacts& facts, Requirement& requirement) {
 void set_distance(const LuminaireFacts& facts, Requirement& requirement) {
   if (are_too_many(facts, requirement)) return;
   const PlanePoints& points = facts.points();
+  add_note(say<Sentence::distance_method>(), requirement);
   const calc::NearestLuminaire nearest =
       calc::nearest_luminaire(facts.project, facts.space, facts.scene, points.position_m);
   requirement.of_space = nearest.m;
+  if (!std::isfinite(nearest.m.value)) {
+    requirement.problem = say<Sentence::no_luminaire_is_on>();
+    return;
+  }
   if (points.position_m.empty()) return;
   add_note(say<Sentence::nearest_of>(place_words(points.position_m[nearest.point]),
                                      name_of(facts, nearest.luminaire)),
@@ -82,20 +88,25 @@ void set_glare_intensity(const LuminaireFacts& facts, Requirement& requirement) 
   std::vector<calc::ZoneIntensity> intensities = facts.glare_intensities();
   const bool is_of_battery = requirement.state == LightState::end_of_duration;
   if (is_of_battery) add_full_output(facts, intensities);
+  bool is_height_open = false;
   for (const calc::ZoneIntensity& one : intensities) {
     const glm::dvec3& place = facts.space.luminaires[one.luminaire].position_m;
-    const double height_m = height_above_floor_m(place, facts.space);
-    if (height_m < requirement.range.from || height_m >= requirement.range.to) continue;
+    const MountingHeight height = mounting_height_m(place, facts.space, facts.plane);
+    const ValueRange& range = requirement.range;
+    if (height.most_m < range.from || height.least_m >= range.to) continue;
+    const bool is_certain = height.least_m >= range.from && height.most_m < range.to;
+    is_height_open = is_height_open || !is_certain;
     if (++count == 1 || one.cd.value > greatest.value) worst = one.luminaire;
-    greatest = {std::max(greatest.value, one.cd.value), std::max(greatest.low, one.cd.low),
+    greatest = {std::max(greatest.value, one.cd.value),
+                std::max(greatest.low, is_certain ? one.cd.low : 0.0),
                 std::max(greatest.high, one.cd.high)};
   }
   requirement.of_space = greatest;
   if (count == 0) return add_note(say<Sentence::nobody_hangs_there>(), requirement);
   const glm::dvec3& place = facts.space.luminaires[worst].position_m;
-  add_note(say<Sentence::glare_zone_of>(name_of(facts, worst),
-                                        height_above_floor_m(place, facts.space), count),
-           requirement);
+  const MountingHeight height = mounting_height_m(place, facts.space, facts.plane);
+  add_note(say<Sentence::glare_zone_of>(name_of(facts, worst), height.least_m, count), requirement);
+  if (is_height_open) add_note(say<Sentence::floors_differ>(), requirement);
   if (greatest.low < greatest.high && is_of_battery) {
     add_note(say<Sentence::battery_begins_full>(), requirement);
   }
@@ -116,6 +127,10 @@ void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement) 
   }
   switch (requirement.metric) {
     case Metric::upward_share:
+      if (!facts.space.is_open_space()) {
+        requirement.problem = say<Sentence::upward_indoors>();
+        return;
+      }
       requirement.of_space = facts.upward_percent();
       return add_note(say<Sentence::upward_method>(), requirement);
     case Metric::intensity:

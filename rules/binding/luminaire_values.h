@@ -22,6 +22,7 @@ struct PlanePoints {
 struct LuminaireFacts {
   const calc::Project& project;
   const calc::Space& space;
+  const calc::CalcPlane& plane;
   const calc::LightScene* scene;  // null: full output
   std::function<const std::vector<calc::ZoneIntensity>&()> glare_intensities;
   std::function<calc::Estimate()> upward_percent;

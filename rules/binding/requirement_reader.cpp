@@ -118,7 +118,7 @@ void read_range(ElementReader& reader, Metric metric, calc::DerivedQuantity deri
   }
   if (has_from) range.from = reader.number("from", kEnd);
   if (has_to) range.to = reader.number("to", kEnd);
-  if (range.to < range.from) {
+  if (range.to < range.from || (has_heights && range.to == range.from)) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", kElement, "'from'");
   }
 }

@@ -228,7 +228,7 @@ class WorkplaceMaker {
       const std::string beside = fmt::format(" and '{}' of <workplace>", form);
       if (zone.height_m) refuse("height", beside);
       if (!zone.area_m.empty()) refuse("footprint' or 'size", beside);
-      if (zone.margin_m && plane->area != ZoneArea::task) refuse("margin", beside);
+      if (zone.margin_m) refuse("margin", beside);
       return;
     }
     if (plane == nullptr || plane->area != ZoneArea::task) return;

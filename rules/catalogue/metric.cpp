@@ -42,6 +42,10 @@ bool is_of_luminaires(Metric metric) {
   return metric >= Metric::upward_share && metric <= Metric::luminaire_distance;
 }
 
+bool is_of_points(Metric metric) {
+  return metric == Metric::intensity || metric == Metric::luminaire_distance;
+}
+
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived) {
   switch (metric_row(metric).domain) {
     case MetricDomain::all:

@@ -135,6 +135,8 @@ bool is_of_space_in_scene(Metric metric);
 bool is_of_road(Metric metric);
 // Of luminaires as such: what they send where, and where they are.
 bool is_of_luminaires(Metric metric);
+// Of these: as seen from the plane's points.
+bool is_of_points(Metric metric);
 // Whether points that measure this have it.
 bool is_metric_of(Metric metric, calc::DerivedQuantity derived);
 

@@ -5,7 +5,6 @@
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
 #include "calc/base/units.h"
-#include "calc/project/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
 #include "rules/fitness/covered_surface.h"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +43,7 @@ struct Meant {
   const RuleCheck& check;
   const RuleRow* row;      // may be null
   const RulePlane& plane;  // of the check's role
+  const Mask& mask;        // the check's, as it is asked: strips may be narrower
 };
 
 std::string role_words(const Meant& meant) {
@@ -121,7 +120,8 @@ class PlaneFit {
       return is_route() ? say<Sentence::wrong_way_route>(role_words(meant), words)
                         : say<Sentence::wrong_way>(role_words(meant), words);
     }
-    if (is_lower_limit(meant.check.comparison)) return {};
+    // Luminaires are seen from behind a plane, too.
+    if (is_lower_limit(meant.check.comparison) || meant.check.quantity->of_space) return {};
     if (!calc::faces_away(context_.project, context_.space, plane())) return {};
     return is_route() ? say<Sentence::faces_away_route>() : say<Sentence::faces_away>();
   }
@@ -181,11 +181,13 @@ class PlaneFit {
     if (!asked) return {};
     const auto [from_m, to_m] = *asked;
     const auto [lowest_m, highest_m] = heights_above_floor_m(plane(), context_.space);
-    // An upright plane has a height of its own: it must reach the height that is asked for.
+    // An upright plane has a height of its own: half of it must be at the heights that are asked
+    // for, or it must have half of these.
     const bool is_upright = orientation_of(role, meant.row) == kUpright;
     const double from = from_m - kLift_m, to = to_m + kLift_m;
-    const bool fits =
-        is_upright ? highest_m >= from && lowest_m <= to : lowest_m >= from && highest_m <= to;
+    const double shared_m = std::min(highest_m, to) - std::max(lowest_m, from);
+    const bool fits = is_upright ? shared_m >= 0.5 * std::min(highest_m - lowest_m, to_m - from_m)
+                                 : lowest_m >= from && highest_m <= to;
     if (fits) return {};
     const auto range = [](double low, double high) {
       return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)
@@ -233,7 +235,7 @@ class PlaneFit {
   std::string grid_behind_mask(const Meant& meant, const calc::GridRule& rule) const {
     if (!std::holds_alternative<calc::GridByRule>(rule)) return {};
     const calc::SensorGrid& own = context_.grid;
-    const MaskedPoints left = apply_mask(meant.check.mask, own);
+    const MaskedPoints left = apply_mask(meant.mask, own);
     if (!left.problem.empty() || left.points.empty()) return {};  // the measurement says so
     if (left.points.size() == own.position_m.size()) return {};
     const auto cells = [&](const std::vector<int>& of) {
@@ -293,14 +295,13 @@ class PlaneFit {
 
   // The widest strip that the role leaves out: its own margin, or what its mask takes.
   double allowed_margin_m(const Meant& meant) const {
-    const double width_m = context_.space.shell ? calc::width_of(context_.space.shell->footprint_m)
-                                                : std::numeric_limits<double>::infinity();
+    const double width_m = room_width_m(context_.space);
     return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant));
   }
 
   static double mask_strip_m(const Meant& meant) {
     double strip_m = 0.0;
-    for (const MaskOperation& operation : meant.check.mask.operations) {
+    for (const MaskOperation& operation : meant.mask.operations) {
       if (operation.step == MaskStep::inset) strip_m = std::max(strip_m, operation.metres);
     }
     return strip_m;
@@ -429,7 +430,8 @@ std::string speck_words(const calc::CalcPlane& plane) {
 void check_fitness(const FitContext& context, std::vector<Requirement>& requirements) {
   const PlaneFit fit(context);
   for (Requirement& requirement : requirements) {
-    if (is_of_space(requirement.metric)) {
+    // Of luminaires as seen from points, these are of the plane.
+    if (is_of_space(requirement.metric) && !is_of_points(requirement.metric)) {
       const bool is_free = requirement.origin.pack.empty() || !requirement.problem.empty();
       if (!is_free) requirement.problem = maintenance_problem(context, requirement);
       continue;
@@ -438,16 +440,18 @@ void check_fitness(const FitContext& context, std::vector<Requirement>& requirem
     const auto pack = std::find_if(context.packs.begin(), context.packs.end(), is_it);
     const RuleCheck* check =
         pack == context.packs.end() ? nullptr : pack->find_check(requirement.origin.check);
+    const Mask* mask = &requirement.mask;
     // Glare outdoors is rated on the area that the row is about, which must be fit for the row.
     if (check != nullptr && requirement.metric == Metric::glare_rating) {
       const Requirement* area = area_of(requirement, requirements);
       check = area == nullptr ? nullptr : pack->find_check(area->origin.check);
+      if (area != nullptr) mask = &area->mask;
     }
     const RulePlane* role = check == nullptr ? nullptr : pack->find_plane(check->role);
     if (role != nullptr) {
       add_words(requirement.note, speck_words(context.plane));
       requirement.deviations =
-          fit.deviations({*pack, *check, pack->find_row(requirement.origin.row), *role});
+          fit.deviations({*pack, *check, pack->find_row(requirement.origin.row), *role, *mask});
     }
     const std::string open = take_statements(requirement, context.today, requirement.deviations);
     add_words(requirement.note, unfounded_words(requirement));

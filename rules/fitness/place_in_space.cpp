@@ -1,5 +1,6 @@
 #include "rules/fitness/place_in_space.h"
 
+#include "calc/project/plane_area.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/walking_surface.h"
 
@@ -34,16 +35,29 @@ bool contains(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& point) 
   return (d0 >= 0.0 && d1 >= 0.0 && d2 >= 0.0) || (d0 <= 0.0 && d1 <= 0.0 && d2 <= 0.0);
 }
 
-double surface_below_m(const calc::Space& space, const glm::dvec3& place) {
-  std::optional<double> highest;
+struct Surfaces {
+  double lowest_m, highest_m;
+};
+
+// Those of bodies that are below a place, or up to lift_m above it; empty: none is.
+std::optional<Surfaces> surfaces_below(const calc::Space& space, const glm::dvec3& place,
+                                       double lift_m = kLift_m) {
+  std::optional<Surfaces> found;
   for (const calc::Body& body : space.bodies) {
     for (const glm::uvec3& triangle : body.triangle) {
       const std::optional<double> z =
           calc::height_at(corners_of(body, triangle), glm::dvec2(place));
-      if (z && *z <= place.z + kLift_m && (!highest || *z > *highest)) highest = z;
+      if (!z || *z > place.z + lift_m) continue;
+      if (!found) found = Surfaces{*z, *z};
+      found = Surfaces{std::min(found->lowest_m, *z), std::max(found->highest_m, *z)};
     }
   }
-  return highest.value_or(0.0);
+  return found;
+}
+
+double surface_below_m(const calc::Space& space, const glm::dvec3& place) {
+  const std::optional<Surfaces> found = surfaces_below(space, place);
+  return found ? found->highest_m : 0.0;
 }
 
 double lowest_corner_m(const calc::Space& space) {
@@ -92,6 +106,35 @@ double height_above_floor_m(const glm::dvec3& place, const calc::Space& space) {
   if (space.shell) return place.z - space.shell->floor_z_m;
   const bool is_open = space.surfaces_file.empty();
   return place.z - (is_open ? surface_below_m(space, place) : lowest_corner_m(space));
+}
+
+MountingHeight mounting_height_m(const glm::dvec3& luminaire_m, const calc::Space& space,
+                                 const calc::CalcPlane& plane) {
+  Surfaces walked{luminaire_m.z - height_above_floor_m(luminaire_m, space), 0.0};
+  walked.highest_m = walked.lowest_m;
+  const auto add = [&](double z) {
+    if (z > luminaire_m.z - kLift_m) return;  // the ceiling that it is in
+    walked = {std::min(walked.lowest_m, z), std::max(walked.highest_m, z)};
+  };
+  if (const std::optional<Surfaces> below = surfaces_below(space, luminaire_m, -kLift_m)) {
+    add(below->lowest_m);
+    add(below->highest_m);
+  }
+  for (const glm::dvec3& place : calc::places_of(plane)) {
+    const auto* route = std::get_if<calc::EscapeRoute>(&plane.area);
+    const std::optional<Surfaces> below = surfaces_below(space, place);
+    if (route != nullptr) {
+      add(place.z);
+    } else if (below) {
+      add(below->highest_m);
+    }
+  }
+  return {luminaire_m.z - walked.highest_m, luminaire_m.z - walked.lowest_m};
+}
+
+double room_width_m(const calc::Space& space) {
+  const std::vector<glm::dvec2>& outline = space.shell ? space.shell->footprint_m : space.outline_m;
+  return outline.size() < 3 ? std::numeric_limits<double>::infinity() : calc::width_of(outline);
 }
 
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,

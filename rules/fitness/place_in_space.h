@@ -23,6 +23,18 @@ bool looks_sideways(const glm::dvec3& normal);
 // surfaces; in the open space the highest surface below the place, or z = 0 where there is none.
 double height_above_floor_m(const glm::dvec3& place, const calc::Space& space);
 
+// Of a luminaire above what people may walk on: the highest surface below it or place of the plane,
+// and the floor or the lowest of these. Both of the same floor are one height.
+struct MountingHeight {
+  double least_m, most_m;
+};
+MountingHeight mounting_height_m(const glm::dvec3& luminaire_m, const calc::Space& space,
+                                 const calc::CalcPlane& plane);
+
+// The smaller side of a room, or the diameter of the largest circle in it, if that is less; of a
+// room from a building file, if its outline is known. Else infinite.
+double room_width_m(const calc::Space& space);
+
 // Lowest and highest place of a plane above the floor, as before. Of a route it is what it states:
 // its points follow the floor.
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,

@@ -67,7 +67,9 @@ void read_range(ElementReader& reader, RuleCheck& check) {
   }
   if (reader.has("from")) check.range.from = read_end(reader, "from", check);
   if (reader.has("to")) check.range.to = read_end(reader, "to", check);
-  if (check.range.to < check.range.from && reader.ok()) {
+  const bool is_empty = check.range.to < check.range.from ||
+                        (check.has_mounting_heights() && check.range.to == check.range.from);
+  if (is_empty && reader.ok()) {
     reader.report(DiagnosticId::rule_not_ascending, reader.where("to"), "to", "check", "'from'");
   }
 }

@@ -205,19 +205,19 @@ const ElementRow kValueElement{.type = "value",
                                               {"none", &kNoValueType},
                                               kTrustAttribute}};
 
-const ElementRow kRowElement{.type = "row",
-                             .attributes = {{"ref", &kIdType, required},
-                                            {"name", &kTextType, required},
-                                            {"name-de", &kTextType, optional,
-                                             "The same for readers of the German edition."},
-                                            {"trust", &kTrustType, required},
-                                            {"sources", &kIdsType},
-                                            kNoteAttribute,
-                                            {"task-heights", &kTextType},
-                                            {"task-orientation", &kOrientationType, optional,
-                                             "Of the task and the band around it, where it is not "
-                                             "that of the role's plane."}},
-                             .children = {{"value", &kValueElement}}};
+const ElementRow kRowElement{
+    .type = "row",
+    .attributes = {{"ref", &kIdType, required},
+                   {"name", &kTextType, required},
+                   {"name-de", &kTextType, optional, "The same for readers of the German edition."},
+                   {"trust", &kTrustType, required},
+                   {"sources", &kIdsType},
+                   kNoteAttribute,
+                   {"task-heights", &kTextType},
+                   {"task-orientation", &kOrientationType, optional,
+                    "Of the task and the band around it, where it is not "
+                    "that of the role's plane."}},
+    .children = {{"value", &kValueElement}}};
 
 const ElementRow kCheckElement{
     .type = "check",

@@ -74,7 +74,7 @@ struct RuleValue {
 };
 
 struct RuleRow {
-  std::string ref;   // "34.2", unique in the pack
+  std::string ref;      // "34.2", unique in the pack
   std::string name;     // use of the space, in own words
   std::string name_de;  // the same for readers of the German edition; "" = none
   Trust trust = Trust::confirmed;

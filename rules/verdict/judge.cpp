@@ -86,7 +86,8 @@ double more_work(const Finding& finding, const Measurement& measurement) {
 std::string more_work_text(const Finding& finding, const Measurement& measurement) {
   const bool is_unknown = measurement.unseen_points > 0 || !measurement.remark.empty() ||
                           (measurement.single_sample_points > 0 && measurement.largest_share <= 0);
-  if (finding.verdict != Verdict::undecided || is_unknown) return {};
+  const bool is_sampled = !is_of_space(finding.requirement.metric);
+  if (finding.verdict != Verdict::undecided || is_unknown || !is_sampled) return {};
   constexpr double kMostTimes = 65536.0;
   const double times = more_work(finding, measurement);
   if (!(times <= kMostTimes)) {

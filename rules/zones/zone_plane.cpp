@@ -92,10 +92,6 @@ class ZoneMaker {
   void make_face() {
     using enum calc::Sentence;
     zone_.area = upright()->area;
-    if (change_ != nullptr && change_->margin_m) {
-      zone_.area.margin_m = *change_->margin_m;
-      note_change(calc::say<changed_own_margin>(metres(zone_.area.margin_m)));
-    }
     const std::string low = metres(upright()->low_m), high = metres(upright()->high_m);
     zone_.words = upright()->wall ? calc::say<zone_on_wall>(*upright()->wall + 1, low, high)
                                   : calc::say<zone_face>(low, high);

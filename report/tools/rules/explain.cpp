@@ -181,9 +181,13 @@ std::string plane_text(const rules::RulePlane& plane, const RuleRow* row) {
   const bool has_own_height = heights && plane.area == rules::ZoneArea::task && row != nullptr &&
                               row->task_heights_m.has_value();
   const bool has_no_height = orientation != plane.orientation;  // it is where the project says
-  text += zone_text(plane, has_no_height    ? std::nullopt
-                           : has_own_height ? heights->lowest_m
-                                            : plane.height_m);
+  if (has_no_height) {
+    text += "; workplaces: " + std::string(plane.area == rules::ZoneArea::task
+                                               ? "the wall or the face that they name"
+                                               : "the band around it in its plane");
+    return text + "\n";
+  }
+  text += zone_text(plane, has_own_height ? heights->lowest_m : plane.height_m);
   if (!plane.note.empty()) text += " (" + plane.note + ")";
   return text + "\n";
 }

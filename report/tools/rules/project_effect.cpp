@@ -86,6 +86,9 @@ class AskedOf {
         report::format_required({requirement.limit, requirement.comparison}, unit_of(requirement));
     Asked asked{
         plane.id, requirement.id, {limit, verdict_words(finding.verdict, finding.is_waived)}, ""};
+    if (requirement.severity != rules::Severity::shall) {
+      asked.judged.verdict += fmt::format(" ({})", calc::name_of(requirement.severity));
+    }
     asked.is_of_pack =
         origin.pack == compared_.before.full_id() || origin.pack == compared_.after.full_id();
     if (origin.pack.empty()) {

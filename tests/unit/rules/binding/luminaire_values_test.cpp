@@ -120,7 +120,8 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
                  "height='1' count='1 1'", kRoom, "</room>");
   EXPECT_THAT(bound.messages, IsEmpty());
   EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
-  EXPECT_THAT(bound.at(0).note, HasSubstr("'low', 2.49 m above the floor; luminaires there: 1"));
+  EXPECT_THAT(bound.at(0).note,
+              HasSubstr("'low', 2.49 m above the highest floor about it, luminaires there: 1"));
   EXPECT_NEAR(bound.at(1).of_space.value, 900.0, 1e-9);
   EXPECT_NEAR(bound.at(2).of_space.value, 100.0, 1e-9);
   EXPECT_NEAR(bound.at(3).of_space.high, 900.0, 1e-9);
@@ -137,6 +138,52 @@ TEST(LuminaireValue, HeightsAreAboveTheFloor) {
                                  "<require quantity='glare-intensity' to='2.5' at-most='500'/>",
                                  "height='1' count='1 1'", raised, "</room>");
   EXPECT_NEAR(bound.at(0).of_space.value, 100.0, 1e-9);
+}
+
+// Whether people walk on the podium or beside it, nobody knows: it may be in both ranges.
+TEST(LuminaireValue, OverAPodiumTheHeightIsOpen) {
+  const Bound bound = bind_plane(
+      "<box id='podium' size='2 2 1' position='3 3 0' material='m'/>"
+      "<luminaire id='l' type='ball' position='4 4 3.4'/>",
+      "<require id='a' quantity='glare-intensity' to='2.5' at-most='50'/>"
+      "<require id='b' quantity='glare-intensity' from='3' at-most='50'/>"
+      "<require id='c' quantity='glare-intensity' from='3.5' at-most='50'/>"
+      "<require id='d' quantity='glare-intensity' at-most='50'/>",
+      "origin='0 0 0' u='1 0 0' v='0 1 0' count='1 1'", kRoom, "</room>");
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_NEAR(bound.at(i).of_space.high, 100.0, 1e-9) << i;
+    EXPECT_EQ(bound.at(i).of_space.low, 0.0) << i;
+    EXPECT_THAT(bound.at(i).note, HasSubstr("of several heights"));
+  }
+  EXPECT_EQ(bound.at(2).of_space.high, 0.0);
+  EXPECT_NEAR(bound.at(3).of_space.low, 100.0, 1e-9);
+  // On the podium itself: a plane there says that people walk on it, wherever the luminaire is.
+  const Bound beside = bind_plane(
+      "<box id='podium' size='2 2 1' position='3 3 0' material='m'/>"
+      "<luminaire id='l' type='ball' position='2.9 4 3.4'/>",
+      "<require quantity='glare-intensity' to='2.5' at-most='50'/>",
+      "origin='3 3 1' u='2 0 0' v='0 2 0' count='1 1'", kRoom, "</room>");
+  EXPECT_NEAR(beside.at(0).of_space.high, 100.0, 1e-9);
+  // A ceiling that a luminaire is in is nothing that people walk on.
+  const Bound recessed =
+      bind_plane("<luminaire id='l' type='ball' position='4 4 5.99'/>",
+                 "<require quantity='glare-intensity' from='4.5' at-most='50'/>",
+                 "origin='0 0 0' u='1 0 0' v='0 1 0' count='1 1'", kRoom, "</room>");
+  EXPECT_NEAR(recessed.at(0).of_space.low, 100.0, 1e-9);
+}
+
+TEST(LuminaireValue, ARoomHasNoSkyAndItsOwnLuminairesAlone) {
+  const std::string lights =
+      "<luminaire id='in' type='ball' position='9 9 3'/>"
+      "<luminaire id='out' type='ball' position='-1 1 3'/>"
+      "<luminaire id='above' type='ball' position='1 1 7'/>";
+  const Bound bound = bind_plane(
+      lights,
+      "<require quantity='ULR' at-most='5'/><require quantity='luminaire-distance' at-most='2'/>",
+      "origin='0 0 1' u='2 0 0' v='0 2 0' count='1 1'", kRoom, "</room>");
+  EXPECT_THAT(bound.at(0).problem, HasSubstr("luminaires in the open space"));
+  EXPECT_NEAR(bound.at(1).of_space.value, 8.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_THAT(bound.at(1).note, HasSubstr("to 'in'"));
 }
 
 TEST(LuminaireValue, TheNearestLuminaireIsInPlanAndOn) {
@@ -191,6 +238,8 @@ TEST(LuminaireValueMessage, AttributesThatMeanNothing) {
   EXPECT_THAT(messages("<require quantity='intensity' at-most='5' from='2'/>"),
               ElementsAre(HasSubstr("'from' has no meaning")));
   EXPECT_THAT(messages("<require quantity='glare-intensity' at-most='5' from='3' to='2'/>"),
+              ElementsAre(HasSubstr("'to'")));
+  EXPECT_THAT(messages("<require quantity='glare-intensity' at-most='5' from='3' to='3'/>"),
               ElementsAre(HasSubstr("'to'")));
   EXPECT_THAT(messages("<require quantity='ULR' at-most='5' light='direct'/>"),
               ElementsAre(HasSubstr("'light' has no meaning")));

@@ -253,6 +253,20 @@ TEST(Workplace, NarrowRoomsHaveNarrowMargins) {
   EXPECT_NEAR(margin("12 2.99 2.8"), 0.15 * 2.99, 1e-12);
   EXPECT_DOUBLE_EQ(margin("12 3 2.8"), 0.5);
   EXPECT_NEAR(margin("12 1.01 2.8"), 0.15 * 1.01, 1e-12);
+  // The largest circle in a corridor round a corner has a diameter of (4 - sqrt(8)) times its
+  // width.
+  const Made bent = make("<workplace id='w' pack='en12464-1:2021' row='9.1'/>",
+                         "footprint='0 0  9 0  9 2  2 2  2 9  0 9' height='2.8'");
+  EXPECT_NEAR(bent.area("w.task").margin_m, 0.15 * 2.0 * (4.0 - std::sqrt(8.0)), 1e-3);
+  // Masks of planes of one's own, too.
+  const Made own = make(
+      "<plane id='p' height='1.2' quantity='cylindrical'><require pack='en12464-1:2021' row='9.1' "
+      "role='cylinder'/></plane>",
+      "size='12 1.6 2.8'");
+  ASSERT_EQ(own.requirements.size(), 2u);
+  for (const Requirement& r : own.requirements) {
+    EXPECT_NEAR(r.mask.operations.at(0).metres, 0.24, 1e-12);
+  }
 }
 
 std::string upright(const std::string& attributes, const std::string& children = "") {
@@ -386,6 +400,8 @@ TEST(WorkplaceMessage, UprightTasksAreWhereTheyCanBe) {
   }
   EXPECT_THAT(message("wall='2'", "<zone role='surround' height='1'/>"),
               ElementsAre(HasSubstr("'height' has no meaning")));
+  EXPECT_THAT(message("wall='2'", "<zone role='task' margin='0.3'/>"),
+              ElementsAre(HasSubstr("'margin' has no meaning")));
   EXPECT_THAT(message("wall='2'", "<zone role='task' origin='1 1' size='1 1'/>"),
               ElementsAre(HasSubstr("'footprint' or 'size' has no meaning")));
   // From one end to the other it leaves the room.

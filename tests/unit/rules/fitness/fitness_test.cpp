@@ -610,6 +610,44 @@ bool is_refused(const Fitted& fitted, const std::string& check, const std::strin
   });
 }
 
+// What somebody has let into the zone is held against the grid as it is asked, not as the pack has
+// it: 0.3 m along the edges in place of 0.5 m.
+TEST(Fitness, AMaskThatIsNarrowedIsHeldAgainstItsOwnGrid) {
+  const std::string xml =
+      "<luxgate version='1' maintenance-factor='0.8'><material id='m' reflectance='0.5'/>"
+      "<luminaire-type id='spot' photometry='spot.ies'/>"
+      "<room id='r' size='8 5 3' ceiling='m' walls='m' floor='m'>"
+      "<luminaire id='l' type='spot' position='4 2 2.9'/>"
+      "<workplace id='w' pack='en12464-1:2021' row='34.2' origin='2 2' size='2 1.5'>"
+      "<zone role='wall' margin='0.3'/></workplace></room></luxgate>";
+  calc::Diagnostics diagnostics;
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  const std::vector<RulePack> packs = builtin_rule_packs();
+  const auto judged = load_judged_project(files, "p.xml", packs, diagnostics);
+  ASSERT_TRUE(judged.has_value());
+  const calc::Space& space = judged->project.spaces.at(0);
+  int walls = 0;
+  for (const calc::CalcPlane& plane : space.planes) {
+    if (!plane.id.starts_with("w.wall")) continue;
+    const auto grid = calc::make_sensor_grid(plane, space, diagnostics);
+    std::vector<Requirement> requirements = requirements_of_plane(judged->requirements, plane.id);
+    check_fitness({judged->project, space, plane, *grid, packs, kToday}, requirements);
+    for (const Requirement& r : requirements) EXPECT_EQ(r.problem, "") << plane.id;
+    walls += static_cast<int>(requirements.size());
+  }
+  EXPECT_EQ(walls, 8);
+}
+
+// One point may stand where no luminaire shines to.
+TEST(Fitness, OfBystandersTheGridIsTheRules) {
+  const Setting few{"origin='0 2 1' u='12 0 0' v='0 0 2' count='1 1'",
+                    "pack='en12464-2:2014' row='E3' role='bystander'", "", ""};
+  EXPECT_THAT(fit(few).aspects("bystander"), ElementsAre("grid"));
+  Setting enough = few;
+  enough.plane = "origin='0 2 1' u='12 0 0' v='0 0 2'";
+  EXPECT_THAT(fit(enough).aspects("bystander"), IsEmpty());
+}
+
 // tests/rules_corpus says of every check in what a plane may be unfit for it: unfit="...", worked
 // out from what is known of the standards, not from the packs. A plane that is unfit in one of them
 // is refused for it; one that fits is not; nothing else refuses.
