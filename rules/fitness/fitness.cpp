@@ -7,6 +7,7 @@
 #include "calc/base/units.h"
 #include "calc/scene/plane_place.h"
 #include "calc/scene/polygon.h"
+#include "calc/scene/zone_shapes.h"
 #include "rules/fitness/covered_surface.h"
 #include "rules/fitness/lost_points.h"
 #include "rules/fitness/obstacles.h"
@@ -421,8 +422,7 @@ std::string speck_words(const calc::CalcPlane& plane) {
   constexpr double kSpeck_m2 = 0.1;  // about 0.3 x 0.3 m
   const auto* area = std::get_if<calc::PlanarArea>(&plane.area);
   if (area == nullptr) return {};
-  double area_m2 = std::abs(calc::signed_area(area->outline_m));
-  for (const auto& hole : area->holes_m) area_m2 -= std::abs(calc::signed_area(hole));
+  const double area_m2 = calc::area_left(area->outline_m, area->holes_m);  // holes may overlap
   if (!(area_m2 < kSpeck_m2)) return {};
   return say<Sentence::speck>(std::max(area_m2, 0.0));
 }

@@ -1,6 +1,7 @@
 #include "rules/fitness/fitness.h"
 
 #include "calc/base/names.h"
+#include "calc/base/sentences.h"
 #include "calc/base/xml_document.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/bind.h"
@@ -636,6 +637,18 @@ TEST(Fitness, AMaskThatIsNarrowedIsHeldAgainstItsOwnGrid) {
     walls += static_cast<int>(requirements.size());
   }
   EXPECT_EQ(walls, 8);
+}
+
+TEST(Fitness, HolesThatOverlapAreTakenOffOnce) {
+  calc::CalcPlane plane;
+  calc::PlanarArea area;
+  area.outline_m = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  area.holes_m = {{{0, 0}, {1.5, 0}, {1.5, 1}, {0, 1}}, {{0.5, 0}, {1.5, 0}, {1.5, 1}, {0.5, 1}}};
+  plane.area = area;
+  EXPECT_EQ(speck_words(plane), "");
+  area.holes_m[0] = {{0, 0}, {1.95, 0}, {1.95, 1}, {0, 1}};
+  plane.area = area;
+  EXPECT_EQ(speck_words(plane), calc::say<calc::Sentence::speck>(0.05));
 }
 
 // One point may stand where no luminaire shines to.
