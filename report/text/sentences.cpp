@@ -295,21 +295,25 @@ class Translator {
     if (is_number(text)) return {t_.number(std::string(text)), true};
     if (std::optional<Found> all = whole(text, depth, true)) return {std::move(all->text), true};
     if (depth > kDeepest) return {std::string(text)};
-    if (Piece one = with_remark(text, depth, true); one.is_translated) return one;
     const std::vector<std::string_view> parts = split(text, ", ");
-    if (parts.size() < 2) return {std::string(text)};
+    // Of a list every part has its own remark.
+    const bool is_alone = parts.size() < 2;
+    if (Piece one = with_remark(text, depth, is_alone); one.is_translated) return one;
+    if (is_alone) return {std::string(text)};
     // All of a list is ours, or names stand in it and how many there are more.
     Piece list{"", true}, names;
+    bool has_remark = false;  // of ours: "wall (row 2 specifies nothing)"
     for (const std::string_view part : parts) {
       const Piece one = item(part, depth + 1);
       const bool is_end_of_names = one.is_translated && part.ends_with(" more");
       list.text += (list.text.empty() ? "" : ", ") + one.text;
       list.is_translated = list.is_translated && one.is_translated;
+      has_remark = has_remark || (one.is_translated && part.ends_with(')'));
       names.text +=
           (names.text.empty() ? "" : ", ") + (is_end_of_names ? one.text : std::string(part));
       names.is_translated = names.is_translated || is_end_of_names;
     }
-    if (list.is_translated) return list;
+    if (list.is_translated || has_remark) return {list.text, true};
     return names.is_translated ? names : Piece{std::string(text)};
   }
 

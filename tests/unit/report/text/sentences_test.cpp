@@ -160,6 +160,14 @@ TEST(Sentences, HoldOtherSentences) {
       "Arbeitsplätze a, b und 2 weitere, EN 12464-1:2021 34.2: weggelassen: wall.1 (window "
       "wall: dark, durch A. Meier bis 2099-12-31); nicht erzeugt: lamp (Ra wird nicht auf "
       "Flächen gemessen)");
+  EXPECT_EQ(
+      sentence(kGerman,
+               "workplace w, EN 12464-1:2021 44.4.1: not made: background (the task is upright, "
+               "and no source says where this zone of it is), wall (row 44.4.1 specifies nothing), "
+               "lamp (Ra is not measured on planes)"),
+      "Arbeitsplatz w, EN 12464-1:2021 44.4.1: nicht erzeugt: background (der Bereich der "
+      "Sehaufgabe ist senkrecht, und keine Quelle sagt, wo diese Zone dann ist), wall (Zeile "
+      "44.4.1 legt nichts fest), lamp (Ra wird nicht auf Flächen gemessen)");
   EXPECT_EQ(sentence(kGerman,
                      "98 of 408 points are left out: 49 inside 'rack[0,0,0]', 49 inside "
                      "'rack[0,1,0]'"),
