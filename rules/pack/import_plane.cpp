@@ -73,9 +73,20 @@ std::optional<TaskPlane::Heights> parse_heights(std::string_view text) {
   return TaskPlane::Heights{unit_m * *low, unit_m * *high};
 }
 
+// A minus that is no dash between two numbers.
+bool has_negative_number(std::string_view text) {
+  char before = ' ';  // but for blanks
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    if (text[i] == '-' && !calc::is_digit(before) && calc::is_digit(text[i + 1])) return true;
+    if (text[i] != ' ' && text[i] != '\t') before = text[i];
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<TaskPlane> parse_task_plane(std::string_view text) {
+  if (has_negative_number(text)) return std::nullopt;
   const std::string all = plain(text);
   TaskPlane plane;
   std::string_view words = all;

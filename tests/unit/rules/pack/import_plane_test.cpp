@@ -47,7 +47,7 @@ TEST(ImportPlane, HeightsHaveAUnit) {
   expect_plane("85 cm", false, 0.85, 0.85);
   expect_plane("0.4 to 0.6 m", false, 0.4, 0.6);
   for (const char* text : {"1.6", "floor 1.6", "2 to 1 m", "1.6 km", "the moon", "1.2.3 m",
-                           "sideways 1 m", "1 to m", "0.5 ft"}) {
+                           "sideways 1 m", "1 to m", "0.5 ft", "-1 m", "upright -1 m"}) {
     EXPECT_FALSE(parse_task_plane(text).has_value()) << text;
   }
 }
