@@ -128,7 +128,7 @@ shutil.copy(OWN / "lamp.ies", ruled.folder)
 <material id="grey" reflectance="0.3"/><luminaire-type id="lamp" photometry="lamp.ies"/>
 <room id="hall" size="10 2 3" ceiling="grey" walls="grey" floor="grey">
 <luminaire-grid id="l" type="lamp" origin="0 0 2.9" size="10 2" rows="1" columns="5"/>
-<plane id="bench" height="0.75" margin="0.5"><require pack="own" row="A.2"/></plane></room></luxgate>
+<plane id="bench" height="0.75" margin="0.3"><require pack="own" row="A.2"/></plane></room></luxgate>
 """)
 
 

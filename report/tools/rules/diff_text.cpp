@@ -111,7 +111,8 @@ std::string likely_text(const std::vector<PartDifference>& parts) {
 
 std::string side_text(const std::optional<JudgedLimit>& side) {
   if (!side) return "not asked";
-  return side->limit.empty() ? side->verdict : side->limit + " " + side->verdict;
+  const std::string severity = side->severity.empty() ? "" : " (" + side->severity + ")";
+  return (side->limit.empty() ? "" : side->limit + " ") + side->verdict + severity;
 }
 
 std::string effect_text(const ProjectEffect& effect) {
@@ -162,8 +163,10 @@ ordered_json part_json(const PartDifference& part) {
 
 ordered_json effect_json(const ProjectEffect& effect) {
   const auto side = [](const std::optional<JudgedLimit>& judged) {
-    return judged ? ordered_json{{"limit", judged->limit}, {"verdict", judged->verdict}}
-                  : ordered_json();
+    if (!judged) return ordered_json();
+    ordered_json one{{"limit", judged->limit}, {"verdict", judged->verdict}};
+    if (!judged->severity.empty()) one["severity"] = judged->severity;
+    return one;
   };
   ordered_json changed = ordered_json::array();
   for (const ChangedVerdict& one : effect.changed) {

@@ -87,7 +87,7 @@ class AskedOf {
     Asked asked{
         plane.id, requirement.id, {limit, verdict_words(finding.verdict, finding.is_waived)}, ""};
     if (requirement.severity != rules::Severity::shall) {
-      asked.judged.verdict += fmt::format(" ({})", calc::name_of(requirement.severity));
+      asked.judged.severity = calc::name_of(requirement.severity);
     }
     asked.is_of_pack =
         origin.pack == compared_.before.full_id() || origin.pack == compared_.after.full_id();
@@ -148,7 +148,8 @@ ProjectEffect effect_on(const report::ProjectPart& before, const report::Project
     effect.asked += any.is_of_pack || (pair.after != nullptr && pair.after->is_of_pack) ? 1 : 0;
     const bool is_same = pair.before != nullptr && pair.after != nullptr &&
                          pair.before->judged.limit == pair.after->judged.limit &&
-                         pair.before->judged.verdict == pair.after->judged.verdict;
+                         pair.before->judged.verdict == pair.after->judged.verdict &&
+                         pair.before->judged.severity == pair.after->judged.severity;
     if (is_same) continue;
     ChangedVerdict changed{any.place, any.id, std::nullopt, std::nullopt};
     if (pair.before != nullptr) changed.before = pair.before->judged;

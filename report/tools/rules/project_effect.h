@@ -16,8 +16,9 @@ namespace cli {
 
 // What is asked, and what came of it.
 struct JudgedLimit {
-  std::string limit;    // "≥ 500 lx"; "" of aggregates and classes
-  std::string verdict;  // "pass", with what a report must say beside it: "fail, waived"
+  std::string limit;          // "≥ 500 lx"; "" of aggregates and classes
+  std::string verdict;        // "pass", with what a report must say beside it: "fail, waived"
+  std::string severity = {};  // "" of what counts by itself; "advice", "in-aggregate"
 };
 
 struct ChangedVerdict {

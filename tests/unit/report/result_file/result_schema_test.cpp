@@ -37,7 +37,7 @@ TEST(ResultSchema, ListsNamesUnitsAndColumns) {
   const json definitions = json::parse(result_schema())["definitions"];
   const json& finding = definitions["finding"]["properties"];
   EXPECT_EQ(finding["unit"]["enum"],
-            json({"lx", "", "W/m2", "W/m2/100lx", "kWh/m2/a", "cd/m2", "%"}));
+            json({"lx", "", "W/m2", "W/m2/100lx", "kWh/m2/a", "cd/m2", "%", "cd", "m"}));
   EXPECT_EQ(finding["severity"]["enum"], json({"shall", "advice", "in-aggregate"}));
   EXPECT_EQ(definitions["aggregate"]["properties"]["severity"]["enum"], json({"shall", "advice"}));
   EXPECT_EQ(definitions["points"]["properties"]["columns"]["enum"][1][8], "ugr");
