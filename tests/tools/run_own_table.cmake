@@ -30,4 +30,4 @@ foreach(plane floor-at-desk-height bench-on-the-floor shelf-lying)
 endforeach()
 
 run_in_work(2 check --rules own.xml ${FOLDER}/wrong-role.xml)
-expect_in("${err}" "requires nothing of the role 'wall'; it does of ")
+expect_in("${err}" "row 'A.4' requires nothing of the role 'task'")
