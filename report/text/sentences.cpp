@@ -265,6 +265,9 @@ class Translator {
         own.placeholders.begin(), own.placeholders.end(), [&](const Placeholder& one) {
           const std::string_view argument = arguments[one.argument];
           if (one.holds == Holds::list || one.holds == Holds::own_words) return true;
+          // "wall (row 2 specifies nothing)" is a name with a remark, and no wall of that number.
+          const bool is_remark = argument.starts_with('(') && argument.ends_with(')');
+          if (is_remark && !is_number(argument)) return false;
           return !is_list(argument) && std::count(argument.begin(), argument.end(), '(') ==
                                            std::count(argument.begin(), argument.end(), ')');
         });
