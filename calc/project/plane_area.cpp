@@ -65,15 +65,15 @@ glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline) {
 
 namespace {
 
-// Of the largest circle in the outline, up to half a millimetre: squares are quartered, always the
-// one that may hold the centre of the largest.
-double largest_circle_m(const std::vector<glm::dvec2>& outline) {
+// Diameter of the largest circle in the outline, up to 5 mm; or some circle's of enough_m. Squares
+// are quartered, always the one that may hold the centre of the largest.
+double largest_circle_m(const std::vector<glm::dvec2>& outline, double enough_m) {
   struct Square {
     glm::dvec2 middle;
     double half_m, here_m, most_m;
     bool operator<(const Square& other) const { return most_m < other.most_m; }
   };
-  constexpr double kFine_m = 5.0e-4, kDiagonal = 1.4142135623730951;
+  constexpr double kFine_m = 2.5e-3, kDiagonal = 1.4142135623730951;
   double found_m = 0.0;
   std::priority_queue<Square> squares;
   const auto add = [&](const glm::dvec2& middle, double half_m) {
@@ -88,7 +88,7 @@ double largest_circle_m(const std::vector<glm::dvec2>& outline) {
     high = glm::max(high, corner);
   }
   add(0.5 * (low + high), 0.5 * std::max(high.x - low.x, high.y - low.y));
-  while (!squares.empty() && squares.top().most_m > found_m + kFine_m) {
+  while (2.0 * found_m < enough_m && squares.top().most_m > found_m + kFine_m) {
     const Square square = squares.top();
     squares.pop();
     const double half_m = 0.5 * square.half_m;
@@ -102,7 +102,7 @@ double largest_circle_m(const std::vector<glm::dvec2>& outline) {
 
 }  // namespace
 
-double width_of(const std::vector<glm::dvec2>& outline) {
+double width_up_to(const std::vector<glm::dvec2>& outline, double most_m) {
   const glm::dvec2 along = long_axis(outline), across(-along.y, along.x);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const glm::dvec2& corner : outline) {
@@ -110,10 +110,13 @@ double width_of(const std::vector<glm::dvec2>& outline) {
     low = glm::min(low, place);
     high = glm::max(high, place);
   }
-  const double side_m = std::min(high.x - low.x, high.y - low.y);
-  constexpr double kSame_m = 2.0e-3;  // as fine as circles are
-  const double circle_m = largest_circle_m(outline);
-  return circle_m < side_m - kSame_m ? circle_m : side_m;
+  const glm::dvec2 side_m = high - low;
+  const double width_m = std::min({side_m.x, side_m.y, most_m});
+  constexpr double kSame = 1.0e-9, kSame_m = 6.0e-3;  // as fine as circles are
+  const bool is_rectangle = std::abs(signed_area(outline)) >= side_m.x * side_m.y * (1.0 - kSame);
+  if (is_rectangle) return width_m;
+  const double circle_m = largest_circle_m(outline, width_m);
+  return circle_m < width_m - kSame_m ? circle_m : width_m;
 }
 
 PlanarArea horizontal_area(const RoomPlan& room, double height_m, bool faces_up) {

@@ -19,9 +19,9 @@ PlanarArea rectangle_area(const Rectangle& rectangle);
 // itself.
 glm::dvec2 long_axis(const std::vector<glm::dvec2>& outline);
 
-// The smaller side of the rectangle around an outline that lies along its long axis, or the diameter
-// of the largest circle in it (to a millimetre), if that is less.
-double width_of(const std::vector<glm::dvec2>& outline);
+// The smaller side of the rectangle around an outline that lies along its long axis, or the
+// diameter of the largest circle in it (to half a centimetre), if that is less; at most most_m.
+double width_up_to(const std::vector<glm::dvec2>& outline, double most_m);
 
 // The whole footprint at `height_m` above the floor, facing up (u = its long axis, v across it) or
 // down (v reversed). A grid along x and y would miss the sides of a room that stands at an angle.

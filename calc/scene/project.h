@@ -237,9 +237,9 @@ struct LeftOutPlane {
 struct Workplace {
   std::string id, was, name;  // was: as of a plane
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
-  std::vector<glm::dvec2> task_m;  // world x and y, counter-clockwise; empty: the whole room
+  std::vector<glm::dvec2> task_m;      // world x and y, counter-clockwise; empty: the whole room
   std::optional<UprightTask> upright;  // instead of task_m
-  std::optional<double> height_m;  // of the task, above the floor
+  std::optional<double> height_m;      // of the task, above the floor
   PlanarArea ceiling;
   std::vector<PlanarArea> walls;  // in the order of the project's numbers
   std::vector<ZoneText> zones;

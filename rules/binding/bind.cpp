@@ -75,7 +75,7 @@ std::optional<double> narrower_strip_m(const calc::CalcPlane& plane, const Requi
     const RuleCheck* check = pack.find_check(requirement.origin.check);
     const RulePlane* role = check == nullptr ? nullptr : pack.find_plane(check->role);
     if (role == nullptr) return std::nullopt;
-    const double strip_m = margin_in_room_m(*role, room_width_m(*context.space));
+    const double strip_m = margin_in_room_m(*role, room_width_m(*context.space, role->narrow_m));
     return strip_m < role->margin_m ? std::optional(strip_m) : std::nullopt;
   }
   return std::nullopt;
@@ -125,12 +125,13 @@ class SpaceValues {
   void set_luminaires(const calc::CalcPlane& plane, Requirement& requirement) {
     const std::string& scene = requirement.scene;
     set_luminaire_value(
-        {project_, space_, plane, scene_named(scene),
+        {project_, space_, scene_named(scene),
          [&]() -> const std::vector<calc::ZoneIntensity>& {
            return known(glare_intensities_, scene, [&](const calc::LightScene* levels) {
              return calc::zone_intensities(project_, space_, levels, kGlareFrom_deg, kGlareTo_deg);
            });
          },
+         [&]() -> const std::vector<MountingHeight>& { return heights_over(plane); },
          [&] {
            return known(upward_, scene, [&](const calc::LightScene* levels) {
              return calc::upward_share_percent(project_, space_, levels);
@@ -164,6 +165,14 @@ class SpaceValues {
     return found == project_.scenes.end() ? nullptr : &*found;
   }
 
+  // Of one plane after the other, as points are.
+  const std::vector<MountingHeight>& heights_over(const calc::CalcPlane& plane) {
+    if (heights_of_ == &plane) return heights_;
+    heights_of_ = &plane;
+    heights_ = mounting_heights_m(space_, plane);
+    return heights_;
+  }
+
   // Of one plane after the other.
   const PlanePoints& points_of(const calc::CalcPlane& plane) {
     if (plane_ == &plane) return points_;
@@ -183,6 +192,8 @@ class SpaceValues {
   std::map<std::string, std::vector<calc::ZoneIntensity>> glare_intensities_;  // by scene
   const calc::CalcPlane* plane_ = nullptr;                                     // that these are of
   PlanePoints points_;
+  const calc::CalcPlane* heights_of_ = nullptr;  // the same
+  std::vector<MountingHeight> heights_;
   std::map<std::string, calc::Estimate> veiling_;  // by scene
 
  public:

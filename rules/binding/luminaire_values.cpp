@@ -2,7 +2,6 @@
 
 #include "calc/base/sentences.h"
 #include "calc/glare/field_glare.h"
-#include "rules/fitness/place_in_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +87,10 @@ void set_glare_intensity(const LuminaireFacts& facts, Requirement& requirement) 
   std::vector<calc::ZoneIntensity> intensities = facts.glare_intensities();
   const bool is_of_battery = requirement.state == LightState::end_of_duration;
   if (is_of_battery) add_full_output(facts, intensities);
+  const std::vector<MountingHeight>& heights = facts.heights();
   bool is_height_open = false;
   for (const calc::ZoneIntensity& one : intensities) {
-    const glm::dvec3& place = facts.space.luminaires[one.luminaire].position_m;
-    const MountingHeight height = mounting_height_m(place, facts.space, facts.plane);
+    const MountingHeight& height = heights[one.luminaire];
     const ValueRange& range = requirement.range;
     if (height.most_m < range.from || height.least_m >= range.to) continue;
     const bool is_certain = height.least_m >= range.from && height.most_m < range.to;
@@ -103,9 +102,8 @@ void set_glare_intensity(const LuminaireFacts& facts, Requirement& requirement) 
   }
   requirement.of_space = greatest;
   if (count == 0) return add_note(say<Sentence::nobody_hangs_there>(), requirement);
-  const glm::dvec3& place = facts.space.luminaires[worst].position_m;
-  const MountingHeight height = mounting_height_m(place, facts.space, facts.plane);
-  add_note(say<Sentence::glare_zone_of>(name_of(facts, worst), height.least_m, count), requirement);
+  add_note(say<Sentence::glare_zone_of>(name_of(facts, worst), heights[worst].least_m, count),
+           requirement);
   if (is_height_open) add_note(say<Sentence::floors_differ>(), requirement);
   if (greatest.low < greatest.high && is_of_battery) {
     add_note(say<Sentence::battery_begins_full>(), requirement);

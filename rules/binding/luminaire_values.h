@@ -6,6 +6,7 @@
 #include "calc/glare/luminaires_seen.h"
 #include "calc/scene/project.h"
 #include "rules/catalogue/requirement.h"
+#include "rules/fitness/place_in_space.h"
 
 #include <functional>
 #include <vector>
@@ -22,9 +23,9 @@ struct PlanePoints {
 struct LuminaireFacts {
   const calc::Project& project;
   const calc::Space& space;
-  const calc::CalcPlane& plane;
   const calc::LightScene* scene;  // null: full output
   std::function<const std::vector<calc::ZoneIntensity>&()> glare_intensities;
+  std::function<const std::vector<MountingHeight>&()> heights;  // of all luminaires
   std::function<calc::Estimate()> upward_percent;
   std::function<const PlanePoints&()> points;
 };

@@ -296,7 +296,7 @@ class PlaneFit {
 
   // The widest strip that the role leaves out: its own margin, or what its mask takes.
   double allowed_margin_m(const Meant& meant) const {
-    const double width_m = room_width_m(context_.space);
+    const double width_m = room_width_m(context_.space, meant.plane.narrow_m);
     return std::max(margin_in_room_m(meant.plane, width_m), mask_strip_m(meant));
   }
 

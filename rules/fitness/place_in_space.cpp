@@ -108,33 +108,37 @@ double height_above_floor_m(const glm::dvec3& place, const calc::Space& space) {
   return place.z - (is_open ? surface_below_m(space, place) : lowest_corner_m(space));
 }
 
-MountingHeight mounting_height_m(const glm::dvec3& luminaire_m, const calc::Space& space,
-                                 const calc::CalcPlane& plane) {
-  Surfaces walked{luminaire_m.z - height_above_floor_m(luminaire_m, space), 0.0};
-  walked.highest_m = walked.lowest_m;
-  const auto add = [&](double z) {
-    if (z > luminaire_m.z - kLift_m) return;  // the ceiling that it is in
-    walked = {std::min(walked.lowest_m, z), std::max(walked.highest_m, z)};
-  };
-  if (const std::optional<Surfaces> below = surfaces_below(space, luminaire_m, -kLift_m)) {
-    add(below->lowest_m);
-    add(below->highest_m);
-  }
+std::vector<MountingHeight> mounting_heights_m(const calc::Space& space,
+                                               const calc::CalcPlane& plane) {
+  const bool is_route = std::holds_alternative<calc::EscapeRoute>(plane.area);
+  std::vector<double> walked_m;  // of the plane
   for (const glm::dvec3& place : calc::places_of(plane)) {
-    const auto* route = std::get_if<calc::EscapeRoute>(&plane.area);
-    const std::optional<Surfaces> below = surfaces_below(space, place);
-    if (route != nullptr) {
-      add(place.z);
-    } else if (below) {
+    const std::optional<Surfaces> below =
+        is_route ? Surfaces{place.z, place.z} : surfaces_below(space, place);
+    if (below) walked_m.push_back(below->highest_m);
+  }
+  std::vector<MountingHeight> heights;
+  for (const calc::Luminaire& luminaire : space.luminaires) {
+    const glm::dvec3& place = luminaire.position_m;
+    const double floor_m = place.z - height_above_floor_m(place, space);
+    Surfaces walked{floor_m, floor_m};
+    const auto add = [&](double z) {
+      if (z > place.z - kLift_m) return;  // the ceiling that it is in
+      walked = {std::min(walked.lowest_m, z), std::max(walked.highest_m, z)};
+    };
+    if (const std::optional<Surfaces> below = surfaces_below(space, place, -kLift_m)) {
+      add(below->lowest_m);
       add(below->highest_m);
     }
+    for (const double z : walked_m) add(z);
+    heights.push_back({place.z - walked.highest_m, place.z - walked.lowest_m});
   }
-  return {luminaire_m.z - walked.highest_m, luminaire_m.z - walked.lowest_m};
+  return heights;
 }
 
-double room_width_m(const calc::Space& space) {
+double room_width_m(const calc::Space& space, double most_m) {
   const std::vector<glm::dvec2>& outline = space.shell ? space.shell->footprint_m : space.outline_m;
-  return outline.size() < 3 ? std::numeric_limits<double>::infinity() : calc::width_of(outline);
+  return outline.size() < 3 ? most_m : calc::width_up_to(outline, most_m);
 }
 
 std::pair<double, double> heights_above_floor_m(const calc::CalcPlane& plane,

@@ -7,6 +7,7 @@
 
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rules {
 
@@ -28,12 +29,13 @@ double height_above_floor_m(const glm::dvec3& place, const calc::Space& space);
 struct MountingHeight {
   double least_m, most_m;
 };
-MountingHeight mounting_height_m(const glm::dvec3& luminaire_m, const calc::Space& space,
-                                 const calc::CalcPlane& plane);
+// Of all luminaires of the space, in their order. Looks at every surface for each of them.
+std::vector<MountingHeight> mounting_heights_m(const calc::Space& space,
+                                               const calc::CalcPlane& plane);
 
-// The smaller side of a room, or the diameter of the largest circle in it, if that is less; of a
-// room from a building file, if its outline is known. Else infinite.
-double room_width_m(const calc::Space& space);
+// calc::width_up_to() of a room; of one from a building file, if its outline is known. Else, and
+// outdoors, most_m.
+double room_width_m(const calc::Space& space, double most_m);
 
 // Lowest and highest place of a plane above the floor, as before. Of a route it is what it states:
 // its points follow the floor.

@@ -62,7 +62,7 @@ class ZoneMaker {
   }
 
   double margin_m() {
-    const double by_rule = margin_in_room_m(rule_, calc::width_of(room()));
+    const double by_rule = margin_in_room_m(rule_, calc::width_up_to(room(), rule_.narrow_m));
     if (change_ == nullptr || !change_->margin_m) {
       if (by_rule < rule_.margin_m) zone_.narrow_margin_m = by_rule;
       return by_rule;
@@ -222,7 +222,8 @@ class ZoneMaker {
           calc::say<calc::Sentence::zone_room_lost>(lost_m2, metres(2.0 * zone_.area.margin_m)) +
           ")";
     }
-    const double width_m = calc::width_of(room());
+    const glm::dvec2 side_m = size_of(along_axis(room(), axis_));
+    const double width_m = std::min(side_m.x, side_m.y);
     if (width_m <= 2.0 * zone_.area.margin_m) {
       zone_.problem = fmt::format("the room is {} wide, and {} along its walls do not count",
                                   metres(width_m), metres(zone_.area.margin_m));
