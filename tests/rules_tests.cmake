@@ -43,6 +43,7 @@ luxgate_test(rules_tests
     unit/rules/binding/field_glare_test.cpp
     unit/rules/binding/luminaire_values_test.cpp
     unit/rules/binding/glare_method_test.cpp
+    unit/rules/binding/buildings_test.cpp
     unit/rules/binding/road_test.cpp
     unit/rules/binding/workplace_test.cpp
     unit/rules/verdict/worked_example_test.cpp

@@ -31,6 +31,7 @@ luxgate_test(scene_tests
     unit/calc/base/text_test.cpp
     unit/calc/project/about_xml_test.cpp
     unit/calc/project/maintenance_plan_xml_test.cpp
+    unit/calc/project/building_xml_test.cpp
     unit/calc/project/energy_xml_test.cpp
     unit/calc/project/logo_test.cpp
     unit/calc/project/frame_test.cpp

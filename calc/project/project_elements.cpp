@@ -232,6 +232,7 @@ constexpr std::string_view kOfRoot =
 <xs:key name="luminaireTypeId"><xs:selector xpath="luminaire-type"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="sceneId"><xs:selector xpath="scene"/><xs:field xpath="@id"/></xs:key>
 <xs:key name="roomId"><xs:selector xpath="room|road"/><xs:field xpath="@id"/></xs:key>
+<xs:unique name="buildingId"><xs:selector xpath="building"/><xs:field xpath="@id"/></xs:unique>
 <xs:key name="planeId"><xs:selector xpath=".//plane|.//route|road|road/strip"/><xs:field xpath="@id"/></xs:key>
 <xs:unique name="openObjectId"><xs:selector xpath="box|quad|polygon|mesh|assembly"/><xs:field xpath="@id"/></xs:unique>
 <xs:unique name="openLuminaireId"><xs:selector xpath="luminaire|luminaire-grid|luminaire-line|luminaire-ring|luminaires"/><xs:field xpath="@id"/></xs:unique>
@@ -799,7 +800,28 @@ namespace {
 
 const ElementRow kRoomElement = either_of(kPrismRoomElement, kGbxmlRoomElement);
 
+const ValueType kRoomPatternType{
+    .name = "roomPattern", .base = &kAnyText, .pattern = R"([A-Za-z0-9_.:\-*?]+)"};
+const ValueType kRoomPatternsType{
+    .name = "roomPatterns",
+    .meaning = "Ids separated by blanks, in which * stands for any text and ? for any character.",
+    .item = &kRoomPatternType,
+    .least = 1};
+
 }  // namespace
+
+const ElementRow kBuildingElement{
+    .type = "building",
+    .meaning =
+        R"(What is asked of rooms together: power density and LENI of all of them, that is their power or energy over their
+floor areas. Each room may be worse than the limit, if others make up for it.)",
+    .attributes = {kIdAttribute,
+                   kNameAttribute,
+                   kWasAttribute,
+                   {"rooms", &kRoomPatternsType, optional,
+                    "Ids of rooms, or patterns that they are like: \"office-* hall\"; all rooms "
+                    "without it. Roads and the open space are none."}},
+    .children = {{"require", &kRequireElement}}};
 
 const ElementRow kProjectElement{
     .type = "project",
@@ -822,6 +844,7 @@ const ElementRow kProjectElement{
                  {"scene", &kSceneElement, kOfScene},
                  {"room", &kRoomElement, kOfRoom},
                  {"road", &kRoadElement, kOfRoad},
+                 {"building", &kBuildingElement},
                  {"plane", &kPlaneElement},
                  {"route", &kRouteElement},
                  {"energy", &kEnergyElement, kOfCommonEnergy},

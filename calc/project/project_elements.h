@@ -49,6 +49,7 @@ inline constexpr std::string_view kMaintenancePlanName = "maintenance-plan";
 extern const ElementRow kAboutElement;
 extern const ElementRow kMaintenancePlanElement;
 extern const ElementRow kEnergyElement, kEnergyPartElement;
+extern const ElementRow kBuildingElement;
 
 // Everything that can stand in a room, in the open space or in an assembly.
 extern const ElementGroup kObjects;

@@ -5,6 +5,7 @@
 #include "calc/base/xml_encoding.h"
 #include "calc/base/xml_reader.h"
 #include "calc/project/about_xml.h"
+#include "calc/project/building_xml.h"
 #include "calc/project/energy_xml.h"
 #include "calc/project/library_xml.h"
 #include "calc/project/maintenance_plan_xml.h"
@@ -55,6 +56,7 @@ void read_contents(ProjectContext& context, const XmlElement& root) {
   context.former_planes.check(context.diagnostics);
   read_energy(context, root);  // names groups of all luminaires
   read_light_scenes(context, root);
+  read_buildings(context, root);
 }
 
 // Of the tree of elements that is made of these bytes, about.

@@ -288,6 +288,15 @@ struct Space {
   bool is_open_space() const { return !shell && !road && surfaces_file.empty(); }
 };
 
+// Rooms of which something is asked together: of their sum, not of each.
+struct Building {
+  std::string id, was;  // was: as of a plane
+  std::string name;
+  std::vector<std::size_t> rooms;  // in Project::spaces, ascending; at least one, none twice
+  std::vector<RequirementText> requirements;
+  SourceLocation where;
+};
+
 // A file that was read, for provenance.
 struct InputFile {
   std::string path;    // as the user or the project names it
@@ -307,6 +316,7 @@ struct Project {
   std::vector<LightScene> scenes;
   std::vector<Space>
       spaces;  // rooms and roads in file order; the open space last, if it has anything in it
+  std::vector<Building> buildings;
   std::vector<InputFile> inputs;
 };
 

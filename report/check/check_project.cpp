@@ -53,9 +53,14 @@ std::optional<ProjectInBudget> load(const std::string& path, const calc::FileRea
       load_in_budget(path, files, packs, replicates, budget, diagnostics);
   if (!loaded) return std::nullopt;
   const std::vector<rules::Requirement>& requirements = loaded->judged.requirements;
-  const bool counts = std::any_of(
-      requirements.begin(), requirements.end(),
-      [](const auto& requirement) { return requirement.severity != rules::Severity::advice; });
+  const std::vector<rules::BuildingQuestion>& buildings = loaded->judged.buildings;
+  const auto is_counted = [](const rules::Requirement& requirement) {
+    return requirement.severity != rules::Severity::advice;
+  };
+  const bool counts = std::any_of(requirements.begin(), requirements.end(), is_counted) ||
+                      std::any_of(buildings.begin(), buildings.end(), [&](const auto& question) {
+                        return is_counted(question.requirement);
+                      });
   if (!counts) {
     diagnostics.report(calc::DiagnosticId::nothing_required, {path, 0, 0});
   }
@@ -393,16 +398,21 @@ bool check_spaces(const ProjectInBudget& project, const Context& context, const 
 }
 
 std::vector<rules::AggregateFinding> judge_aggregates(const report::ProjectPart& part,
-                                                      const calc::Project& project,
+                                                      const rules::JudgedProject& loaded,
                                                       const std::vector<rules::RulePack>& packs,
                                                       const std::string& day) {
+  const calc::Project& project = loaded.project;
   std::vector<rules::JudgedPlane> planes;
   for (std::size_t s = 0; s < part.spaces.size(); ++s) {
     const std::vector<rules::JudgedPlane> own =
         judged_planes(project.spaces[s], part.spaces[s], day);
     planes.insert(planes.end(), own.begin(), own.end());
   }
-  return rules::judge_aggregates(planes, packs);
+  std::vector<rules::AggregateFinding> findings = rules::judge_aggregates(planes, packs);
+  for (auto& of_building : rules::judge_buildings(project, loaded.buildings, day)) {
+    findings.push_back(std::move(of_building));
+  }
+  return findings;
 }
 
 }  // namespace
@@ -445,7 +455,7 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
         return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
       });
   if (is_refused) return unreadable_project(path, diagnostics);
-  part.aggregates = judge_aggregates(part, loaded->project, context.packs, settings.today);
+  part.aggregates = judge_aggregates(part, *loaded, context.packs, settings.today);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();
@@ -541,6 +551,12 @@ report::ProjectPart validate_project(const std::string& path, const calc::FileRe
   report::ProjectPart part = report::build_project(loaded->project);
   for (const calc::Space& space : loaded->project.spaces) {
     warn_of_unjudged(make_plane_jobs(space, *loaded, packs, day, diagnostics), diagnostics);
+  }
+  for (const rules::AggregateFinding& finding :
+       rules::judge_buildings(loaded->project, loaded->buildings, day)) {
+    if (finding.verdict != rules::Verdict::not_judged) continue;
+    diagnostics.report(calc::DiagnosticId::building_not_judged, finding.where, finding.building_id,
+                       finding.sum->requirement.id, finding.reason);
   }
   part.is_judged = !diagnostics.has_errors();
   part.diagnostics = diagnostics.all();

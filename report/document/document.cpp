@@ -72,7 +72,9 @@ bool does_hang_on_the_day(const ProjectPart& project) {
       if (std::any_of(plane.findings.begin(), plane.findings.end(), is_one)) return true;
     }
   }
-  return false;
+  return std::any_of(
+      project.aggregates.begin(), project.aggregates.end(),
+      [&](const rules::AggregateFinding& finding) { return finding.sum && is_one(*finding.sum); });
 }
 
 // A run that was cut short depends on how fast the machine was.

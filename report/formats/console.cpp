@@ -274,6 +274,8 @@ void add_aggregate(const Texts& t, const ProjectPart& project,
   line.cells[kQuantity] = printable(aggregate_title(t, finding));
   line.cells[kRequired] = printable(aggregate_required(t, finding));
   line.cells[kMeasured] = printable(aggregate_measured(t, finding));
+  if (finding.sum && finding.verdict != rules::Verdict::not_judged)
+    line.cells[kMargin] = format_margin(t, finding.sum->margin);
   lines.push_back(std::move(line));
   const auto note = [&lines](const std::string& text) { lines.emplace_back().note = text; };
   if (!finding.reason.empty()) note(printable(sentence(t, finding.reason, known)));

@@ -85,12 +85,9 @@ ResultRow row_of(const ProjectPart& project, const std::string& space_id,
   return row;
 }
 
-void add_finding(const ProjectPart& project, const SpacePart& space, const PlanePart& plane,
-                 const rules::Finding& finding, std::string& csv) {
+void add_finding(ResultRow row, const rules::Finding& finding, std::string& csv) {
   const rules::Requirement& requirement = finding.requirement;
   const bool is_judged = finding.verdict != rules::Verdict::not_judged;
-  ResultRow row =
-      row_of(project, space.id, plane.id, requirement.id, calc::name_of(requirement.metric));
   if (requirement.metric == rules::Metric::percentile) {
     row.set("percent", number(requirement.percent));
   }
@@ -130,9 +127,16 @@ void add_unjudged_project(const ProjectPart& project, std::string& csv) {
   row.add_to(csv);
 }
 
-// Without numbers: what is asked for and what was found are words.
+// Of a building: a row as those of planes have, with the building for a space. Else without
+// numbers: what is asked for and what was found are words.
 void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
                    std::string& csv) {
+  if (finding.kind == rules::AggregateKind::building) {
+    const rules::Requirement& requirement = finding.sum->requirement;
+    return add_finding(
+        row_of(project, finding.building_id, "", requirement.id, calc::name_of(requirement.metric)),
+        *finding.sum, csv);
+  }
   std::string words = aggregate_required({}, finding) + ": " + aggregate_measured({}, finding);
   if (!finding.reason.empty()) words += "; " + finding.reason;
   ResultRow row =
@@ -233,7 +237,10 @@ std::string result_rows(const ProjectPart& project) {
   for (const SpacePart& space : project.spaces) {
     for (const PlanePart& plane : space.planes) {
       for (const rules::Finding& finding : plane.findings) {
-        add_finding(project, space, plane, finding, csv);
+        const rules::Requirement& requirement = finding.requirement;
+        add_finding(
+            row_of(project, space.id, plane.id, requirement.id, calc::name_of(requirement.metric)),
+            finding, csv);
       }
     }
   }

@@ -30,9 +30,11 @@ std::string cells(const Texts& t, const CiFinding& entry) {
     if (const std::string note = aggregate_note(t, *aggregate); !note.empty()) words += "; " + note;
     if (!aggregate->reason.empty())
       words += "; " + sentence(t, aggregate->reason, known_words(t, *entry.project));
-    return fmt::format("{} | {} | {} | ", escape_markdown(words),
+    const bool has_margin = aggregate->sum && aggregate->verdict != rules::Verdict::not_judged;
+    return fmt::format("{} | {} | {} | {}", escape_markdown(words),
                        escape_markdown(aggregate_required(t, *aggregate)),
-                       escape_markdown(aggregate_measured(t, *aggregate)));
+                       escape_markdown(aggregate_measured(t, *aggregate)),
+                       has_margin ? format_margin(t, aggregate->sum->margin) : "");
   }
   if (finding == nullptr) return fmt::format("{} | | | ", escape_markdown(entry.message));
   const rules::Requirement& requirement = finding->requirement;

@@ -69,6 +69,7 @@ const char* rule_words(std::string_view rule) {
   if (rule == "plane") return "Every calculation plane must be computed";
   if (rule == "project") return "Every project must be read and calculated";
   if (rule == "aggregate") return "Requirements that a rule pack takes together must be met";
+  if (rule == "building") return "What is required of rooms together must be met";
   if (rule == "worse") return "A value must not become worse";
   if (rule == "weaker-question") return "A design must not be asked for less";
   if (rule == "class") return "A class of a rule pack should be reached";

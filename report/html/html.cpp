@@ -20,6 +20,7 @@
 #include "report/html/html_room_data.h"
 #include "report/html/html_script.h"
 #include "report/html/html_style.h"
+#include "report/html/html_uses.h"
 #include "report/html/html_values.h"
 #include "report/html/print_pages.h"
 #include "report/text/base64.h"
@@ -393,6 +394,7 @@ void HtmlWriter::add_to_masthead(const ProjectPart& project, const std::vector<C
 // What stands behind the rooms, with the addresses of those that the contents name.
 std::vector<HtmlWriter::Chapter> HtmlWriter::chapters_of(const ProjectPart& project) const {
   std::vector<Chapter> chapters{
+      {html_uses(t_, project, project_), "uses", Text::uses},
       {html_aggregates(t_, project, project_), "", {}},
       {html_emergency(t_, project, project_, folder_), "emergency", Text::emergency},
       {html_luminaires(t_, project, project_), "luminaires", Text::luminaires},

@@ -20,13 +20,22 @@ std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
     if (!text.empty()) notes += (notes.empty() ? "" : " · ") + text;
   };
   if (finding.is_waived) add(t[Text::waived]);
+  if (finding.sum) {
+    add(escape_html(aggregate_note(t, finding)));
+    return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
+  }
   if (!finding.note.empty()) add(sentence_html(t, finding.note));
   add(aggregate_remark(t, finding));
   return notes.empty() ? "" : "<span class=\"note\">" + notes + "</span>";
 }
 
-std::string member_text(const Texts& t, const rules::AggregateMember& member) {
+std::string member_text(const Texts& t, const rules::AggregateFinding& finding,
+                        const rules::AggregateMember& member) {
   std::string text = fmt::format("{} {}", verdict_symbol(member.verdict), escape_html(member.name));
+  if (finding.sum && member.value) {
+    const calc::Estimate value{*member.value, *member.value, *member.value};
+    text += " " + escape_html(format_measured(t, value, rules::unit_of(finding.sum->requirement)));
+  }
   if (member.area_m2)
     text += " <span class=\"quiet\">" + t.number(format_fixed(*member.area_m2, 1)) + " m²</span>";
   if (member.is_waived) text += std::string(" (") + t[Text::waived] + ")";
@@ -37,7 +46,7 @@ std::string rows_of(const Texts& t, const ProjectPart& project,
                     const rules::AggregateFinding& finding, const std::vector<KnownWords>& known) {
   std::string members;
   for (const rules::AggregateMember& member : finding.members) {
-    members += (members.empty() ? "" : "<br/>") + member_text(t, member);
+    members += (members.empty() ? "" : "<br/>") + member_text(t, finding, member);
   }
   std::string html = fmt::format(
       "<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>"

@@ -304,8 +304,68 @@ Verdict check_member(const Place& place, const Findings& findings,
   return lived_with;
 }
 
-void check_aggregate(const Place& place, const Findings& findings,
-                     const rules::AggregateFinding& finding) {
+// As many digits as files keep of the members.
+bool is_same_sum(double said, double follows) {
+  constexpr double kRounding = 1e-9;
+  return std::abs(said - follows) <= kRounding * std::max(std::abs(said), std::abs(follows));
+}
+
+// A room of a building: what it has is what the room's own numbers say.
+void check_room(const Place& place, const ProjectPart& project, const Findings& findings,
+                const rules::Requirement& asked, const rules::AggregateMember& room) {
+  for (std::size_t i = 0; i < room.of.size(); ++i) {
+    findings.of(place, i, room.of[i]);
+    refuse_place(place.at("of", i), "requirement", "a room of a building is not made of any");
+  }
+  const auto space = std::find_if(project.spaces.begin(), project.spaces.end(),
+                                  [&](const SpacePart& one) { return one.id == room.name; });
+  if (space == project.spaces.end()) refuse_place(place, "name", "the project has no such room");
+  const bool is_energy = asked.metric == rules::Metric::leni;
+  std::optional<double> value = space->power.density_w_m2();
+  if (is_energy) {
+    const bool is_known = space->energy && space->energy->problem.empty();
+    value = is_known ? std::optional(space->energy->leni_kwh_m2) : std::nullopt;
+  }
+  const auto is_same = [](const std::optional<double>& said, const std::optional<double>& follows) {
+    return said.has_value() == follows.has_value() && (!said || is_same_sum(*said, *follows));
+  };
+  const double area_m2 = space->power.area_m2;
+  constexpr const char* kWhy = "from the room itself";
+  expect(place, "value", is_same(room.value, value), true, kWhy);
+  const std::optional<double> area = area_m2 > 0.0 ? std::optional(area_m2) : std::nullopt;
+  expect(place, "area_m2", is_same(room.area_m2, area), true, kWhy);
+  const bool is_judged = room.value && !std::isnan(asked.limit);
+  const Verdict verdict =
+      is_judged ? rules::decide(asked, {*room.value, *room.value, *room.value}).verdict
+                : Verdict::not_judged;
+  expect(place, "verdict", room.verdict, verdict, "from its value and the limit");
+  expect(place, "is_waived", room.is_waived, false, "a room alone is asked nothing");
+}
+
+void check_sum(const Place& place, const ProjectPart& project, const Findings& findings,
+               const rules::AggregateFinding& finding, std::string_view day) {
+  const rules::Finding& sum = *finding.sum;
+  const Place own{place.path + "/sum", place.words};
+  constexpr const char* kWhy = "it is that of the sum";
+  expect(place, "verdict", finding.verdict, sum.verdict, kWhy);
+  expect(place, "is_waived", finding.is_waived, sum.is_waived, kWhy);
+  expect(place, "severity", finding.severity, sum.requirement.severity, kWhy);
+  check_finding(own, sum, day);
+  for (std::size_t i = 0; i < finding.members.size(); ++i) {
+    check_room(place.at("members", i), project, findings, sum.requirement, finding.members[i]);
+  }
+  if (sum.verdict == Verdict::not_judged) return;
+  const std::optional<double> rooms = rules::sum_of(finding.members);
+  if (!rooms) refuse_place(place, "members", "of one of them it is not known what it has");
+  const calc::Estimate& said = sum.measured;
+  const bool is_same =
+      is_same_sum(said.value, *rooms) && said.low == said.value && said.high == said.value;
+  expect(own, "measured", is_same, true, "from the rooms and their floors");
+}
+
+void check_aggregate(const Place& place, const ProjectPart& project, const Findings& findings,
+                     const rules::AggregateFinding& finding, std::string_view day) {
+  if (finding.sum) return check_sum(place, project, findings, finding, day);
   std::vector<rules::AggregateMember> lived_with = finding.members;
   for (std::size_t i = 0; i < finding.members.size(); ++i) {
     lived_with[i].verdict =
@@ -408,7 +468,7 @@ void check_project(const Place& place, const ProjectPart& project, std::string_v
     const rules::AggregateFinding& aggregate = project.aggregates[i];
     check_aggregate(place.at("aggregates", i,
                              fmt::format("{} '{}'", calc::name_of(aggregate.kind), aggregate.id)),
-                    findings, aggregate);
+                    project, findings, aggregate, day);
   }
   check_errors(place, project);
 }

@@ -212,6 +212,13 @@ void describe(auto& v, Is<rules::AggregateMember> auto& member) {
   v.field("area_m2", member.area_m2);
   v.field("reason", member.reason, {.holds = Holds::prose});
   v.field("of", member.of, {.words = "What it is made of, beside checks that nothing asks for."});
+  v.field("value", member.value,
+          {.words = "Of a sum: what it has for each square metre, in the unit of the sum.",
+           .presence = only_if(member.value.has_value())});
+  v.field("stated", member.stated,
+          {.words = "Of a sum: what the project states that the value rests on.",
+           .presence = only_if(!member.stated.empty()),
+           .holds = Holds::prose});
 }
 
 void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
@@ -219,9 +226,15 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
        "Several requirements as one, as a rule pack has them: an aggregate, or a class of rows. "
        "What "
        "is about one plane names it; without plane it is about the room, without space about the "
-       "project.");
+       "project. Or what is asked of the rooms of a building together.");
   v.field("kind", finding.kind);
   v.field("id", finding.id);
+  const bool is_building = finding.kind == rules::AggregateKind::building;
+  v.field("building", finding.building_id, {.presence = only_if(is_building)});
+  v.field("building_was", finding.building_was,
+          {.presence = only_if(!finding.building_was.empty())});
+  v.field("building_name", finding.building_name,
+          {.presence = only_if(!finding.building_name.empty())});
   v.field("space", finding.space_id);
   v.field("plane", finding.plane_id);
   v.field("clause", finding.clause);
@@ -245,6 +258,11 @@ void describe(auto& v, Is<rules::AggregateFinding> auto& finding) {
                     "that may be; empty: none."});
   v.field("reached", finding.reached);
   v.field("possible", finding.possible);
+  v.field("sum", finding.sum,
+          {.words = "Of a sum: what its members come to over all of their floors.",
+           .presence = only_if(finding.sum.has_value())});
+  v.refuse_if((finding.rule == rules::AggregateRule::sum) != finding.sum.has_value(), "sum",
+              "a sum has it, and nothing else has");
 }
 
 }  // namespace report

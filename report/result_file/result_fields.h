@@ -11,6 +11,7 @@
 #include "calc/project/logo.h"
 #include "calc/project/maintenance_plan_xml.h"
 #include "report/document/document.h"
+#include "report/document/row_uses.h"
 #include "report/result_file/describe.h"
 #include "report/result_file/finding_fields.h"
 #include "report/result_file/plane_fields.h"
@@ -377,7 +378,26 @@ void describe(auto& v, Is<ProjectPart> auto& project) {
   v.field("spaces", project.spaces);
   v.field("inputs", project.inputs);
   v.field("aggregates", project.aggregates, {.presence = only_if(!project.aggregates.empty())});
+  const std::vector<RowUse> uses = row_uses(project);
+  v.written("uses", [&] { return uses; },
+            {.words = "Each row of a rule pack, over all rooms that are asked it.",
+             .presence = only_if(!uses.empty())});
   v.field("times", project.times, {.presence = only_if(project.times.total_s > 0.0)});
+}
+
+void describe(auto& v, Is<RowUse> auto& use) {
+  v.is("row_use");
+  v.field("clause", use.clause);
+  v.field("rooms", use.rooms, {.words = "Their ids."});
+  v.field("times", use.times, {.words = "By how many workplaces, or planes of a room together."});
+  v.field("whole", use.whole, {.words = "Of these: nothing of the row was never asked."});
+  v.field("requirements", use.requirements, {.words = "That count, each once."});
+  v.field("met", use.met);
+  v.field("outcome", use.outcome);
+  v.field("margin", use.margin, {.words = "The smallest; null: nothing has one."});
+  v.field("room", use.room, {.words = "Whose margin it is, with plane and requirement."});
+  v.field("plane", use.plane);
+  v.field("requirement", use.requirement);
 }
 
 void describe(auto& v, Is<Document> auto& document) {

@@ -1,6 +1,7 @@
 #include "report/revision/questions.h"
 
 #include "calc/base/names.h"
+#include "calc/base/text.h"
 #include "report/revision/question_list.h"
 #include "report/text/number_format.h"
 #include "report/text/words.h"
@@ -79,6 +80,39 @@ std::string exact_quantity(const rules::Requirement& requirement) {
   if (requirement.facing) words += ", facing " + exact_words(*requirement.facing);
   if (requirement.any_one_unit_out) words += " with any one luminaire out";
   return words;
+}
+
+// Fewer rooms than before are an easier question, or may be; what the project states of those that
+// are still there is a part of it.
+void compare_rooms(QuestionList& questions, const rules::AggregateFinding& before,
+                   const rules::AggregateFinding& after) {
+  const auto missing = [](const rules::AggregateFinding& of, const rules::AggregateFinding& in) {
+    std::vector<std::string> names;
+    for (const rules::AggregateMember& member : of.members) {
+      const bool is_there = std::any_of(in.members.begin(), in.members.end(),
+                                        [&](const auto& one) { return one.name == member.name; });
+      if (!is_there) names.push_back(member.name);
+    }
+    return names;
+  };
+  constexpr std::size_t kMostNamed = 4;
+  const std::vector<std::string> gone = missing(before, after), added = missing(after, before);
+  if (!gone.empty()) {
+    questions.add(QuestionChange::weaker, QuestionPart::aggregate,
+                  calc::list_names(gone, kMostNamed), "");
+  }
+  if (!added.empty()) {
+    questions.add(QuestionChange::stricter, QuestionPart::aggregate, "",
+                  calc::list_names(added, kMostNamed));
+  }
+  for (const rules::AggregateMember& is : after.members) {
+    for (const rules::AggregateMember& was : before.members) {
+      if (was.name == is.name && was.stated != is.stated) {
+        questions.add(QuestionChange::exchanged, QuestionPart::energy, was.stated, is.stated,
+                      is.name);
+      }
+    }
+  }
 }
 
 // What is looked at.
@@ -371,6 +405,7 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
                                                const rules::AggregateFinding& after,
                                                const RevisionPlace& place) {
   QuestionList questions(place);
+  if (before.sum && after.sum) compare_rooms(questions, before, after);
   const auto rule = [](const rules::AggregateFinding& finding) {
     return fmt::format("{} of {}{} {}", calc::name_of(finding.rule), calc::name_of(finding.over),
                        finding.by_area ? " by area" : "", finding.asked);
@@ -380,6 +415,14 @@ std::vector<ChangedQuestion> compare_aggregate(const rules::AggregateFinding& be
                     format_percent(before.share), format_percent(after.share));
   questions.compare(QuestionPart::limit, before.count, after.count, true,
                     fmt::format("{}", before.count), fmt::format("{}", after.count));
+  if (before.sum && after.sum && after.kind == rules::AggregateKind::building) {
+    std::vector<ChangedQuestion> all = questions.take();
+    for (ChangedQuestion& of_sum :
+         compare_requirement(before.sum->requirement, after.sum->requirement, place)) {
+      all.push_back(std::move(of_sum));
+    }
+    return all;
+  }
   questions.compare(QuestionPart::aggregate, static_cast<double>(before.members.size()),
                     static_cast<double>(after.members.size()), true,
                     fmt::format("{} members", before.members.size()),

@@ -152,6 +152,15 @@ ChangedResult compare_results(const rules::Finding* before, const rules::Finding
 ChangedResult compare_results(const rules::AggregateFinding* before,
                               const rules::AggregateFinding* after, const RevisionPlace& place) {
   const rules::AggregateFinding& any = after != nullptr ? *after : *before;
+  if (any.sum && any.kind == rules::AggregateKind::building) {
+    // Nothing of it is sampled, so that no level of confidence is in it.
+    const auto sum_of = [](const rules::AggregateFinding* finding) {
+      return finding == nullptr || !finding->sum ? nullptr : &*finding->sum;
+    };
+    ChangedResult of_sum = compare_results(sum_of(before), sum_of(after), 0.95, place);
+    of_sum.is_aggregate = true;
+    return of_sum;
+  }
   ChangedResult result;
   result.place = place;
   result.is_aggregate = true;

@@ -16,7 +16,7 @@ calc::Estimate difference_of(const calc::Estimate& before, const calc::Estimate&
 // difference of replicates. place: of the requirement.
 ChangedResult compare_results(const rules::Finding* before, const rules::Finding* after,
                               double confidence, const RevisionPlace& place);
-// Of one aggregate, which has no value.
+// Of one aggregate, which has no value but that of a sum.
 ChangedResult compare_results(const rules::AggregateFinding* before,
                               const rules::AggregateFinding* after, const RevisionPlace& place);
 

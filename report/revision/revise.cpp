@@ -215,6 +215,11 @@ class Reviser {
     for (rules::AggregateFinding& finding : was_aggregates) {
       finding.space_id = id_now(renamed_rooms_, finding.space_id);
       finding.plane_id = id_now(renamed_planes_, finding.plane_id);
+      if (!finding.sum) continue;
+      finding.id = building_id_now(finding, is.aggregates);
+      for (rules::AggregateMember& member : finding.members) {
+        member.name = id_now(renamed_rooms_, member.name);
+      }
     }
     const auto aggregates =
         match_parts(was_aggregates, is.aggregates, [](const rules::AggregateFinding& f) {
@@ -306,12 +311,28 @@ class Reviser {
               quantity_words(any) + scene_words({}, any));
   }
 
+  // Of a sum that a building or one of its requirements had under another id.
+  static std::string building_id_now(const rules::AggregateFinding& before,
+                                     const std::vector<rules::AggregateFinding>& now) {
+    for (const rules::AggregateFinding& after : now) {
+      if (after.kind != before.kind || !after.sum) continue;
+      const rules::Requirement &is = after.sum->requirement, &was = before.sum->requirement;
+      const bool is_building =
+          after.building_id == before.building_id || after.building_was == before.building_id;
+      if (is_building && (is.id == was.id || is.was == was.id)) return after.id;
+    }
+    return before.id;
+  }
+
   void add_aggregate(const AggregatePair& pair, RevisionPlace place, bool is_project_there) {
     const rules::AggregateFinding& any = pair.after != nullptr ? *pair.after : *pair.before;
     place.space = any.space_id;
     place.plane = any.plane_id;
     place.item = any.id;
     place.where = any.where;
+    if (any.kind == rules::AggregateKind::building) {
+      place.words = std::string(title_of(any.building_name, any.building_id));
+    }
     add(compare_results(pair.before, pair.after, place));
     if (pair.before != nullptr && pair.after != nullptr) {
       return add(compare_aggregate(*pair.before, *pair.after, place));

@@ -55,15 +55,37 @@ std::string members_words(const Texts& t, const rules::AggregateFinding& finding
   return count == 1 ? t.say<Text::one_room>(count) : t.say<Text::some_rooms>(count);
 }
 
+// "5.93 W/m² (14 rooms, 208.4 m²)"
+std::string sum_words(const Texts& t, const rules::AggregateFinding& finding) {
+  const std::string rooms = members_words(t, finding);
+  if (finding.verdict == rules::Verdict::not_judged) return rooms;
+  const rules::Requirement& asked = finding.sum->requirement;
+  double area_m2 = 0.0;
+  for (const rules::AggregateMember& member : finding.members) {
+    area_m2 += member.area_m2.value_or(0.0);
+  }
+  return fmt::format("{} ({}, {} m²)",
+                     format_measured(t, finding.sum->measured, rules::unit_of(asked),
+                                     Threshold{asked.limit, asked.comparison}),
+                     rooms, format_fixed(t, area_m2, 1));
+}
+
 }  // namespace
 
 std::string aggregate_title(const Texts& t, const rules::AggregateFinding& finding) {
+  if (finding.sum && finding.kind == rules::AggregateKind::building) {
+    return quantity_words(t, finding.sum->requirement);
+  }
   return is_class(finding) ? t.say<Text::class_title>(finding.id)
                            : t.say<Text::aggregate_title>(finding.id);
 }
 
 std::string aggregate_required(const Texts& t, const rules::AggregateFinding& finding) {
   if (is_class(finding)) return finding.asked;
+  if (finding.sum) {
+    const rules::Requirement& asked = finding.sum->requirement;
+    return format_required(t, {asked.limit, asked.comparison}, rules::unit_of(asked));
+  }
   const std::string members = members_words(t, finding);
   switch (finding.rule) {
     case rules::AggregateRule::all:
@@ -73,6 +95,7 @@ std::string aggregate_required(const Texts& t, const rules::AggregateFinding& fi
     case rules::AggregateRule::at_least:
       return t.say<Text::at_least_of>(finding.count, members);
     case rules::AggregateRule::share:
+    case rules::AggregateRule::sum:
       break;
   }
   const std::string share = format_percent(t, finding.share);
@@ -81,6 +104,7 @@ std::string aggregate_required(const Texts& t, const rules::AggregateFinding& fi
 }
 
 std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& finding) {
+  if (finding.sum) return sum_words(t, finding);
   if (!is_class(finding)) {
     const auto met =
         std::count_if(finding.members.begin(), finding.members.end(),
@@ -98,6 +122,9 @@ std::string aggregate_measured(const Texts& t, const rules::AggregateFinding& fi
 }
 
 std::string aggregate_place(const ProjectPart& project, const rules::AggregateFinding& finding) {
+  if (finding.kind == rules::AggregateKind::building) {
+    return std::string(title_of(finding.building_name, finding.building_id));
+  }
   if (finding.space_id.empty()) return std::string(title_of(project.name, project.path));
   for (const SpacePart& space : project.spaces) {
     if (space.id != finding.space_id) continue;
@@ -117,6 +144,11 @@ const char* aggregate_remark(const Texts& t, const rules::AggregateFinding& find
 }
 
 std::string aggregate_note(const Texts& t, const rules::AggregateFinding& finding) {
+  if (finding.sum) {
+    const std::string close = close_words(t, *finding.sum);
+    const std::string note = note_words(t, *finding.sum);
+    return note + (note.empty() || close.empty() ? "" : "; ") + close;
+  }
   const std::string remark = aggregate_remark(t, finding);
   return sentence(t, finding.note) + (finding.note.empty() || remark.empty() ? "" : "; ") + remark;
 }

@@ -10,6 +10,7 @@
 #include "calc/scene/lighting_energy.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/binding/luminaire_values.h"
+#include "rules/binding/requirement_ids.h"
 #include "rules/binding/requirement_reader.h"
 #include "rules/fitness/place_in_space.h"
 
@@ -26,35 +27,6 @@
 
 namespace rules {
 namespace {
-
-// Requirement ids of one plane: given ones must differ; the others get the quantity's name,
-// numbered from the second on ("average", "average-2").
-class PlaneIds {
- public:
-  PlaneIds(const calc::CalcPlane& plane, calc::Diagnostics& diagnostics) {
-    for (const calc::RequirementText& text : plane.requirements) {
-      if (!text.role.empty()) continue;  // a workplace, whose id is another one
-      const calc::XmlAttribute* id = text.element.find("id");
-      if (id == nullptr || id->value.empty()) continue;  // an empty id is reported where it is read
-      const auto [first, is_new] = line_of_given_.emplace(id->value, id->where.line);
-      if (is_new) continue;
-      diagnostics.report(calc::DiagnosticId::duplicate_id, id->where, "requirement id", id->value,
-                         first->second);
-    }
-  }
-
-  std::string next_for(Metric metric) {
-    std::string id(calc::name_of(metric));
-    for (int repeat = 2; line_of_given_.contains(id) || !made_.insert(id).second; ++repeat) {
-      id = fmt::format("{}-{}", calc::name_of(metric), repeat);
-    }
-    return id;
-  }
-
- private:
-  std::map<std::string, int> line_of_given_;
-  std::set<std::string> made_;
-};
 
 // What the project has let into the zone must count, too.
 void narrow_strips(Mask& mask, double margin_m) {
@@ -313,7 +285,7 @@ void set_space_value(SpaceValues& of_space, const calc::CalcPlane& plane,
 void bind_plane(const calc::CalcPlane& plane, const RequirementContext& context,
                 SpaceValues& of_space, ElementsOnce& elements, calc::Diagnostics& diagnostics,
                 std::vector<Requirement>& bound) {
-  PlaneIds ids(plane, diagnostics);
+  RequirementIds ids(plane.requirements, diagnostics);
   calc::FormerIds former("requirement");
   std::vector<Requirement> of_plane;
   for (const calc::RequirementText& text : plane.requirements) {
@@ -394,7 +366,7 @@ void check_requirements(const calc::Project& project, const std::vector<RulePack
       const RequirementContext context{
           plane.kernel,     project.scenes,         packs, nullptr, nullptr, plane.derived,
           plane.usual_role, plane.is_quantity_known};
-      const PlaneIds ids(plane, diagnostics);
+      const RequirementIds ids(plane.requirements, diagnostics);
       for (const calc::RequirementText& text : plane.requirements) {
         elements.read(text, context, diagnostics);
       }

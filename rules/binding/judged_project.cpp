@@ -2,6 +2,7 @@
 
 #include "calc/project/project_xml.h"
 #include "rules/binding/bind.h"
+#include "rules/binding/bind_buildings.h"
 #include "rules/binding/workplace.h"
 
 #include <cstddef>
@@ -18,13 +19,14 @@ std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
   const std::size_t first = diagnostics.all().size();
   std::optional<calc::ReadProject> read = calc::read_project(files, path, diagnostics, budget);
   if (!read) return std::nullopt;
-  JudgedProject judged{std::move(read->project), {}};
+  JudgedProject judged{std::move(read->project), {}, {}};
   make_workplace_planes(judged.project, packs, diagnostics);
   if (read->is_good) {
     judged.requirements = bind_requirements(judged.project, packs, diagnostics);
   } else {
     check_requirements(judged.project, packs, diagnostics);
   }
+  judged.buildings = bind_buildings(judged.project, packs, diagnostics);
   if (diagnostics.error_count() == errors) return judged;
   diagnostics.sort_by_line(path, first);
   return std::nullopt;

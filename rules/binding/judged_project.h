@@ -7,6 +7,7 @@
 #include "calc/scene/project.h"
 #include "rules/catalogue/requirement.h"
 #include "rules/pack/rule_pack.h"
+#include "rules/verdict/judge_buildings.h"
 
 #include <optional>
 #include <string>
@@ -16,7 +17,8 @@ namespace rules {
 
 struct JudgedProject {
   calc::Project project;
-  std::vector<Requirement> requirements;  // see bind_requirements()
+  std::vector<Requirement> requirements;    // see bind_requirements()
+  std::vector<BuildingQuestion> buildings;  // see bind_buildings()
 };
 
 // Empty if and only if there is an error. All errors of the file are reported, those of shapes and

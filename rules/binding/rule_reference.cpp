@@ -181,7 +181,8 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
                         reference.scope.level,
                         reference.scope.facts,
                         {},
-                        is_weakened(check, limit, reference.scope)};
+                        is_weakened(check, limit, reference.scope),
+                        check.role == reference.pack.role};
   if (limit.level != RowLevel::required && !reference.level_because.empty()) {
     requirement.note += requirement.note.empty() ? "" : "; ";
     requirement.note +=

@@ -1,10 +1,12 @@
 #pragma once
-// Several requirements as one: aggregates and classes of rule packs, once they are judged. Plain
-// data; judge_aggregates.h makes it.
+// Several requirements as one: aggregates and classes of rule packs, and what is asked of the rooms
+// of a building together, once they are judged. Plain data; judge_aggregates.h and
+// judge_buildings.h make it.
 
 #include "calc/base/diagnostics.h"
 #include "calc/base/names.h"
 #include "rules/catalogue/compare.h"
+#include "rules/catalogue/finding.h"
 #include "rules/catalogue/requirement.h"
 
 #include <optional>
@@ -13,7 +15,9 @@
 
 namespace rules {
 
-enum class AggregateRule { all, any, at_least, share };
+// sum, of buildings alone: what the members have together, over all of their floors, meets the
+// limit.
+enum class AggregateRule { all, any, at_least, share, sum };
 
 // What the members of an aggregate are.
 enum class AggregateOver {
@@ -22,7 +26,7 @@ enum class AggregateOver {
   rooms,   // of the project
 };
 
-enum class AggregateKind { aggregate, row_class };
+enum class AggregateKind { aggregate, row_class, building };
 
 struct AggregateMember {
   std::string name;                       // id of the check, the plane or the room
@@ -32,11 +36,16 @@ struct AggregateMember {
   std::string reason = {};                // why it does not pass
   // What it is made of; besides these it may lack checks that nothing asks for.
   std::vector<RequirementName> of = {};
+  // Of a sum: what it has for each square metre, in the unit of the sum's requirement (empty: not
+  // known), and what the project states that this rests on.
+  std::optional<double> value = {};
+  std::string stated = {};
 };
 
 struct AggregateFinding {
   AggregateKind kind = AggregateKind::aggregate;
-  std::string id;                  // in its pack
+  std::string id;                                        // in its pack; "tower.LENI" of a building
+  std::string building_id, building_was, building_name;  // "" of all others
   std::string space_id, plane_id;  // what it is about; both "" = the project, no plane = the room
   std::string clause;              // "LEED v4.1 ..."
   std::string note;                // what every report must say with it; or ""
@@ -53,6 +62,9 @@ struct AggregateFinding {
   // Of classes: the row that the project asks for, the best one that is reached for certain and the
   // best that may be; "" = none.
   std::string asked, reached, possible;
+  // Of a sum: what the members come to. Its requirement is of no plane, and verdict, is_waived and
+  // reason are those above.
+  std::optional<Finding> sum = {};
   calc::SourceLocation where;
 };
 
@@ -66,7 +78,8 @@ struct EnumNames<rules::AggregateRule> {
       {rules::AggregateRule::all, "all"},
       {rules::AggregateRule::any, "any"},
       {rules::AggregateRule::at_least, "at-least"},
-      {rules::AggregateRule::share, "share"}};
+      {rules::AggregateRule::share, "share"},
+      {rules::AggregateRule::sum, "sum"}};
 };
 
 template <>
@@ -80,7 +93,9 @@ struct EnumNames<rules::AggregateOver> {
 template <>
 struct EnumNames<rules::AggregateKind> {
   static constexpr EnumName<rules::AggregateKind> list[] = {
-      {rules::AggregateKind::aggregate, "aggregate"}, {rules::AggregateKind::row_class, "class"}};
+      {rules::AggregateKind::aggregate, "aggregate"},
+      {rules::AggregateKind::row_class, "class"},
+      {rules::AggregateKind::building, "building"}};
 };
 
 }  // namespace calc

@@ -27,7 +27,7 @@ const char* comparison_name(Comparison comparison) {
 const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane) {
   const auto area = std::find_if(of_plane.begin(), of_plane.end(), [&](const Requirement& other) {
     return other.metric == Metric::average && other.origin.pack == glare.origin.pack &&
-           other.origin.row == glare.origin.row;
+           other.origin.row == glare.origin.row && other.origin.is_of_own_role;
   });
   return area == of_plane.end() ? nullptr : &*area;
 }

@@ -46,6 +46,7 @@ struct RuleOrigin {
   std::map<std::string, double> facts;    // by id, in base units
   std::vector<std::string> workplaces{};  // ids of those that ask for it; none: a <require>
   bool is_weakened = false;               // its limit is easier than what the row requires
+  bool is_of_own_role = true;  // of the role that the pack is about, such as the task; not in files
 };
 
 // Which of a project's requirements: plane ids are unique in it.
@@ -102,7 +103,8 @@ inline std::optional<LightState> fixed_state(Metric metric) {
 constexpr bool has_mounting_heights(Metric metric) { return metric == Metric::glare_intensity; }
 
 // Of the same row of a rule pack, on the same plane: the average that is asked of the area which
-// `glare` is rated on. of_plane: all of the plane; null: there is none.
+// `glare` is rated on, which is that of the pack's own role. of_plane: all of the plane; null:
+// there is none.
 const Requirement* area_of(const Requirement& glare, const std::vector<Requirement>& of_plane);
 
 // What every report must say with it, behind what it says already.

@@ -31,6 +31,8 @@ using calc::say;
 using calc::Sentence;
 
 constexpr double kSameLength_m = 1e-6;
+// Of an upright plane about one height above the floor: half a metre to either side.
+constexpr double kTallest_m = 1.0 + kSameLength_m;
 constexpr double kDegrees = 180.0 / calc::kPi;
 
 void add_words(std::string& text, const std::string& words) {
@@ -187,8 +189,13 @@ class PlaneFit {
     const bool is_upright = orientation_of(role, meant.row) == kUpright;
     const double from = from_m - kLift_m, to = to_m + kLift_m;
     const double shared_m = std::min(highest_m, to) - std::max(lowest_m, from);
-    const bool fits = is_upright ? shared_m >= 0.5 * std::min(highest_m - lowest_m, to_m - from_m)
-                                 : lowest_m >= from && highest_m <= to;
+    // Where one height is asked for, its middle is there, and it has no points far from it.
+    const bool is_one = is_upright && to_m - from_m < kLift_m;
+    const double middle_m = 0.5 * (lowest_m + highest_m);
+    const bool fits = is_one
+                          ? middle_m >= from && middle_m <= to && highest_m - lowest_m <= kTallest_m
+                      : is_upright ? shared_m >= 0.5 * std::min(highest_m - lowest_m, to_m - from_m)
+                                   : lowest_m >= from && highest_m <= to;
     if (fits) return {};
     const auto range = [](double low, double high) {
       return std::abs(high - low) < 5e-4 ? fmt::format("{:.3g} m", low)

@@ -46,6 +46,8 @@ double needed(const RuleAggregate& aggregate, double all) {
       return aggregate.count;
     case AggregateRule::share:
       return aggregate.share * all;
+    case AggregateRule::sum:
+      break;
   }
   return all;
 }

@@ -9,6 +9,8 @@
 #include "rules/catalogue/unit.h"
 #include "rules/pack/rule_pack.h"
 
+#include <vector>
+
 namespace rules {
 namespace {
 
@@ -50,7 +52,6 @@ const ValueType kQuantityType = words_type("quantity", quantity_names());
 const ValueType kStatisticType = words_type("statistic", metric_names());
 const ValueType kLightStateType = words_type("lightState", calc::names_of<LightState>());
 const ValueType kLightSourcesType = words_type("lightSources", calc::names_of<LightSources>());
-const ValueType kAggregateRuleType = words_type("aggregateRule", calc::names_of<AggregateRule>());
 const ValueType kAggregateOverType = words_type("aggregateOver", calc::names_of<AggregateOver>());
 const ValueType kEntryValueType{.name = "entryValue", .verbatim = R"(<xs:union memberTypes="amount">
   <xs:simpleType>
@@ -84,6 +85,11 @@ const ValueType kCheckSeverityType =
     words_type("checkSeverity", {"shall", "should", "may", "info", "in-aggregate"});
 const ValueType kCountedLightType = words_type("countedLight", {"all", "direct"});
 const ValueType kOutageType = words_type("outage", {"none", "any-one-unit"});
+const ValueType kAggregateRuleType = [] {
+  calc::Names names = calc::names_of<AggregateRule>();
+  std::erase(names, calc::name_of(AggregateRule::sum));  // of buildings, which projects have
+  return words_type("aggregateRule", names);
+}();
 const ValueType kAggregateByType = words_type("aggregateBy", {"count", "area"});
 const ValueType kAggregateSeverityType =
     words_type("aggregateSeverity", {"shall", "should", "may", "info"});

@@ -285,7 +285,8 @@ RuleAggregate read_aggregate(const calc::XmlElement& element, calc::Diagnostics&
   RuleAggregate aggregate;
   aggregate.where = element.where;
   aggregate.id = reader.id();
-  aggregate.rule = reader.value<AggregateRule>("rule");
+  aggregate.rule =
+      calc::EnumNames<AggregateRule>::list[reader.choice("rule", kAggregateRuleType.words)].value;
   const auto read_for = [&](std::string_view attribute, AggregateRule owner, const auto& read) {
     if (aggregate.rule == owner) {
       read();

@@ -182,7 +182,9 @@ std::string areas_without(const Asked& asked, const std::vector<RequirementName>
     const std::string& plane_id = finding->requirement.plane_id;
     const bool is_rated = std::any_of(glare.begin(), glare.end(),
                                       [&](const auto& name) { return name.plane_id == plane_id; });
-    if (is_rated || finding->requirement.metric != Metric::average) continue;
+    const bool is_area =
+        finding->requirement.metric == Metric::average && check->role == asked.pack->role;
+    if (is_rated || !is_area) continue;
     words += (words.empty() ? "" : ", ") + plane_id;
   }
   return words;

@@ -5,36 +5,14 @@
 #include "calc/scene/project.h"
 #include "calc/scene/sensor_grid.h"
 #include "rules/catalogue/compare.h"
+#include "rules/catalogue/finding.h"
 #include "rules/catalogue/requirement.h"
 #include "rules/measure/measure.h"
 
-#include <glm/glm.hpp>
-
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace rules {
-
-struct Finding {
-  Requirement requirement;
-  Verdict verdict = Verdict::not_judged;
-  // Unit of the requirement; meaningless when not_judged. Ends may be open, see has_open_ends().
-  calc::Estimate measured;
-  double margin = 0.0;  // (measured - limit) / limit, sign turned for at_most: > 0 is good
-  bool is_close =
-      false;  // usual rounding (whole lx, two digits of a ratio) would change the verdict
-  bool is_waived = false;       // see waiver.h: it does not count, whatever the verdict
-  bool is_doubtful = false;     // its interval cannot be trusted, see `reason`
-  bool by_tolerance = false;    // passes only with the tolerance of the policy
-  std::size_t points_used = 0;  // that the requirement's mask leaves; 0 when not judged
-  std::optional<glm::dvec3>
-      place_m;  // of the minimum (of uniformities, too), the maximum or the value
-  // For undecided and not_judged, in words; of others only that there is nothing to be rated.
-  std::string reason;
-  // `measured` without each replicate in turn, see measure/leave_one_out.h; empty: not known.
-  std::vector<double> without_replicate = {};
-};
 
 // One finding per requirement, in order. All arguments belong to one plane: `requirements` are its
 // own, see requirements_of_plane(); field.points = number of points of the grid. confidence in (0,

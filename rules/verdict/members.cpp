@@ -23,6 +23,16 @@ bool lacks_members(const RuleAggregate& aggregate, const std::vector<AggregateMe
          members.size() < static_cast<std::size_t>(aggregate.count);
 }
 
+std::optional<double> sum_of(const std::vector<AggregateMember>& members) {
+  double area_m2 = 0.0, sum = 0.0;
+  for (const AggregateMember& member : members) {
+    if (!member.value || !member.area_m2) return std::nullopt;
+    area_m2 += *member.area_m2;
+    sum += *member.value * *member.area_m2;
+  }
+  return area_m2 > 0.0 ? std::optional(sum / area_m2) : std::nullopt;
+}
+
 std::optional<Verdict> combined_verdict(const RuleAggregate& aggregate,
                                         const std::vector<AggregateMember>& members) {
   std::vector<WeightedStatus> weighted;

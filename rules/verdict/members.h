@@ -20,6 +20,10 @@ Verdict verdict_of_both(Verdict a, Verdict b);
 std::optional<Verdict> combined_verdict(const RuleAggregate& aggregate,
                                         const std::vector<AggregateMember>& members);
 
+// Of a sum: what its members have for each square metre of all of their floors. Empty: of a member
+// it is not known.
+std::optional<double> sum_of(const std::vector<AggregateMember>& members);
+
 // Members whose areas are needed, and one is not known; fewer members than must be met.
 bool lacks_areas(const RuleAggregate& aggregate, const std::vector<AggregateMember>& members);
 bool lacks_members(const RuleAggregate& aggregate, const std::vector<AggregateMember>& members);

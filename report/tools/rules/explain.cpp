@@ -261,6 +261,8 @@ std::string aggregate_text(const rules::RuleAggregate& aggregate) {
     case rules::AggregateRule::at_least:
       text += fmt::format("at least {} of {}", aggregate.count, members);
       break;
+    case rules::AggregateRule::sum:
+      break;
     case rules::AggregateRule::share:
       text += fmt::format("at least {:g} % of {}{}", 100.0 * aggregate.share, members,
                           aggregate.by_area ? " by area" : "");

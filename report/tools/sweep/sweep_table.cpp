@@ -73,6 +73,28 @@ bool has_no_effect(const Sweep& sweep, std::size_t v) {
   });
 }
 
+// Of a plane or a building.
+void take_margin(const std::string& place, const rules::Finding& finding, SweepRow& row) {
+  row.waived += finding.is_waived ? 1 : 0;
+  if (!rules::counts(rules::outcome_of(finding)) || finding.verdict == rules::Verdict::not_judged) {
+    return;
+  }
+  const std::optional<calc::Estimate> margin = margin_of(finding);
+  if (!margin) {
+    ++row.without_margin;
+    return;
+  }
+  if (finding.verdict == rules::Verdict::pass && margin->value < 0.0) ++row.passed_beyond_limit;
+  if (!row.margin || margin->value < row.margin->value) {
+    row.plane = place;
+    row.requirement = finding.requirement.id;
+  }
+  if (!row.margin) row.margin = margin;
+  row.margin->value = std::min(row.margin->value, margin->value);
+  row.margin->low = std::min(row.margin->low, margin->low);
+  row.margin->high = std::min(row.margin->high, margin->high);
+}
+
 bool passes_with_margin(const SweepRow& row) {
   return row.outcome == rules::Outcome::pass && row.margin && std::isfinite(row.margin->value);
 }
@@ -97,36 +119,18 @@ SweepRow row_of(std::size_t variant, std::vector<std::string> values,
     price.luminaires += space.price.luminaires;
     price.without_price += space.price.without_price;
     for (const report::PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) {
-        row.waived += finding.is_waived ? 1 : 0;
-        if (!rules::counts(rules::outcome_of(finding)) ||
-            finding.verdict == rules::Verdict::not_judged) {
-          continue;
-        }
-        const std::optional<calc::Estimate> margin = margin_of(finding);
-        if (!margin) {
-          ++row.without_margin;
-          continue;
-        }
-        if (finding.verdict == rules::Verdict::pass && margin->value < 0.0) {
-          ++row.passed_beyond_limit;
-        }
-        if (!row.margin || margin->value < row.margin->value) {
-          row.plane = plane.id;
-          row.requirement = finding.requirement.id;
-        }
-        if (!row.margin) row.margin = margin;
-        row.margin->value = std::min(row.margin->value, margin->value);
-        row.margin->low = std::min(row.margin->low, margin->low);
-        row.margin->high = std::min(row.margin->high, margin->high);
-      }
+      for (const rules::Finding& finding : plane.findings) take_margin(plane.id, finding, row);
     }
   }
   row.power_w = without_noise(row.power_w);
   row.without_price = price.without_price;
   if (price.without_price < price.luminaires) row.price = without_noise(price.price);
   for (const rules::AggregateFinding& aggregate : part.aggregates) {
-    row.without_margin += rules::counts(rules::outcome_of(aggregate)) ? 1 : 0;
+    if (aggregate.sum) {
+      take_margin(aggregate.building_id, *aggregate.sum, row);
+    } else {
+      row.without_margin += rules::counts(rules::outcome_of(aggregate)) ? 1 : 0;
+    }
   }
   if (row.outcome == rules::Outcome::not_judged) {
     row.margin.reset();

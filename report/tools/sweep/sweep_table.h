@@ -32,7 +32,7 @@ struct SweepRow {
   // its own: if all intervals hold this one does. Empty: something is not judged, or no requirement
   // has a limit other than 0.
   std::optional<calc::Estimate> margin;
-  std::string plane, requirement;  // whose value is the smallest
+  std::string plane, requirement;  // whose value is the smallest; plane: or building
   // What counts and has no such number: limits of 0, aggregates and classes. Nothing of it is in
   // the margin.
   int without_margin = 0;

@@ -50,7 +50,7 @@ Document real_document() {
   for (const char* path :
        {"tests/golden/aggregates/project.xml", "tests/golden/waived/project.xml",
         "tests/golden/plane-without-points/project.xml", "examples/09-office-by-row/project.xml",
-        "examples/06-on-the-edge/project.xml"}) {
+        "examples/06-on-the-edge/project.xml", "tests/golden/building-sums/project.xml"}) {
     document.projects.push_back(
         check::check_project(kRoot + "/" + path, {settings, files, packs, stages, nobody}));
   }
@@ -257,12 +257,34 @@ TEST(Contradiction, AggregatesAndTheirMembersFollow) {
     EXPECT_NE(refusal_with(member + "/name", "another"), "") << member;
     const json nobody = json::array({{{"plane", "none"}, {"requirement", "none"}}});
     EXPECT_THAT(refusal_with(member + "/of", nobody), HasSubstr("has no requirement"));
-    if (at(member + "/verdict") != "not-judged") {
+    const bool is_room = at(member).contains("value");  // of a building: made of no requirement
+    if (at(member + "/verdict") != "not-judged" && !is_room) {
       EXPECT_NE(refusal_with(member + "/of", json::array()), "") << member;
     }
   }
   EXPECT_GE(aggregates, 2);
   EXPECT_GE(members, 4);
+}
+
+TEST(Contradiction, SumsAreThoseOfTheRooms) {
+  int sums = 0, rooms = 0;
+  for (const std::string& sum : every("sum", "measured")) {
+    if (at(sum + "/measured").is_null()) continue;
+    ++sums;
+    for (const char* end : {"/measured/value", "/measured/low", "/measured/high"}) {
+      const double value = at(sum + end);
+      EXPECT_NE(refusal_with(sum + end, value * 1.001), "") << sum;
+    }
+  }
+  for (const std::string& room : every("members", "value")) {
+    ++rooms;
+    for (const char* number : {"/value", "/area_m2"}) {
+      const double value = at(room + number);
+      EXPECT_THAT(refusal_with(room + number, value * 1.001), HasSubstr("from the room itself"));
+    }
+  }
+  EXPECT_GE(sums, 3);
+  EXPECT_GE(rooms, 6);
 }
 
 TEST(Contradiction, RolesOfARowFollow) {

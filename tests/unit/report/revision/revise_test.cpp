@@ -108,6 +108,84 @@ TEST(Revise, OfTheSameDocumentNothingHasChanged) {
   EXPECT_EQ(revision.same, base().projects[0].spaces[0].planes[0].findings.size());
 }
 
+// 1.5 W/m2 of 2, of the rooms a and b.
+void add_building(Document& document) {
+  rules::Finding sum;
+  sum.requirement.id = "power-density";
+  sum.requirement.metric = rules::Metric::power_density;
+  sum.requirement.comparison = rules::Comparison::at_most;
+  sum.requirement.limit = 2.0;
+  set_measured(sum, {1.5, 1.5, 1.5});
+  rules::AggregateFinding building;
+  building.kind = rules::AggregateKind::building;
+  building.rule = rules::AggregateRule::sum;
+  building.over = rules::AggregateOver::rooms;
+  building.id = "B.power-density";
+  building.building_id = "B";
+  building.verdict = sum.verdict;
+  building.sum = sum;
+  for (const char* name : {"a", "b"}) {
+    rules::AggregateMember room;
+    room.name = name;
+    room.verdict = rules::Verdict::pass;
+    room.value = 1.5;
+    room.area_m2 = 10.0;
+    room.stated = "1000 h";
+    building.members.push_back(room);
+  }
+  document.projects[0].aggregates = {building};
+}
+
+Revision building_revised(const std::function<void(rules::AggregateFinding&)>& change) {
+  Document before = base();
+  add_building(before);
+  Document after = before;
+  change(after.projects[0].aggregates[0]);
+  return revise(before, after, "main.json", kRegression);
+}
+
+TEST(Revise, OfABuildingQuestionsAreNamed) {
+  using Building = rules::AggregateFinding;
+  EXPECT_THAT(asked(building_revised([](Building&) {})), IsEmpty());
+  EXPECT_THAT(asked(building_revised([](Building& b) { b.sum->requirement.limit = 2.5; })),
+              ElementsAre("weaker limit"));
+  EXPECT_THAT(asked(building_revised([](Building& b) { b.sum->requirement.limit = 1.8; })),
+              ElementsAre("stricter limit"));
+  EXPECT_THAT(asked(building_revised([](Building& b) { b.members.pop_back(); })),
+              ElementsAre("weaker aggregate"));
+  EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].name = "c"; })),
+              ElementsAre("weaker aggregate", "stricter aggregate"));
+  EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].stated = "10 h"; })),
+              ElementsAre("exchanged energy"));
+  const rules::Waiver waiver{"later", "A. Meier", "2027-06-30"};
+  EXPECT_THAT(asked(building_revised([&](Building& b) { b.sum->requirement.waiver = waiver; })),
+              ElementsAre("weaker waiver"));
+}
+
+// Which other aggregates have not: a value that becomes worse, though the limit is met.
+TEST(Revise, OfABuildingAWorseValueStopsTheGate) {
+  const Revision worse = building_revised([](rules::AggregateFinding& b) {
+    set_measured(*b.sum, {1.6, 1.6, 1.6});
+  });
+  EXPECT_THAT(became(worse), ElementsAre("worse"));
+  EXPECT_EQ(reasons_of(worse).results.size(), 1u);
+  EXPECT_TRUE(worse.results[0].is_aggregate);
+  const Revision little = building_revised([](rules::AggregateFinding& b) {
+    set_measured(*b.sum, {1.51, 1.51, 1.51});
+  });
+  EXPECT_TRUE(reasons_of(little).results.empty());
+}
+
+TEST(Revise, OfABuildingThatWasRenamedNothingHasChanged) {
+  const Revision renamed = building_revised([](rules::AggregateFinding& b) {
+    b.id = "house.power-density";
+    b.building_id = "house";
+    b.building_was = "B";
+  });
+  EXPECT_THAT(became(renamed), IsEmpty());
+  EXPECT_THAT(asked(renamed), IsEmpty());
+}
+
 struct QuestionCase {
   const char* name;
   std::function<void(Document&)> change;

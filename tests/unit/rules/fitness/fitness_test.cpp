@@ -262,14 +262,20 @@ TEST(Fitness, AListMayNotFaceElsewhere) {
   EXPECT_THAT(requirements[0].problem, HasSubstr("its points are a list"));
 }
 
-// 1.5 m above the pavement: an upright plane must reach that height, not lie in it.
-TEST(Fitness, AnUprightPlaneMustReachTheHeightOfItsRole) {
+// 1.5 m above the pavement: that is the middle of an upright plane, which is not tall.
+TEST(Fitness, AnUprightPlaneIsAtTheOneHeightOfItsRole) {
   const std::string vertical = "pack='rp-20' row='lot-enhanced' role='vertical'";
   EXPECT_THAT(fit({"origin='2 2 1' u='2 0 0' v='0 0 1'", vertical}).aspects("vertical.min"),
               IsEmpty());
   EXPECT_THAT(fit({"origin='2 2 0' u='2 0 0' v='0 0 1'", vertical}).first().problem,
               HasSubstr("planes of role 'vertical' of rp-20:1998 are 1.5 m above the floor, and "
                         "this one is 0 to 1 m"));
+  for (const char* elsewhere :
+       {"origin='2 2 1.5' u='2 0 0' v='0 0 1'", "origin='2 2 0.5' u='2 0 0' v='0 0 1'",
+        "origin='2 2 0.9' u='2 0 0' v='0 0 1.2'", "origin='2 2 0' u='2 0 0' v='0 0 3'"}) {
+    EXPECT_THAT(fit({elsewhere, vertical}).aspects("vertical.min"), ElementsAre("height"))
+        << elsewhere;
+  }
 }
 
 // What is laid a little above the floor is on it; rows have heights of their own.
@@ -555,7 +561,11 @@ RolePlane plane_of(const std::string& role) {
   if (role == "ceiling") {
     return {"on='ceiling' margin='0.5'", flat(1), "", "origin='2 2 2' u='0 2 0' v='4 0 0'"};
   }
-  if (role == "vertical" || role == "safety-item") {
+  if (role == "vertical") {
+    return {"origin='2 2 1' u='4 0 0' v='0 0 1'", flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'",
+            ""};
+  }
+  if (role == "safety-item") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
   }
   if (role == "window") {  // an upper limit: it looks at the luminaires

@@ -1,0 +1,67 @@
+#include "report/document/row_uses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace report {
+namespace {
+
+using Name = std::pair<std::string, std::string>;  // plane, requirement
+
+void add_finding(const SpacePart& space, const std::string& plane, const rules::Finding& finding,
+                 RowUse& use) {
+  const rules::Outcome outcome = outcome_of(finding);
+  if (outcome == rules::Outcome::nothing_asked) return;
+  ++use.requirements;
+  use.met += finding.verdict == rules::Verdict::pass ? 1 : 0;
+  use.outcome = graver(use.outcome, outcome);
+  const bool has_margin = finding.verdict != rules::Verdict::not_judged &&
+                          finding.requirement.limit != 0.0 && std::isfinite(finding.margin);
+  if (!has_margin || (use.margin && finding.margin >= *use.margin)) return;
+  use.margin = finding.margin;
+  use.room = space.id;
+  use.plane = plane;
+  use.requirement = finding.requirement.id;
+}
+
+}  // namespace
+
+std::vector<RowUse> row_uses(const ProjectPart& project) {
+  std::vector<RowUse> uses;
+  std::map<std::string, std::size_t> index;     // by clause
+  std::map<std::size_t, std::set<Name>> taken;  // by use: walls that workplaces share
+  for (const SpacePart& space : project.spaces) {
+    std::map<Name, const rules::Finding*> findings;
+    for (const PlanePart& plane : space.planes) {
+      for (const rules::Finding& finding : plane.findings) {
+        findings[{plane.id, finding.requirement.id}] = &finding;
+      }
+    }
+    for (const rules::RowCoverage& row : space.coverage) {
+      const auto [found, is_new] = index.emplace(row.clause, uses.size());
+      if (is_new) uses.emplace_back().clause = row.clause;
+      RowUse& use = uses[found->second];
+      if (use.rooms.empty() || use.rooms.back() != space.id) use.rooms.push_back(space.id);
+      ++use.times;
+      use.whole += row.is_whole() ? 1 : 0;
+      for (const rules::RoleCoverage& role : row.roles) {
+        // What is asked for again, since leaving it out has ended, has no result.
+        if (role.state == rules::RoleState::left_out_ended) {
+          use.outcome = graver(use.outcome, rules::Outcome::not_judged);
+        }
+        for (const rules::RequirementName& name : role.of) {
+          const auto finding = findings.find({name.plane_id, name.id});
+          const bool is_first = taken[found->second].insert({name.plane_id, name.id}).second;
+          if (!is_first || finding == findings.end()) continue;
+          add_finding(space, name.plane_id, *finding->second, use);
+        }
+      }
+    }
+  }
+  return uses;
+}
+
+}  // namespace report

@@ -1,0 +1,29 @@
+#pragma once
+// All rooms of a project that are asked the same row of a rule pack, taken together: what they come
+// to, and where it is closest.
+
+#include "report/document/document.h"
+#include "rules/verdict/outcome.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct RowUse {
+  std::string clause;              // "EN 12464-1:2021 34.2"
+  std::vector<std::string> rooms;  // ids, each once
+  int times = 0;                   // it is asked, by workplaces or by planes of a room together
+  int whole = 0;                   // of these: nothing of the row was never asked
+  int requirements = 0, met = 0;   // that count, each once
+  rules::Outcome outcome = rules::Outcome::nothing_asked;  // the gravest of them
+  // The smallest margin of what was judged and has one, and whose it is; empty: nothing has.
+  std::optional<double> margin = {};
+  std::string room = {}, plane = {}, requirement = {};
+};
+
+// In the order in which rows are first asked. Rows with levels of their own are rows by themselves.
+std::vector<RowUse> row_uses(const ProjectPart& project);
+
+}  // namespace report

@@ -1,0 +1,74 @@
+#include "report/html/html_uses.h"
+
+#include "report/document/row_uses.h"
+#include "report/html/html_markup.h"
+#include "report/text/known_words.h"
+#include "report/text/markup.h"
+#include "report/text/text_numbers.h"
+#include "report/text/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace report {
+namespace {
+
+std::string number_cell(const std::string& text) { return "<td class=\"num\">" + text + "</td>"; }
+
+// "Office 3 / Desk", of the smallest margin.
+std::string place_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
+  for (const SpacePart& space : project.spaces) {
+    if (space.id != use.room) continue;
+    for (const PlanePart& plane : space.planes) {
+      if (plane.id != use.plane) continue;
+      for (const rules::Finding& finding : plane.findings) {
+        if (finding.requirement.id != use.requirement) continue;
+        return escape_html(std::string(title_of(space.name, space.id)) + " / " +
+                           std::string(title_of(plane.name, plane.id))) +
+               "<span class=\"note\">" + escape_html(quantity_words(t, finding.requirement)) +
+               "</span>";
+      }
+    }
+  }
+  return {};
+}
+
+std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
+  const std::string verdict =
+      fmt::format("{} {}", outcome_symbol(use.outcome), escape_html(outcome_words(t, use.outcome)));
+  return fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(clause_words(t, use.clause))) +
+         number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +
+         number_cell(t.say<Text::so_many_of>(use.met, use.requirements)) +
+         number_cell(t.say<Text::so_many_of>(use.whole, use.times)) +
+         number_cell(use.margin ? escape_html(format_margin(t, *use.margin)) : "") + "<td>" +
+         place_of(t, project, use) + "</td></tr>\n";
+}
+
+}  // namespace
+
+std::string html_uses(const Texts& t, const ProjectPart& project, std::size_t index) {
+  const std::vector<RowUse> uses = row_uses(project);
+  std::set<std::string> rooms;
+  for (const RowUse& use : uses) rooms.insert(use.rooms.begin(), use.rooms.end());
+  if (rooms.size() < 2) return {};
+  std::string rows;
+  for (const RowUse& use : uses) rows += row_of(t, project, use);
+  const auto head = [](const char* words, bool is_number) {
+    return std::string("<th scope=\"col\"") + (is_number ? " class=\"num\">" : ">") + words +
+           "</th>";
+  };
+  const char* title = t[Text::uses];
+  return fmt::format("<h3 id=\"uses{}\">{}</h3>\n", index + 1, title) +
+         scroll_box(title, std::string("<table class=\"uses\"><caption>") + t[Text::uses_caption] +
+                               "</caption><thead><tr>" + head(t[Text::row_of_pack], false) +
+                               head(t[Text::rooms], true) + head(t[Text::verdict], false) +
+                               head(t[Text::requirements_met], true) +
+                               head(t[Text::asked_as_a_whole], true) +
+                               head(t[Text::smallest_margin], true) + head(t[Text::where], false) +
+                               "</tr></thead><tbody>\n" + rows + "</tbody></table>");
+}
+
+}  // namespace report

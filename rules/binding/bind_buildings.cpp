@@ -1,0 +1,52 @@
+#include "rules/binding/bind_buildings.h"
+
+#include "calc/project/former_ids.h"
+#include "rules/binding/requirement_ids.h"
+#include "rules/binding/requirement_reader.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace rules {
+namespace {
+
+// Power and energy add up over rooms; nothing else does.
+bool is_of_building(Metric metric) {
+  return metric == Metric::power_density || metric == Metric::leni;
+}
+
+}  // namespace
+
+std::vector<BuildingQuestion> bind_buildings(const calc::Project& project,
+                                             const std::vector<RulePack>& packs,
+                                             calc::Diagnostics& diagnostics) {
+  std::vector<BuildingQuestion> questions;
+  for (std::size_t b = 0; b < project.buildings.size(); ++b) {
+    const std::vector<calc::RequirementText>& texts = project.buildings[b].requirements;
+    RequirementIds ids(texts, diagnostics);
+    calc::FormerIds former("requirement");
+    for (const calc::RequirementText& text : texts) {
+      const RequirementContext context{calc::ReceiverKernel::planar, project.scenes, packs};
+      for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
+        if (!is_of_building(requirement.metric)) {
+          diagnostics.report(calc::DiagnosticId::quantity_not_of_building, requirement.where,
+                             calc::name_of(requirement.metric),
+                             fmt::format("{}, {}", calc::name_of(Metric::power_density),
+                                         calc::name_of(Metric::leni)));
+          continue;
+        }
+        // What counts only in aggregates of rooms is asked by itself here.
+        if (requirement.severity == Severity::in_aggregate) requirement.severity = Severity::shall;
+        if (requirement.id.empty()) requirement.id = ids.next_for(requirement.metric);
+        former.add(requirement.id, requirement.where.line, requirement.was, requirement.where);
+        questions.push_back({b, std::move(requirement)});
+      }
+    }
+    former.check(diagnostics);
+  }
+  return questions;
+}
+
+}  // namespace rules

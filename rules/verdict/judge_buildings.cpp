@@ -1,0 +1,129 @@
+#include "rules/verdict/judge_buildings.h"
+
+#include "calc/base/sentences.h"
+#include "calc/base/text.h"
+#include "calc/scene/installed_power.h"
+#include "calc/scene/lighting_energy.h"
+#include "rules/verdict/judge.h"
+#include "rules/verdict/members.h"
+#include "rules/verdict/waiver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace rules {
+namespace {
+
+constexpr std::size_t kMostToldRooms = 4;
+constexpr std::size_t kMostToldUses = 4;
+
+calc::Estimate exactly(double value) { return {value, value, value}; }
+
+// Its verdict is what the limit would make of the room alone.
+AggregateMember room_of(const calc::Project& project, const calc::Space& space,
+                        const Requirement& requirement) {
+  AggregateMember room;
+  room.name = space.id;
+  const calc::InstalledPower power = calc::installed_power(project, space);
+  if (power.area_m2 > 0.0) room.area_m2 = power.area_m2;
+  if (requirement.metric == Metric::leni) {
+    const calc::LightingEnergy energy = calc::lighting_energy(project, space, power);
+    room.reason = energy.problem;
+    room.stated = energy.words;
+    if (room.reason.empty()) room.value = energy.leni_kwh_m2;
+  } else {
+    room.reason = power.problem();
+    room.value = power.density_w_m2();
+  }
+  if (room.value && requirement.problem.empty()) {
+    room.verdict = decide(requirement, exactly(*room.value)).verdict;
+  }
+  return room;
+}
+
+// "not judged: hall (power of 2 luminaires is not known)"
+std::string unknown_rooms(const std::vector<AggregateMember>& rooms) {
+  std::vector<std::string> names;
+  for (const AggregateMember& room : rooms) {
+    if (room.value) continue;
+    names.push_back(fmt::format("{} ({})", room.name, room.reason));
+  }
+  return calc::say<calc::Sentence::not_judged_are>(calc::list_names(names, kMostToldRooms));
+}
+
+// Hours and factors, each once; and that light outside of rooms is in no building.
+void add_notes(const calc::Project& project, const std::vector<AggregateMember>& rooms,
+               Requirement& requirement) {
+  std::vector<std::string> uses;
+  for (const AggregateMember& room : rooms) {
+    if (room.stated.empty()) continue;
+    if (std::find(uses.begin(), uses.end(), room.stated) == uses.end()) uses.push_back(room.stated);
+  }
+  for (std::size_t i = 0; i < std::min(uses.size(), kMostToldUses); ++i) {
+    add_note(uses[i], requirement);
+  }
+  if (uses.size() > kMostToldUses) {
+    add_note(calc::say<calc::Sentence::other_uses>(uses.size() - kMostToldUses), requirement);
+  }
+  std::size_t outside = 0;
+  for (const calc::Space& space : project.spaces) {
+    if (space.is_open_space() || space.road) outside += space.luminaires.size();
+  }
+  if (outside > 0) add_note(calc::say<calc::Sentence::outside_no_room>(outside), requirement);
+}
+
+Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMember>& rooms) {
+  Finding finding;
+  finding.requirement = requirement;
+  finding.reason = requirement.problem;
+  const std::optional<double> sum = sum_of(rooms);
+  if (!sum && finding.reason.empty()) finding.reason = unknown_rooms(rooms);
+  if (!finding.reason.empty()) return finding;
+  finding.measured = exactly(*sum);
+  const Decision decision = decide(requirement, finding.measured);
+  finding.verdict = decision.verdict;
+  finding.is_close = decision.is_close;
+  finding.by_tolerance = decision.by_tolerance;
+  finding.margin = margin(*sum, requirement.comparison, requirement.limit);
+  return finding;
+}
+
+}  // namespace
+
+std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
+                                              const std::vector<BuildingQuestion>& questions,
+                                              std::string_view today) {
+  std::vector<AggregateFinding> findings;
+  for (const BuildingQuestion& question : questions) {
+    const calc::Building& building = project.buildings[question.building];
+    Requirement requirement = question.requirement;
+    AggregateFinding finding;
+    finding.kind = AggregateKind::building;
+    finding.rule = AggregateRule::sum;
+    finding.over = AggregateOver::rooms;
+    finding.id = building.id + "." + requirement.id;
+    finding.building_id = building.id;
+    finding.building_was = building.was;
+    finding.building_name = building.name;
+    finding.clause = requirement.clause;
+    finding.severity = requirement.severity;
+    finding.where = requirement.where;
+    for (const std::size_t room : building.rooms) {
+      finding.members.push_back(room_of(project, project.spaces[room], requirement));
+    }
+    add_notes(project, finding.members, requirement);
+    finding.note = requirement.note;
+    Finding sum = judge_sum(requirement, finding.members);
+    apply_waiver(sum, today);
+    finding.verdict = sum.verdict;
+    finding.is_waived = sum.is_waived;
+    finding.reason = sum.reason;
+    finding.sum = std::move(sum);
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace rules

@@ -1,0 +1,26 @@
+#pragma once
+// What is asked of the rooms of a building together: their power or energy over their floors.
+
+#include "calc/scene/project.h"
+#include "rules/catalogue/aggregate.h"
+#include "rules/catalogue/requirement.h"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace rules {
+
+struct BuildingQuestion {
+  std::size_t building = 0;  // in Project::buildings
+  Requirement requirement;   // of power_density or leni; of no plane
+};
+
+// One finding each, in order. No light is in it: installed power is that of full output, energy by
+// the hours and factors that the project states. Where that of a single room is not known, nothing
+// is said of all of them. today: YYYY-MM-DD, for waivers.
+std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
+                                              const std::vector<BuildingQuestion>& questions,
+                                              std::string_view today);
+
+}  // namespace rules
