@@ -571,6 +571,15 @@ RolePlane plane_of(const std::string& role) {
   if (role == "window") {  // an upper limit: it looks at the luminaires
     return {"origin='6 2 0.4' u='-4 0 0' v='0 0 2'", flat(1.5), "", ""};
   }
+  if (role == "ground") {
+    const std::string quantity = " quantity='hemispherical'";
+    // In the floor itself it would have no point left.
+    return {flat(0) + quantity, turned(0.05) + quantity, flat(1) + quantity, "", 0.4};
+  }
+  if (role == "faces") {  // half-cylinders look sideways on any plane
+    const std::string quantity = " quantity='semicylindrical' direction='1 0 0'";
+    return {flat(1.5) + quantity, "", flat(0.2) + quantity, "", 1.8};
+  }
   if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), "", 1.1};
   if (role == "cylinder") {
     const std::string quantity = " quantity='cylindrical'";
