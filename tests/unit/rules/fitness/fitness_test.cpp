@@ -580,6 +580,7 @@ RolePlane plane_of(const std::string& role) {
     const std::string quantity = " quantity='semicylindrical' direction='1 0 0'";
     return {flat(1.5) + quantity, "", flat(0.2) + quantity, "", 1.8};
   }
+  if (role == "ambient") return {flat(0.76), turned(0.76), flat(1.8), "", 1.1};
   if (role == "task" || role == "surround") return {flat(0.75), turned(0.75), flat(1.8), "", 1.1};
   if (role == "cylinder") {
     const std::string quantity = " quantity='cylindrical'";

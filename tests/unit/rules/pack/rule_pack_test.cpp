@@ -381,7 +381,7 @@ TEST(BuiltinRulePacks, AreTheseAndEverySourceIsNamed) {
                                "en12193:2018", "en12464-1:2011", "en12464-1:2021", "en12464-2:2014",
                                "en13201-2:2015", "en1838:2013", "en1838:2024", "iso8995-1:2002",
                                "lai:2012", "leed-interior-lighting:4.1", "osha-1926-56:1926.56",
-                               "rp-20:1998", "rp-8:2014"));
+                               "rp-20:1998", "rp-8:2014", "well:v1"));
 }
 
 }  // namespace
