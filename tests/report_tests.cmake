@@ -8,6 +8,7 @@ luxgate_test(report_tests
     unit/report/formats/console_test.cpp
     unit/report/formats/csv_test.cpp
     unit/report/document/document_test.cpp
+    unit/report/document/row_uses_test.cpp
     unit/report/images/exr_test.cpp
     unit/report/formats/german_report_test.cpp
     unit/report/html/heatmap_svg_test.cpp
