@@ -99,6 +99,15 @@ foreach(script revision_gate revision_attacks revision_against ci_jobs watch str
   set_tests_properties(cli.${script} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 endforeach()
 
+# Small projects whose verdicts were worked out by hand.
+if(LUXGATE_PYTHON)
+  add_test(NAME cli.known_verdicts COMMAND ${LUXGATE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/known_verdicts/run.py
+    $<TARGET_FILE:luxgate>)
+else()
+  add_test(NAME cli.known_verdicts COMMAND ${CMAKE_COMMAND} -E echo "skipped: python3 is not installed")
+endif()
+set_tests_properties(cli.known_verdicts PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
+
 add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)
 add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}

@@ -7,8 +7,8 @@ Compared are the exit code and every verdict: one that the table lacks counts as
 file         the project, in this folder
 arguments    of `check` beside the project
 exit         the exit code
-place        id of the plane, or: (aggregate), (message), (project) for one that must be refused, (nothing) if nothing is asked
-requirement  id of the requirement, aggregate or message
+place        id of the plane, or: (aggregate), (message), or (project) for one that must be refused
+requirement  id of the requirement, of the check of a rule pack, aggregate or message
 verdict      pass, fail, undecided, not_judged, with (waived), (deviation), (advice) or (in aggregate) behind it; warning; refused
 known_wrong  what the program says instead, where the hand is right and the program is not: reported, and a difference as soon as it is no longer so
 by_hand      the calculation or the reason
@@ -44,7 +44,8 @@ def verdicts(result):
     for space in project.get("spaces", []):
         for plane in space["planes"]:
             for finding in plane["findings"]:
-                said[plane["id"], finding["requirement"]] = in_words(finding)
+                key = plane["id"], finding.get("rule", {}).get("check", finding["requirement"])
+                said[key] = in_words(finding) if key not in said else "asked twice"
     for aggregate in project.get("aggregates", []):
         if aggregate["kind"] == "aggregate":
             said["(aggregate)", aggregate["id"]] = aggregate["verdict"].replace("-", "_") + (" (waived)" if aggregate.get("is_waived") else "")
@@ -67,8 +68,6 @@ def differences(rows, code, said, messages):
     expected = {}
     for row in rows:
         place, requirement, verdict = row["place"], row["requirement"], row["verdict"]
-        if place == "(nothing)":
-            continue
         if place == "(message)":
             found = messages.get(requirement)
         else:
