@@ -58,7 +58,7 @@ def run(program, file, arguments, folder):
     done = subprocess.run([program, "check", file, *arguments.split(), "--quiet", "--jobs", "1", "--pictures", "off", "--format", f"json={json_file}"],
                           cwd=FOLDER, capture_output=True, text=True, timeout=MOST_S)
     if not json_file.exists():
-        return done.returncode, {}, {}, done.stderr
+        return done.returncode, {("(project)", ""): "refused"}, {}, done.stderr
     return done.returncode, *verdicts(json.loads(json_file.read_text())), done.stderr
 
 
