@@ -352,9 +352,12 @@ const ElementRow kSceneElement{
 
 const ElementRow kEnergyPartElement{
     .type = "energyPart",
-    .meaning = "Other factors for a dimming group.",
-    .attributes = {kGroupNamedAttribute, kOccupancyAttribute, kDaylightAttribute,
-                   kConstantIlluminanceAttribute}};
+    .meaning =
+        "Other factors for a dimming group; those not given are those of the element around.",
+    .attributes = {kGroupNamedAttribute,
+                   {"occupancy", &kPositiveFractionType, optional, "Fo of EN 15193."},
+                   {"daylight", &kPositiveFractionType, optional, "FD of EN 15193."},
+                   {"constant-illuminance", &kPositiveFractionType, optional, "Fc of EN 15193."}}};
 
 const ElementRow kEnergyElement{
     .type = "energy",

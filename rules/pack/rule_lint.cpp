@@ -31,6 +31,18 @@ bool has_number(const Expression& expression) {
          std::any_of(expression.operands.begin(), expression.operands.end(), has_number);
 }
 
+bool has_result(const Expression& expression) {
+  return expression.kind == ExpressionKind::result_of ||
+         std::any_of(expression.operands.begin(), expression.operands.end(), has_result);
+}
+
+void lint_results(const RulePack& pack, calc::Diagnostics& diagnostics) {
+  for (const RuleCheck& check : pack.checks) {
+    if (!has_result(check.limit)) continue;
+    diagnostics.report(calc::DiagnosticId::rule_of_result, check.where, pack.full_id(), check.id);
+  }
+}
+
 void report_no_trust(const RulePack& pack, const calc::SourceLocation& where, const char* word,
                      const std::string& id, calc::Diagnostics& diagnostics) {
   diagnostics.report(calc::DiagnosticId::rule_without_trust, where, pack.full_id(), word, id);
@@ -69,6 +81,7 @@ void lint_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   report_unused(pack, pack.parameters, ExpressionKind::row_value, "parameter", used, diagnostics);
   report_unused(pack, pack.facts, ExpressionKind::fact, "fact", used, diagnostics);
   report_unused(pack, pack.tables, ExpressionKind::table, "table", used, diagnostics);
+  lint_results(pack, diagnostics);
   lint_trust(pack, diagnostics);
   lint_rows(pack, diagnostics);
   std::size_t unverified = 0, all = pack.checks.size();

@@ -189,12 +189,28 @@ class EulumdatReader {
     return true;
   }
 
+  // A set before the chosen one: where it is none, the lines are in another order, and the chosen
+  // one would be read wrong, without a word.
+  bool pass_lamp_set() {
+    double number = 0.0;
+    std::string words;
+    return lines_.read_number_or_blank("the number of lamps", number) &&
+           read_words("the lamp type", words) &&
+           lines_.read_number("the flux of the lamp set (lm)", number) &&
+           read_words("the lamp's colour temperature", words) &&
+           read_words("the lamp's colour rendering", words) &&
+           lines_.read_number_or_blank("the watts of the lamp set", number);
+  }
+
   bool read_lamps() {
     int sets = 0;
     if (!lines_.read_whole("the number of lamp sets", 1, 1'000'000, sets)) return false;
     const std::optional<int> chosen = choose_lamp_set(sets);
-    if (!chosen || !lines_.skip(6 * (*chosen - 1), "the lamp sets before") || !read_lamp_set())
-      return false;
+    if (!chosen) return false;
+    for (int set = 1; set < *chosen; ++set) {
+      if (!pass_lamp_set()) return false;
+    }
+    if (!read_lamp_set()) return false;
     if (sets > 1) source_.applied_factors += fmt::format(" (lamp set {} of {})", *chosen, sets);
     return lines_.skip(6 * (sets - *chosen), "the other lamp sets") &&
            lines_.skip(10, "the direct ratios");

@@ -124,6 +124,20 @@ TEST(Eulumdat, AChosenLampSetGivesTheLightAndThePower) {
             "number; allowed: digits with a decimal point and an exponent\n");
 }
 
+// Both numbers of lamps, then both types, and so on: the second set would have 80 lm.
+TEST(Eulumdat, LampSetsInAnotherOrderAreRefusedWhicheverIsChosen) {
+  LdtSample sample;
+  sample.lamp_set_lines = {"1",   "1",   "LED", "LED", "1000", "2000",
+                           "840", "840", "80",  "80",  "10",   "20"};
+  for (const int chosen : {0, 1, 2}) {
+    EXPECT_THAT(
+        parse(ldt_text(sample), chosen).messages,
+        HasSubstr("a.ldt:29: error[photometry-number]: the flux of the lamp set (lm): 'LED' "
+                  "is not a number"))
+        << chosen;
+  }
+}
+
 TEST(Eulumdat, AnAbsentLampSetIsAnErrorThatListsTheOthers) {
   EXPECT_EQ(parse(ldt_text(with_three_lamp_sets()), 4).messages,
             "a.ldt: error[photometry-choice]: a.ldt has no lamp set '4'; allowed: 1 (LED110, 1000 "
