@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace report {
 namespace {
 
@@ -32,10 +34,8 @@ std::string notes_html(const Texts& t, const rules::AggregateFinding& finding) {
 std::string member_text(const Texts& t, const rules::AggregateFinding& finding,
                         const rules::AggregateMember& member) {
   std::string text = fmt::format("{} {}", verdict_symbol(member.verdict), escape_html(member.name));
-  if (finding.sum && member.value) {
-    const calc::Estimate value{*member.value, *member.value, *member.value};
-    text += " " + escape_html(format_measured(t, value, rules::unit_of(finding.sum->requirement)));
-  }
+  if (finding.sum && member.value)
+    text += " " + format_fixed(t, *member.value, 2);  // in the unit of what was found
   if (member.area_m2)
     text += " <span class=\"quiet\">" + t.number(format_fixed(*member.area_m2, 1)) + " m²</span>";
   if (member.is_waived) text += std::string(" (") + t[Text::waived] + ")";
@@ -44,9 +44,13 @@ std::string member_text(const Texts& t, const rules::AggregateFinding& finding,
 
 std::string rows_of(const Texts& t, const ProjectPart& project,
                     const rules::AggregateFinding& finding, const std::vector<KnownWords>& known) {
+  constexpr std::size_t kMostMembers = 100;  // of a building with very many rooms
   std::string members;
-  for (const rules::AggregateMember& member : finding.members) {
-    members += (members.empty() ? "" : "<br/>") + member_text(t, finding, member);
+  for (std::size_t i = 0; i < std::min(finding.members.size(), kMostMembers); ++i) {
+    members += (members.empty() ? "" : "<br/>") + member_text(t, finding, finding.members[i]);
+  }
+  if (finding.members.size() > kMostMembers) {
+    members += "<br/>" + t.say<Text::more_left_out>(finding.members.size() - kMostMembers);
   }
   std::string html = fmt::format(
       "<tr class=\"{}\"><td>{}</td><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>"
