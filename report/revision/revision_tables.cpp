@@ -94,6 +94,11 @@ void cut(RevisionTable& table, std::size_t most) {
   table.rows.resize(most);
 }
 
+void add_item(std::string& place, const std::string& item) {
+  if (item.empty()) return;
+  place += (place.empty() ? "" : " / ") + item;
+}
+
 RevisionTable result_table(const Document& document, const Revision& revision, const Texts& t) {
   RevisionTable table;
   table.title = t.say<Text::revision_results>(baseline_words(revision));
@@ -104,19 +109,15 @@ RevisionTable result_table(const Document& document, const Revision& revision, c
     const rules::Requirement* requirement = requirement_of(document, result);
     // Of what is gone nothing is known but its words.
     if (requirement == nullptr) table.english = {2};
+    std::string place = place_words(document, result.place, t);
+    if (result.is_aggregate && result.place.space.empty()) add_item(place, result.place.item);
     table.rows.push_back(
-        {fmt::format("{} {}", symbol_of(result.change), change_words(t, result.change)),
-         place_words(document, result.place, t),
+        {fmt::format("{} {}", symbol_of(result.change), change_words(t, result.change)), place,
          requirement == nullptr ? result.quantity
                                 : quantity_words(t, *requirement) + scene_words(t, *requirement),
          state_words(t, result, false), state_words(t, result, true), gain_words(t, result.gain)});
   }
   return table;
-}
-
-void add_item(std::string& place, const std::string& item) {
-  if (item.empty()) return;
-  place += (place.empty() ? "" : " / ") + item;
 }
 
 RevisionTable question_table(const Document& document, const Revision& revision, const Texts& t) {
