@@ -456,6 +456,7 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
       });
   if (is_refused) return unreadable_project(path, diagnostics);
   part.aggregates = judge_aggregates(part, *loaded, context.packs, settings.today);
+  rules::warn_about_waivers(part.aggregates, settings.today, diagnostics);
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

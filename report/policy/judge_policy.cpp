@@ -77,6 +77,9 @@ class PolicyJudge {
       judge_signatures(space);
       if (policy_.every_space != PolicyEverySpace::nothing) judge_questions(space);
     }
+    for (const rules::AggregateFinding& aggregate : project_.aggregates) {
+      if (aggregate.sum) judge_finding("building '" + aggregate.building_id + "'", *aggregate.sum);
+    }
     judge_photometry();
     for (const PolicyRow& row : policy_.rows) {
       if (row.is_for(project_.path)) judge_row(row);
@@ -125,7 +128,8 @@ class PolicyJudge {
 
   void judge_signatures(const SpacePart& space) {
     for (const PlanePart& plane : space.planes) {
-      for (const rules::Finding& finding : plane.findings) judge_finding(plane, finding);
+      for (const rules::Finding& finding : plane.findings)
+        judge_finding("plane '" + plane.id + "'", finding);
     }
     for (const rules::RowCoverage& row : space.coverage) {
       for (const rules::RoleCoverage& role : row.roles) {
@@ -139,9 +143,10 @@ class PolicyJudge {
     }
   }
 
-  void judge_finding(const PlanePart& plane, const rules::Finding& finding) {
+  // place: "plane 'desk'"
+  void judge_finding(const std::string& place, const rules::Finding& finding) {
     const rules::Requirement& asked = finding.requirement;
-    const std::string name = fmt::format("requirement '{}' of plane '{}'", asked.id, plane.id);
+    const std::string name = fmt::format("requirement '{}' of {}", asked.id, place);
     if (finding.is_waived && asked.waiver) {
       judge_permit(policy_.waivers, *asked.waiver, asked.where, "the waiver of " + name);
     }

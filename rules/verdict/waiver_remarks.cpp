@@ -100,4 +100,18 @@ void warn_about_waivers(const calc::Space& space, const std::vector<JudgedPlane>
   }
 }
 
+void warn_about_waivers(const std::vector<AggregateFinding>& buildings, std::string_view today,
+                        calc::Diagnostics& diagnostics) {
+  EndsSoon soon(today, diagnostics);
+  for (const AggregateFinding& building : buildings) {
+    if (!building.sum || !building.sum->requirement.waiver) continue;
+    const Waiver& waiver = *building.sum->requirement.waiver;
+    if (building.is_waived) soon.tell("the waiver", waiver, "what it waives counts");
+    if (building.verdict != Verdict::pass) continue;
+    diagnostics.report(calc::DiagnosticId::waiver_not_needed, waiver.where,
+                       waived_name(building.sum->requirement), waiver.owner, waiver.until,
+                       fmt::format(" for building '{}'", building.building_id));
+  }
+}
+
 }  // namespace rules

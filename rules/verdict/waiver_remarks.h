@@ -3,6 +3,7 @@
 
 #include "calc/base/diagnostics.h"
 #include "calc/scene/project.h"
+#include "rules/catalogue/aggregate.h"
 #include "rules/verdict/judge_aggregates.h"
 
 #include <string_view>
@@ -20,5 +21,8 @@ inline constexpr int kSoon_days = 30;
 // something, stated deviations that are found, and zones that are left out, end soon.
 void warn_about_waivers(const calc::Space& space, const std::vector<JudgedPlane>& planes,
                         std::string_view today, calc::Diagnostics& diagnostics);
+// Likewise, of what is asked of buildings.
+void warn_about_waivers(const std::vector<AggregateFinding>& buildings, std::string_view today,
+                        calc::Diagnostics& diagnostics);
 
 }  // namespace rules

@@ -7,7 +7,7 @@ Compared are the exit code and every verdict: one that the table lacks counts as
 file         the project, in this folder
 arguments    of `check` beside the project
 exit         the exit code
-place        id of the plane, or: (aggregate), (message), or (project) for one that must be refused
+place        id of the plane, or: (aggregate), (building) with its id, (message), or (project) for one that must be refused
 requirement  id of the requirement, of the check of a rule pack, aggregate or message
 verdict      pass, fail, undecided, not_judged, with (waived), (deviation), (advice) or (in aggregate) behind it; warning; refused
 known_wrong  what the program says instead, where the hand is right and the program is not: reported, and a difference as soon as it is no longer so
@@ -47,6 +47,8 @@ def verdicts(result):
                 key = plane["id"], finding.get("rule", {}).get("check", finding["requirement"])
                 said[key] = in_words(finding) if key not in said else "asked twice"
     for aggregate in project.get("aggregates", []):
+        if aggregate["kind"] == "building":
+            said[f"(building) {aggregate['building']}", aggregate["sum"]["requirement"]] = in_words(aggregate["sum"])
         if aggregate["kind"] == "aggregate":
             said["(aggregate)", aggregate["id"]] = aggregate["verdict"].replace("-", "_") + (" (waived)" if aggregate.get("is_waived") else "")
     return said, {diagnostic["id"]: diagnostic["severity"] for diagnostic in project["diagnostics"]}

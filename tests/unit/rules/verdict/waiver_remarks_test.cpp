@@ -37,6 +37,27 @@ std::vector<std::string> told(const std::vector<std::vector<Finding>>& planes,
   return messages;
 }
 
+TEST(WaiverRemarks, OfBuildingsAreTold) {
+  AggregateFinding building;
+  building.building_id = "tower";
+  const auto said = [&](Verdict verdict) {
+    building.sum = finding_of(verdict);
+    building.sum->requirement.origin.check.clear();
+    building.sum->requirement.id = "LENI";
+    building.verdict = verdict;
+    building.is_waived = building.sum->is_waived;
+    calc::Diagnostics diagnostics;
+    warn_about_waivers({building}, "2027-06-29", diagnostics);
+    std::vector<std::string> messages;
+    for (const calc::Diagnostic& d : diagnostics.all()) messages.push_back(format_diagnostic(d));
+    return messages;
+  };
+  EXPECT_THAT(said(Verdict::pass),
+              ElementsAre(HasSubstr("the waiver of 'LENI' by J. Doe, until 2027-06-30, is not "
+                                    "needed: it passes for building 'tower'")));
+  EXPECT_THAT(said(Verdict::fail), ElementsAre(HasSubstr("in 1 day")));
+}
+
 TEST(WaiverRemarks, WhatPassesNeedsNoWaiver) {
   EXPECT_THAT(told({{finding_of(Verdict::pass)}}, "2027-01-01"),
               ElementsAre("p.xml:7:3: warning[waiver-not-needed]: the waiver of 'wall.Em' by J. "
