@@ -115,6 +115,13 @@ std::string html_deviations(const Texts& t, const ProjectPart& project, std::siz
       for (const rules::RoleCoverage& role : row.roles) rows += role_rows(t, of, row, role);
     }
   }
+  for (const rules::AggregateFinding& aggregate : project.aggregates) {
+    if (!aggregate.sum) continue;
+    is_anything_asked = true;
+    rows += finding_rows(t, PlanePart{},
+                         escape_html(title_of(aggregate.building_name, aggregate.building_id)),
+                         *aggregate.sum);
+  }
   if (!is_anything_asked && rows.empty()) return {};
   const char* title = t[Text::deviations];
   const std::string head = fmt::format("<h3 id=\"deviations{}\">{}</h3>\n", index + 1, title);

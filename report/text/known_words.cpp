@@ -40,6 +40,10 @@ std::vector<KnownWords> known_words(const Texts& t, const ProjectPart& project) 
         if (finding.requirement.waiver) add_known(t, *finding.requirement.waiver, known);
     }
   }
+  for (const rules::AggregateFinding& aggregate : project.aggregates) {
+    if (aggregate.sum && aggregate.sum->requirement.waiver)
+      add_known(t, *aggregate.sum->requirement.waiver, known);
+  }
   const auto is_less = [](const KnownWords& a, const KnownWords& b) {
     return a.english < b.english;
   };

@@ -51,6 +51,11 @@ std::string reason_of(const report::ProjectPart& part) {
       }
     }
   }
+  for (const rules::AggregateFinding& finding : part.aggregates) {
+    if (finding.sum && finding.verdict == rules::Verdict::not_judged) {
+      return fmt::format("building '{}': {}", finding.building_id, finding.reason);
+    }
+  }
   return "not judged";
 }
 
