@@ -19,11 +19,6 @@ namespace {
 // EN 12464-1 up to 7 %.
 constexpr double kOfAverage = 0.05, kOfPlace = 0.20, kOfOthers = 0.10;
 
-bool counts(const rules::Requirement& requirement) {
-  return requirement.problem.empty() && requirement.severity != rules::Severity::advice &&
-         !rules::is_of_space(requirement.metric);
-}
-
 // [point], 1: the requirement's mask leaves it.
 std::vector<std::uint8_t> asked_points(const rules::Requirement& requirement,
                                        const calc::SensorGrid& grid) {
@@ -195,6 +190,11 @@ std::optional<Doubt> doubt_of(const rules::Requirement& requirement, const Light
 }
 
 }  // namespace
+
+bool counts(const rules::Requirement& requirement) {
+  return requirement.problem.empty() && requirement.severity != rules::Severity::advice &&
+         !rules::is_of_space(requirement.metric);
+}
 
 bool is_asked_of_points(const PlaneJob& job) {
   return job.grid && job.grid->columns > 0 && job.grid->derived == calc::DerivedQuantity::none &&

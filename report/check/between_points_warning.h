@@ -13,6 +13,9 @@
 
 namespace check {
 
+// Of the light on the plane's points, and judged.
+bool counts(const rules::Requirement& requirement);
+
 // Whether anything that counts is asked of the plane's points, so that it matters, and the plane
 // has cells and illuminances, so that it can be told.
 bool is_asked_of_points(const PlaneJob& job);

@@ -1,12 +1,17 @@
 #include "report/check/plane_jobs.h"
 
 #include "calc/base/text.h"
+#include "calc/scene/grid_trap.h"
+#include "report/check/between_points_warning.h"
 #include "rules/binding/bind.h"
 #include "rules/fitness/fitness.h"
 #include "rules/verdict/coverage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 namespace check {
 namespace {
@@ -61,6 +66,29 @@ void warn_of_speck(const calc::CalcPlane& plane, const std::vector<rules::Requir
   diagnostics.report(calc::DiagnosticId::task_is_speck, first->where, plane.id, words);
 }
 
+// Once for a plane, for the first scene in which it is so.
+void warn_of_grid_trap(const calc::Project& project, const calc::Space& space, const PlaneJob& job,
+                       calc::Diagnostics& diagnostics) {
+  constexpr double kPointsBetween = 3.0;  // three phases see half of a ripple at least
+  if (!is_asked_of_points(job)) return;
+  std::set<std::string> scenes;
+  for (const rules::Requirement& requirement : job.requirements) {
+    if (counts(requirement)) scenes.insert(requirement.scene);
+  }
+  for (const std::string& id : scenes) {
+    const auto scene = std::find_if(project.scenes.begin(), project.scenes.end(),
+                                    [&](const calc::LightScene& one) { return one.id == id; });
+    const auto trap = calc::grid_trap(project, space, *job.grid,
+                                      scene == project.scenes.end() ? nullptr : &*scene);
+    if (!trap) continue;
+    diagnostics.report(calc::DiagnosticId::grid_trap, job.plane->where, job.plane->id,
+                       id.empty() ? "" : fmt::format(" in scene '{}'", id), trap->points_m,
+                       trap->along.x + 0.0, trap->along.y + 0.0, trap->first_id, trap->last_id,
+                       trap->luminaires_m, trap->luminaires_m / kPointsBetween);
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::JudgedProject& loaded,
@@ -77,6 +105,7 @@ std::vector<PlaneJob> make_plane_jobs(const calc::Space& space, const rules::Jud
     if (job.grid) {
       rules::check_fitness({loaded.project, space, plane, *job.grid, packs, day}, job.requirements);
       warn_of_speck(plane, job.requirements, diagnostics);
+      warn_of_grid_trap(loaded.project, space, job, diagnostics);
     } else {
       job.reason = of_grid.all().back().message;
     }
