@@ -48,6 +48,7 @@ const ValueType kLineEndsType{.name = "lineEnds", .base = &kAnyText, .words = {"
 const ValueType kRingTurnType{.name = "ringTurn", .base = &kAnyText, .words = {"yes", "no"}};
 const ValueType kGlareMethodType{
     .name = "glareMethod", .base = &kAnyText, .words = {"table", "observers"}};
+const ValueType kTaskPlaceType{.name = "taskPlace", .base = &kAnyText, .words = {"unknown"}};
 // Which side people drive on.
 const ValueType kTrafficSideType{
     .name = "trafficSide", .base = &kAnyText, .words = {"right", "left"}};
@@ -735,7 +736,12 @@ a part of a wall, or a face. See rules/README.md.)",
                    {"lean", &kLeanType, optional, "Of a face: degrees that it leans back.", "0"},
                    {"glare", &kGlareMethodType, optional,
                     "How glare is judged: by the tabular method, or at observers; if not given by "
-                    "the table, where the room is one that it is for."}},
+                    "the table, where the room is one that it is for."},
+                   {"front-wall", &kCountType, optional,
+                    "The wall of this number is in front of who works there; others may be darker, "
+                    "where the row says so."},
+                   {kTaskPlaceName, &kTaskPlaceType, optional,
+                    "The task may be anywhere in the room, and nobody knows where yet."}},
     .children = {{"zone", &kZoneElement},
                  {"without", &kWithoutElement},
                  {"deviation", &kDeviationElement},
@@ -747,6 +753,8 @@ const ElementRow kWorkplaceGridElement = [] {
   grid.meaning =
       R"(The same workplace several times: "id[0,0]", "id[1,0]" ..., its area and those of its zones moved by step along x
 and y. The area is given. Walls and ceiling are made once, as for all workplaces of a room.)";
+  std::erase_if(grid.attributes,
+                [](const AttributeRow& one) { return one.name == kTaskPlaceName; });
   grid.attributes.push_back(
       {"repeat", &kCounts2Type, required, "Numbers of copies along x and y."});
   grid.attributes.push_back({"step", &kVector2Type, required, "Distances of the copies."});

@@ -25,12 +25,15 @@ inline constexpr NumberRange kTilt{-90.0, 90.0, false, "a number from -90 to 90 
 inline constexpr NumberRange kLean{0.0, 80.0, false, "a number from 0 to 80 (degrees)"};
 inline constexpr NumberRange kQ0{0.01, 0.5, false, "a number from 0.01 to 0.5"};
 
+// Of workplaces, but not of copies, each of which has an area.
+inline constexpr std::string_view kTaskPlaceName = "task-place";
+
 // Types that others need, too: words of choices, and what attributes of requirements hold.
 extern const ValueType kIdType, kTextType, kDecimalType, kNonNegativeType, kPositiveFractionType,
     kVectorType;
 extern const ValueType kVersionType, kUnitsType, kOpeningType, kInterpolationType, kUpAxisType,
-    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType, kTrafficSideType,
-    kRoadSideType, kRoadSurfaceType, kStreetPlaneType;
+    kLineEndsType, kRingTurnType, kPlaneQuantityType, kGlareMethodType, kTaskPlaceType,
+    kTrafficSideType, kRoadSideType, kRoadSurfaceType, kStreetPlaneType;
 // A last day, YYYY-MM-DD.
 extern const ValueType kDayType;
 // Of a waiver, see waiver_attributes.h.

@@ -47,6 +47,8 @@ class WorkplaceReader {
     workplace.task_m = read_area(reader);
     workplace.height_m = read_height(reader);
     workplace.upright = read_upright_task(context_, reader, around_);
+    workplace.is_task_place_unknown = read_task_place(reader);
+    workplace.front_wall = read_front_wall(reader);
     add_room(workplace);
     for (const XmlElement& child : reader.element().children) {
       if (child.name == "zone" || child.name == "without") read_zone(child, workplace);
@@ -55,6 +57,31 @@ class WorkplaceReader {
   }
 
  private:
+  // Who gives an area says where the task is.
+  bool read_task_place(ElementReader& reader) const {
+    const bool is_grid = reader.element().name != "workplace";  // which does not have it
+    if (is_grid || !reader.has(kTaskPlaceName)) return false;
+    reader.choice(kTaskPlaceName, kTaskPlaceType.words);
+    for (const char* area : {"size", "footprint", "wall", "face"}) {
+      if (!reader.has(area)) continue;
+      reader.report(DiagnosticId::attribute_without_meaning, reader.where(kTaskPlaceName),
+                    reader.element().name, kTaskPlaceName, area);
+    }
+    return true;
+  }
+
+  std::optional<std::size_t> read_front_wall(ElementReader& reader) const {
+    if (!reader.has("front-wall")) return std::nullopt;
+    const int number = reader.integer("front-wall", 1);
+    if (!around_.room_is_good || around_.room == nullptr || number < 1) return std::nullopt;
+    const std::size_t count = around_.room->corners_m.size();
+    if (static_cast<std::size_t>(number) <= count) return static_cast<std::size_t>(number - 1);
+    reader.report(DiagnosticId::number_out_of_range, reader.where("front-wall"), "front-wall",
+                  reader.element().name, reader.text("front-wall"),
+                  fmt::format("the number of a wall of the room, 1 to {}", count));
+    return std::nullopt;
+  }
+
   // What planes are measured from. Nothing without a good room, which then has its own message.
   void add_room(Workplace& workplace) const {
     if (!around_.room_is_good || around_.room == nullptr) return;

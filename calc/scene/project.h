@@ -166,6 +166,17 @@ inline constexpr int kLeastRouteRows = 5;
 
 using PlaneArea = std::variant<PlanarArea, PointList, EscapeRoute>;
 
+// What a workplace says of a plane that a standard may have a number of its own for: the task may
+// be anywhere on it; or it is on a wall that is not the one in front of whoever works there.
+enum class SpecialPlace { none, unknown_task, other_wall };
+
+template <>
+struct EnumNames<SpecialPlace> {
+  static constexpr EnumName<SpecialPlace> list[] = {{SpecialPlace::none, ""},
+                                                    {SpecialPlace::unknown_task, "unknown-task"},
+                                                    {SpecialPlace::other_wall, "other-wall"}};
+};
+
 // What asks something of a plane: a <require>, or the <workplace> that has made the plane, which
 // then has this role in it. As written, not even the names of its attributes are checked: rules/
 // knows the grammar.
@@ -173,6 +184,7 @@ struct RequirementText {
   XmlElement element;
   std::string role{};                     // "" of a <require>
   std::vector<std::string> workplaces{};  // ids of all that ask for this; none: a <require>
+  SpecialPlace special = SpecialPlace::none;
 };
 
 // Of planes that a <road> makes.
@@ -237,9 +249,11 @@ struct LeftOutPlane {
 struct Workplace {
   std::string id, was, name;  // was: as of a plane
   XmlElement element;  // as written, for what only rules/ knows: pack, row, level, scene, facts
-  std::vector<glm::dvec2> task_m;      // world x and y, counter-clockwise; empty: the whole room
-  std::optional<UprightTask> upright;  // instead of task_m
-  std::optional<double> height_m;      // of the task, above the floor
+  std::vector<glm::dvec2> task_m;         // world x and y, counter-clockwise; empty: the whole room
+  std::optional<UprightTask> upright;     // instead of task_m
+  std::optional<double> height_m;         // of the task, above the floor
+  bool is_task_place_unknown = false;     // it may be anywhere in the room
+  std::optional<std::size_t> front_wall;  // that whoever works there looks at, from 0
   PlanarArea ceiling;
   std::vector<PlanarArea> walls;  // in the order of the project's numbers
   std::vector<ZoneText> zones;

@@ -156,8 +156,9 @@ class PolicyJudge {
                    fmt::format("the deviation in {} of {}", calc::name_of(deviation.aspect), name));
     }
     if (asked.origin.is_weakened && !policy_.allows_lowered_levels) {
+      const std::string level = rules::level_words(asked.origin.level);
       fail(asked.where, fmt::format("{} asks its row below what it requires, {}", name,
-                                    rules::level_words(asked.origin.level)));
+                                    level.empty() ? "by what the project says of its place" : level));
     }
     judge_facts(asked, name);
   }

@@ -377,8 +377,10 @@ std::vector<Requirement> read_requirement(const calc::RequirementText& text,
                                           const RequirementContext& context,
                                           calc::Diagnostics& diagnostics) {
   ElementReader reader(text.element, diagnostics);
+  RequirementContext at_place = context;
+  at_place.special = text.special;
   std::vector<Requirement> requirements =
-      text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, context);
+      text.role.empty() ? read_written(reader, context) : read_rule(reader, text.role, at_place);
   take_waivers(reader, text.role, context, requirements);
   const std::vector<StatedDeviation> stated = read_deviations(reader, text.role);
   for (Requirement& requirement : requirements) {

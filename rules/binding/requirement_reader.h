@@ -23,6 +23,7 @@ struct RequirementContext {
   std::string_view usual_role = "";                             // of the plane, see there
   bool is_quantity_known = true;  // false: after an error in the plane, so that its kernel and
                                   // `derived` forbid nothing
+  calc::SpecialPlace special = calc::SpecialPlace::none;  // of the plane, as a workplace says
 };
 
 // One requirement, or those of a rule pack's row; empty after an error. All errors of the element

@@ -141,7 +141,7 @@ struct Reference {
 
 // Whether the level that is asked for is easier than what the row requires.
 bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
-  if (scope.level == RowLevel::required) return false;
+  if (scope.level == RowLevel::required && limit.special == nullptr) return false;
   const Limit required =
       evaluate_limit(check, {scope.pack, scope.row, RowLevel::required, scope.facts});
   if (limit.status != LimitStatus::known || required.status != LimitStatus::known) {
@@ -149,6 +149,23 @@ bool is_weakened(const RuleCheck& check, const Limit& limit, const LimitScope& s
   }
   return is_lower_limit(check.comparison) ? limit.value.value < required.value.value
                                           : limit.value.value > required.value.value;
+}
+
+// Of a number that is in place of the row's; "" of any other.
+std::string special_words(const RuleCheck& check, const Limit& limit, const LimitScope& scope) {
+  if (limit.special == nullptr) return {};
+  const Limit usual = evaluate_limit(check, {scope.pack, scope.row, scope.level, scope.facts});
+  const char* unit = base_unit(check.dimension());
+  const auto text = [&](double number) {
+    return fmt::format("{:.6g}{}{}", number, *unit == '\0' ? "" : " ", unit);
+  };
+  const std::string is = text(limit.value.value);
+  const std::string was = usual.status == LimitStatus::known ? text(usual.value.value) : "?";
+  std::string words = limit.special->place == calc::SpecialPlace::unknown_task
+                          ? calc::say<calc::Sentence::unknown_task>(is, was)
+                          : calc::say<calc::Sentence::other_wall>(is, was);
+  if (!limit.special->note.empty()) words += "; " + limit.special->note;
+  return words;
 }
 
 Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Reference& reference,
@@ -170,6 +187,9 @@ Requirement requirement_of(const RuleCheck& check, const Limit& limit, const Ref
   requirement.note = note_of(reference.pack, check, limit.trust);
   if (const std::string facts = facts_words(check, reference.scope); !facts.empty()) {
     requirement.note += (requirement.note.empty() ? "" : "; ") + facts;
+  }
+  if (const std::string words = special_words(check, limit, reference.scope); !words.empty()) {
+    requirement.note += (requirement.note.empty() ? "" : "; ") + words;
   }
   requirement.severity = check.severity;
   requirement.mask = check.mask;
@@ -372,8 +392,9 @@ std::vector<Requirement> read_rule_reference(ElementReader& reader, const std::s
   if (!reader.ok() || role.empty()) return {};
   return requirements_of_role(
       reader, role,
-      {*pack, row, LimitScope{*pack, row, chosen.level, std::move(facts)}, chosen.because,
-       context.kernel, context.derived, context.is_quantity_known, scene, context.usual_role});
+      {*pack, row, LimitScope{*pack, row, chosen.level, std::move(facts), {}, context.special},
+       chosen.because, context.kernel, context.derived, context.is_quantity_known, scene,
+       context.usual_role});
 }
 
 }  // namespace rules

@@ -88,11 +88,12 @@ std::optional<std::size_t> same_surface(const calc::CalcPlane& made, const RuleP
 
 void ask_also(calc::CalcPlane& plane, const calc::CalcPlane& made) {
   for (const calc::RequirementText& text : made.requirements) {
-    const auto same =
-        std::find_if(plane.requirements.begin(), plane.requirements.end(),
-                     [&](const calc::RequirementText& other) {
-                       return other.role == text.role && asks_the_same(other.element, text.element);
-                     });
+    const auto same = std::find_if(plane.requirements.begin(), plane.requirements.end(),
+                                   [&](const calc::RequirementText& other) {
+                                     return other.role == text.role &&
+                                            other.special == text.special &&
+                                            asks_the_same(other.element, text.element);
+                                   });
     if (same == plane.requirements.end()) {
       plane.requirements.push_back(text);
     } else {

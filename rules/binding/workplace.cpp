@@ -233,6 +233,9 @@ class WorkplaceMaker {
     }
     if (plane == nullptr || plane->area != ZoneArea::task) return;
     if (zone.height_m && workplace_.height_m) refuse("height", " and 'height' of <workplace>");
+    if (zone.margin_m && workplace_.is_task_place_unknown) {
+      refuse("margin", " and 'task-place' of <workplace>");  // all of the room, or it is known
+    }
     if (!zone.area_m.empty()) refuse("footprint' or 'size", ": give the area to <workplace>");
   }
 
@@ -386,6 +389,7 @@ class WorkplaceMaker {
       add_plane(name, *plane, one != nullptr ? one : find_zone(role), i);
       if (not_made_.size() > count) too_narrow.push_back(i);
     }
+    if (plane->area == ZoneArea::walls) check_front_wall(too_narrow);
     tell_left_out(role, left_out, planes_.size() > before || not_made_.size() > not_made);
     const std::string run = plane->area == ZoneArea::walls && planes_.size() > before
                                 ? run_of_pieces(workplace_.walls, part_of_, too_narrow)
@@ -404,6 +408,18 @@ class WorkplaceMaker {
     }
     diagnostics_.report(DiagnosticId::zone_vanishes, workplace_.where, workplace_.id, role,
                         not_made_[not_made], role, role);
+  }
+
+  // Of which nobody would judge anything, while the others are judged by less.
+  void check_front_wall(const std::vector<std::size_t>& too_narrow) {
+    const std::optional<std::size_t> front = front_wall();
+    if (!front || std::find(too_narrow.begin(), too_narrow.end(), *front) == too_narrow.end()) {
+      return;
+    }
+    const calc::XmlAttribute* given = workplace_.element.find("front-wall");
+    diagnostics_.report(DiagnosticId::number_out_of_range, given->where, "front-wall",
+                        workplace_.element.name, given->value,
+                        "a wall that is wide enough to be judged");
   }
 
   // Of some surfaces nothing is left within the standard's margin, so that there is nothing to
@@ -470,8 +486,24 @@ class WorkplaceMaker {
                                                               plane.direction.y + 0.0);
     }
     plane.made_by = calc::say<calc::Sentence::made_by>(workplace_.id, rule_words(), name, words);
-    plane.requirements.push_back({workplace_.element, rule.role, {workplace_.id}});
+    plane.requirements.push_back(
+        {workplace_.element, rule.role, {workplace_.id}, special_place(rule, part)});
     return plane;
+  }
+
+  // Of joined walls it is the number of the first.
+  std::optional<std::size_t> front_wall() const {
+    if (!workplace_.front_wall) return std::nullopt;
+    return part_of_.at(*workplace_.front_wall).value_or(*workplace_.front_wall);
+  }
+
+  calc::SpecialPlace special_place(const RulePlane& rule, std::optional<std::size_t> part) const {
+    if (rule.area == ZoneArea::task && workplace_.is_task_place_unknown) {
+      return calc::SpecialPlace::unknown_task;
+    }
+    const std::optional<std::size_t> front = front_wall();
+    const bool is_other = rule.area == ZoneArea::walls && front && part != front;
+    return is_other ? calc::SpecialPlace::other_wall : calc::SpecialPlace::none;
   }
 
   std::string rule_words() const {
@@ -479,15 +511,17 @@ class WorkplaceMaker {
   }
 
   std::string note_words() const {
-    if (left_out_.empty() && not_made_.empty()) return {};
     const auto joined = [](const std::vector<std::string>& list) {
       return fmt::format("{}", fmt::join(list, ", "));
     };
-    std::string text;
-    if (!left_out_.empty()) text += calc::say<calc::Sentence::left_out>(joined(left_out_));
-    if (!left_out_.empty() && !not_made_.empty()) text += "; ";
-    if (!not_made_.empty()) text += calc::say<calc::Sentence::not_made>(joined(not_made_));
-    return text;
+    using calc::Sentence;
+    std::vector<std::string> parts;
+    if (workplace_.is_task_place_unknown) parts.push_back(calc::say<Sentence::task_anywhere>());
+    if (workplace_.front_wall)
+      parts.push_back(calc::say<Sentence::front_wall>(*workplace_.front_wall + 1));
+    if (!left_out_.empty()) parts.push_back(calc::say<Sentence::left_out>(joined(left_out_)));
+    if (!not_made_.empty()) parts.push_back(calc::say<Sentence::not_made>(joined(not_made_)));
+    return fmt::format("{}", fmt::join(parts, "; "));
   }
 
   const RulePack& pack_;
@@ -576,6 +610,18 @@ class RoomUgrProblems {
   std::map<const calc::LightScene*, std::string> of_scene_;
 };
 
+// Who says so must get what the pack has for it.
+void check_special(ElementReader& reader, const RulePack& pack, const RuleRow* row,
+                   std::string_view name, calc::SpecialPlace place) {
+  if (!reader.has(name) || row == nullptr) return;
+  const bool is_known = std::any_of(
+      pack.checks.begin(), pack.checks.end(),
+      [&](const RuleCheck& check) { return check.find_special(place, row) != nullptr; });
+  if (is_known) return;
+  reader.report(DiagnosticId::attribute_without_meaning, reader.where(name), reader.element().name,
+                name, fmt::format("row=\"{}\" of {}", row->ref, pack.full_id()));
+}
+
 void make_planes(Workplace& workplace, RoomUgrProblems& ugr_problems, calc::Space& space,
                  const std::vector<RulePack>& packs, LineOfPlane& ids, Total& total,
                  std::vector<WorkplaceNote>& notes, calc::Diagnostics& diagnostics) {
@@ -597,6 +643,8 @@ void make_planes(Workplace& workplace, RoomUgrProblems& ugr_problems, calc::Spac
     reader.report(DiagnosticId::attribute_without_meaning, reader.where("glare"),
                   reader.element().name, "glare", "pack=\"" + pack->full_id() + "\"");
   }
+  check_special(reader, *pack, row, calc::kTaskPlaceName, calc::SpecialPlace::unknown_task);
+  check_special(reader, *pack, row, "front-wall", calc::SpecialPlace::other_wall);
   if (row == nullptr || workplace.walls.empty()) return;
   const auto problem_of_space = [&](const Quantity& quantity) {
     if (quantity.of_space != Metric::ugr_table) return std::string();

@@ -79,6 +79,50 @@ Severity severity_at(std::size_t choice) {
   return choice == 4 ? Severity::in_aggregate : Severity::advice;
 }
 
+RuleSpecial read_special(const calc::XmlElement& element, const RuleCheck& check,
+                         calc::Diagnostics& diagnostics) {
+  ElementReader reader(element, diagnostics);
+  reader.allow(kSpecialElement);
+  RuleSpecial special;
+  special.where = element.where;
+  const std::string_view place =
+      kSpecialPlaceType.words[reader.choice("place", kSpecialPlaceType.words)];
+  special.place = *calc::find_value<calc::SpecialPlace>(place);
+  if (reader.has("rows")) special.rows = read_ids(reader, "rows");
+  if (!reader.has("trust")) reader.text("trust");  // reports its absence
+  special.trust = read_trust(reader);
+  special.note = reader.text_or("note", "");
+  const std::string text = reader.text("limit");
+  if (text.empty()) return special;
+  const ParsedExpression parsed = parse_expression(text);
+  const bool is_number = parsed.expression && parsed.expression->kind == ExpressionKind::number &&
+                         parsed.expression->dimension == check.dimension();
+  if (is_number) {
+    special.limit = parsed.expression->number;
+  } else {
+    reader.report(DiagnosticId::rule_units, reader.where("limit"), "limit", "special", text,
+                  fmt::format("expected {}", dimension_name(check.dimension())));
+  }
+  return special;
+}
+
+// One for a place: which of two counts nobody could tell.
+void read_specials(const calc::XmlElement& element, RuleCheck& check,
+                   calc::Diagnostics& diagnostics) {
+  for (const calc::XmlElement& child : element.children) {
+    if (child.name != "special") continue;
+    RuleSpecial special = read_special(child, check, diagnostics);
+    const bool is_twice =
+        std::any_of(check.specials.begin(), check.specials.end(),
+                    [&](const RuleSpecial& other) { return other.place == special.place; });
+    if (is_twice) {
+      diagnostics.report(DiagnosticId::rule_name_twice, child.where, "special",
+                         calc::name_of(special.place));
+    }
+    check.specials.push_back(std::move(special));
+  }
+}
+
 // By "mask"; all points without it.
 Mask read_mask_name(ElementReader& reader, const RulePack& pack) {
   if (!reader.has("mask")) return {};
@@ -136,6 +180,7 @@ RuleCheck read_check(const calc::XmlElement& element, const RulePack& pack,
   check.note = reader.text_or("note", "");
   if (reader.has("instead-of")) check.instead_of = reader.id("instead-of");
   read_limit(reader, check);
+  read_specials(element, check, diagnostics);
   return check;
 }
 

@@ -87,9 +87,10 @@ const char* status_name(CheckStatus status) {
 CheckResult evaluate_check(const RuleCheck& check, const Evidence& evidence) {
   CheckResult result;
   result.check = &check;
-  result.limit = evaluate_limit(
-      check, {evidence.pack, evidence.row, evidence.level, evidence.facts,
-              [&](const RuleCheck& other) { return measured_for(other, evidence); }});
+  result.limit =
+      evaluate_limit(check, {evidence.pack, evidence.row, evidence.level, evidence.facts,
+                             [&](const RuleCheck& other) { return measured_for(other, evidence); },
+                             evidence.special});
   if (result.limit.status == LimitStatus::not_applicable) {
     return without_verdict(result, CheckStatus::not_applicable, result.limit.reason);
   }

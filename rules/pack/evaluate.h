@@ -43,6 +43,7 @@ struct Evidence {
   RowLevel level = RowLevel::required;
   std::map<std::string, double> facts = {};             // by id, in base units
   std::map<std::string, calc::Estimate> measured = {};  // by id of the check, in base units
+  calc::SpecialPlace special = calc::SpecialPlace::none;
 };
 
 CheckResult evaluate_check(const RuleCheck& check, const Evidence& evidence);

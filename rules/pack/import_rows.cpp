@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -306,6 +308,25 @@ struct ImportedRow {
   int table_line = 0;
 };
 
+// What a check has for rows of its own pack that the table does not have is left out.
+void keep_specials_of(const std::vector<ImportedRow>& rows, XmlElement& check) {
+  const auto is_there = [&](const std::string& ref) {
+    return std::any_of(rows.begin(), rows.end(), [&](const ImportedRow& row) {
+      const calc::XmlAttribute* own = row.element.find("ref");
+      return own != nullptr && own->value == ref;
+    });
+  };
+  std::erase_if(check.children, [&](XmlElement& special) {
+    const calc::XmlAttribute* named = special.find("rows");
+    if (named == nullptr) return false;
+    std::string kept, ref;
+    std::istringstream refs(named->value);
+    while (refs >> ref) kept += is_there(ref) ? (kept.empty() ? "" : " ") + ref : "";
+    set_attribute(special, "rows", kept);
+    return kept.empty();
+  });
+}
+
 // Everything of `like` but its sources and rows, with new ones before the first check.
 WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::string& csv_file,
                       const std::vector<ImportedRow>& rows) {
@@ -327,7 +348,9 @@ WrittenPack assembled(XmlElement like, const std::string& pack_id, const std::st
       for (const ImportedRow& row : rows) write_element(row.element, 1, row.table_line, pack);
       has_rows = true;
     }
-    write_element(child, 1, 0, pack);
+    XmlElement part = child;
+    if (part.name == "check") keep_specials_of(rows, part);
+    write_element(part, 1, 0, pack);
   }
   pack.add("</rule-pack>", 0);
   return pack;

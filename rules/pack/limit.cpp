@@ -206,10 +206,25 @@ Limit evaluate(const Expression& expression, const LimitScope& scope) {
   }
 }
 
+// What the pack asks at a special place, in place of the usual limit.
+Limit at_special_place(const RuleCheck& check, Limit usual, const LimitScope& scope) {
+  const RuleSpecial* special = check.find_special(scope.special, scope.row);
+  if (special == nullptr || usual.status == LimitStatus::not_applicable) return usual;
+  if (special->place == calc::SpecialPlace::other_wall) {
+    const bool is_easier = usual.status == LimitStatus::known &&
+                           (is_lower_limit(check.comparison) ? special->limit < usual.value.low
+                                                             : special->limit > usual.value.high);
+    if (!is_easier) return usual;
+  }
+  Limit limit = known(exactly(special->limit), special->trust);
+  limit.special = special;
+  return limit;
+}
+
 }  // namespace
 
 Limit evaluate_limit(const RuleCheck& check, const LimitScope& scope) {
-  Limit limit = evaluate(check.limit, scope);
+  Limit limit = at_special_place(check, evaluate(check.limit, scope), scope);
   if (limit.status == LimitStatus::known && !std::isfinite(limit.value.high)) {
     return unknown("the limit is not a finite number");
   }

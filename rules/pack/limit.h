@@ -19,6 +19,7 @@ struct LimitScope {
   std::map<std::string, double> facts = {};  // by id, in base units
   // The measured result of another check, with its interval; empty: not known.
   std::function<std::optional<calc::Estimate>(const RuleCheck&)> result_of = {};
+  calc::SpecialPlace special = calc::SpecialPlace::none;  // of the plane
 };
 
 enum class LimitStatus {
@@ -33,6 +34,8 @@ struct Limit {
   Trust trust = Trust::confirmed;  // the worst of everything that it was made of
   RowLevel level;                  // of the values in it: of the scope, if it changes one of them
   std::string reason;              // of not_applicable and unknown, in words
+  // The number that it is, where the plane is at a special place and the pack has one for that.
+  const RuleSpecial* special = nullptr;
 };
 
 // The formula must be one of scope.pack, which was read without error: names are known, units fit

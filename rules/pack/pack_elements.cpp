@@ -84,6 +84,9 @@ const ValueType kZoneAreaType =
 const ValueType kCheckSeverityType =
     words_type("checkSeverity", {"shall", "should", "may", "info", "in-aggregate"});
 const ValueType kCountedLightType = words_type("countedLight", {"all", "direct"});
+const ValueType kSpecialPlaceType =
+    words_type("specialPlace", {calc::name_of(calc::SpecialPlace::unknown_task),
+                                calc::name_of(calc::SpecialPlace::other_wall)});
 const ValueType kOutageType = words_type("outage", {"none", "any-one-unit"});
 const ValueType kAggregateRuleType = [] {
   calc::Names names = calc::names_of<AggregateRule>();
@@ -225,6 +228,17 @@ const ElementRow kRowElement{
                     "that of the role's plane."}},
     .children = {{"value", &kValueElement}}};
 
+const ElementRow kSpecialElement{
+    .type = "special",
+    .meaning =
+        R"(A limit of its own for what a workplace says of the plane: its task may be anywhere on it, or the plane is not on
+the wall in front. rows: for which; all without it.)",
+    .attributes = {{"place", &kSpecialPlaceType, required},
+                   {"limit", &kTextType, required, "A number with the unit of what is limited."},
+                   {"rows", &kIdsType},
+                   {"trust", &kTrustType, required},
+                   kNoteAttribute}};
+
 const ElementRow kCheckElement{
     .type = "check",
     .attributes = {kIdAttribute,
@@ -248,7 +262,8 @@ const ElementRow kCheckElement{
                    {"instead-of", &kIdType, optional,
                     "Another check that asks the same in another way: one of them is enough."},
                    kTrustAttribute,
-                   kNoteAttribute}};
+                   kNoteAttribute},
+    .children = {{"special", &kSpecialElement}}};
 
 const ElementRow kAggregateElement{
     .type = "aggregate",

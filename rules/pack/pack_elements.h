@@ -14,13 +14,13 @@ inline constexpr calc::NumberRange kPercent{0.0, 100.0, false, "a number from 0 
 // Words of choices that are no enum.
 extern const calc::ValueType kDigitsType, kStepsType, kComparedAsType, kGridMethodType,
     kGridCountType, kOrientationType, kHeightsAreType, kZoneAreaType, kCheckSeverityType,
-    kCountedLightType, kOutageType, kAggregateRuleType, kAggregateByType, kAggregateSeverityType,
-    kPackKindType, kPackStatusType, kPackLicenceType;
+    kCountedLightType, kSpecialPlaceType, kOutageType, kAggregateRuleType, kAggregateByType,
+    kAggregateSeverityType, kPackKindType, kPackStatusType, kPackLicenceType;
 
 // The order of its children is that in which a pack is read.
 extern const calc::ElementRow kRulePackElement;
 extern const calc::ElementRow kSourceElement, kNameElement, kPolicyElement, kScaleElement,
-    kGridElement, kPlaneElement, kCheckElement, kAggregateElement, kClassElement;
+    kGridElement, kPlaneElement, kCheckElement, kSpecialElement, kAggregateElement, kClassElement;
 extern const calc::ElementRow kTableElement, kEntryElement;
 extern const calc::ElementRow kMaskElement, kStripElement, kMaskWallsElement, kCentreLineElement;
 extern const calc::ElementRow kRowElement, kValueElement;

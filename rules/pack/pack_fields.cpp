@@ -214,7 +214,23 @@ std::vector<PackField> of_row(const RuleRow& row, const RulePack& pack) {
   return fields;
 }
 
-std::vector<PackField> of_check(const RuleCheck& check) {
+// Limits for special places.
+void add_specials(std::vector<PackField>& fields, const RuleCheck& check, const RowNames& rows) {
+  const char* unit = base_unit(check.dimension());
+  for (const RuleSpecial& special : check.specials) {
+    const std::string name = fmt::format("special {}", calc::name_of(special.place));
+    fields.push_back(number(name, special.limit, unit));
+    std::vector<std::string> meanings;
+    for (const std::string& row : special.rows) meanings.push_back(named(rows, row));
+    PackField for_rows = words(name + " rows", set_text(special.rows));
+    for_rows.meaning = set_text(std::move(meanings));
+    fields.push_back(std::move(for_rows));
+    fields.push_back(words(name + " trust", calc::name_of(special.trust)));
+    fields.push_back(words(name + " note", special.note));
+  }
+}
+
+std::vector<PackField> of_check(const RuleCheck& check, const RowNames& rows) {
   const bool has_range = check.metric == Metric::share || check.has_mounting_heights();
   const char* unit =
       base_unit(check.has_mounting_heights() ? Dimension::length : check.quantity->dimension);
@@ -222,23 +238,26 @@ std::vector<PackField> of_check(const RuleCheck& check) {
       words("limit", fmt::format("{} {}", comparison_name(check.comparison), check.limit_text));
   limit.meaning = fmt::format("{} {}", comparison_name(check.comparison), meaning_of(check.limit));
   if (check.limit.kind == ExpressionKind::number) limit.value = check.limit.number;
-  return {words("role", check.role),
-          words("clause", check.clause),
-          words("severity", calc::name_of(check.severity)),
-          words("quantity", check.quantity->name),
-          words("statistic", calc::name_of(check.metric)),
-          number_if(check.metric == Metric::percentile, "percent", check.percent),
-          number_if(has_range && check.range.from > 0.0, "from", check.range.from, unit),
-          number_if(has_range && std::isfinite(check.range.to), "to", check.range.to, unit),
-          words("mask", check.mask.id),
-          words("state", calc::name_of(check.state)),
-          words("sources", calc::name_of(check.sources)),
-          words("light", check.direct_only ? "direct" : "all"),
-          words("outage", check.any_one_unit_out ? "any-one-unit" : "none"),
-          std::move(limit),
-          words("instead-of", check.instead_of),
-          words("trust", trust_text(check.trust, check.has_trust)),
-          words("note", check.note)};
+  std::vector<PackField> fields{
+      words("role", check.role),
+      words("clause", check.clause),
+      words("severity", calc::name_of(check.severity)),
+      words("quantity", check.quantity->name),
+      words("statistic", calc::name_of(check.metric)),
+      number_if(check.metric == Metric::percentile, "percent", check.percent),
+      number_if(has_range && check.range.from > 0.0, "from", check.range.from, unit),
+      number_if(has_range && std::isfinite(check.range.to), "to", check.range.to, unit),
+      words("mask", check.mask.id),
+      words("state", calc::name_of(check.state)),
+      words("sources", calc::name_of(check.sources)),
+      words("light", check.direct_only ? "direct" : "all"),
+      words("outage", check.any_one_unit_out ? "any-one-unit" : "none"),
+      std::move(limit),
+      words("instead-of", check.instead_of),
+      words("trust", trust_text(check.trust, check.has_trust)),
+      words("note", check.note)};
+  add_specials(fields, check, rows);
+  return fields;
 }
 
 std::vector<PackField> of_aggregate(const RuleAggregate& aggregate) {
@@ -310,7 +329,7 @@ std::vector<PartFields> fields_of(const RulePack& pack, const RowNames& rows) {
         of_plane(plane));
   }
   for (const RuleRow& row : pack.rows) add(PackPart::row, row.ref, of_row(row, pack));
-  for (const RuleCheck& check : pack.checks) add(PackPart::check, check.id, of_check(check));
+  for (const RuleCheck& check : pack.checks) add(PackPart::check, check.id, of_check(check, rows));
   for (const RuleAggregate& aggregate : pack.aggregates) {
     add(PackPart::aggregate, aggregate.id, of_aggregate(aggregate));
   }

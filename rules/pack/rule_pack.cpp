@@ -132,6 +132,16 @@ calc::Names RulePack::levels_of(const RuleRow& row) const {
 const RuleRow* RulePack::find_row(std::string_view ref) const {
   return find_item(rows, ref, &RuleRow::ref);
 }
+const RuleSpecial* RuleCheck::find_special(calc::SpecialPlace place, const RuleRow* row) const {
+  for (const RuleSpecial& special : specials) {
+    const bool is_for_row = special.rows.empty() ||
+                            (row != nullptr && std::find(special.rows.begin(), special.rows.end(),
+                                                         row->ref) != special.rows.end());
+    if (special.place == place && is_for_row) return &special;
+  }
+  return nullptr;
+}
+
 const RuleCheck* RulePack::find_check(std::string_view check_id) const {
   return find_item(checks, check_id, &RuleCheck::id);
 }

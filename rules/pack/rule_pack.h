@@ -167,6 +167,17 @@ struct EnumNames<rules::LightSources> {
 
 namespace rules {
 
+// Another number of a check for what a workplace says of the plane, see SpecialPlace. Of an unknown
+// task it is in place of the usual limit, of other walls only where it is easier than that.
+struct RuleSpecial {
+  calc::SpecialPlace place = calc::SpecialPlace::none;
+  double limit = 0.0;             // base units of what the check limits
+  std::vector<std::string> rows;  // for which; none: all
+  Trust trust = Trust::confirmed;
+  std::string note;
+  calc::SourceLocation where;
+};
+
 struct RuleCheck {
   std::string id;      // unique in the pack
   std::string role;    // part of the room: "task", "surround", "route", ...
@@ -190,7 +201,11 @@ struct RuleCheck {
   std::string note;
   // Another check that asks the same in another way: one of them is enough. "" = none.
   std::string instead_of;
+  std::vector<RuleSpecial> specials;  // one for a place at most
   calc::SourceLocation where;
+
+  // For this place and row (null: none was chosen); null: it has none.
+  const RuleSpecial* find_special(calc::SpecialPlace place, const RuleRow* row) const;
 
   // Of a quantity of the space that counts luminaires by their height.
   bool has_mounting_heights() const {

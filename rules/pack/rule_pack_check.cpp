@@ -300,6 +300,11 @@ void check_rule_pack(const RulePack& pack, calc::Diagnostics& diagnostics) {
   check_alternatives(pack, diagnostics);
   calc::Names rows;
   for (const RuleRow& row : pack.rows) rows.push_back(row.ref);
+  for (const RuleCheck& check : pack.checks) {
+    for (const RuleSpecial& special : check.specials) {
+      check_ids(special.rows, rows, "rows", "special", "row", special.where, diagnostics);
+    }
+  }
   for (const RuleClass& item : pack.classes) {
     check_ids(item.rows, rows, "rows", "class", "row", item.where, diagnostics);
     check_ids(item.checks, checks, "of", "class", "check", item.where, diagnostics);

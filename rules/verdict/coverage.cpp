@@ -195,6 +195,17 @@ bool asks(const Asked& asked, const RuleCheck& check) {
                      [&](const auto& finding) { return finding.first == &check; });
 }
 
+// What the project says of a role that is asked with another number for it.
+std::string special_words(const calc::Workplace& workplace, const RulePlane* place) {
+  if (place == nullptr) return {};
+  if (place->area == ZoneArea::task && workplace.is_task_place_unknown) {
+    return calc::say<calc::Sentence::task_anywhere>();
+  }
+  return place->area == ZoneArea::walls && workplace.front_wall
+             ? calc::say<calc::Sentence::front_wall>(*workplace.front_wall + 1)
+             : "";
+}
+
 // Empty: the row requires nothing of it, or advice only.
 std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
                                   const std::string& role, std::string_view today) {
@@ -227,6 +238,9 @@ std::optional<RoleCoverage> cover(const calc::Space& space, const Asked& asked,
   // Where the pack says no place the project has to draw the plane, and has not.
   const RulePlane* place = asked.pack->find_plane(role);
   const bool has_place = place != nullptr && place->area != ZoneArea::none;
+  if (is_asked && asked.workplace != nullptr && coverage.words.empty()) {
+    coverage.words = special_words(*asked.workplace, place);
+  }
   if (is_asked && asked.workplace == nullptr && has_place && place->area == ZoneArea::walls) {
     coverage.words = walls_not_asked(space, coverage.of, place->margin_m);
     if (!coverage.words.empty()) coverage.state = RoleState::asked_in_part;

@@ -43,7 +43,7 @@ struct RoleCoverage {
   std::string role;
   RoleState state = RoleState::never_asked;
   // Of left_out, not_made and not_possible: why; of asked_in_part: without what; parts of a role:
-  // which.
+  // which. Of what is asked by another number than the row's: what the project says for it.
   std::string words;
   std::vector<RequirementName> of = {};  // that its state is from; empty: none is asked
   std::vector<LeftOutZone> left_out = {};

@@ -170,6 +170,7 @@ desk = PROJECT[PROJECT.index("<plane"):PROJECT.index("</room>")]
 zone_pack = change(PACK, ('grid="formula"/>\n<row', 'grid="formula" area="task" height="0.8"/>\n<row'), ('<row ref="office"', '<fact id="need" unit="lx" meaning="what the task needs"/>'
                    '<row ref="office"'), ("</rule-pack>", '<check id="fact" role="task" quantity="planar" statistic="minimum" at-least="fact(need)" trust="confirmed"/></rule-pack>'))
 zone_pack = zone_pack.replace('<value of="Em" required="500"/>', '<value of="Em" required="500" modified="750"/>')
+zone_pack = change(zone_pack, ('at-least="row(Uo)" trust="confirmed"/>', 'at-least="row(Uo)" trust="confirmed"><special place="unknown-task" limit="0.2" trust="confirmed"/></check>'))
 (WORK / "zones.xml").write_text(zone_pack)
 
 
@@ -191,6 +192,9 @@ judged(whole, wants, 0, name="a whole room")
 judged(change(whole, (fact, ' facts="need=1 lx"')), wants, 2, "fact 'need' of requirement 'minimum' of plane 'w.task' is 1; at least 200 is allowed", name="a fact that is too low")
 judged(whole, change(wants, ('<fact pack="own:1" id="need" at-least="200"/>', "")), 2, "is stated, and no <fact> allows it", name="a fact of which nothing is said")
 judged(change(PROJECT, (desk, WORKPLACE.format(fact + ' origin="2.2 1.9" size="0.6 0.4"'))), wants, 2, "planes of role 'task' cover 0.0", "at least 0.5 is needed", name="a small task")
+anywhere = change(whole, ('"office"', '"office" task-place="unknown"'))
+judged(anywhere, wants, 2, "asks its row below what it requires, by what the project says of its place", name="a task that may be anywhere")
+judged(anywhere, change(wants, ('<luxgate-policy version="1"', '<luxgate-policy version="1" lowered-levels="yes"')), 0, name="a task that may be anywhere, which the owner allows")
 own_plane = change(desk, (ROW, ROW.replace("/>", fact + "/>")))
 judged(change(PROJECT, (desk, own_plane)), wants, 2, "is asked on plane 'desk', which no workplace has made", name="a plane of one's own")
 judged(change(PROJECT, (desk, own_plane)), change(wants, ('zones="unchanged" ', "")), 0, name="a plane of one's own that may be")

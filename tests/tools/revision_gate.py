@@ -145,6 +145,34 @@ moved = [write(f"moved/design-{k}", name=f"Design {k}", columns=3 + k % 2) for k
 expect("twelve moved", check(moved[0], *moved[1:], *GATE), 0, OPEN, without=["asks", "worse:"])
 expect("one of twelve", check(moved[0], *GATE), 1, "▼ asks less", "project")
 
+# What a workplace says of its task and its walls asks less of them, where the row asks for more than that.
+CELL = """<luxgate version="1" name="Cell" maintenance-factor="0.8"><material id="light" reflectance="0.7"/>
+<luminaire-type id="spot" photometry="spot.ies"/><room id="cell" size="5 4 2.8" ceiling="light" walls="light" floor="light">
+<luminaire-grid id="L" type="spot" origin="0 0 2.79" size="5 4" columns="3" rows="2"/>
+<workplace id="w" pack="en12464-1:2021" row="{row}" glare="observers"{says}>
+<without role="observer" because="of no account here" by="A. Meier" until="2099-12-31"/></workplace></room></luxgate>"""
+small_designs.write(WORK / "cell/project.xml")  # its photometry
+
+
+def cell(row, says=""):
+    file = WORK / "cell/project.xml"
+    file.write_text(CELL.format(row=row, says=says))
+    return file
+
+
+def told(row, before, after):
+    luxgate("check", cell(row, before), "--pictures", "off", "-q", "--format", f"json={BASELINE}")
+    return check(cell(row, after), *GATE)
+
+
+UNKNOWN, FRONT = ' task-place="unknown"', ' front-wall="2"'
+expect("an unknown place", told("34.2", "", UNKNOWN), 1, "▼ asks less", "Uo", "0.60", "0.40")
+expect("a known place", told("34.2", UNKNOWN, ""), 0, "▲ asks more", OPEN)
+expect("an unknown place of a row that asks no more", told("34.7", "", UNKNOWN), 0, OPEN, without=["asks less"])
+expect("a wall in front", told("34.2", "", FRONT), 1, "▼ asks less", "≥ 150 lx", "≥ 75 lx")
+expect("another wall in front", told("34.2", ' front-wall="1"', FRONT), 1, "▼ asks less", "▲ asks more")
+expect("walls alike", told("34.2", FRONT, ""), 0, "▲ asks more", OPEN)
+
 # Bad input.
 expect("no baseline", luxgate("check", base, *GATE), 2, "--baseline")
 expect("reason without gate", check(base, "--accept-weaker", "why"), 2, "--gate regression")

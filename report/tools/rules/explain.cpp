@@ -239,6 +239,13 @@ std::string limits_text(const RulePack& pack, const RuleCheck& check, const Rule
     const std::string other = limit_at(rules::level_named(name));
     if (other != required) text += fmt::format("; level {}: {}", name, other);
   }
+  for (const rules::RuleSpecial& special : check.specials) {
+    if (check.find_special(special.place, row) != &special) continue;
+    const bool is_task = special.place == calc::SpecialPlace::unknown_task;
+    const std::string limit = with_unit(special.limit, base_unit(check.dimension()));
+    text += fmt::format("; {}: {}", is_task ? "place of the task unknown" : "wall not in front",
+                        with_trust(limit, special.trust));
+  }
   return text + "\n";
 }
 

@@ -93,6 +93,18 @@ TEST(WorkplacesXml, WithoutAnAreaTheTaskIsTheRoom) {
   EXPECT_FALSE(loaded.project->spaces.at(0).workplaces.at(0).height_m);
 }
 
+TEST(WorkplacesXml, ThePlaceOfTheTaskAndTheWallInFront) {
+  const Loaded loaded = load_workplace("task-place='unknown' front-wall='4'");
+  ASSERT_TRUE(loaded.project) << loaded.messages;
+  EXPECT_TRUE(loaded.project->spaces.at(0).workplaces.at(0).is_task_place_unknown);
+  EXPECT_EQ(loaded.project->spaces.at(0).workplaces.at(0).front_wall, 3u);
+  const Loaded neither = load_workplace("");
+  EXPECT_FALSE(neither.project->spaces.at(0).workplaces.at(0).is_task_place_unknown);
+  EXPECT_FALSE(neither.project->spaces.at(0).workplaces.at(0).front_wall);
+  expect_message(load_workplace("front-wall='0'"), "attribute 'front-wall' of <workplace>");
+  expect_message(load_workplace("front-wall='x'"), "attribute 'front-wall' of <workplace>");
+}
+
 Loaded load_grid(const std::string& attributes) {
   return load(in_room("<workplace-grid id='g' pack='p' row='1' " + attributes + "/>"));
 }

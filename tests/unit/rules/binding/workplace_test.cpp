@@ -848,6 +848,127 @@ TEST(Workplace, WhatDiffersIsNotShared) {
             std::pair(std::size_t{2}, std::size_t{2}));
 }
 
+// Limit, and whether it is easier than the row's.
+std::vector<std::pair<double, bool>> weakened(const Made& made, const std::string& plane) {
+  std::vector<std::pair<double, bool>> limits;
+  for (const Requirement& r : requirements_of_plane(made.requirements, plane)) {
+    limits.emplace_back(r.limit, r.origin.is_weakened);
+  }
+  return limits;
+}
+
+std::string notes_of(const Made& made, const std::string& plane) {
+  std::string notes;
+  for (const Requirement& r : requirements_of_plane(made.requirements, plane)) {
+    notes += "[" + r.note + "]";
+  }
+  return notes;
+}
+
+TEST(Workplace, WhereTheTaskIsUnknownTheWholeRoomHasTheUniformityForThat) {
+  const Made made = make(workplace("task-place='unknown'"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(weakened(made, "w.task"), ElementsAre(std::pair(500.0, false), std::pair(0.4, true)));
+  EXPECT_EQ(notes_of(made, "w.task"),
+            "[][one public source; the place of the task is not known: 0.4 over the whole area in "
+            "place of the row's 0.6, to be looked at again when it is known]");
+  EXPECT_THAT(weakened(made, "w.ceiling"),
+              ElementsAre(std::pair(100.0, false), std::pair(0.1, false)));
+  EXPECT_EQ(notes_of(made, "w.ceiling"), "[][]");
+  EXPECT_THAT(
+      made.space().notes,
+      testing::Contains(HasSubstr("34.2: the task may be anywhere in the room; not made: ")));
+  // A row that asks for no more loses nothing by it, one that asks for less has to do more.
+  const auto of_row = [](const std::string& row) {
+    return weakened(make("<workplace id='w' pack='en12464-1:2021' task-place='unknown' row='" +
+                         row + "'/>"),
+                    "w.task")
+        .at(1);
+  };
+  EXPECT_EQ(of_row("34.7"), std::pair(0.4, false));
+  EXPECT_EQ(weakened(make("<workplace id='w' pack='en12464-1:2011' task-place='unknown' "
+                          "row='5.26.2'/>"),
+                     "w.task")
+                .at(1),
+            std::pair(0.4, true));
+}
+
+TEST(WorkplaceMessage, WhoGivesAnAreaSaysWhereTheTaskIs) {
+  const std::string unknown = "task-place='unknown' ";
+  EXPECT_THAT(make(workplace(unknown + kDesk)).messages,
+              ElementsAre(HasSubstr("error[attribute-without-meaning]: <workplace>: 'task-place' "
+                                    "has no meaning together with 'size'")));
+  EXPECT_THAT(make(workplace(unknown + "footprint='1 1 3 1 3 3'")).messages,
+              ElementsAre(HasSubstr("'task-place' has no meaning together with 'footprint'")));
+  EXPECT_THAT(make(workplace(unknown + "wall='1'")).messages,
+              ElementsAre(HasSubstr("'task-place' has no meaning together with 'wall'")));
+  EXPECT_THAT(make(workplace(unknown + "face='1 1 3 1' heights='0 2'")).messages,
+              ElementsAre(HasSubstr("'task-place' has no meaning together with 'face'")));
+  EXPECT_THAT(make(workplace(unknown, "<zone role='task' margin='2'/>")).messages,
+              ElementsAre(HasSubstr("<zone>: 'margin' has no meaning together with 'role=\"task\" "
+                                    "and 'task-place' of <workplace>'")));
+  EXPECT_THAT(make(workplace("task-place='known'")).messages,
+              ElementsAre(HasSubstr("attribute 'task-place' of <workplace>: unknown value 'known'; "
+                                    "allowed: unknown")));
+  EXPECT_THAT(make(kGrid + " task-place='unknown'/>").messages,
+              ElementsAre(HasSubstr("unknown attribute 'task-place' of <workplace-grid>")));
+}
+
+TEST(Workplace, WallsBesidesTheOneInFrontMayBeDarker) {
+  const Made made = make(workplace(kDesk + " front-wall='2'"));
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(weakened(made, "w.wall.2"),
+              ElementsAre(std::pair(150.0, false), std::pair(0.1, false)));
+  EXPECT_EQ(notes_of(made, "w.wall.2"), "[][]");
+  for (const char* wall : {"w.wall.1", "w.wall.3", "w.wall.4"}) {
+    EXPECT_THAT(weakened(made, wall), ElementsAre(std::pair(75.0, true), std::pair(0.1, false)));
+    EXPECT_EQ(notes_of(made, wall),
+              "[one public source; not the wall in front, as the project says: 75 lx in place of "
+              "the row's 150 lx, which may be accepted; in cellular offices, by one manufacturer's "
+              "page][]");
+  }
+  EXPECT_THAT(made.space().notes,
+              testing::Contains(HasSubstr("34.2: who works there looks at wall 2")));
+  EXPECT_THAT(limits_of(make(workplace(kDesk)), "w.wall.1"), ElementsAre(150, 0.1));
+}
+
+// Each is asked for the wall that somebody looks at.
+TEST(Workplace, AWallThatIsInFrontOfOneIsAskedByBoth) {
+  const Made made = make(workplace(kDesk + " front-wall='1'") +
+                         "<workplace id='v' pack='en12464-1:2021' row='34.2' origin='8 5' "
+                         "size='2 1' front-wall='2'/>");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(weakened(made, "w.wall.1"),
+              ElementsAre(std::pair(150.0, false), std::pair(0.1, false), std::pair(75.0, true),
+                          std::pair(0.1, false)));
+  EXPECT_THAT(weakened(made, "w.wall.3"),
+              ElementsAre(std::pair(75.0, true), std::pair(0.1, false)));
+}
+
+TEST(Workplace, APieceOfAWallInFrontStandsForTheWholeOfIt) {
+  const Made made = make(workplace("origin='4 3' size='2 1.5' front-wall='2'"),
+                         "footprint='0 0  5 0  12 0  12 8  0 8' height='2.8'");
+  EXPECT_THAT(made.messages, IsEmpty());
+  EXPECT_THAT(weakened(made, "w.wall.1"),
+              ElementsAre(std::pair(150.0, false), std::pair(0.1, false)));
+  EXPECT_THAT(weakened(made, "w.wall.3"),
+              ElementsAre(std::pair(75.0, true), std::pair(0.1, false)));
+}
+
+TEST(WorkplaceMessage, TheWallInFrontIsOneThatIsJudged) {
+  EXPECT_THAT(make(workplace(kDesk + " front-wall='5'")).messages,
+              ElementsAre(HasSubstr("attribute 'front-wall' of <workplace>: 5 is not allowed; "
+                                    "expected the number of a wall of the room, 1 to 4")));
+  EXPECT_THAT(make("<workplace id='w' pack='en12464-1:2021' row='34.7' front-wall='1'/>").messages,
+              ElementsAre(HasSubstr("<workplace>: 'front-wall' has no meaning together with "
+                                    "'row=\"34.7\" of en12464-1:2021'")));
+  const auto niche = make(workplace(kDesk + " front-wall='3'"),
+                          "footprint='0 0  12 0  12 4  11.4 4  11.4 8  0 8' height='2.8'");
+  EXPECT_THAT(niche.messages, testing::Contains(HasSubstr(
+                                  "attribute 'front-wall' of <workplace>: 3 is not allowed; "
+                                  "expected a wall that is wide enough to be judged")));
+}
+
 TEST(Workplace, ASurfaceThatTheFirstLeavesOutTheSecondHas) {
   const Made made =
       make(workplace(kDesk, "<without role='ceiling' because='open' by='m' until='2999-01-01'/>") +

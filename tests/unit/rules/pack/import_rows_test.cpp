@@ -78,6 +78,17 @@ TEST(ImportRows, MakesAPackWithTheChecksOfTheShippedOne) {
   EXPECT_EQ(surround.value.value, 300.0);
 }
 
+// Of a row that only the shipped pack has.
+TEST(ImportRows, NumbersForRowsThatTheTableLacksAreLeftOut) {
+  const std::string desk = "desk,,500,,0.6,80,19,,,,\n";
+  const RulePack without = pack_of(kShort + "5," + desk), with = pack_of(kShort + "34.2," + desk);
+  EXPECT_TRUE(without.find_check("wall.Em")->specials.empty());
+  EXPECT_EQ(without.find_check("task.Uo")->specials.size(), 1u);
+  EXPECT_NE(with.find_check("wall.Em")->find_special(calc::SpecialPlace::other_wall,
+                                                     with.find_row("34.2")),
+            nullptr);
+}
+
 TEST(ImportRows, LeavesOutWhatIsNotInTheStandard) {
   const Imported result = imported(kHeader +
                                    "1.1,derived,G,a,500,,0.6,80,19,,,,,A,,\n"

@@ -122,7 +122,8 @@ const std::vector<std::string> kParts{
     "instead-of='rating'/>",
     "<check id='band' role='band' quantity='planar' statistic='average' "
     "at-least='table(t, row(E))'/>",
-    "<check id='idle' role='wall' quantity='planar' statistic='average' at-least='1 lx'/>",
+    "<check id='idle' role='wall' quantity='planar' statistic='average' at-least='1 lx'>"
+    "<special place='other-wall' limit='0.5 lx' rows='1.2' trust='unverified' note='n'/></check>",
     "<aggregate id='x' rule='at-least' count='1' of='a percent' severity='should' clause='7' "
     "trust='unverified' note='n'/>",
     "<aggregate id='y' rule='share' share='0.9' over='rooms' by='area' of='share'/>",
@@ -279,6 +280,15 @@ constexpr Edit kEdits[] = {
      "check a", "trust"},
     {"check.note", "trust='unverified' note='n'/>\n<check", "trust='unverified' note='x'/>\n<check",
      "check a", "note"},
+    {"special.place", "place='other-wall'", "place='unknown-task'", "check idle",
+     "special other-wall"},
+    {"special.limit", "limit='0.5 lx'", "limit='0.6 lx'", "check idle", "special other-wall"},
+    {"special.rows", "rows='1.2' trust", "rows='1.1' trust", "check idle",
+     "special other-wall rows"},
+    {"special.trust", "rows='1.2' trust='unverified'", "rows='1.2' trust='confirmed'", "check idle",
+     "special other-wall trust"},
+    {"special.note", "trust='unverified' note='n'/></check>",
+     "trust='unverified' note='x'/></check>", "check idle", "special other-wall note"},
     {"aggregate.id", "aggregate id='x'", "aggregate id='i'", "aggregate x", ""},
     {"aggregate.rule", "rule='at-least' count='1'", "rule='any'", "aggregate x", "rule"},
     {"aggregate.count", "count='1'", "count='2'", "aggregate x", "count"},

@@ -53,6 +53,8 @@ std::string expect_case(const calc::XmlElement& item, const RulePack& pack,
   const RowLevel level =
       item.find("level") == nullptr ? RowLevel::required : level_named(text_of(item, "level"));
   Evidence evidence{pack, pack.find_row(ref), level, facts_of(item)};
+  evidence.special =
+      calc::find_value<calc::SpecialPlace>(text_of(item, "place")).value_or(evidence.special);
   EXPECT_EQ(evidence.row == nullptr, ref.empty()) << "row " << ref;
   evidence.measured[check.id] = {number_of(item, "value"), number_of(item, "low"),
                                  number_of(item, "high")};

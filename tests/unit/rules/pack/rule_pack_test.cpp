@@ -1,6 +1,7 @@
 #include "rules/pack/rule_pack.h"
 
 #include "rules/pack/builtin_packs.h"
+#include "rules/pack/limit.h"
 #include "rules/pack/rule_lint.h"
 
 #include <gmock/gmock.h>
@@ -155,6 +156,64 @@ TEST(RulePack, ReadsTheRangeOfAShare) {
               ElementsAre(HasSubstr("<check> needs 'from' or 'to', or both")));
   EXPECT_THAT(messages_of(pack_with(check + "from='0.3' at-least='0.9'/>")),
               ElementsAre(HasSubstr("the units of '0.3' do not fit: expected an illuminance")));
+}
+
+std::string pack_with_special(const std::string& specials) {
+  return pack_with(kParameter +
+                   "<row ref='1' name='n' trust='confirmed'><value of='E' required='5'/></row>"
+                   "<row ref='2' name='n' trust='confirmed'><value of='E' required='5'/></row>"
+                   "<check id='c' role='desk' quantity='planar' statistic='average' "
+                   "at-least='row(E)'>" +
+                   specials + "</check>");
+}
+
+TEST(RulePack, SpecialPlacesHaveNumbersOfTheirOwn) {
+  const RulePack pack =
+      pack_of(pack_with_special("<special place='unknown-task' limit='2 fc' trust='unverified'/>"
+                                "<special place='other-wall' limit='3 lx' rows='2' "
+                                "trust='single-source' note='n'/>"));
+  const RuleCheck& check = pack.checks.at(0);
+  using enum calc::SpecialPlace;
+  const RuleRow *one = pack.find_row("1"), *two = pack.find_row("2");
+  ASSERT_NE(check.find_special(unknown_task, one), nullptr);
+  EXPECT_NEAR(check.find_special(unknown_task, one)->limit, 21.5278, 1e-4);
+  EXPECT_EQ(check.find_special(unknown_task, nullptr)->trust, Trust::unverified);
+  EXPECT_EQ(check.find_special(other_wall, one), nullptr);
+  EXPECT_EQ(check.find_special(other_wall, nullptr), nullptr);
+  EXPECT_EQ(check.find_special(other_wall, two)->note, "n");
+  EXPECT_EQ(check.find_special(none, two), nullptr);
+  // One in place of the row's 5 lx, the other where it is easier.
+  EXPECT_NEAR(evaluate_limit(check, {pack, one, {}, {}, {}, unknown_task}).value.value, 21.5278,
+              1e-4);
+  EXPECT_EQ(evaluate_limit(check, {pack, one, {}, {}, {}, other_wall}).value.value, 5.0);
+  EXPECT_EQ(evaluate_limit(check, {pack, two, {}, {}, {}, other_wall}).value.value, 3.0);
+  EXPECT_EQ(evaluate_limit(check, {pack, two, {}, {}, {}, other_wall}).trust, Trust::single_source);
+  EXPECT_EQ(evaluate_limit(check, {pack, two}).value.value, 5.0);
+  const RulePack harder = pack_of(
+      pack_with_special("<special place='other-wall' limit='7 lx' trust='single-source'/>"));
+  EXPECT_EQ(evaluate_limit(harder.checks.at(0), {harder, &harder.rows[0], {}, {}, {}, other_wall})
+                .value.value,
+            5.0);
+}
+
+TEST(RulePackMessage, SpecialPlaces) {
+  const auto said = [](const std::string& attributes) {
+    return messages_of(pack_with_special("\n<special " + attributes + "/>"));
+  };
+  EXPECT_THAT(said("place='roof' limit='3 lx' trust='confirmed'"),
+              ElementsAre(HasSubstr("attribute 'place' of <special>: unknown value 'roof'")));
+  EXPECT_THAT(said("place='other-wall' limit='0.4' trust='confirmed'"),
+              ElementsAre(HasSubstr("attribute 'limit' of <special>: the units of '0.4' do not "
+                                    "fit: expected ")));
+  EXPECT_THAT(said("place='other-wall' limit='row(E)' trust='confirmed'"),
+              ElementsAre(HasSubstr("attribute 'limit' of <special>")));
+  EXPECT_THAT(said("place='other-wall' limit='3 lx'"),
+              ElementsAre(HasSubstr("<special> needs the attribute 'trust'")));
+  EXPECT_THAT(said("place='other-wall' limit='3 lx' rows='3' trust='confirmed'"),
+              ElementsAre(HasSubstr("attribute 'rows' of <special>: there is no row '3'")));
+  EXPECT_THAT(said("place='other-wall' limit='3 lx' trust='confirmed'/>"
+                   "<special place='other-wall' limit='2 lx' trust='confirmed'"),
+              ElementsAre(HasSubstr("the pack has two of <special> 'other-wall'")));
 }
 
 TEST(RulePackMessage, OtherRootElement) {
