@@ -288,6 +288,14 @@ class WorkplaceMaker {
     }
   }
 
+  // Such as shelves, which a project draws where it has them: nobody misses them elsewhere.
+  bool is_advice_without_place(const std::string& role, const RulePlane* plane) const {
+    return plane != nullptr && !has_area(*plane) &&
+           std::none_of(pack_.checks.begin(), pack_.checks.end(), [&](const RuleCheck& check) {
+             return check.role == role && check.severity != Severity::advice;
+           });
+  }
+
   // Why there is no plane of a role, whatever the room; "" = there is.
   std::string reason_against(const std::string& role, const RulePlane* plane) const {
     const Quantity& quantity = *find_quantity(role);
@@ -373,6 +381,7 @@ class WorkplaceMaker {
       return leave_unmade(role, other->second);
     }
     const RulePlane* plane = pack_.find_plane(role);
+    if (is_advice_without_place(role, plane)) return;
     if (const std::string reason = reason_against(role, plane); !reason.empty()) {
       return leave_unmade(role, reason);
     }

@@ -969,6 +969,13 @@ TEST(WorkplaceMessage, TheWallInFrontIsOneThatIsJudged) {
                                   "expected a wall that is wide enough to be judged")));
 }
 
+// Whoever has no shelves misses none.
+TEST(Workplace, NobodyIsToldOfShelves) {
+  const Made made = make(workplace(kDesk));
+  EXPECT_THAT(made.space().notes, testing::Not(testing::Contains(HasSubstr("shelf"))));
+  EXPECT_THAT(made.space().notes, testing::Contains(HasSubstr("lamp")));
+}
+
 TEST(Workplace, ASurfaceThatTheFirstLeavesOutTheSecondHas) {
   const Made made =
       make(workplace(kDesk, "<without role='ceiling' because='open' by='m' until='2999-01-01'/>") +

@@ -565,7 +565,7 @@ RolePlane plane_of(const std::string& role) {
     return {"origin='2 2 1' u='4 0 0' v='0 0 1'", flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'",
             ""};
   }
-  if (role == "safety-item") {
+  if (role == "safety-item" || role == "shelf") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
   }
   if (role == "window") {  // an upper limit: it looks at the luminaires
