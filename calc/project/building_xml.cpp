@@ -96,6 +96,10 @@ void read_buildings(ProjectContext& context, const XmlElement& root) {
     for (const XmlElement& part : child.children) {
       if (part.name == "require") building.requirements.push_back({part, ""});
     }
+    if (building.requirements.empty()) {
+      reader.report(DiagnosticId::missing_form, reader.where(), "building",
+                    "a <require> that says what its rooms must meet together");
+    }
     context.project.buildings.push_back(std::move(building));
   }
   former.check(context.diagnostics);

@@ -219,7 +219,7 @@ void warn_about_project(const Project& project, const std::set<std::string>& pla
     warn_luminaires(project, space, diagnostics);
     warn_planes(project, space, planes_on_surfaces, diagnostics);
   }
-  if (!has_plane) {
+  if (!has_plane && project.buildings.empty()) {  // of a building nothing is calculated
     diagnostics.report(DiagnosticId::project_without_planes, SourceLocation{project.path});
   }
 }

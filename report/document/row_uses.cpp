@@ -61,6 +61,18 @@ std::vector<RowUse> row_uses(const ProjectPart& project) {
       }
     }
   }
+  for (const rules::AggregateFinding& aggregate : project.aggregates) {
+    if (aggregate.kind != rules::AggregateKind::aggregate) continue;
+    for (std::size_t u = 0; u < uses.size(); ++u) {
+      const bool is_of_use =
+          std::any_of(aggregate.members.begin(), aggregate.members.end(), [&](const auto& member) {
+            return std::any_of(member.of.begin(), member.of.end(), [&](const auto& name) {
+              return taken[u].contains({name.plane_id, name.id});
+            });
+          });
+      if (is_of_use) uses[u].outcome = graver(uses[u].outcome, outcome_of(aggregate));
+    }
+  }
   return uses;
 }
 

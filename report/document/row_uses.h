@@ -17,10 +17,14 @@ struct RowUse {
   int times = 0;                   // it is asked, by workplaces or by planes of a room together
   int whole = 0;                   // of these: nothing of the row was never asked
   int requirements = 0, met = 0;   // that count, each once
-  rules::Outcome outcome = rules::Outcome::nothing_asked;  // the gravest of them
+  // The gravest of them, and of the pack's aggregates that they are members of.
+  rules::Outcome outcome = rules::Outcome::nothing_asked;
   // The smallest margin of what was judged and has one, and whose it is; empty: nothing has.
   std::optional<double> margin = {};
   std::string room = {}, plane = {}, requirement = {};
+
+  // Asked as a whole wherever it is asked, and everything met.
+  bool is_met() const { return outcome == rules::Outcome::pass && whole == times; }
 };
 
 // In the order in which rows are first asked. Rows with levels of their own are rows by themselves.

@@ -127,15 +127,15 @@ void add_unjudged_project(const ProjectPart& project, std::string& csv) {
   row.add_to(csv);
 }
 
-// Of a building: a row as those of planes have, with the building for a space. Else without
-// numbers: what is asked for and what was found are words.
+// Of a building: a row as those of planes have, with "building ID" for a space, which no id can be.
+// Else without numbers: what is asked for and what was found are words.
 void add_aggregate(const ProjectPart& project, const rules::AggregateFinding& finding,
                    std::string& csv) {
   if (finding.kind == rules::AggregateKind::building) {
     const rules::Requirement& requirement = finding.sum->requirement;
-    return add_finding(
-        row_of(project, finding.building_id, "", requirement.id, calc::name_of(requirement.metric)),
-        *finding.sum, csv);
+    return add_finding(row_of(project, "building " + finding.building_id, "", requirement.id,
+                              calc::name_of(requirement.metric)),
+                       *finding.sum, csv);
   }
   std::string words = aggregate_required({}, finding) + ": " + aggregate_measured({}, finding);
   if (!finding.reason.empty()) words += "; " + finding.reason;

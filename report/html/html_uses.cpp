@@ -37,8 +37,11 @@ std::string place_of(const Texts& t, const ProjectPart& project, const RowUse& u
 }
 
 std::string row_of(const Texts& t, const ProjectPart& project, const RowUse& use) {
-  const std::string verdict =
-      fmt::format("{} {}", outcome_symbol(use.outcome), escape_html(outcome_words(t, use.outcome)));
+  // No tick where the row is nowhere known to be met.
+  const bool is_in_part = use.outcome == rules::Outcome::pass && !use.is_met();
+  const std::string verdict = is_in_part ? std::string("– ") + t[Text::asked_in_part]
+                                         : fmt::format("{} {}", outcome_symbol(use.outcome),
+                                                       escape_html(outcome_words(t, use.outcome)));
   return fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(clause_words(t, use.clause))) +
          number_cell(fmt::format("{}", use.rooms.size())) + "<td>" + verdict + "</td>" +
          number_cell(t.say<Text::so_many_of>(use.met, use.requirements)) +

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -329,6 +330,9 @@ void check_room(const Place& place, const ProjectPart& project, const Findings& 
   const auto is_same = [](const std::optional<double>& said, const std::optional<double>& follows) {
     return said.has_value() == follows.has_value() && (!said || is_same_sum(*said, *follows));
   };
+  if (is_energy && value && space->energy->words != room.stated) {
+    refuse_place(place, "stated", "it is not what the room itself states");
+  }
   const double area_m2 = space->power.area_m2;
   constexpr const char* kWhy = "from the room itself";
   expect(place, "value", is_same(room.value, value), true, kWhy);
@@ -347,6 +351,19 @@ void check_sum(const Place& place, const ProjectPart& project, const Findings& f
   const rules::Finding& sum = *finding.sum;
   const Place own{place.path + "/sum", place.words};
   constexpr const char* kWhy = "it is that of the sum";
+  const rules::Metric metric = sum.requirement.metric;
+  if (metric != rules::Metric::power_density && metric != rules::Metric::leni) {
+    refuse_place(own, "quantity", "rooms have power-density and LENI together");
+  }
+  expect(place, "over", finding.over, rules::AggregateOver::rooms, "of a building");
+  if (finding.id != finding.building_id + "." + sum.requirement.id) {
+    refuse_place(place, "id", "it is made of the building's and the requirement's");
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < finding.members.size(); ++i) {
+    if (names.insert(finding.members[i].name).second) continue;
+    refuse_place(place.at("members", i), "name", "a room is in a building once");
+  }
   expect(place, "verdict", finding.verdict, sum.verdict, kWhy);
   expect(place, "is_waived", finding.is_waived, sum.is_waived, kWhy);
   expect(place, "severity", finding.severity, sum.requirement.severity, kWhy);

@@ -214,6 +214,8 @@ class Redactor : public Visitor {
       value = redacted(value, holds);
     } else if constexpr (kIsList<T>) {
       for (auto& item : value) walk(item, holds);
+    } else if constexpr (kIsOptional<T>) {
+      if (value) walk(*value, holds);
     } else if constexpr (std::is_class_v<T> && !kIsOptional<T> && !kIsOrNull<T> && !Vector<T> &&
                          !std::is_same_v<T, Line>) {
       describe(*this, value);

@@ -393,7 +393,10 @@ void describe(auto& v, Is<RowUse> auto& use) {
   v.field("whole", use.whole, {.words = "Of these: nothing of the row was never asked."});
   v.field("requirements", use.requirements, {.words = "That count, each once."});
   v.field("met", use.met);
-  v.field("outcome", use.outcome);
+  v.field("outcome", use.outcome,
+          {.words = "The gravest of what is asked, and of the aggregates that it is in."});
+  v.written("is_met", [&] { return use.is_met(); },
+            {.words = "Everything is met, and the row asked as a whole wherever it is asked."});
   v.field("margin", use.margin, {.words = "The smallest; null: nothing has one."});
   v.field("room", use.room, {.words = "Whose margin it is, with plane and requirement."});
   v.field("plane", use.plane);

@@ -57,7 +57,9 @@ std::string members_words(const Texts& t, const rules::AggregateFinding& finding
 
 // "5.93 W/m² (14 rooms, 208.4 m²)"
 std::string sum_words(const Texts& t, const rules::AggregateFinding& finding) {
-  const std::string rooms = members_words(t, finding);
+  const std::size_t count = finding.members.size();
+  const std::string rooms =
+      count == 1 ? t.say<Text::one_room>(count) : t.say<Text::rooms_together>(count);
   if (finding.verdict == rules::Verdict::not_judged) return rooms;
   const rules::Requirement& asked = finding.sum->requirement;
   double area_m2 = 0.0;

@@ -30,6 +30,9 @@ std::vector<BuildingQuestion> bind_buildings(const calc::Project& project,
     for (const calc::RequirementText& text : texts) {
       const RequirementContext context{calc::ReceiverKernel::planar, project.scenes, packs};
       for (Requirement& requirement : read_requirement(text, context, diagnostics)) {
+        for (const StatedDeviation& stated : requirement.stated_deviations) {
+          diagnostics.report(calc::DiagnosticId::deviation_of_building, stated.by.where);
+        }
         if (!is_of_building(requirement.metric)) {
           diagnostics.report(calc::DiagnosticId::quantity_not_of_building, requirement.where,
                              calc::name_of(requirement.metric),

@@ -2,6 +2,7 @@
 
 #include "calc/base/sentences.h"
 #include "calc/base/text.h"
+#include "calc/project/room_inside.h"
 #include "calc/scene/installed_power.h"
 #include "calc/scene/lighting_energy.h"
 #include "rules/verdict/judge.h"
@@ -9,6 +10,7 @@
 #include "rules/verdict/waiver.h"
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <string>
@@ -43,6 +45,33 @@ AggregateMember room_of(const calc::Project& project, const calc::Space& space,
   return room;
 }
 
+// Why the floors of its rooms do not add up: two of them overlap, and what both have would count
+// twice. "" = they do.
+std::string overlap_of(const calc::Project& project, const calc::Building& building) {
+  struct Room {
+    const calc::Space* space;
+    glm::dvec2 low_m, high_m;
+  };
+  std::vector<Room> rooms;
+  for (const std::size_t index : building.rooms) {
+    const calc::Space& space = project.spaces[index];
+    if (!space.shell || space.shell->footprint_m.empty()) continue;
+    Room room{&space, space.shell->footprint_m.front(), space.shell->footprint_m.front()};
+    for (const glm::dvec2& corner : space.shell->footprint_m) {
+      room.low_m = glm::min(room.low_m, corner);
+      room.high_m = glm::max(room.high_m, corner);
+    }
+    for (const Room& other : rooms) {
+      const bool is_apart = glm::any(glm::greaterThan(room.low_m, other.high_m)) ||
+                            glm::any(glm::lessThan(room.high_m, other.low_m));
+      if (is_apart || !calc::share_space(*other.space->shell, *space.shell)) continue;
+      return calc::say<calc::Sentence::rooms_share_space>(other.space->id, space.id);
+    }
+    rooms.push_back(room);
+  }
+  return {};
+}
+
 // "not judged: hall (power of 2 luminaires is not known)"
 std::string unknown_rooms(const std::vector<AggregateMember>& rooms) {
   std::vector<std::string> names;
@@ -74,10 +103,11 @@ void add_notes(const calc::Project& project, const std::vector<AggregateMember>&
   if (outside > 0) add_note(calc::say<calc::Sentence::outside_no_room>(outside), requirement);
 }
 
-Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMember>& rooms) {
+Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMember>& rooms,
+                  const std::string& problem) {
   Finding finding;
   finding.requirement = requirement;
-  finding.reason = requirement.problem;
+  finding.reason = requirement.problem.empty() ? problem : requirement.problem;
   const std::optional<double> sum = sum_of(rooms);
   if (!sum && finding.reason.empty()) finding.reason = unknown_rooms(rooms);
   if (!finding.reason.empty()) return finding;
@@ -115,7 +145,7 @@ std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
     }
     add_notes(project, finding.members, requirement);
     finding.note = requirement.note;
-    Finding sum = judge_sum(requirement, finding.members);
+    Finding sum = judge_sum(requirement, finding.members, overlap_of(project, building));
     apply_waiver(sum, today);
     finding.verdict = sum.verdict;
     finding.is_waived = sum.is_waived;

@@ -26,7 +26,8 @@ Loaded load_building(const std::string& buildings) {
 }
 
 std::vector<std::size_t> rooms_like(const std::string& patterns) {
-  const Loaded loaded = load_building("<building id='B' rooms='" + patterns + "'/>");
+  const Loaded loaded =
+      load_building("<building id='B' rooms='" + patterns + "'><require/></building>");
   EXPECT_TRUE(loaded.project) << loaded.messages;
   return loaded.project ? loaded.project->buildings.at(0).rooms : std::vector<std::size_t>{};
 }
@@ -42,7 +43,8 @@ TEST(Building, HasRoomsThatAreLikeItsPatternsEachOnce) {
 
 // Neither a road nor what is outside.
 TEST(Building, WithoutPatternsIsAllRooms) {
-  const Loaded loaded = load_building("<building id='B' was='A' name='House'/>");
+  const Loaded loaded =
+      load_building("<building id='B' was='A' name='House'><require/></building>");
   ASSERT_TRUE(loaded.project) << loaded.messages;
   const Building& building = loaded.project->buildings.at(0);
   EXPECT_THAT(building.rooms, ElementsAre(0, 1, 2));

@@ -111,6 +111,24 @@ TEST(RowUses, AreNotMetWhereLeavingOutHasEnded) {
   EXPECT_EQ(row_uses(project_of({ended}))[0].outcome, rules::Outcome::not_judged);
 }
 
+// What counts only in an aggregate of its pack is what the aggregate comes to; a row of which a
+// part was never asked is not met.
+TEST(RowUses, AreWhatTheirAggregatesAre) {
+  ProjectPart project = project_of({room("a", kDesk, {{"a.1", "Em"}})});
+  EXPECT_TRUE(row_uses(project)[0].is_met());
+  rules::AggregateFinding aggregate;
+  aggregate.verdict = rules::Verdict::fail;
+  aggregate.members.resize(1);
+  aggregate.members[0].of = {{"other", "Em"}};
+  project.aggregates = {aggregate};
+  EXPECT_EQ(row_uses(project)[0].outcome, rules::Outcome::pass);
+  project.aggregates[0].members[0].of = {{"a.1", "Em"}};
+  EXPECT_EQ(row_uses(project)[0].outcome, rules::Outcome::fail);
+  const ProjectPart in_part = project_of({room("a", kDesk, {{"a.1", "Em"}}, false)});
+  EXPECT_EQ(row_uses(in_part)[0].outcome, rules::Outcome::pass);
+  EXPECT_FALSE(row_uses(in_part)[0].is_met());
+}
+
 TEST(RowUses, AreNoneWithoutRows) { EXPECT_THAT(row_uses(project_of({SpacePart{}})), IsEmpty()); }
 
 }  // namespace

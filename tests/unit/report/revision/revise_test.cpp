@@ -155,6 +155,13 @@ TEST(Revise, OfABuildingQuestionsAreNamed) {
               ElementsAre("weaker aggregate"));
   EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].name = "c"; })),
               ElementsAre("weaker aggregate", "stricter aggregate"));
+  // A new room that takes less makes up for the others.
+  EXPECT_THAT(asked(building_revised([](Building& b) {
+                b.members.push_back(b.members[0]);
+                b.members.back().name = "store";
+                b.members.back().value = 0.1;
+              })),
+              ElementsAre("exchanged aggregate"));
   EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].stated = "10 h"; })),
               ElementsAre("exchanged energy"));
   const rules::Waiver waiver{"later", "A. Meier", "2027-06-30"};

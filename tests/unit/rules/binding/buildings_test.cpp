@@ -28,9 +28,10 @@ std::string lamp(const std::string& watts) {
 }
 
 std::string room(const std::string& id, const std::string& size, const std::string& type,
-                 const std::string& inside = "") {
-  return "<room id='" + id + "' size='" + size + " 3' floor='m' ceiling='m' walls='m'>" + inside +
-         "<luminaire id='L' type='" + type + "' position='1 1 2.5'/></room>";
+                 const std::string& inside = "", const std::string& origin = "0 50 0") {
+  return "<room id='" + id + "' origin='" + origin + "' size='" + size +
+         " 3' floor='m' ceiling='m' walls='m'>" + inside + "<luminaire id='L' type='" + type +
+         "' position='1 1 2.5'/></room>";
 }
 
 struct Judged {
@@ -39,12 +40,14 @@ struct Judged {
 };
 
 // Rooms small (12 m2, 24 W) and large (48 m2, 36 W): 1 W/m2.
-Judged judge(const std::string& buildings, const std::string& more = "") {
+Judged judge(const std::string& buildings, const std::string& more = "",
+             const std::string& origin_of_large = "0 9 0") {
   const std::string xml =
       "<luxgate version='1' maintenance-factor='1'><material id='m' reflectance='0.5'/>"
       "<luminaire-type id='a' photometry='24.ies'/><luminaire-type id='b' photometry='36.ies'/>"
       "<luminaire-type id='none' photometry='0.ies'/>" +
-      room("small", "4 3", "a") + room("large", "8 6", "b") + more + buildings + "</luxgate>";
+      room("small", "4 3", "a", "", "0 0 0") + room("large", "8 6", "b", "", origin_of_large) +
+      more + buildings + "</luxgate>";
   calc::Diagnostics diagnostics;
   const calc::MemoryFileReader files(
       {{"p.xml", xml}, {"24.ies", lamp("24")}, {"36.ies", lamp("36")}, {"0.ies", lamp("0")}});
@@ -116,6 +119,14 @@ TEST(Buildings, WithAnUnknownRoomAreNotJudged) {
   EXPECT_THAT(energy.reason, HasSubstr("large ("));
 }
 
+// Their common floor would count twice. Rooms of judge() begin at the origin, both of them.
+TEST(Buildings, OfRoomsThatOverlapAreNotJudged) {
+  const Judged judged = judge("<building id='B'>" + power("1000") + "</building>", "", "0 0 0");
+  ASSERT_THAT(judged.findings, SizeIs(1));
+  EXPECT_EQ(judged.findings[0].verdict, Verdict::not_judged);
+  EXPECT_THAT(judged.findings[0].reason, HasSubstr("rooms 'small' and 'large' overlap"));
+}
+
 TEST(Buildings, SayThatLightOutsideOfRoomsDoesNotCount) {
   const AggregateFinding finding =
       one(power("1"), "<luminaire id='yard' type='a' position='0 -9 3'/>");
@@ -155,6 +166,14 @@ TEST(Buildings, RefuseWhatRoomsDoNotHaveTogether) {
       judge("<building id='B'>" + power("1", "id='x'") + power("2", "id='x'") + "</building>")
           .messages.at(0),
       HasSubstr("the requirement id 'x' is given twice"));
+}
+
+TEST(Buildings, RefuseWhatMeansNothingOfThem) {
+  EXPECT_THAT(judge("<building id='B'/>").messages.at(0), HasSubstr("a <require> that says"));
+  EXPECT_THAT(judge("<building id='B'><require pack='ashrae90-1' row='parking'><deviation "
+                    "in='height' because='b' by='c' until='2999-12-31'/></require></building>")
+                  .messages.at(0),
+              HasSubstr("<deviation> has no meaning in a <building>"));
 }
 
 TEST(Buildings, NumberRequirementsThatHaveNoId) {

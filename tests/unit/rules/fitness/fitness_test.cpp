@@ -563,7 +563,7 @@ RolePlane plane_of(const std::string& role) {
   }
   if (role == "vertical") {
     return {"origin='2 2 1' u='4 0 0' v='0 0 1'", flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'",
-            ""};
+            "", 0.3};
   }
   if (role == "safety-item" || role == "shelf") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
