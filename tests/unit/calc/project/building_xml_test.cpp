@@ -21,8 +21,10 @@ std::string room(const std::string& id) {
 Loaded load_building(const std::string& buildings) {
   return load("<luxgate version='1'><material id='m' reflectance='0.5'/>" + room("a-1") +
               room("a-2") + room("b-10") +
-              "<road id='r' width='7' lanes='2' spacing='30' surface='R3'/>" + buildings +
-              "<plane id='outside' origin='0 -9 0' u='1 0 0' v='0 1 0'/></luxgate>");
+              "<luminaire-type id='s' photometry='spot.ies'/><road id='r' width='7' lanes='2' "
+              "spacing='30' surface='R3'><luminaire-row id='h' type='s' side='right' "
+              "height='9'/></road>" +
+              buildings + "<plane id='outside' origin='0 -9 0' u='1 0 0' v='0 1 0'/></luxgate>");
 }
 
 std::vector<std::size_t> rooms_like(const std::string& patterns) {

@@ -13,7 +13,8 @@ namespace {
 const std::vector<MessageCase> kCases{
     {"UnknownElement", in_project(R"(<rooom id="r"/>)"),
      "dir/p.xml:4:1: error[unknown-element]: unknown element <rooom> in <luxgate>; allowed: "
-     "about, maintenance-plan, material, luminaire-type, scene, room, road, plane, route, energy, "
+     "about, maintenance-plan, material, luminaire-type, scene, room, road, building, plane, "
+     "route, energy, "
      "box, quad, polygon, mesh, assembly, "
      "luminaire, luminaire-grid, luminaire-line, luminaire-ring or "
      "luminaires; did you mean 'room'?"},

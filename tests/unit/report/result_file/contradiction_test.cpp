@@ -268,7 +268,8 @@ TEST(Contradiction, AggregatesAndTheirMembersFollow) {
 
 TEST(Contradiction, SumsAreThoseOfTheRooms) {
   int sums = 0, rooms = 0;
-  for (const std::string& sum : every("sum", "measured")) {
+  for (const std::string& building : every("aggregates", "sum")) {
+    const std::string sum = building + "/sum";
     if (at(sum + "/measured").is_null()) continue;
     ++sums;
     for (const char* end : {"/measured/value", "/measured/low", "/measured/high"}) {

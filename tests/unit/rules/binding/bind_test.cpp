@@ -811,7 +811,8 @@ TEST(BindRequirementsMessage, UnknownRole) {
   EXPECT_THAT(messages_of({{"pack", "en1838"}, {"role", "rout"}, {"scene", "night"}}),
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
                           "<require>: there is no role 'rout'; allowed: route, open-area, "
-                          "high-risk, safety-item, emphasis or glare; did you mean 'route'?"));
+                          "route-5s, route-60s, open-area-5s, open-area-60s, high-risk, "
+                          "safety-item, emphasis or glare; did you mean 'route'?"));
 }
 
 TEST(BindRequirementsMessage, LevelWithoutRow) {

@@ -545,7 +545,8 @@ TEST(Fitness, TheGridIsThatOfWhatTheMaskLeaves) {
 // What fits, and how each aspect is spoilt, by role. In a room of 12 m x 8 m x 3 m.
 struct RolePlane {
   std::string fits, turned, lifted, drawn;
-  double top_m = 3.0;  // of what swallows points
+  double top_m = 3.0;      // of what swallows points
+  double margin_m = 0.75;  // too wide for the role, and leaves something
 };
 
 RolePlane plane_of(const std::string& role) {
@@ -562,8 +563,12 @@ RolePlane plane_of(const std::string& role) {
     return {"on='ceiling' margin='0.5'", flat(1), "", "origin='2 2 2' u='0 2 0' v='4 0 0'"};
   }
   if (role == "vertical") {
-    return {"origin='2 2 1' u='4 0 0' v='0 0 1'", flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'",
-            "", 0.3};
+    return {"origin='2 2 1' u='4 0 0' v='0 0 1'",
+            flat(1.5),
+            "origin='2 2 2' u='4 0 0' v='0 0 0.9'",
+            "",
+            3.0,
+            0.4};
   }
   if (role == "safety-item" || role == "shelf") {
     return {upright, flat(1.5), "origin='2 2 2' u='4 0 0' v='0 0 0.9'", ""};
@@ -607,7 +612,7 @@ Setting spoilt(const Setting& whole, const RolePlane& plane, const std::string& 
   if (aspect == "margin") {
     const std::size_t own = setting.plane.find(" margin=");
     if (own != std::string::npos) setting.plane.resize(own);
-    setting.plane += " margin='0.75'";
+    setting.plane += fmt::format(" margin='{}'", plane.margin_m);
   }
   if (aspect == "points") {  // less than 0.5 m above the plane: no rack, where a band would end
     setting.objects =
