@@ -20,7 +20,7 @@ std::optional<JudgedProject> load_judged_project(const calc::FileReader& files,
   std::optional<calc::ReadProject> read = calc::read_project(files, path, diagnostics, budget);
   if (!read) return std::nullopt;
   JudgedProject judged{std::move(read->project), {}, {}};
-  make_workplace_planes(judged.project, packs, diagnostics);
+  make_workplace_planes(judged.project, packs, diagnostics, read->is_good);
   if (read->is_good) {
     judged.requirements = bind_requirements(judged.project, packs, diagnostics);
   } else {

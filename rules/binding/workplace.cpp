@@ -603,19 +603,22 @@ Method read_method(ElementReader& reader) {
 // Of a space, whose workplaces all ask for it.
 class RoomUgrProblems {
  public:
-  RoomUgrProblems(const calc::Project& project, const calc::Space& space)
-      : project_(project), space_(space) {}
+  // is_good: else the luminaires may have no type, and nothing is asked of them.
+  RoomUgrProblems(const calc::Project& project, const calc::Space& space, bool is_good)
+      : project_(project), space_(space), is_good_(is_good) {}
 
   const std::vector<calc::LightScene>& scenes() const { return project_.scenes; }
   const std::string& of(const calc::LightScene* scene) {
     const auto known = of_scene_.find(scene);
     if (known != of_scene_.end()) return known->second;
-    return of_scene_.emplace(scene, calc::why_no_room_ugr(project_, space_, scene)).first->second;
+    std::string problem = is_good_ ? calc::why_no_room_ugr(project_, space_, scene) : "";
+    return of_scene_.emplace(scene, std::move(problem)).first->second;
   }
 
  private:
   const calc::Project& project_;
   const calc::Space& space_;
+  bool is_good_;
   std::map<const calc::LightScene*, std::string> of_scene_;
 };
 
@@ -673,7 +676,7 @@ void make_planes(Workplace& workplace, RoomUgrProblems& ugr_problems, calc::Spac
 }  // namespace
 
 void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& packs,
-                           calc::Diagnostics& diagnostics) {
+                           calc::Diagnostics& diagnostics, bool is_good) {
   LineOfPlane ids;
   Total total;
   for (const calc::Space& space : project.spaces) {
@@ -681,7 +684,7 @@ void make_workplace_planes(calc::Project& project, const std::vector<RulePack>& 
   }
   for (calc::Space& space : project.spaces) {
     std::vector<WorkplaceNote> notes;
-    RoomUgrProblems ugr_problems(project, space);
+    RoomUgrProblems ugr_problems(project, space, is_good);
     std::size_t errors = 0;  // before the first copy
     for (Workplace& workplace : space.workplaces) {
       if (!workplace.is_further_copy) errors = diagnostics.error_count();

@@ -8,7 +8,7 @@ clear_work()
 run_in_work(0 rules import ${FOLDER}/table.csv --id own -o own.xml)
 expect_in("${out}" "Wrote own.xml: 4 rows, 1 of them on the floor, 1 of them upright")
 run_in_work(0 rules lint own.xml)
-expect_in("${out}" "own.xml: no error (own:2021: 4 rows, 17 checks)")
+expect_in("${out}" "own.xml: no error (own:2021: 4 rows, 18 checks)")
 
 run_in_work(0 rules show own A.1 --rules own.xml)
 expect_in("${out}" "plane for role task: horizontal-up, 0 to 0.2 m above the floor in this row, grid formula")

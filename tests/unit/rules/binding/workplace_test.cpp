@@ -1009,5 +1009,19 @@ TEST(WorkplaceMessage, APackThatMakesNoWorkplaces) {
                                     "every <plane> with its <require>")));
 }
 
+// A luminaire whose type has an error has none: nothing may be asked of it, and the error is said.
+TEST(Workplace, OfAProjectWithAnErrorInATypeAsksNothingOfLuminaires) {
+  const std::string xml =
+      "<luxgate version='1'><material id='m' reflectance='0.5'/><luminaire-type id='t' "
+      "photomtry='spot.ies'/><room id='r' size='5 4 3' floor='m' ceiling='m' walls='m'><luminaire "
+      "id='l' type='t' position='2 2 2.5'/><workplace id='w' pack='en12464-1:2021' row='34.2'/>"
+      "</room></luxgate>";
+  calc::Diagnostics diagnostics;
+  const calc::MemoryFileReader files({{"p.xml", xml}, {"spot.ies", kIes}});
+  EXPECT_FALSE(load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics));
+  ASSERT_FALSE(diagnostics.all().empty());
+  EXPECT_THAT(format_diagnostic(diagnostics.all()[0]), HasSubstr("unknown attribute 'photomtry'"));
+}
+
 }  // namespace
 }  // namespace rules
