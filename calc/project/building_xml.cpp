@@ -45,7 +45,7 @@ Names rooms_of(const Project& project) {
 
 // In order, each once. Every pattern must be like one room at least: what is misspelt would be left
 // out, and the rest is easier to meet.
-std::vector<std::size_t> read_rooms(const ProjectContext& context, ElementReader& reader) {
+std::vector<std::size_t> read_rooms(ProjectContext& context, ElementReader& reader) {
   const std::vector<Space>& spaces = context.project.spaces;
   std::set<std::size_t> rooms;
   const auto add = [&](std::string_view pattern) {
@@ -62,6 +62,12 @@ std::vector<std::size_t> read_rooms(const ProjectContext& context, ElementReader
   if (patterns.empty()) {
     reader.report(DiagnosticId::missing_form, reader.where("rooms"), "building",
                   "the id of a room in 'rooms', or no 'rooms', which means all of them");
+  }
+  // Stands for the time, too, which many patterns for many rooms take.
+  constexpr double kComparison = 64.0;
+  const auto comparisons = static_cast<double>(patterns.size() * spaces.size());
+  if (!context.files.take(kComparison * comparisons, reader.where(), "patterns of rooms take")) {
+    return {};
   }
   std::set<std::string_view> seen;
   for (const std::string_view word : patterns) {
@@ -96,6 +102,10 @@ void read_buildings(ProjectContext& context, const XmlElement& root) {
     for (const XmlElement& part : child.children) {
       if (part.name == "require") building.requirements.push_back({part, ""});
     }
+    // Each of its rooms has a line in each of its findings, in every format.
+    constexpr double kLine = 4096.0;
+    const auto lines = static_cast<double>(building.rooms.size() * building.requirements.size());
+    if (!context.files.take(kLine * lines, child.where, "the rooms of its buildings take")) return;
     if (building.requirements.empty()) {
       reader.report(DiagnosticId::missing_form, reader.where(), "building",
                     "a <require> that says what its rooms must meet together");

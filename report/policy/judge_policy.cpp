@@ -157,8 +157,9 @@ class PolicyJudge {
     }
     if (asked.origin.is_weakened && !policy_.allows_lowered_levels) {
       const std::string level = rules::level_words(asked.origin.level);
-      fail(asked.where, fmt::format("{} asks its row below what it requires, {}", name,
-                                    level.empty() ? "by what the project says of its place" : level));
+      fail(asked.where,
+           fmt::format("{} asks its row below what it requires, {}", name,
+                       level.empty() ? "by what the project says of its place" : level));
     }
     judge_facts(asked, name);
   }

@@ -6,6 +6,7 @@
 #include "report/text/number_format.h"
 #include "report/text/plain_text.h"
 #include "rules/verdict/coverage.h"
+#include "rules/verdict/judge_buildings.h"
 #include "rules/verdict/members.h"
 #include "rules/verdict/waiver.h"
 
@@ -351,12 +352,11 @@ void check_sum(const Place& place, const ProjectPart& project, const Findings& f
   const rules::Finding& sum = *finding.sum;
   const Place own{place.path + "/sum", place.words};
   constexpr const char* kWhy = "it is that of the sum";
-  const rules::Metric metric = sum.requirement.metric;
-  if (metric != rules::Metric::power_density && metric != rules::Metric::leni) {
-    refuse_place(own, "quantity", "rooms have power-density and LENI together");
+  if (!rules::adds_up_over_rooms(sum.requirement.metric)) {
+    refuse_place(own, "quantity", "it does not add up over rooms");
   }
   expect(place, "over", finding.over, rules::AggregateOver::rooms, "of a building");
-  if (finding.id != finding.building_id + "." + sum.requirement.id) {
+  if (finding.id != rules::building_finding_id(finding.building_id, sum.requirement.id)) {
     refuse_place(place, "id", "it is made of the building's and the requirement's");
   }
   std::set<std::string> names;

@@ -97,13 +97,15 @@ void compare_rooms(QuestionList& questions, const rules::AggregateFinding& befor
   };
   constexpr std::size_t kMostNamed = 4;
   const std::vector<std::string> gone = missing(before, after), added = missing(after, before);
-  // A room that is better than the others were makes up for what they take.
+  // A room that is better than the others were, as far as that was known, makes up for what they
+  // take.
+  const bool was_known = before.verdict != rules::Verdict::not_judged;
   const auto& sum = before.sum->measured.value;
   const bool is_diluted =
       std::any_of(after.members.begin(), after.members.end(), [&](const auto& m) {
         const bool is_new = std::find(added.begin(), added.end(), m.name) != added.end();
         const bool is_lower = rules::is_lower_limit(after.sum->requirement.comparison);
-        return is_new && (!m.value || (is_lower ? *m.value > sum : *m.value < sum));
+        return is_new && (!was_known || !m.value || (is_lower ? *m.value > sum : *m.value < sum));
       });
   if (!gone.empty()) {
     questions.add(QuestionChange::weaker, QuestionPart::aggregate,

@@ -4,17 +4,21 @@
 #include "rules/binding/requirement_ids.h"
 #include "rules/binding/requirement_reader.h"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 
 namespace rules {
 namespace {
 
-// Power and energy add up over rooms; nothing else does.
-bool is_of_building(Metric metric) {
-  return metric == Metric::power_density || metric == Metric::leni;
+// "power-density, LENI"
+std::string allowed_quantities() {
+  std::string names;
+  for (const auto& metric : calc::EnumNames<Metric>::list) {
+    if (!adds_up_over_rooms(metric.value)) continue;
+    names += names.empty() ? "" : ", ";
+    names += metric.name;
+  }
+  return names;
 }
 
 }  // namespace
@@ -33,11 +37,9 @@ std::vector<BuildingQuestion> bind_buildings(const calc::Project& project,
         for (const StatedDeviation& stated : requirement.stated_deviations) {
           diagnostics.report(calc::DiagnosticId::deviation_of_building, stated.by.where);
         }
-        if (!is_of_building(requirement.metric)) {
+        if (!adds_up_over_rooms(requirement.metric)) {
           diagnostics.report(calc::DiagnosticId::quantity_not_of_building, requirement.where,
-                             calc::name_of(requirement.metric),
-                             fmt::format("{}, {}", calc::name_of(Metric::power_density),
-                                         calc::name_of(Metric::leni)));
+                             calc::name_of(requirement.metric), allowed_quantities());
           continue;
         }
         // What counts only in aggregates of rooms is asked by itself here.

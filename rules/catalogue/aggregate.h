@@ -44,7 +44,7 @@ struct AggregateMember {
 
 struct AggregateFinding {
   AggregateKind kind = AggregateKind::aggregate;
-  std::string id;                                        // in its pack; "tower.LENI" of a building
+  std::string id;                                        // in its pack; "tower/LENI" of a building
   std::string building_id, building_was, building_name;  // "" of all others
   std::string space_id, plane_id;  // what it is about; both "" = the project, no plane = the room
   std::string clause;              // "LEED v4.1 ..."

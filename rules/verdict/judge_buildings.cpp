@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace rules {
@@ -122,10 +123,15 @@ Finding judge_sum(const Requirement& requirement, const std::vector<AggregateMem
 
 }  // namespace
 
+std::string building_finding_id(const std::string& building, const std::string& requirement) {
+  return building + "/" + requirement;  // which no id holds
+}
+
 std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
                                               const std::vector<BuildingQuestion>& questions,
                                               std::string_view today) {
   std::vector<AggregateFinding> findings;
+  std::map<std::size_t, std::string> overlaps;  // by building
   for (const BuildingQuestion& question : questions) {
     const calc::Building& building = project.buildings[question.building];
     Requirement requirement = question.requirement;
@@ -133,7 +139,7 @@ std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
     finding.kind = AggregateKind::building;
     finding.rule = AggregateRule::sum;
     finding.over = AggregateOver::rooms;
-    finding.id = building.id + "." + requirement.id;
+    finding.id = building_finding_id(building.id, requirement.id);
     finding.building_id = building.id;
     finding.building_was = building.was;
     finding.building_name = building.name;
@@ -143,9 +149,13 @@ std::vector<AggregateFinding> judge_buildings(const calc::Project& project,
     for (const std::size_t room : building.rooms) {
       finding.members.push_back(room_of(project, project.spaces[room], requirement));
     }
+    auto overlap = overlaps.find(question.building);
+    if (overlap == overlaps.end()) {
+      overlap = overlaps.emplace(question.building, overlap_of(project, building)).first;
+    }
     add_notes(project, finding.members, requirement);
     finding.note = requirement.note;
-    Finding sum = judge_sum(requirement, finding.members, overlap_of(project, building));
+    Finding sum = judge_sum(requirement, finding.members, overlap->second);
     apply_waiver(sum, today);
     finding.verdict = sum.verdict;
     finding.is_waived = sum.is_waived;

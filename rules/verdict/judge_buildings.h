@@ -6,14 +6,23 @@
 #include "rules/catalogue/requirement.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rules {
 
+// Whether rooms have it together: power and energy add up over them, nothing else does.
+constexpr bool adds_up_over_rooms(Metric metric) {
+  return metric == Metric::power_density || metric == Metric::leni;
+}
+
+// Unique in a project: "tower/LENI".
+std::string building_finding_id(const std::string& building, const std::string& requirement);
+
 struct BuildingQuestion {
   std::size_t building = 0;  // in Project::buildings
-  Requirement requirement;   // of power_density or leni; of no plane
+  Requirement requirement;   // adds_up_over_rooms(); of no plane
 };
 
 // One finding each, in order. No light is in it: installed power is that of full output, energy by

@@ -77,6 +77,24 @@ TEST(Building, NeedsARoom) {
   EXPECT_THAT(loaded.messages, HasSubstr("a room in the project that it is about"));
 }
 
+// A line for each room in each finding: of what a file of this size asks for, too much.
+TEST(Building, RoomsTimesRequirementsAreWithinTheBudget) {
+  std::string requires_many;
+  for (int i = 0; i < 200; ++i) requires_many += "<require/>";
+  const std::string xml = "<luxgate version='1'><material id='m' reflectance='0.5'/>" +
+                          room("a-1") + room("a-2") + room("b-10") + "<building id='B'>" +
+                          requires_many + "</building></luxgate>";
+  const auto read_within = [&](double bytes) {
+    Diagnostics diagnostics;
+    Budget budget;
+    budget[BudgetOf::memory] = bytes;
+    const auto read = read_project(project_files(xml), "dir/p.xml", diagnostics, budget);
+    return read && read->is_good;
+  };
+  EXPECT_TRUE(read_within(4.0e6));
+  EXPECT_FALSE(read_within(2.0e6));
+}
+
 // Many stars, for which some matchers would not end.
 TEST(Building, PatternsOfStrangersEnd) {
   std::string hostile;

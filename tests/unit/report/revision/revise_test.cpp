@@ -120,7 +120,7 @@ void add_building(Document& document) {
   building.kind = rules::AggregateKind::building;
   building.rule = rules::AggregateRule::sum;
   building.over = rules::AggregateOver::rooms;
-  building.id = "B.power-density";
+  building.id = "B/power-density";
   building.building_id = "B";
   building.verdict = sum.verdict;
   building.sum = sum;
@@ -162,6 +162,15 @@ TEST(Revise, OfABuildingQuestionsAreNamed) {
                 b.members.back().value = 0.1;
               })),
               ElementsAre("exchanged aggregate"));
+  Document before = base();
+  add_building(before);
+  before.projects[0].aggregates[0].verdict = rules::Verdict::not_judged;
+  before.projects[0].aggregates[0].sum->verdict = rules::Verdict::not_judged;
+  Document after = before;
+  after.projects[0].aggregates[0].members.push_back(before.projects[0].aggregates[0].members[0]);
+  after.projects[0].aggregates[0].members.back().name = "store";
+  EXPECT_THAT(asked(revise(before, after, "main.json", kRegression)),
+              ElementsAre("exchanged aggregate"));
   EXPECT_THAT(asked(building_revised([](Building& b) { b.members[1].stated = "10 h"; })),
               ElementsAre("exchanged energy"));
   const rules::Waiver waiver{"later", "A. Meier", "2027-06-30"};
@@ -185,7 +194,7 @@ TEST(Revise, OfABuildingAWorseValueStopsTheGate) {
 
 TEST(Revise, OfABuildingThatWasRenamedNothingHasChanged) {
   const Revision renamed = building_revised([](rules::AggregateFinding& b) {
-    b.id = "house.power-density";
+    b.id = "house/power-density";
     b.building_id = "house";
     b.building_was = "B";
   });

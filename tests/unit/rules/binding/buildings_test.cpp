@@ -75,7 +75,7 @@ TEST(Buildings, PowerIsThatOfAllRoomsOverAllFloors) {
   ASSERT_TRUE(finding.sum);
   EXPECT_DOUBLE_EQ(finding.sum->measured.value, 1.0);  // 60 W / 60 m2, not (2 + 0.75) / 2
   EXPECT_EQ(finding.sum->measured.low, finding.sum->measured.high);
-  EXPECT_EQ(finding.id, "B.power-density");
+  EXPECT_EQ(finding.id, "B/power-density");
   ASSERT_THAT(finding.members, SizeIs(2));
   EXPECT_EQ(finding.members[0].verdict, Verdict::fail);  // 2 W/m2 by itself
   EXPECT_EQ(finding.members[1].verdict, Verdict::pass);
@@ -180,7 +180,7 @@ TEST(Buildings, NumberRequirementsThatHaveNoId) {
                               "</building><building id='C'>" + power("1") + "</building>");
   std::vector<std::string> ids;
   for (const AggregateFinding& finding : judged.findings) ids.push_back(finding.id);
-  EXPECT_THAT(ids, ElementsAre("B.power-density", "B.power-density-2", "C.power-density"));
+  EXPECT_THAT(ids, ElementsAre("B/power-density", "B/power-density-2", "C/power-density"));
 }
 
 }  // namespace
