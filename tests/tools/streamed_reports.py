@@ -9,7 +9,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import threading
 import time
 
 import small_designs
@@ -102,23 +101,27 @@ def ended(signal_number):
     temporary.mkdir()
     process = subprocess.Popen([PROGRAM, "check", *FAST, *formats(out), "--format", "json", *designs(900, points=30)],
                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(temporary)})
-    waiting = threading.Event()
 
-    def wait_for_files():
-        end = time.monotonic() + 60
-        while time.monotonic() < end and process.poll() is None:
-            links = [os.readlink(f"/proc/{process.pid}/fd/{name}") for name in os.listdir(f"/proc/{process.pid}/fd")
-                     if os.path.islink(f"/proc/{process.pid}/fd/{name}")]
-            if any(link.startswith(str(out)) for link in links) and any(link.startswith(str(temporary)) for link in links):
-                waiting.set()
-                return
-            time.sleep(0.01)
+    def open_files():
+        """Of the program, as far as they are still open when they are looked at."""
+        folder, found = f"/proc/{process.pid}/fd", []
+        try:
+            for name in os.listdir(folder):
+                try:
+                    found.append(os.readlink(f"{folder}/{name}"))
+                except OSError:  # closed since the list was made: that one alone, the program goes on
+                    pass
+        except OSError:  # the program has ended
+            pass
+        return found
 
-    try:
-        wait_for_files()
-    except FileNotFoundError:  # it has ended
-        pass
-    expect(waiting.is_set(), f"signal {signal_number}: nothing ever waits in files of {out} and {temporary}")
+    end = time.monotonic() + 60
+    is_waiting = False
+    while not is_waiting and time.monotonic() < end and process.poll() is None:
+        links = open_files()
+        is_waiting = all(any(link.startswith(str(folder)) for link in links) for folder in (out, temporary))
+        time.sleep(0 if is_waiting else 0.01)
+    expect(is_waiting, f"signal {signal_number}: nothing ever waits in files of {out} and {temporary}")
     process.send_signal(signal_number)
     printed = process.communicate()[0]
     expect(process.returncode != 1, f"signal {signal_number} came too late")
