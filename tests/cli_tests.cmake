@@ -108,6 +108,9 @@ else()
 endif()
 set_tests_properties(cli.known_verdicts PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
 
+add_test(NAME tree.top_level COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_top_level.cmake)
+set_tests_properties(tree.top_level PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
 add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)
 add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}
