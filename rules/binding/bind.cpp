@@ -98,9 +98,9 @@ class SpaceValues {
     const std::string& scene = requirement.scene;
     set_luminaire_value(
         {project_, space_, scene_named(scene),
-         [&]() -> const std::vector<calc::ZoneIntensity>& {
-           return known(glare_intensities_, scene, [&](const calc::LightScene* levels) {
-             return calc::zone_intensities(project_, space_, levels, kGlareFrom_deg, kGlareTo_deg);
+         [&](AngleZone zone) -> const std::vector<calc::ZoneIntensity>& {
+           return known(zone_intensities_[zone], scene, [&](const calc::LightScene* levels) {
+             return calc::zone_intensities(project_, space_, levels, zone.from_deg, zone.to_deg);
            });
          },
          [&]() -> const std::vector<MountingHeight>& { return heights_over(plane); },
@@ -161,7 +161,7 @@ class SpaceValues {
   std::map<std::string, calc::RoomUgr> ugr_;                                   // by scene
   std::map<std::string, calc::RoadValues> road_;                               // by scene
   std::map<std::string, calc::Estimate> upward_;                               // by scene
-  std::map<std::string, std::vector<calc::ZoneIntensity>> glare_intensities_;  // by scene
+  std::map<AngleZone, std::map<std::string, std::vector<calc::ZoneIntensity>>> zone_intensities_;
   const calc::CalcPlane* plane_ = nullptr;                                     // that these are of
   PlanePoints points_;
   const calc::CalcPlane* heights_of_ = nullptr;  // the same

@@ -68,10 +68,17 @@ void set_distance(const LuminaireFacts& facts, Requirement& requirement) {
            requirement);
 }
 
+// Where EN 1838 limits the intensity of luminaires: of level ways 60 to 90 degrees, elsewhere
+// everywhere.
+AngleZone limited_zone(Metric metric) {
+  return metric == Metric::peak_intensity ? AngleZone{0.0, 180.0} : AngleZone{60.0, 90.0};
+}
+
 // What a battery gives before its end is somewhere between the scene's level and full output.
-void add_full_output(const LuminaireFacts& facts, std::vector<calc::ZoneIntensity>& intensities) {
+void add_full_output(const LuminaireFacts& facts, AngleZone zone,
+                     std::vector<calc::ZoneIntensity>& intensities) {
   const std::vector<calc::ZoneIntensity> full =
-      calc::zone_intensities(facts.project, facts.space, nullptr, kGlareFrom_deg, kGlareTo_deg);
+      calc::zone_intensities(facts.project, facts.space, nullptr, zone.from_deg, zone.to_deg);
   for (calc::ZoneIntensity& one : intensities) {
     for (const calc::ZoneIntensity& same : full) {
       if (same.luminaire != one.luminaire) continue;
@@ -81,12 +88,13 @@ void add_full_output(const LuminaireFacts& facts, std::vector<calc::ZoneIntensit
   }
 }
 
-void set_glare_intensity(const LuminaireFacts& facts, Requirement& requirement) {
+void set_zone_intensity(const LuminaireFacts& facts, Requirement& requirement) {
   std::size_t count = 0, worst = 0;
   calc::Estimate greatest;
-  std::vector<calc::ZoneIntensity> intensities = facts.glare_intensities();
+  const AngleZone zone = limited_zone(requirement.metric);
+  std::vector<calc::ZoneIntensity> intensities = facts.zone_intensities(zone);
   const bool is_of_battery = requirement.state == LightState::end_of_duration;
-  if (is_of_battery) add_full_output(facts, intensities);
+  if (is_of_battery) add_full_output(facts, zone, intensities);
   const std::vector<MountingHeight>& heights = facts.heights();
   bool is_height_open = false;
   for (const calc::ZoneIntensity& one : intensities) {
@@ -134,7 +142,8 @@ void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement) 
     case Metric::intensity:
       return set_intensity(facts, requirement);
     case Metric::glare_intensity:
-      return set_glare_intensity(facts, requirement);
+    case Metric::peak_intensity:
+      return set_zone_intensity(facts, requirement);
     case Metric::luminaire_distance:
       return set_distance(facts, requirement);
     default:

@@ -18,20 +18,23 @@ struct PlanePoints {
   std::vector<glm::dvec3> position_m, normal;
 };
 
+// Of any azimuth, from the downward vertical.
+struct AngleZone {
+  double from_deg, to_deg;
+  auto operator<=>(const AngleZone&) const = default;
+};
+
 // What is known of a space's luminaires in a scene of the project, or at full output (""); asked
 // for only if it is needed.
 struct LuminaireFacts {
   const calc::Project& project;
   const calc::Space& space;
   const calc::LightScene* scene;  // null: full output
-  std::function<const std::vector<calc::ZoneIntensity>&()> glare_intensities;
+  std::function<const std::vector<calc::ZoneIntensity>&(AngleZone)> zone_intensities;
   std::function<const std::vector<MountingHeight>&()> heights;  // of all luminaires
   std::function<calc::Estimate()> upward_percent;
   std::function<const PlanePoints&()> points;
 };
-
-// From the downward vertical: where EN 1838 limits the intensity of luminaires.
-inline constexpr double kGlareFrom_deg = 60.0, kGlareTo_deg = 90.0;
 
 // Of a metric that is_of_luminaires(): its value, with words, or why there is none.
 void set_luminaire_value(const LuminaireFacts& facts, Requirement& requirement);

@@ -69,11 +69,11 @@ std::vector<RequirementAttribute> make_attributes() {
        "What only the project knows: task-illuminance=500 lx, several separated by ;",
        calc::Presence::optional},
       {"from", own, number, &calc::kNonNegativeType,
-       "Of a share: the lower end of the range, which is in it. Of a glare-intensity: luminaires "
-       "from this height above the floor on, in metres."},
+       "Of a share: the lower end of the range, which is in it. Of a glare-intensity or "
+       "peak-intensity: luminaires from this height above the floor on, in metres."},
       {"to", own, number, &calc::kNonNegativeType,
-       "Of a share: the upper end of the range, which is in it. Of a glare-intensity: luminaires "
-       "below this height."},
+       "Of a share: the upper end of the range, which is in it. Of a glare-intensity or "
+       "peak-intensity: luminaires below this height."},
       {"reflectance", either, number, &calc::kPositiveFractionType,
        "Of GR: of the field, above 0, up to 1; grass has 0.15 to 0.25."},
       {"light", own, words, &kCountedLightType,

@@ -37,6 +37,7 @@ enum class Metric {
   upward_share,         // ULR of the space's luminaires as mounted
   intensity,            // the greatest of one luminaire towards the plane's points
   glare_intensity,      // the greatest of one luminaire 60 to 90 degrees from the vertical
+  peak_intensity,       // the greatest of one luminaire in any direction
   luminaire_distance,   // in plan, from a point of the plane to the nearest luminaire
 };
 
@@ -99,6 +100,7 @@ inline constexpr std::array kMetrics = [] {
       MetricRow{upward_share, "ULR", "%", space_in_scene, all, false},
       MetricRow{intensity, "intensity", "cd", space_in_scene, all, true},
       MetricRow{glare_intensity, "glare-intensity", "cd", space_in_scene, all, true},
+      MetricRow{peak_intensity, "peak-intensity", "cd", space_in_scene, all, true},
       MetricRow{luminaire_distance, "luminaire-distance", "m", space_in_scene, all, false},
   };
 }();

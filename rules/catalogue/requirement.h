@@ -63,7 +63,7 @@ struct Requirement {
   double percent = 0.0;                                         // of Metric::percentile, [0, 100]
   std::optional<glm::dvec3> point_m;  // of Metric::value_at_point, world coordinates
   std::optional<glm::dvec3> facing;   // of that point: the way it looks, unit
-  // Of Metric::share, lx or plain as the points' values are. Of Metric::glare_intensity: metres
+  // Of Metric::share, lx or plain as the points' values are. Of has_mounting_heights(): metres
   // above the floor, of the luminaires that count; the upper end does not belong to it.
   ValueRange range;
   double power_density_w_m2 = 0.0;  // of Metric::power_per_100_lx: the space's
@@ -100,7 +100,9 @@ inline std::optional<LightState> fixed_state(Metric metric) {
 }
 
 // Whether its range is one of heights of luminaires.
-constexpr bool has_mounting_heights(Metric metric) { return metric == Metric::glare_intensity; }
+constexpr bool has_mounting_heights(Metric metric) {
+  return metric == Metric::glare_intensity || metric == Metric::peak_intensity;
+}
 
 // Of the same row of a rule pack, on the same plane: the average that is asked of the area which
 // `glare` is rated on, which is that of the pack's own role. of_plane: all of the plane; null:

@@ -52,6 +52,8 @@ constexpr std::array kQuantities{
              Metric::intensity},
     Quantity{"glare-intensity", Dimension::intensity, std::nullopt, calc::DerivedQuantity::none,
              Metric::glare_intensity},
+    Quantity{"peak-intensity", Dimension::intensity, std::nullopt, calc::DerivedQuantity::none,
+             Metric::peak_intensity},
     Quantity{"luminaire-distance", Dimension::length, std::nullopt, calc::DerivedQuantity::none,
              Metric::luminaire_distance},
 };

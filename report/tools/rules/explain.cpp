@@ -95,6 +95,9 @@ std::string measured_on(const rules::Quantity& quantity) {
     return "on any plane of the space: of each luminaire, 60 to 90 degrees from the vertical, in "
            "all directions";
   }
+  if (quantity.of_space == rules::Metric::peak_intensity) {
+    return "on any plane of the space: of each luminaire, in any direction";
+  }
   if (quantity.of_space == rules::Metric::luminaire_distance) {
     return "on the plane of the item: in plan, from each of its points to the nearest luminaire "
            "that is on";

@@ -31,7 +31,8 @@ struct Bound {
   const Requirement& at(std::size_t i) const { return requirements.at(i); }
 };
 
-// 'ball': 100 cd everywhere; 'wide': 0 cd straight down to 900 cd at 90 degrees, nothing above.
+// 'ball': 100 cd everywhere; 'wide': 0 cd straight down to 900 cd at 90 degrees, nothing above;
+// 'spot': 800 cd straight down to 0 cd at 60 degrees and beyond.
 Bound bind_plane(const std::string& beside, const std::string& require,
                  const std::string& plane = "origin='0 0 1' u='0 2 0' v='0 0 1' count='1 1'",
                  const std::string& room = "", const std::string& end_of_room = "") {
@@ -42,13 +43,15 @@ Bound bind_plane(const std::string& beside, const std::string& require,
   const std::string xml =
       "<luxgate version='1' maintenance-factor='0.5'><material id='m' reflectance='0.5'/>"
       "<luminaire-type id='ball' photometry='ball.ies'/>"
-      "<luminaire-type id='wide' photometry='wide.ies'/>" +
+      "<luminaire-type id='wide' photometry='wide.ies'/>"
+      "<luminaire-type id='spot' photometry='spot.ies'/>" +
       scenes + room + beside + "<plane id='p' " + plane + ">" + require + "</plane>" + end_of_room +
       "</luxgate>";
   calc::Diagnostics diagnostics;
   const calc::MemoryFileReader files({{"p.xml", xml},
                                       {"ball.ies", ies("0 180", "100 100", 2)},
-                                      {"wide.ies", ies("0 90 90.0001 180", "0 900 0 0", 4)}});
+                                      {"wide.ies", ies("0 90 90.0001 180", "0 900 0 0", 4)},
+                                      {"spot.ies", ies("0 60 180", "800 0 0", 3)}});
   Bound bound;
   auto judged = load_judged_project(files, "p.xml", builtin_rule_packs(), diagnostics);
   for (const auto& d : diagnostics.all()) bound.messages.push_back(format_diagnostic(d));
@@ -128,6 +131,30 @@ TEST(LuminaireValue, GlareIntensityIsOfLuminairesOfAHeight) {
   EXPECT_THAT(bound.at(3).note, HasSubstr("luminaires there: 3"));
   EXPECT_EQ(bound.at(4).of_space.high, 0.0);
   EXPECT_THAT(bound.at(4).note, HasSubstr("none of the luminaires that are on hangs there"));
+}
+
+// A downlight that dazzles nobody on a level way does so on a stair below it. Turned on its side it
+// shines along the way as well.
+TEST(LuminaireValue, PeakIntensityIsOfAllDirections) {
+  const std::string require =
+      "<require id='a' quantity='glare-intensity' to='3' at-most='500'/>"
+      "<require id='b' quantity='peak-intensity' to='3' at-most='500'/>"
+      "<require id='c' quantity='peak-intensity' from='3' at-most='500'/>"
+      "<require id='d' quantity='peak-intensity' state='initial' at-most='500'/>";
+  const Bound bound = bind_plane("<luminaire id='l' type='spot' position='4 4 2.5'/>", require,
+                                 "height='1' count='1 1'", kRoom, "</room>");
+  EXPECT_THAT(bound.messages, IsEmpty());
+  EXPECT_NEAR(bound.at(0).of_space.high, 0.0, 1e-9);
+  EXPECT_NEAR(bound.at(1).of_space.low, 800.0, 1e-9);
+  EXPECT_NEAR(bound.at(1).of_space.high, 800.0, 1e-9);
+  EXPECT_EQ(bound.at(2).of_space.high, 0.0);
+  EXPECT_NEAR(bound.at(3).of_space.value, 800.0, 1e-9);
+  const Bound turned =
+      bind_plane("<luminaire id='l' type='spot' position='4 4 2.5' aim='9 4 2.5'/>", require,
+                 "height='1' count='1 1'", kRoom, "</room>");
+  EXPECT_THAT(turned.messages, IsEmpty());
+  EXPECT_NEAR(turned.at(0).of_space.value, 800.0, 1e-9);
+  EXPECT_NEAR(turned.at(1).of_space.value, 800.0, 1e-9);
 }
 
 // The floor of a room is where the room is.
