@@ -351,8 +351,11 @@ CheckedSpace check_space(const calc::Space& space, const rules::JudgedProject& l
   part.price = calc::installed_price(loaded.project, space);
   const std::string& day = context.settings.today;
   const std::vector<rules::JudgedPlane> judged = judged_planes(space, part, day);
-  part.coverage = rules::row_coverage(space, judged, context.packs, day);
-  rules::warn_about_waivers(space, judged, day, diagnostics);
+  // Of a part nobody can tell what is asked of a whole row, and met.
+  if (context.settings.selection.is_all()) {
+    part.coverage = rules::row_coverage(space, judged, context.packs, day);
+    rules::warn_about_waivers(space, judged, day, diagnostics);
+  }
   if (context.observer.draws_rooms()) checked.scene = std::move(scene);
   return checked;
 }
@@ -433,10 +436,11 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
                         given.observer, given.vertices, given.store, given.spaces_at_once};
   const Stopwatch watch;
   calc::Diagnostics diagnostics;
-  const std::optional<ProjectInBudget> in_budget =
+  std::optional<ProjectInBudget> in_budget =
       load(path, context.files, context.packs, settings.radiosity.replicates, settings.budget,
            diagnostics);
   if (!in_budget) return unreadable_project(path, diagnostics);
+  select(settings.selection, in_budget->judged, diagnostics);
   const rules::JudgedProject* loaded = &in_budget->judged;
 
   report::ProjectPart part = report::build_project(loaded->project);
@@ -455,8 +459,10 @@ report::ProjectPart check_project(const std::string& path, const Context& given)
         return diagnostic.id == calc::DiagnosticId::vertex_cache_unfit;
       });
   if (is_refused) return unreadable_project(path, diagnostics);
-  part.aggregates = judge_aggregates(part, *loaded, context.packs, settings.today);
-  rules::warn_about_waivers(part.aggregates, settings.today, diagnostics);
+  if (settings.selection.is_all()) {
+    part.aggregates = judge_aggregates(part, *loaded, context.packs, settings.today);
+    rules::warn_about_waivers(part.aggregates, settings.today, diagnostics);
+  }
   part.is_judged = true;
   part.diagnostics = diagnostics.all();
   times.total_s = watch.seconds();

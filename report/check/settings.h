@@ -3,6 +3,7 @@
 
 #include "calc/base/budget.h"
 #include "calc/radiosity/settings.h"
+#include "report/check/selection.h"
 #include "rules/catalogue/goal.h"
 
 #include <string>
@@ -17,6 +18,7 @@ struct Settings {
   bool by_luminaire = false;  // light of single luminaires is kept apart and reported
   bool has_times = false;     // seconds of each phase go into the document
   calc::Budget budget;        // of each project; changes no result, only whether there is one
+  Selection selection;        // of what each project requires
   std::string today;          // "2026-05-31", by which waivers end; "" = the clock's, UTC
 };
 

@@ -60,6 +60,8 @@ struct Provenance {
   bool is_redacted = false;  // see redact()
   // The owner's policy that it was judged by: its name and the hash of its file; "" = none.
   std::string policy = {}, policy_sha256 = {};
+  // Options that chose a part of what the projects require: "--plane 'desk-*'"; "" = all of it.
+  std::string selection = {};
   // Options of the method that are not as by default: "--method instant-radiosity --clamp 10".
   std::string method = {};
 };

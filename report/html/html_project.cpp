@@ -250,14 +250,16 @@ std::string html_provenance(const Texts& t, const Provenance& provenance) {
         fact(t[Text::policy], fmt::format("{}<br><code>{}</code>", escape_html(provenance.policy),
                                           escape_html(provenance.policy_sha256)));
   }
-  const std::string redacted = redaction_words(provenance, t);
+  const std::string redacted = redaction_words(provenance, t),
+                    selected = selection_words(provenance, t);
   return fmt::format(
       "<section aria-labelledby=\"provenance\"><h2 id=\"provenance\">{}</h2>\n"
-      "<p>{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "
+      "<p>{}{}{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n<table class=\"facts "
       "wide\"><caption "
       "class=\"unseen\">{}</caption><tbody>\n{}</tbody></table>\n</section>\n",
       t[Text::provenance], repeatability(t, provenance.same_bits),
-      redacted.empty() ? "" : " " + redacted, escape_html(provenance.command_line),
+      redacted.empty() ? "" : " " + redacted, selected.empty() ? "" : " " + escape_html(selected),
+      escape_html(provenance.command_line),
       t[Text::settings], rows);
 }
 

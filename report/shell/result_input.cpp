@@ -18,4 +18,14 @@ std::optional<report::Document> read_result_or_print(const std::string& path,
   return document;
 }
 
+std::optional<report::Document> read_whole_result_or_print(const std::string& path,
+                                                           const calc::FileReader& files) {
+  std::optional<report::Document> document = read_result_or_print(path, files);
+  if (!document || document->provenance.selection.empty()) return document;
+  print_error(calc::DiagnosticId::result_not_readable, path,
+              "for a comparison: only a part of what is required was judged, by " +
+                  document->provenance.selection);
+  return std::nullopt;
+}
+
 }  // namespace cli

@@ -413,10 +413,18 @@ std::string policy_words(const Provenance& provenance, const Texts& t) {
   return t.say<Text::judged_by_policy>(printable(provenance.policy), provenance.policy_sha256);
 }
 
+std::string selection_words(const Provenance& provenance, const Texts& t) {
+  if (provenance.selection.empty()) return "";
+  return t.say<Text::judged_in_part>(printable(provenance.selection));
+}
+
 std::string provenance_remarks(const Provenance& provenance, const Texts& t) {
-  const std::string policy = policy_words(provenance, t),
-                    redaction = redaction_words(provenance, t);
-  return policy + (policy.empty() || redaction.empty() ? "" : " ") + redaction;
+  std::string remarks;
+  for (const std::string& words : {selection_words(provenance, t), policy_words(provenance, t),
+                                   redaction_words(provenance, t)}) {
+    remarks += (remarks.empty() || words.empty() ? "" : " ") + words;
+  }
+  return remarks;
 }
 
 std::string looks_words(const Texts& t, const PlanePart& plane) {

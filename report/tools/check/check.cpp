@@ -258,7 +258,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   }
   std::optional<report::Document> baseline;
   if (!options.baseline.empty()) {
-    baseline = read_result_or_print(options.baseline, files);
+    baseline = read_whole_result_or_print(options.baseline, files);
     if (!baseline) return kNotJudged;
   }
   std::optional<OldState> old_state;
@@ -331,6 +331,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   std::vector<std::optional<CheckedProject>> checked(options.input.projects.size());
   std::string cost_log;
   calc::LookCounts looks;
+  bool is_anything_chosen = false;  // of --space, --plane, --require; what is not readable may have it
   const auto work = [&](std::size_t p) {
     CheckObserver observer(options, progress, gallery, p);
     CheckedProject project;
@@ -354,6 +355,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
     });
     progress.done(project.path, report::outcome_words(report::outcome_of(project)));
     missing.add(project);
+    is_anything_chosen = is_anything_chosen || !project.is_judged || !project.spaces.empty();
     cost_log += checked[p]->cost_log;
     looks.read += checked[p]->looks.read;
     looks.computed += checked[p]->looks.computed;
@@ -372,6 +374,11 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (options.batch.is_stored_only) missing.print(options.store);
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
   if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
+  if (!options.settings.selection.is_all() && !is_anything_chosen) {
+    print_error(calc::DiagnosticId::selection_empty, "luxgate",
+                check::selection_words(options.settings.selection));
+    return kNotJudged;
+  }
   return is_written ? exit_code_of(results.outcome()) : kNotJudged;
 }
 

@@ -151,6 +151,39 @@ std::string take_resume_store(CheckOptions& options) {
   return problem.empty() ? "" : "--resume: " + problem;
 }
 
+// Appends; any text is a pattern.
+ValueParser pattern(std::vector<std::string>& target) {
+  return [&target](const std::string& text) -> std::string {
+    if (text.empty()) return "a name, or a pattern as of a shell: 'desk-*'";
+    target.push_back(text);
+    return "";
+  };
+}
+
+std::vector<Option> selection_options(check::Selection& selection) {
+  return {{"--space", "PATTERN",
+           "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
+           "The rest is neither calculated nor judged, which every report says",
+           pattern(selection.spaces), true},
+          {"--plane", "PATTERN", "The same of planes", pattern(selection.planes), true},
+          {"--require", "PATTERN",
+           "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
+           pattern(selection.requirements), true}};
+}
+
+// "" or which options want all of a project, not a part of it.
+std::string selection_contradiction(const CheckOptions& options) {
+  if (options.settings.selection.is_all()) return "";
+  const auto together = [](const char* other) {
+    return fmt::format("--space, --plane and --require choose a part; {} needs all", other);
+  };
+  if (!options.baseline.empty()) return together("--baseline");
+  if (!options.against.empty()) return together("--against");
+  if (!options.policy.empty()) return together("--policy");
+  if (options.batch.share.count > 0) return together("--shard");
+  return "";
+}
+
 std::string complete(CheckOptions& options, const Environment& environment) {
   if (std::string problem = complete_projects(options.input); !problem.empty()) return problem;
   if (options.timestamp.empty()) {
@@ -172,6 +205,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   if (problem.empty()) problem = take_resume_store(options);
   if (problem.empty()) problem = complete_work(options.settings.radiosity, options.backend);
   if (problem.empty()) problem = output_contradiction(options.output);
+  if (problem.empty()) problem = selection_contradiction(options);
   return problem.empty() ? batch_contradiction(options) : problem;
 }
 
@@ -239,6 +273,7 @@ Command check_syntax(CheckOptions& options) {
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
   add(command.options, {set_option(options.set)});
+  add(command.options, selection_options(options.settings.selection));
   add(command.options, output_options(options.output));
   add(command.options, {baseline_option(options.baseline), against_option(options.against)});
   add(command.options, gate_options(options.gate));
@@ -285,6 +320,8 @@ std::string reproducible_words(const CheckOptions& options) {
   for (const check::SetValue& value : options.set) {
     command += " --set " + report::shell_quoted(value.words());
   }
+  const std::string selection = check::selection_words(used.selection);
+  if (!selection.empty()) command += " " + selection;
   const auto add = [&command](const char* name, const auto& value, const auto& default_value) {
     if (value != default_value) command += fmt::format(" {} {}", name, value);
   };

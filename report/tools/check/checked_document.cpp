@@ -52,6 +52,7 @@ report::Provenance provenance_of(const CheckOptions& options, check::Backend bac
   CheckOptions used = options;  // what `auto` came to; its answer `cpu` is the usual one
   if (backend == check::Backend::gpu) used.backend.backend = backend;
   provenance.command_line = reproducible_command(used);
+  provenance.selection = check::selection_words(settings.selection);
   provenance.timestamp = options.timestamp;
   provenance.seed = settings.radiosity.seed;
   provenance.confidence = settings.confidence;

@@ -36,10 +36,13 @@ ExitCode run_report(const ReportOptions& asked, const Environment& environment) 
     return kNotJudged;
   }
   const calc::DiskFileReader files;
-  std::optional<report::Document> document = read_result_or_print(options.result_file, files);
+  const bool is_compared = !options.baseline.empty();
+  std::optional<report::Document> document =
+      is_compared ? read_whole_result_or_print(options.result_file, files)
+                  : read_result_or_print(options.result_file, files);
   if (!document) return kNotJudged;
-  if (!options.baseline.empty()) {
-    const auto baseline = read_result_or_print(options.baseline, files);
+  if (is_compared) {
+    const auto baseline = read_whole_result_or_print(options.baseline, files);
     if (!baseline) return kNotJudged;
     document->revision = report::revise(*baseline, *document, options.baseline, options.gate);
   }

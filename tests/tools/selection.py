@@ -1,0 +1,81 @@
+"""--space, --plane, --require: what is chosen has the numbers that it has in the whole; what is not is said in every format.
+
+    selection.py LUXGATE FOLDER EXAMPLES    FOLDER is made anew
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import small_designs
+
+PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+TEXTS = ["text", "csv", "html", "junit", "sarif", "sarif-all", "github", "gitlab", "markdown"]
+problems = []
+
+
+def expect(is_so, words):
+    if not is_so:
+        problems.append(words)
+
+
+def run(*words, code, says=""):
+    done = subprocess.run([PROGRAM, "check", *words, "--pictures", "off", "--max-paths", "256"], cwd=WORK, capture_output=True, text=True,
+                          check=False)
+    expect(done.returncode == code, f"{words}: exit code {done.returncode}, expected {code}\n{done.stderr}")
+    expect(says in done.stderr, f"{words}: '{says}' is not said:\n{done.stderr}")
+    return done
+
+
+def result(*words, code):
+    return json.loads(run(*words, "--format", "json", code=code).stdout)
+
+
+def findings(document):
+    return {(space["id"], plane["id"], finding["id"]): finding for project in document["projects"] for space in project["spaces"]
+            for plane in space["planes"] for finding in plane["findings"]}
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+design = small_designs.write(WORK / "a.xml")
+other = small_designs.write(WORK / "b.xml", plane="bench", far=False)
+
+# The design fails, and only its far plane does.
+whole = result("a.xml", code=1)
+desk = result("a.xml", "--plane", "desk", code=0)
+expect(list(findings(desk)) == [("room", "desk", "mean")], f"--plane desk: {list(findings(desk))}")
+expect(findings(desk)[("room", "desk", "mean")] == findings(whole)[("room", "desk", "mean")], "a plane by itself has other numbers")
+expect(list(findings(result("a.xml", "--require", "minimum", code=1))) == [("room", "far", "least")], "--require by quantity")
+expect(list(findings(result("a.xml", "--space", "Off*", "--require", "mean", code=0))) == [("room", "desk", "mean")], "--space by name")
+expect(desk["provenance"]["selection"] == "--plane desk", f"provenance: {desk['provenance'].get('selection')}")
+expect("--plane desk" in desk["provenance"]["command"], f"provenance: {desk['provenance']['command']}")
+expect("selection" not in whole["provenance"], "a whole check has a selection")
+
+# Every format says it.
+for kind in TEXTS:
+    text = run("a.xml", "--plane", "desk", "--format", kind, code=0).stdout
+    expect("only 1 of 2 requirements were chosen, by --plane desk" in text, f"{kind} does not say that a part was judged")
+run("a.xml", "--plane", "desk", "--strict=part-selected", code=2)
+
+# What fits nothing is never green.
+run("a.xml", "--plane", "dsk", code=2, says="there are the planes desk, far")
+run("a.xml", "--plane", "desk", "--require", "Uo", code=2, says="there are the requirements mean")
+run("a.xml", "--space", "attic", code=2, says="--space attic chooses nothing in any of the projects")
+run("a.xml", "b.xml", "--plane", "bench", code=0, says="a.xml: warning[nothing-selected]: --plane bench chooses nothing here")
+run("a.xml", "--plane", "", code=2, says="a name, or a pattern")
+
+# Nor is a part what a gate wants.
+(WORK / "whole.json").write_text(json.dumps(whole))
+(WORK / "desk.json").write_text(json.dumps(desk))
+run("a.xml", "--plane", "desk", "--baseline", "whole.json", code=2, says="--baseline needs all")
+run("a.xml", "--baseline", "desk.json", code=2, says="only a part of what is required was judged")
+run("a.xml", "--plane", "desk", "--policy", "p.xml", code=2, says="--policy needs all")
+for files in (["desk.json", "--baseline", "whole.json"], ["whole.json", "--baseline", "desk.json"]):
+    done = subprocess.run([PROGRAM, "report", *files, "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
+    expect(done.returncode == 2 and "only a part" in done.stderr, f"report {files}: {done.returncode}, {done.stderr}")
+again = subprocess.run([PROGRAM, "report", "desk.json", "--format", "text"], cwd=WORK, capture_output=True, text=True, check=False)
+expect(again.returncode == 0 and "only 1 of 2 requirements were chosen" in again.stdout, f"report: {again.stdout}{again.stderr}")
+
+print("\n".join(problems))
+sys.exit(1 if problems else 0)
