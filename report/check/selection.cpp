@@ -74,8 +74,8 @@ std::string selection_words(const Selection& selection) {
   std::string words;
   const auto add = [&](const char* option, const std::vector<std::string>& patterns) {
     for (const std::string& pattern : patterns) {
-      words += fmt::format("{}{} {}", words.empty() ? "" : " ", option,
-                           report::shell_quoted(pattern));
+      words +=
+          fmt::format("{}{} {}", words.empty() ? "" : " ", option, report::shell_quoted(pattern));
     }
   };
   add("--space", selection.spaces);
@@ -114,7 +114,8 @@ void select(const Selection& selection, rules::JudgedProject& project,
   }
   const auto is_left_out = [&](const calc::CalcPlane& plane) { return !chosen.contains(plane.id); };
   for (calc::Space& space : spaces) {
-    std::erase_if(space.left_out, [&](const auto& left_out) { return is_left_out(left_out.plane); });
+    std::erase_if(space.left_out,
+                  [&](const auto& left_out) { return is_left_out(left_out.plane); });
     std::erase_if(space.planes, is_left_out);
   }
   std::erase_if(spaces, [](const calc::Space& space) { return space.planes.empty(); });

@@ -2,6 +2,7 @@
 
 #include "report/tools/check/check.h"
 #include "report/tools/compare/compare.h"
+#include "report/tools/config/config.h"
 #include "report/tools/converge/converge.h"
 #include "report/tools/devices/devices.h"
 #include "report/tools/devices/version.h"
@@ -29,8 +30,8 @@ std::vector<Command> all_commands() {
           plan_command(),       submit_command(),   validate_command(), vpl_command(),
           converge_command(),   selftest_command(), compare_command(),  export_command(),
           photometry_command(), geometry_command(), rules_command(),    policy_command(),
-          explain_command(),    store_command(),    schema_command(),   init_command(),
-          devices_command(),    version_command()};
+          explain_command(),    config_command(),   store_command(),    schema_command(),
+          init_command(),       devices_command(),  version_command()};
 }
 
 }  // namespace cli

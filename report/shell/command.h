@@ -36,6 +36,13 @@ struct Place {
   bool is_required = true;
 };
 
+// Which luxgate.toml is meant: "" = the closest one to the projects.
+struct ConfigChoice {
+  std::string file;
+  bool is_off = false;
+  std::string taken = {};  // the file that settings were taken from; "" = none
+};
+
 // What a run needs of its surroundings.
 struct RunContext {
   Environment environment;
@@ -50,6 +57,8 @@ struct Command {
   std::string footer = {};
   // Sub-commands, one of which must be given; then it has no places, options or run of its own.
   std::vector<Command> actions = {};
+  // Of commands whose options may stand in a luxgate.toml, see config_file.h; null: not this one.
+  ConfigChoice* config = nullptr;
   // Called once all options are read. "", or what is wrong with all of them together. May complete
   // them.
   std::function<std::string(const Environment&)> complete = {};

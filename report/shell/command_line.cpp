@@ -2,6 +2,7 @@
 
 #include "calc/base/utf8.h"
 #include "report/document/program_version.h"
+#include "report/shell/config_file.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -10,9 +11,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace cli {
 namespace {
@@ -95,6 +99,51 @@ std::string chosen_name(const CLI::App& app) {
   return chosen.empty() ? "luxgate" : "luxgate " + chosen.front()->get_name();
 }
 
+bool is_given(const CLI::App& app, const std::string& option) {
+  const CLI::Option* known = app.get_option_no_throw(option);
+  return known != nullptr && known->count() > 0;
+}
+
+std::vector<std::string> projects_of(const Command& command) {
+  std::vector<std::string> projects;
+  for (const Place& place : command.places) {
+    if (const auto* many = std::get_if<std::vector<std::string>*>(&place.target)) {
+      projects.insert(projects.end(), (*many)->begin(), (*many)->end());
+    } else if (const auto* one = std::get_if<std::string*>(&place.target)) {
+      projects.push_back(**one);
+    }
+  }
+  return projects;
+}
+
+// Settings of a file for options that are not given. Not beside a policy: its owner's word stands
+// above the project's, whose folder the file lies in. Empty: all is well.
+std::optional<ParsedLine> take_config(const Added& chosen) {
+  const Command& command = *chosen.command;
+  if (command.config == nullptr || is_given(*chosen.app, "--policy")) return std::nullopt;
+  std::string problem;
+  const std::string path = find_config(*command.config, projects_of(command), problem);
+  if (!problem.empty()) return usage_error(problem, "luxgate " + command.name);
+  if (path.empty()) return std::nullopt;
+  command.config->taken = path;
+  calc::Diagnostics diagnostics;
+  const auto file = read_config(path, !command.config->file.empty(), diagnostics);
+  if (file) {
+    apply_config(
+        *file, command,
+        [&](const Option& option) {
+          return is_given(*chosen.app, option.names.substr(0, option.names.find(',')));
+        },
+        diagnostics);
+  }
+  if (!diagnostics.has_errors()) return std::nullopt;
+  ParsedLine failed{nullptr, kNotJudged, "", ""};
+  for (const calc::Diagnostic& one : diagnostics.all()) {
+    failed.err += calc::format_diagnostic(one) + "\n";
+  }
+  return failed;
+}
+
 ParsedLine from_cli11(const CLI::App& app, const CLI::Error& error) {
   if (error.get_exit_code() == 0) {  // --help, --version
     std::ostringstream out, err;
@@ -125,6 +174,7 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
   const auto chosen = std::find_if(added.begin(), added.end(),
                                    [](const Added& candidate) { return candidate.app->parsed(); });
   if (chosen == added.end()) return usage_error("no action is given", chosen_name(app));
+  if (const auto failed = take_config(*chosen)) return *failed;
   const std::string problem =
       chosen->command->complete ? chosen->command->complete(environment) : "";
   if (!problem.empty()) return usage_error(problem, chosen_name(app));

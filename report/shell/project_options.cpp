@@ -3,6 +3,7 @@
 #include "calc/base/diagnostics.h"
 #include "calc/base/utf8.h"
 #include "report/check/load_rules.h"
+#include "report/shell/config_file.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -63,12 +64,15 @@ Place projects_place(ProjectOptions& options) {
 }
 
 std::vector<Option> project_options(ProjectOptions& options) {
-  return {{"--files-from", "FILE",
-           "Take more projects from a list, a path a line, or ended by a byte 0 each as 'find\n"
-           "-print0' writes them; '-' is standard input. For more than a command line holds",
-           some_text(options.list_file)},
-          rules_option(options.rule_files),
-          allow_option(options.allowed)};
+  std::vector<Option> all{
+      {"--files-from", "FILE",
+       "Take more projects from a list, a path a line, or ended by a byte 0 each as 'find\n"
+       "-print0' writes them; '-' is standard input. For more than a command line holds",
+       some_text(options.list_file)},
+      rules_option(options.rule_files),
+      allow_option(options.allowed)};
+  add(all, config_options(options.config));
+  return all;
 }
 
 std::string complete_projects(ProjectOptions& options) {

@@ -8,15 +8,16 @@
 
 namespace cli {
 
-// The projects, --files-from, --rules and --allow.
+// The projects, --files-from, --rules, --allow and --config.
 struct ProjectOptions {
   std::vector<std::string> projects;
   std::string list_file;  // of more projects, "-" = standard input; "" = none
   std::vector<std::string> rule_files;
+  ConfigChoice config;
   std::vector<std::string> allowed;  // folders that links in those of projects may lead into
 };
 Place projects_place(ProjectOptions& options);
-// --files-from, --rules and --allow
+// --files-from, --rules, --allow, --config and --no-config
 std::vector<Option> project_options(ProjectOptions& options);
 
 // Adds the projects of the list behind the others. "", or why not, or what is wrong with all: none

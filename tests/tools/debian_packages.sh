@@ -5,7 +5,7 @@ luxgate_build_packages=(
   cmake ninja-build g++
   libembree-dev libcli11-dev libpugixml-dev libfmt-dev libopenexr-dev libglm-dev libtbb-dev libhwy-dev libsleef-dev
   nlohmann-json3-dev libpng-dev libtinyobjloader-dev libtinygltf-dev libssl-dev libzip-dev libegl-dev
-  libepoxy-dev libgit2-dev libcpp-httplib-dev libqpdf-dev
+  libepoxy-dev libgit2-dev libcpp-httplib-dev libqpdf-dev libtomlplusplus-dev
 )
 luxgate_test_packages=(
   libgtest-dev libgmock-dev libxml2-utils python3-jsonschema

@@ -161,14 +161,15 @@ ValueParser pattern(std::vector<std::string>& target) {
 }
 
 std::vector<Option> selection_options(check::Selection& selection) {
-  return {{"--space", "PATTERN",
-           "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
-           "The rest is neither calculated nor judged, which every report says",
-           pattern(selection.spaces), true},
-          {"--plane", "PATTERN", "The same of planes", pattern(selection.planes), true},
-          {"--require", "PATTERN",
-           "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
-           pattern(selection.requirements), true}};
+  return {
+      {"--space", "PATTERN",
+       "Judge only spaces of this id or name, a pattern as of a shell: 'office-*'; repeatable.\n"
+       "The rest is neither calculated nor judged, which every report says",
+       pattern(selection.spaces), true},
+      {"--plane", "PATTERN", "The same of planes", pattern(selection.planes), true},
+      {"--require", "PATTERN",
+       "The same of requirements: their ids, or what they are of (Uo, minimum, UGR-table, ...)",
+       pattern(selection.requirements), true}};
 }
 
 // "" or which options want all of a project, not a part of it.
@@ -295,6 +296,7 @@ Command check_syntax(CheckOptions& options) {
   add(command.options, batch_options(options.batch));
   add(command.options, {strict_option(options.strict), sandbox_option(options.sandbox),
                         quiet_option_with_count(options.output.quiet)});
+  command.config = &options.input.config;
   command.footer = kExitCodes;
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);
@@ -316,6 +318,8 @@ std::string reproducible_words(const CheckOptions& options) {
   for (const std::string& file : options.input.rule_files) {
     command += " --rules " + report::shell_quoted(file);
   }
+  // All that it says stands here.
+  if (!options.input.config.taken.empty() || options.input.config.is_off) command += " --no-config";
   if (!options.policy.empty()) command += " --policy " + report::shell_quoted(options.policy);
   for (const check::SetValue& value : options.set) {
     command += " --set " + report::shell_quoted(value.words());

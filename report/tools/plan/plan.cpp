@@ -61,6 +61,7 @@ Command plan_syntax(PlanOptions& options) {
   Command command{"plan", "Say what 'check' would do, leave out and cost, without calculating"};
   command.places = {projects_place(options.input)};
   command.options = project_options(options.input);
+  command.config = &options.input.config;
   add(command.options, {set_option(options.set), limit_option(options.budget)});
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));

@@ -6,6 +6,7 @@
 #include "calc/store/memory_store.h"
 #include "report/check/in_order.h"
 #include "report/check/set_values.h"
+#include "report/shell/config_file.h"
 #include "report/shell/interrupt.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
@@ -411,6 +412,8 @@ Command sweep_command() {
       data_format_option(options->outputs,
                          "text, csv, json or html, into a file or to standard output; default "
                          "text. Can be repeated")};
+  add(command.options, config_options(check.input.config));
+  command.config = &check.input.config;
   add(command.options, accuracy_options(check.settings));
   add(command.options, work_options(check.settings.radiosity));
   add(command.options, backend_options(check.backend));

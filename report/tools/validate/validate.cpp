@@ -64,6 +64,7 @@ Command validate_command() {
   Command command{"validate", "Check projects for errors without calculating"};
   command.places = {projects_place(options->input)};
   command.options = project_options(options->input);
+  command.config = &options->input.config;
   add(command.options, {limit_option(options->budget), strict_option(options->strict),
                         sandbox_option(options->sandbox), quiet_option_with_count(options->quiet)});
   command.footer =

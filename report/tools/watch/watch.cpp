@@ -265,6 +265,7 @@ Command watch_command() {
   Command command{"watch", "Check projects again whenever one of their files changes"};
   command.places = {projects_place(check.input)};
   command.options = project_options(check.input);
+  command.config = &check.input.config;
   add(command.options,
       {{"--serve", "",
         "Show the report in a browser, too, and keep it up to date: on this machine\n"

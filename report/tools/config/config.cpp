@@ -1,0 +1,121 @@
+#include "report/tools/config/config.h"
+
+#include "calc/base/utf8.h"
+#include "report/shell/config_file.h"
+#include "report/shell/print.h"
+#include "report/tools/check/check_options.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cli {
+namespace {
+
+struct ShowOptions {
+  std::vector<std::string> projects;
+  ConfigChoice config;
+  bool as_json = false;
+};
+
+const ConfigSetting* find_setting(const ConfigFile& file, std::string_view name) {
+  const auto found = std::find_if(file.settings.begin(), file.settings.end(),
+                                  [&](const ConfigSetting& one) { return one.name == name; });
+  return found == file.settings.end() ? nullptr : &*found;
+}
+
+std::string as_text(const ConfigFile& file) {
+  std::string text = file.path.empty()
+                         ? fmt::format("No {} here: everything is as by default.\n", kConfigName)
+                         : fmt::format("Settings of {}:\n", calc::printable_path(file.path));
+  std::size_t width = 0;
+  for (const std::string_view name : setting_names()) width = std::max(width, name.size());
+  for (const std::string_view name : setting_names()) {
+    const ConfigSetting* setting = find_setting(file, name);
+    text += setting == nullptr ? fmt::format("  {:<{}}  by default\n", name, width)
+                               : fmt::format("  {:<{}}  {}  ({}:{})\n", name, width,
+                                             calc::printable(setting->words()),
+                                             calc::printable_path(file.path), setting->where.line);
+  }
+  return text;
+}
+
+std::string as_json(const ConfigFile& file) {
+  nlohmann::ordered_json settings = nlohmann::ordered_json::object();
+  for (const std::string_view name : setting_names()) {
+    nlohmann::ordered_json& row = settings[std::string(name)];
+    const ConfigSetting* setting = find_setting(file, name);
+    if (setting == nullptr) {
+      row["from"] = "default";
+      continue;
+    }
+    if (setting->flag) {
+      row["value"] = *setting->flag;
+    } else if (setting->is_list) {
+      row["value"] = setting->values;
+    } else {
+      row["value"] = setting->values.front();
+    }
+    row["from"] = file.path;
+    row["line"] = setting->where.line;
+  }
+  nlohmann::ordered_json all;
+  if (file.path.empty()) {
+    all["file"] = nullptr;
+  } else {
+    all["file"] = file.path;
+  }
+  all["settings"] = std::move(settings);
+  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+ExitCode run_show(const ShowOptions& options) {
+  std::string problem;
+  const std::string path = find_config(options.config, options.projects, problem);
+  if (!problem.empty()) {
+    tell("luxgate: error: {}\n", calc::printable(problem));
+    return kNotJudged;
+  }
+  CommandOutcome outcome;
+  ConfigFile file;
+  if (!path.empty()) {
+    calc::Diagnostics diagnostics;
+    auto read = read_config(path, !options.config.file.empty(), diagnostics);
+    if (read) {  // what `check` refuses is wrong here, too
+      CheckOptions check;
+      const Command command = check_syntax(check);
+      apply_config(
+          *read, command, [](const Option&) { return false; }, diagnostics);
+      file = std::move(*read);
+    }
+    if (diagnostics.has_errors()) return print_outcome({kNotJudged, "", diagnostics.all()});
+  }
+  outcome.text = options.as_json ? as_json(file) : as_text(file);
+  return print_outcome(outcome);
+}
+
+}  // namespace
+
+Command config_command() {
+  const auto options = std::make_shared<ShowOptions>();
+  Command show{"show",
+               "Say which settings hold for projects, and which line of which file says so"};
+  show.places = {{"projects", "PROJECT.xml",
+                  "Projects whose settings are meant; those of the current folder if there is none",
+                  &options->projects, false}};
+  show.options = config_options(options->config);
+  add(show.options, {{"--json", "", "As JSON", &options->as_json}});
+  show.footer =
+      "Options of the command line beat settings of the file. Exit codes: 0 shown, 2 an error.";
+  show.run = [options](const RunContext&) { return run_show(*options); };
+  Command command{"config", "Show the settings of luxgate.toml"};
+  command.actions = {std::move(show)};
+  return command;
+}
+
+}  // namespace cli

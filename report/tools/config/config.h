@@ -1,0 +1,10 @@
+#pragma once
+// `luxgate config`: which settings hold, and where they come from.
+
+#include "report/shell/command.h"
+
+namespace cli {
+
+Command config_command();
+
+}  // namespace cli
