@@ -18,6 +18,7 @@ luxgate_test(cli_tests
     unit/report/shell/command_line_test.cpp
     unit/report/shell/outputs_test.cpp
     unit/report/shell/pdf_places_test.cpp
+    unit/report/shell/project_folders_test.cpp
     unit/report/shell/project_options_test.cpp
     unit/report/shell/sandbox_test.cpp
     unit/report/shell/warning_tally_test.cpp

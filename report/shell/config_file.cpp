@@ -226,7 +226,11 @@ std::string find_config(const ConfigChoice& choice, const std::vector<std::strin
     return choice.file;
   }
   std::set<fs::path> folders;
-  for (const std::string& project : projects) folders.insert(fs::path(project).parent_path());
+  for (const std::string& project : projects) {
+    std::error_code ignored;
+    const fs::path path(project);
+    folders.insert(fs::is_directory(path, ignored) ? path : path.parent_path());
+  }
   if (folders.empty()) folders.insert(fs::path());
   std::set<std::string> found;
   for (const fs::path& folder : folders)

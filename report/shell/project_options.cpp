@@ -5,6 +5,7 @@
 #include "report/check/load_rules.h"
 #include "report/shell/config_file.h"
 #include "report/shell/option_values.h"
+#include "report/shell/project_folders.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +61,7 @@ std::string add_listed(ProjectOptions& options) {
 }  // namespace
 
 Place projects_place(ProjectOptions& options) {
-  return {"projects", "PROJECT.xml", "Project files", &options.projects, false};
+  return {"projects", "PROJECT.xml", "Project files, or folders: all projects in them and below", &options.projects, false};
 }
 
 std::vector<Option> project_options(ProjectOptions& options) {
@@ -79,6 +80,7 @@ std::string complete_projects(ProjectOptions& options) {
   if (!options.list_file.empty()) {
     if (std::string problem = add_listed(options); !problem.empty()) return problem;
   }
+  if (std::string problem = expand_folders(options.projects); !problem.empty()) return problem;
   if (options.projects.empty()) return "no project: PROJECT.xml or --files-from is needed";
   std::unordered_set<std::string> known;
   for (const std::string& project : options.projects) {

@@ -20,7 +20,7 @@ Place projects_place(ProjectOptions& options);
 // --files-from, --rules, --allow, --config and --no-config
 std::vector<Option> project_options(ProjectOptions& options);
 
-// Adds the projects of the list behind the others. "", or why not, or what is wrong with all: none
+// Adds the projects of the list behind the others, and puts those of folders in their place. "", or why not, or what is wrong with all: none
 // is given, one is given twice, or is an id that was meant for --strict.
 std::string complete_projects(ProjectOptions& options);
 

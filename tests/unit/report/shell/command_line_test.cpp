@@ -1,5 +1,6 @@
 #include "report/shell/command_line.h"
 
+#include "report/shell/config_file.h"
 #include "report/tools/check/check_options.h"
 #include "report/tools/geometry/geometry.h"
 #include "report/tools/photometry/photometry_options.h"
@@ -10,7 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -51,6 +54,18 @@ TEST(Options, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.backend.backend, check::Backend::automatic);
   EXPECT_EQ(options.backend.gl_device, -1);
   EXPECT_EQ(options.timestamp, "");
+}
+
+// A setting that is no option would be taken without a word, and change nothing.
+TEST(Options, EverySettingOfAFileIsOneOfCheck) {
+  cli::CheckOptions options;
+  const cli::Command command = cli::check_syntax(options);
+  for (const std::string_view name : cli::setting_names()) {
+    EXPECT_TRUE(std::any_of(
+        command.options.begin(), command.options.end(),
+        [&](const cli::Option& option) { return option.names == "--" + std::string(name); }))
+        << name;
+  }
 }
 
 TEST(Options, StrictTakesIdsBehindAnEqualsSignOnly) {
