@@ -14,7 +14,7 @@
 namespace check {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;  // of what could have been chosen
+constexpr std::size_t kMostChoicesNamed = 12;  // of what could have been chosen
 
 bool fits(const std::vector<std::string>& patterns, const std::vector<std::string>& names) {
   if (patterns.empty()) return true;
@@ -38,7 +38,7 @@ class Choices {
     if (known_.insert(id).second) ids_.push_back(id);
   }
   std::string words() const {
-    return fmt::format("{} {}", what_, ids_.empty() ? "none" : calc::list_names(ids_, kMostNamed));
+    return fmt::format("{} {}", what_, ids_.empty() ? "none" : calc::list_names(ids_, kMostChoicesNamed));
   }
 
  private:
