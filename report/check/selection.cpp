@@ -38,7 +38,8 @@ class Choices {
     if (known_.insert(id).second) ids_.push_back(id);
   }
   std::string words() const {
-    return fmt::format("{} {}", what_, ids_.empty() ? "none" : calc::list_names(ids_, kMostChoicesNamed));
+    return fmt::format("{} {}", what_,
+                       ids_.empty() ? "none" : calc::list_names(ids_, kMostChoicesNamed));
   }
 
  private:
