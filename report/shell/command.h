@@ -59,6 +59,8 @@ struct Command {
   std::vector<Command> actions = {};
   // Of commands whose options may stand in a luxgate.toml, see config_file.h; null: not this one.
   ConfigChoice* config = nullptr;
+  // The git revision in which that file is looked for, "" = as it is now; null: always so.
+  const std::string* config_revision = nullptr;
   // Called once all options are read. "", or what is wrong with all of them together. May complete
   // them.
   std::function<std::string(const Environment&)> complete = {};

@@ -118,16 +118,26 @@ std::vector<std::string> projects_of(const Command& command) {
 
 // Settings of a file for options that are not given. Not beside a policy: its owner's word stands
 // above the project's, whose folder the file lies in. Empty: all is well.
-std::optional<ParsedLine> take_config(const Added& chosen) {
+std::optional<ParsedLine> take_config(const Added& chosen, const Environment& environment) {
   const Command& command = *chosen.command;
   if (command.config == nullptr || is_given(*chosen.app, "--policy")) return std::nullopt;
   std::string problem;
-  const std::string path = find_config(*command.config, projects_of(command), problem);
+  const std::vector<std::string> projects = projects_of(command);
+  const ConfigChoice& choice = *command.config;
+  const bool is_of_revision = command.config_revision != nullptr &&
+                              !command.config_revision->empty() && choice.file.empty() &&
+                              !choice.is_off;
+  const ConfigPlaces places =
+      is_of_revision ? config_in_revision(*command.config_revision, environment, projects, problem)
+                     : config_on_disk();
+  // What is wrong with the revision is said where it is read for more than this.
+  if (!problem.empty()) return std::nullopt;
+  const std::string path = find_config(choice, places, projects, problem);
   if (!problem.empty()) return usage_error(problem, "luxgate " + command.name);
   if (path.empty()) return std::nullopt;
   command.config->taken = path;
   calc::Diagnostics diagnostics;
-  const auto file = read_config(path, !command.config->file.empty(), diagnostics);
+  const auto file = read_config(path, !choice.file.empty(), places, diagnostics);
   if (file) {
     apply_config(
         *file, command,
@@ -174,7 +184,7 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
   const auto chosen = std::find_if(added.begin(), added.end(),
                                    [](const Added& candidate) { return candidate.app->parsed(); });
   if (chosen == added.end()) return usage_error("no action is given", chosen_name(app));
-  if (const auto failed = take_config(*chosen)) return *failed;
+  if (const auto failed = take_config(*chosen, environment)) return *failed;
   const std::string problem =
       chosen->command->complete ? chosen->command->complete(environment) : "";
   if (!problem.empty()) return usage_error(problem, chosen_name(app));

@@ -2,6 +2,7 @@
 
 #include "calc/base/file_reader.h"
 #include "calc/base/text.h"
+#include "report/git/git_tree_reader.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -53,15 +55,20 @@ bool is_there(const fs::path& path) {
 }
 
 // The closest file in this folder or above it, as a path without links; "" = none.
-std::string closest_config(const fs::path& folder) {
+std::string closest_config(const ConfigPlaces& places, const fs::path& folder) {
   std::error_code failure;
   fs::path at = fs::weakly_canonical(folder, failure);
   if (failure) return "";
   while (true) {
-    if (is_file(at / kConfigName)) return (at / kConfigName).string();
+    if (places.has((at / kConfigName).string())) return (at / kConfigName).string();
     if (is_there(at / ".git") || at == at.root_path() || at == at.parent_path()) return "";
     at = at.parent_path();
   }
+}
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
 }
 
 std::string shown(const std::string& path) {
@@ -142,7 +149,7 @@ class ConfigReader {
 
   // Whoever writes the file must not have the program read what it could not see itself.
   std::string resolve(std::string& path) const {
-    const fs::path folder = fs::path(path_).has_parent_path() ? fs::path(path_).parent_path() : ".";
+    const fs::path folder = folder_of(path_);
     std::error_code failure;
     const fs::path top = fs::weakly_canonical(folder, failure);
     if (failure) return failure.message();
@@ -205,8 +212,9 @@ std::vector<std::string_view> setting_names() {
 std::vector<Option> config_options(ConfigChoice& choice) {
   return {{"--config", "FILE",
            fmt::format("Take settings from this file instead of the closest {} in the folder of\n"
-                       "the projects or above, up to the top of a git repository; what the command "
-                       "line says\nbeats it, and with --policy none is read. See 'luxgate config'",
+                       "the projects or above, up to the top of a git repository. The command line "
+                       "beats it;\nwith --against the file is that of the revision, with --policy "
+                       "none is read",
                        kConfigName),
            some_text(choice.file)},
           {"--no-config", "", "Take settings from no file", &choice.is_off, false, {"--config"}}};
@@ -218,13 +226,27 @@ std::string ConfigSetting::words() const {
   return is_list ? "[" + list + "]" : list;
 }
 
-std::string find_config(const ConfigChoice& choice, const std::vector<std::string>& projects,
+ConfigPlaces config_on_disk() {
+  return {[](const std::string& path) { return is_file(path); },
+          [](const std::string& path) {
+            return calc::DiskFileReader().read_within(folder_of(path), path);
+          }};
+}
+
+ConfigPlaces config_in_revision(const std::string& revision, const Environment& environment,
+                                const std::vector<std::string>& projects, std::string& problem) {
+  const std::shared_ptr<git::GitTreeReader> files =
+      git::GitTreeReader::open(projects.empty() ? "." : projects.front(), revision,
+                               {environment.git_dir, environment.git_work_tree}, problem);
+  if (files == nullptr) return {};
+  return {[files](const std::string& path) {
+            return files->path_in_repository(path).has_value() && files->has(path);
+          },
+          [files](const std::string& path) { return files->read_within(folder_of(path), path); }};
+}
+
+std::string find_config(const ConfigPlaces& places, const std::vector<std::string>& projects,
                         std::string& problem) {
-  if (choice.is_off) return "";
-  if (!choice.file.empty()) {
-    if (!is_file(choice.file)) problem = fmt::format("--config: '{}' is no file", choice.file);
-    return choice.file;
-  }
   std::set<fs::path> folders;
   for (const std::string& project : projects) {
     std::error_code ignored;
@@ -233,8 +255,9 @@ std::string find_config(const ConfigChoice& choice, const std::vector<std::strin
   }
   if (folders.empty()) folders.insert(fs::path());
   std::set<std::string> found;
-  for (const fs::path& folder : folders)
-    found.insert(closest_config(folder.empty() ? "." : folder));
+  for (const fs::path& folder : folders) {
+    found.insert(closest_config(places, folder.empty() ? "." : folder));
+  }
   if (found.size() > 1) {
     std::vector<std::string> names;
     for (const std::string& path : found) {
@@ -248,12 +271,19 @@ std::string find_config(const ConfigChoice& choice, const std::vector<std::strin
   return found.begin()->empty() ? "" : shown(*found.begin());
 }
 
+std::string find_config(const ConfigChoice& choice, const ConfigPlaces& places,
+                        const std::vector<std::string>& projects, std::string& problem) {
+  if (choice.is_off) return "";
+  if (choice.file.empty()) return find_config(places, projects, problem);
+  if (!is_file(choice.file)) problem = fmt::format("--config: '{}' is no file", choice.file);
+  return choice.file;
+}
+
 std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
-                                      calc::Diagnostics& diagnostics) {
+                                      const ConfigPlaces& places, calc::Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
-  const std::string folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
   const calc::FileContent content =
-      calc::DiskFileReader().read_within(is_named ? "" : folder, path);
+      is_named ? calc::DiskFileReader().read(path) : places.read(path);
   if (!content.ok()) {
     diagnostics.report(calc::DiagnosticId::file_not_readable, {path, 0, 0}, path, content.error);
     return std::nullopt;

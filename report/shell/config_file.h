@@ -5,6 +5,7 @@
 // are written, what is selected and who may waive what stays with who types the command.
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/file_reader.h"
 #include "report/shell/command.h"
 
 #include <functional>
@@ -39,17 +40,30 @@ struct ConfigFile {
   std::vector<ConfigSetting> settings;  // in the order of the file
 };
 
-// The file that is meant: the choice's, or the closest luxgate.toml in the folders of these
-// projects (of none: in the current one) and those above, up to the top of a git repository. "" if
-// there is none. `problem`: that it is not there, or that projects have several.
-std::string find_config(const ConfigChoice& choice, const std::vector<std::string>& projects,
+// Where files are looked for that nobody names: on the disk, or in a git revision.
+struct ConfigPlaces {
+  std::function<bool(const std::string& path)> has;
+  // Links lead nowhere outside of the file's own folder.
+  std::function<calc::FileContent(const std::string& path)> read;
+};
+ConfigPlaces config_on_disk();
+// Of the repository of the first of these projects. `problem` says why there is none.
+ConfigPlaces config_in_revision(const std::string& revision, const Environment& environment,
+                                const std::vector<std::string>& projects, std::string& problem);
+
+// The closest luxgate.toml in the folders of these projects (of none: in the current one) and those
+// above, up to the top of a git repository. "" if there is none. `problem`: projects have several.
+std::string find_config(const ConfigPlaces& places, const std::vector<std::string>& projects,
                         std::string& problem);
+// The same, or the one that the choice names or rules out.
+std::string find_config(const ConfigChoice& choice, const ConfigPlaces& places,
+                        const std::vector<std::string>& projects, std::string& problem);
 
 // Empty after an error: not readable, no TOML, settings that there are not, tables, dates, and
-// paths that lead out of the file's folder. is_named: on the command line; then it may be a link
-// that leads anywhere.
+// paths that lead out of the file's folder. is_named: on the command line; then it is on the disk,
+// and may be a link that leads anywhere.
 std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
-                                      calc::Diagnostics& diagnostics);
+                                      const ConfigPlaces& places, calc::Diagnostics& diagnostics);
 
 // Gives the options of the command their values from the file, but those that are given on the
 // command line, and those that the command does not have. Reports what an option refuses.

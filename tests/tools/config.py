@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 
+import git_repository
 import small_designs
 
 PROGRAM, WORK = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
@@ -105,6 +106,26 @@ expect("No luxgate.toml here" in run("config", "show", code=0, at="elsewhere").s
 (WORK / "policy.xml").write_text('<luxgate-policy version="1" name="Owner" every-space="nothing"/>')
 config("tolerance = 0.4\n")
 expect(provenance("a.xml", "--policy", "../../policy.xml")["tolerance"] == 0.02, "a project's settings hold beside a policy")
+
+# Nor does a request change what it is judged by: beside --against the file is that of the revision.
+variables = git_repository.environment(WORK / "home")
+team = git_repository.Repository(WORK / "team", variables)
+small_designs.write(team.folder / "designs" / "a.xml")
+(team.folder / "luxgate.toml").write_text("tolerance = 0.05\n")
+team.commit("first")
+against = dict(at="team/designs", code=1)
+for text, expected in (("tolerance = 0.05\n", 0.05), ("tolerance = 0.4\n", 0.05), ("not toml", 0.05), (None, 0.05)):
+    (team.folder / "luxgate.toml").unlink(missing_ok=True)
+    if text:
+        (team.folder / "luxgate.toml").write_text(text)
+    got = provenance("a.xml", "--against", "HEAD", **against)["tolerance"]
+    expect(got == expected, f"--against, {text!r}: {got}")
+team.git("rm", "-q", "--cached", "luxgate.toml")
+team.git("commit", "-q", "-m", "no settings")
+(team.folder / "designs" / "luxgate.toml").write_text("tolerance = 0.4\n")
+expect(provenance("a.xml", "--against", "HEAD", **against)["tolerance"] == 0.02, "--against: settings that are not merged hold")
+expect(provenance("a.xml", **against)["tolerance"] == 0.4, "without --against the file on the disk does not hold")
+check("a.xml", "--against", "nowhere", at="team/designs", code=2, says="--against nowhere")
 
 # Errors: what, where, what is allowed.
 for text, says in (

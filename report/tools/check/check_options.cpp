@@ -297,6 +297,7 @@ Command check_syntax(CheckOptions& options) {
   add(command.options, {strict_option(options.strict), sandbox_option(options.sandbox),
                         quiet_option_with_count(options.output.quiet)});
   command.config = &options.input.config;
+  command.config_revision = &options.against;
   command.footer = kExitCodes;
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);

@@ -76,7 +76,8 @@ std::string as_json(const ConfigFile& file) {
 
 ExitCode run_show(const ShowOptions& options) {
   std::string problem;
-  const std::string path = find_config(options.config, options.projects, problem);
+  const ConfigPlaces places = config_on_disk();
+  const std::string path = find_config(options.config, places, options.projects, problem);
   if (!problem.empty()) {
     tell("luxgate: error: {}\n", calc::printable(problem));
     return kNotJudged;
@@ -85,7 +86,7 @@ ExitCode run_show(const ShowOptions& options) {
   ConfigFile file;
   if (!path.empty()) {
     calc::Diagnostics diagnostics;
-    auto read = read_config(path, !options.config.file.empty(), diagnostics);
+    auto read = read_config(path, !options.config.file.empty(), places, diagnostics);
     if (read) {  // what `check` refuses is wrong here, too
       CheckOptions check;
       const Command command = check_syntax(check);

@@ -332,6 +332,7 @@ Command submit_command() {
   command.options[3].help = "Threads of a shard, cores that it asks for; default 1";
   add(command.options, options_of_check(*options, std::move(of_check.options)));
   command.config = of_check.config;
+  command.config_revision = of_check.config_revision;
   command.footer = kFooter;
   command.complete = [options, rest = of_check.complete](const Environment& environment) {
     const std::string problem = complete(*options, environment);
