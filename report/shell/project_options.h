@@ -13,6 +13,7 @@ struct ProjectOptions {
   std::vector<std::string> projects;
   std::string list_file;  // of more projects, "-" = standard input; "" = none
   std::vector<std::string> rule_files;
+  std::vector<std::string> folders;  // that stood among the projects, before these took their place
   ConfigChoice config;
   std::vector<std::string> allowed;  // folders that links in those of projects may lead into
 };

@@ -58,6 +58,10 @@ branch("renamed", {name: dict(plane="table", was_plane=' was="desk"', name="Othe
                    for k, name in enumerate(DESIGNS) if k % 3 == 0})
 branch("better", {"designs/room-05.xml": dict(columns=7)})
 branch("unreadable", {"designs/room-02.xml": dict(limit="none")})
+team.git("checkout", "-q", "-B", "deleted", "start")
+write()
+(team.folder / "designs/room-09.xml").unlink()
+team.commit("deleted")
 team.git("checkout", "-q", "-B", HOSTILE, "start")
 # What others merge meanwhile is no regression of those who have it not yet.
 team.git("checkout", "-q", "main")
@@ -70,6 +74,7 @@ REQUESTS = {
     "weaker": ("main", 1, 0, ["room-03.xml", "asks less", "≥ 500 lx", "≥ 400 lx"]),
     "renamed": ("main", 0, 4, ["nothing became worse"]),
     "better": (HOSTILE, 0, 1, ["▲ better", "room-05.xml"]),
+    "deleted": ("main", 1, 0, ["room-09.xml"]),
     "unreadable": ("main", 2, 0, ["room-02.xml"]),
 }
 
@@ -150,6 +155,42 @@ class GitHub:
         return code, log, summary.read_text() if summary.exists() else "", machine
 
 
+class GitHubAction(GitHub):
+    """The composite action, in a job that has nothing else."""
+
+    def __init__(self):
+        super().__init__()
+        self.store = WORK / "action-store"
+        self.action = read_example("action/action.yml")
+        for step in self.action["runs"]["steps"]:
+            if "uses" in step or "${{" in step["run"] or step["shell"] != "bash":
+                problems.append(f"action: a step that is not pinned, not bash or pasted together: {step['name']}")
+
+    def play(self, name, target):
+        machine = Machine(f"action-{name}", 0, self.store)
+        machine.git("checkout", "-q", "--detach", f"origin/{target or name}")
+        if target:
+            machine.git("merge", "-q", "--no-ff", "-m", "merge", f"origin/{name}")
+        machine.hand_over()
+        summary, output = WORK / f"action-{name}.md", WORK / f"action-{name}.out"
+        inputs = {key: row["default"] for key, row in self.action["inputs"].items()}
+        if inputs["against"] != "${{ github.base_ref && format('origin/{0}...', github.base_ref) || '' }}":
+            problems.append("action: another default of 'against' than this test knows")
+        inputs["against"] = f"origin/{target}..." if target else ""
+        variables = {"GITHUB_WORKSPACE": str(machine.folder), "GITHUB_STEP_SUMMARY": str(summary), "GITHUB_OUTPUT": str(output)}
+        code, log = 0, ""
+        for step in self.action["runs"]["steps"]:
+            if step.get("if") == "${{ inputs.package != '' }}" and inputs["package"] == "":
+                continue
+            values = {key: inputs[re.fullmatch(r"\$\{\{ inputs\.([\w-]+) \}\}", value)[1]] for key, value in step.get("env", {}).items()}
+            done = machine.run(["bash", "--noprofile", "--norc", "-eo", "pipefail"], step["run"], {**machine.variables, **variables, **values})
+            log += done.stdout + done.stderr
+            code = code or done.returncode
+        if f"exit-code={code}\n" != (output.read_text() if output.exists() else ""):
+            problems.append(f"action: {name}: its output is not exit-code={code}")
+        return code, log, summary.read_text() if summary.exists() else "", machine
+
+
 class GitLab:
     def __init__(self):
         self.job = read_example("gitlab.yml")["luxgate"]
@@ -157,7 +198,7 @@ class GitLab:
 
     def play(self, name, target):
         """As GitHub.play; a request is its branch, not a merge."""
-        machine = Machine(f"gitlab-{name}", int(self.job["variables"].get("GIT_DEPTH", 20)), self.store)
+        machine = Machine(f"{type(self).__name__.lower()}-{name}", int(self.job["variables"].get("GIT_DEPTH", 20)), self.store)
         machine.git("checkout", "-q", "--detach", f"origin/{name}")
         machine.hand_over()
         variables = {"CI_PROJECT_DIR": str(machine.folder), **self.job["variables"]}
@@ -167,6 +208,26 @@ class GitLab:
         after = machine.run(["sh"], "\n".join(self.job["after_script"]), variables)
         summary = machine.folder / "out/summary.md"
         return done.returncode, done.stdout + done.stderr + after.stdout + after.stderr, summary.read_text() if summary.exists() else "", machine
+
+
+class GitLabComponent(GitLab):
+    """The component, with its inputs as by default."""
+
+    def __init__(self):
+        spec, jobs = yaml.safe_load_all((EXAMPLES / "component/templates/luxgate.yml").read_text())
+        inputs = {key: (row or {}).get("default", "given") for key, row in spec["spec"]["inputs"].items()}
+
+        def filled(value):
+            if isinstance(value, dict):
+                return {key: filled(item) for key, item in value.items()}
+            if isinstance(value, list):
+                return [filled(item) for item in value]
+            return re.sub(r"\$\[\[ inputs\.([\w-]+) \]\]", lambda found: inputs[found[1]], value) if isinstance(value, str) else value
+
+        self.job = filled(jobs["luxgate"])
+        if any("$[[" in line for line in jobs["luxgate"]["script"]):
+            problems.append("component: a value is pasted into a script")
+        self.store = WORK / "component-store"
 
 
 def expect(name, done, code, words):
@@ -180,7 +241,7 @@ def expect(name, done, code, words):
     return machine
 
 
-for system in (GitHub(), GitLab()):
+for system in (GitHub(), GitHubAction(), GitLab(), GitLabComponent()):
     kind = type(system).__name__
     machine = expect(f"{kind}: main", system.play("main", None), 0, ["pass"])
     if not machine.store.exists():
@@ -196,12 +257,12 @@ for system in (GitHub(), GitLab()):
         if more > others + 1:
             problems.append(f"{kind}: {name}: {more} new looks, {others} designs have changed")
         out = machine.folder / "out"
-        files = ("luxgate.sarif", "report.txt", "report.html") if kind == "GitHub" else ("junit.xml", "quality.json", "report.html")
+        files = ("luxgate.sarif", "report.txt", "report.html") if kind.startswith("GitHub") else ("junit.xml", "quality.json", "report.html")
         missing = [file for file in files if not (out / file).exists()]
         problems.extend(f"{kind}: {name}: {file} is missing" for file in missing)
         if missing:
             continue
-        if kind == "GitHub":
+        if kind.startswith("GitHub"):
             sarif = json.loads((out / "luxgate.sarif").read_text())
             if code == 1 and not any(result.get("baselineState") in ("new", "updated") for run in sarif["runs"] for result in run["results"]):
                 problems.append(f"{kind}: {name}: nothing in SARIF")

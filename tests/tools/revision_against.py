@@ -243,6 +243,20 @@ if os.geteuid() == 0:
     subprocess.run(["git", "config", "--global", "--add", "safe.directory", other.folder], check=True, env=VARIABLES)
     expect("trusted", check(other.folder, "project.xml", "--against", "main", *GATE), 1, "≥ 70 lx")
 
+# A folder asks for all that was in it: a design that was deleted is one that asks for nothing any more.
+fewer = git_repository.Repository(WORK / "fewer", VARIABLES)
+for name in ("a", "b", "c"):
+    small_designs.write(fewer.folder / f"designs/{name}.xml", name=name, far=False)
+(fewer.folder / "designs/pack.xml").write_text("<rule-pack/>")
+fewer.commit()
+fewer.git("rm", "-q", "designs/b.xml", "designs/pack.xml")
+fewer.git("mv", "designs/c.xml", "designs/moved.xml")
+for folder in ("designs", "designs/", ".", fewer.folder):
+    expect(f"deleted, {folder}", check(fewer.folder, folder, "--against", "HEAD", *GATE), 1, "designs/b.xml", "is there at HEAD, and not now",
+           without=("pack.xml is", "designs/c.xml is there"))
+expect("deleted, accepted", check(fewer.folder, "designs", "--against", "HEAD", *GATE, "--accept-weaker", "b is not built"), 0, "b is not built")
+expect("others are named", check(fewer.folder, "designs/a.xml", "--against", "HEAD", *GATE), 0, without=("b.xml",))
+
 # Interrupted: nothing is written.
 process = subprocess.Popen([PROGRAM, "check", *NAMES, "--against", "main", "--goal", "accuracy", "--tolerance", "0.00001", "--max-paths", "1073741824",
                             "--format", f"json={WORK / 'interrupted.json'}"], cwd=team.folder, env=VARIABLES, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -4,6 +4,7 @@
 #include "report/check/load_rules.h"
 #include "report/git/moved_files.h"
 #include "report/shell/print.h"
+#include "report/shell/project_folders.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,11 @@ std::string named_like(const std::string& example, const std::string& path) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::current_path(error);
   return error ? path : std::filesystem::path(path).lexically_relative(here).string();
+}
+
+// As folders are read: names that begin with a point are left alone.
+bool is_hidden(const std::string& path) {
+  return path.starts_with('.') || path.find("/.") != path.npos;
 }
 
 // A guess that is cheap: what is no project would not be like one either.
@@ -78,6 +84,7 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
   }
   if (!problems.empty()) return std::nullopt;
   state.find_moved(now);
+  state.find_gone(input.folders);
   for (const Project& project : state.projects_) {
     if (!project.was_there && project.is_there_now) {
       state.notes_.push_back(
@@ -133,6 +140,34 @@ void OldState::find_moved(const calc::FileReader& now) {
       if (!matches[k]) continue;
       added[k]->path_then = named_like(added[k]->path, gone[*matches[k]]);
       added[k]->was_there = true;
+    }
+  }
+}
+
+// Who asks for a folder asks for what was in it: a design that is deleted asks for nothing any more.
+void OldState::find_gone(const std::vector<std::string>& folders) {
+  std::set<std::string> known;
+  for (const Project& project : projects_) {
+    if (const auto inside = project.files->path_in_repository(project.path_then)) {
+      known.insert(project.files->root() + "/" + *inside);
+    }
+  }
+  for (const std::string& folder : folders) {
+    for (const auto& repository : repositories_) {
+      const std::optional<std::string> top = repository->path_in_repository(folder);
+      if (!top) continue;
+      const std::string start = top->empty() || *top == "." ? "" : *top + "/";
+      for (const std::string& inside : repository->files_ending(kProjectEnd)) {
+        const std::string path = repository->root() + "/" + inside;
+        if (!inside.starts_with(start) || is_hidden(inside.substr(start.size())) ||
+            is_there(path) || !known.insert(path).second) {
+          continue;
+        }
+        const calc::FileContent content = repository->read(path);
+        if (!content.ok() || root_element(content.bytes) != "luxgate") continue;
+        const std::string name = named_like(folder, path);
+        projects_.push_back({name, name, repository.get(), false, true});
+      }
     }
   }
 }

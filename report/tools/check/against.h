@@ -57,6 +57,7 @@ class OldState {
   const git::GitTreeReader* open(const std::string& project, const git::GitPlaces& places,
                                  std::string& problem);
   void find_moved(const calc::FileReader& now);
+  void find_gone(const std::vector<std::string>& folders);
   void find_rules(const std::vector<std::string>& paths);
   const git::GitTreeReader* repository_of(const std::string& path) const;
   std::string shown(const std::string& file, const git::GitTreeReader* files) const;
