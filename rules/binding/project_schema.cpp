@@ -1,5 +1,6 @@
 #include "rules/binding/project_schema.h"
 
+#include "calc/base/xml_reference.h"
 #include "calc/base/xml_schema.h"
 #include "calc/project/project_elements.h"
 #include "rules/binding/deviation_xml.h"
@@ -18,6 +19,12 @@ const std::vector<calc::ElementRow>& rows_about_rules() {
 std::string project_schema() {
   return calc::xml_schema(
       {"'luxgate schema'", calc::kProjectMeaning, calc::kProjectRoot, rows_about_rules()});
+}
+
+std::string project_reference() {
+  return calc::xml_reference("luxgate project files, version 1",
+                             {"'luxgate schema --markdown'", calc::kProjectMeaning,
+                              calc::kProjectRoot, rows_about_rules()});
 }
 
 }  // namespace rules

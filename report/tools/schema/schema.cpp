@@ -11,21 +11,26 @@ namespace cli {
 
 Command schema_command() {
   struct Asked {
-    bool results = false, sweeps = false;
+    bool results = false, sweeps = false, reference = false;
   };
   const auto asked = std::make_shared<Asked>();
   Command command{"schema", "Print the XML schema of project files"};
   command.options = {
+      {"--markdown", "", "Print the reference of project files for people instead, in Markdown",
+       &asked->reference},
       {"--result", "", "Print the JSON schema of 'check --format json' instead", &asked->results},
       {"--sweep", "", "Print the JSON schema of 'sweep --format json' instead", &asked->sweeps}};
   command.complete = [asked](const Environment&) -> std::string {
-    return asked->results && asked->sweeps ? "--result and --sweep exclude each other" : "";
+    return int{asked->results} + int{asked->sweeps} + int{asked->reference} > 1
+               ? "--markdown, --result and --sweep exclude each other"
+               : "";
   };
   command.run = [asked](const RunContext&) {
     return print_outcome({kAllMet,
-                          asked->results  ? report::result_schema()
-                          : asked->sweeps ? sweep_schema()
-                                          : rules::project_schema(),
+                          asked->results     ? report::result_schema()
+                          : asked->sweeps    ? sweep_schema()
+                          : asked->reference ? rules::project_reference()
+                                             : rules::project_schema(),
                           {}});
   };
   return command;
