@@ -68,8 +68,8 @@ expect("Anforderung" in check("a.xml", "--format", "markdown").stdout, "language
 
 # The command line beats it, and the command in the result makes it again.
 expect(provenance("a.xml", "--tolerance", "0.02")["tolerance"] == 0.02, "the command line does not beat the file")
-expect("--no-config" in before["command"] and "--tolerance 0.05" in before["command"], f"command: {before['command']}")
-again = provenance("a.xml", "--tolerance", "0.02")["command"]
+expect("--no-config" in before["command_line"] and "--tolerance 0.05" in before["command_line"], f"command: {before['command']}")
+again = provenance("a.xml", "--tolerance", "0.02")["command_line"]
 config("tolerance = 0.4\nconfidence = 0.6\n")
 repeated = provenance(*shlex.split(again)[2:])
 expect((repeated["tolerance"], repeated["confidence"]) == (0.02, 0.99), f"'{again}' gave {repeated}")

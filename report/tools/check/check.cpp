@@ -376,7 +376,7 @@ ExitCode run_check(const CheckOptions& asked, const RunContext& context) {
   if (folder && !options.output.quiet) print_troubles(options.store, folder->troubles());
   if (is_written && options.batch.resumes) is_written = remove_resume_store(options.store);
   if (!options.settings.selection.is_all() && !is_anything_chosen) {
-    print_error(calc::DiagnosticId::selection_empty, "luxgate",
+    print_error(calc::DiagnosticId::selection_empty,
                 check::selection_words(options.settings.selection));
     return kNotJudged;
   }
