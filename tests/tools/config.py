@@ -68,7 +68,7 @@ expect("Anforderung" in check("a.xml", "--format", "markdown").stdout, "language
 
 # The command line beats it, and the command in the result makes it again.
 expect(provenance("a.xml", "--tolerance", "0.02")["tolerance"] == 0.02, "the command line does not beat the file")
-expect("--no-config" in before["command_line"] and "--tolerance 0.05" in before["command_line"], f"command: {before['command']}")
+expect("--no-config" in before["command_line"] and "--tolerance 0.05" in before["command_line"], f"command: {before['command_line']}")
 again = provenance("a.xml", "--tolerance", "0.02")["command_line"]
 config("tolerance = 0.4\nconfidence = 0.6\n")
 repeated = provenance(*shlex.split(again)[2:])
@@ -85,7 +85,7 @@ check("a.xml", "../../elsewhere/c.xml", code=2, says="(none, '../luxgate.toml')"
 check("a.xml", "deep/b.xml", "--no-config")
 
 # Rule packs and warnings; lists.
-config('rules = ["own.xml"]\nstrict = ["values-set", "no-maintenance-factor"]\n')
+config('rules = ["own.xml"]\nstrict = ["values-set", "maintenance-not-stated"]\n')
 check("a.xml", "--set", "mean.at-least=1", code=2)
 check("a.xml", "--set", "mean.at-least=1", "--no-config", code=1)
 asks = (top / "designs" / "a.xml").read_text().replace("</plane>", '<require pack="own" row="office"/></plane>', 1)
@@ -99,7 +99,7 @@ check("asks.xml", "--no-config", code=2)
 shown = run("config", "show", "a.xml", code=0).stdout
 expect("rules         [../own.xml]  (../luxgate.toml:1)" in shown and "seed          by default" in shown, shown)
 shown = json.loads(run("config", "show", "a.xml", "--json", code=0).stdout)
-expect(shown["settings"]["strict"] == {"value": ["values-set", "no-maintenance-factor"], "from": "../luxgate.toml", "line": 2}, str(shown))
+expect(shown["settings"]["strict"] == {"value": ["values-set", "maintenance-not-stated"], "from": "../luxgate.toml", "line": 2}, str(shown))
 expect("No luxgate.toml here" in run("config", "show", code=0, at="elsewhere").stdout, "config show without a file")
 
 # An owner's policy stands above what lies in the projects' repository.

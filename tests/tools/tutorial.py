@@ -18,7 +18,8 @@ variables.update(PATH=f"{PROGRAM.parent}:{variables['PATH']}", GIT_AUTHOR_NAME="
                  GIT_COMMITTER_EMAIL="a@example.invalid")
 text = (EXAMPLES / "TUTORIAL.md").read_text()
 folder, output, problems, count = WORK, "", [], 0
-for block in re.findall(r"^```sh\n(.*?)^```", text, re.M | re.S):
+blocks = re.findall(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)
+for block in [block for kind, block in blocks if kind == "sh"]:
     for line in block.splitlines():
         command, _, remark = line.partition("    # exit code ")
         if command.startswith("cd "):
@@ -30,7 +31,7 @@ for block in re.findall(r"^```sh\n(.*?)^```", text, re.M | re.S):
         if done.returncode != int(remark or 0):
             problems.append(f"{command}: exit code {done.returncode}, expected {remark or 0}\n{done.stderr}")
 # What the page shows is what is printed.
-shown = [line for block in re.findall(r"^```\n(.*?)^```", text, re.M | re.S) for line in block.splitlines()]
+shown = [line for kind, block in blocks if kind == "" for line in block.splitlines()]
 problems += [f"not printed: {line}" for line in shown if line not in output.splitlines()]
 problems += [f"a link leads nowhere: {link}" for link in re.findall(r"\]\(([^)#]+)\)", text) if not (EXAMPLES / link).exists()]
 if count < 9 or len(shown) < 3:
