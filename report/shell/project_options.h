@@ -13,9 +13,9 @@ struct ProjectOptions {
   std::vector<std::string> projects;
   std::string list_file;  // of more projects, "-" = standard input; "" = none
   std::vector<std::string> rule_files;
-  std::vector<std::string> folders;  // that stood among the projects, before these took their place
-  ConfigChoice config;
   std::vector<std::string> allowed;  // folders that links in those of projects may lead into
+  std::vector<std::string> folders = {};  // among the projects, before these took their place
+  ConfigChoice config = {};
 };
 Place projects_place(ProjectOptions& options);
 // --files-from, --rules, --allow, --config and --no-config
