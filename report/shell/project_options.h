@@ -13,7 +13,7 @@ struct ProjectOptions {
   std::vector<std::string> projects;
   std::string list_file;  // of more projects, "-" = standard input; "" = none
   std::vector<std::string> rule_files;
-  std::vector<std::string> allowed;  // folders that links in those of projects may lead into
+  std::vector<std::string> allowed;       // folders that links in those of projects may lead into
   std::vector<std::string> folders = {};  // among the projects, before these took their place
   ConfigChoice config = {};
 };
@@ -21,8 +21,9 @@ Place projects_place(ProjectOptions& options);
 // --files-from, --rules, --allow, --config and --no-config
 std::vector<Option> project_options(ProjectOptions& options);
 
-// Adds the projects of the list behind the others, and puts those of folders in their place. "", or why not, or what is wrong with all: none
-// is given, one is given twice, or is an id that was meant for --strict.
+// Adds the projects of the list behind the others, and puts those of folders in their place. "", or
+// why not, or what is wrong with all: none is given, one is given twice, or is an id that was meant
+// for --strict.
 std::string complete_projects(ProjectOptions& options);
 
 // Files and folders from which they are read: the folder of each project with all below it, rule
