@@ -48,7 +48,11 @@ std::string value_words(const ValueType& type) {
                                   : "a list, blanks between: ";
     return count + value_words(*type.item);
   }
-  return type.base != nullptr ? value_words(*type.base) : std::string(type.name);
+  if (type.base != nullptr) return value_words(*type.base);
+  if (type.name == kAnyText.name) return "text";
+  if (type.name == kAnyInt.name) return "a whole number";
+  if (type.name == kAnyDouble.name) return "a number";
+  return type.name == kAnyDate.name ? "a day, YYYY-MM-DD" : std::string(type.name);
 }
 
 struct Section {

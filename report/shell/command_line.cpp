@@ -23,7 +23,8 @@ namespace {
 
 void add_option(CLI::App& app, const Option& option) {
   if (bool* const* flag = std::get_if<bool*>(&option.target)) {
-    app.add_flag(option.names, **flag, option.help);
+    CLI::Option* added = app.add_flag(option.names, **flag, option.help);
+    for (const std::string& other : option.excludes) added->excludes(app.get_option(other));
     return;
   }
   const auto& parser = std::get<ValueParser>(option.target);
