@@ -1,4 +1,4 @@
-# Sourced by examples/run, tests/run and tests/fuzz/run: installs the Debian packages named, if any is missing.
+# Sourced by examples/run, tests/run, tests/fuzz/run and report/packages/build: installs the Debian packages named, if any is missing.
 # Quick when nothing is missing (one dpkg query). Needs root or sudo only to install.
 
 luxgate_build_packages=(
@@ -12,6 +12,7 @@ luxgate_test_packages=(
   git python3-yaml  # revisions, and the jobs in examples/ci
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
+luxgate_packaging_packages=(dpkg-dev file)  # of report/packages/build only
 luxgate_fuzz_packages=(clang libclang-rt-14-dev)  # of tests/fuzz/run only
 
 # install_debian_packages NAME...

@@ -1,0 +1,75 @@
+# Makes OUT/luxgate-VERSION-linux-PROCESSOR.tar.gz from a build: the program with the libraries that a bare Debian 12
+# lacks, and what is installed with it. It runs from any folder.
+#   cmake -DBUILD=<build folder> -DOUT=<folder> -P make_archive.cmake
+# Ends with an error where a library is needed that libraries.csv does not name, or names as not to be given away.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/third_party.cmake)
+
+load_cache(${BUILD} READ_WITH_PREFIX cache_ CMAKE_PROJECT_VERSION CMAKE_STRIP)
+cmake_host_system_information(RESULT processor QUERY OS_PLATFORM)
+set(name luxgate-${cache_CMAKE_PROJECT_VERSION}-linux-${processor})
+set(stage ${BUILD}/portable/${name})
+set(program ${BUILD}/portable/bin/luxgate)
+
+file(REMOVE_RECURSE ${stage})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --component program --prefix ${stage}
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(COPY ${program} DESTINATION ${stage}/bin)
+execute_process(COMMAND ${cache_CMAKE_STRIP} ${stage}/bin/luxgate COMMAND_ERROR_IS_FATAL ANY)
+
+# The package that a file came with. dpkg knows a file by one of its two names where /lib is a link to /usr/lib.
+function(package_of file variable)
+  file(REAL_PATH ${file} real)
+  string(REGEX REPLACE "^/usr/" "/" other ${real})
+  foreach(path ${real} ${other})
+    execute_process(COMMAND dpkg-query --search ${path} OUTPUT_VARIABLE answer RESULT_VARIABLE status ERROR_QUIET)
+    if(status EQUAL 0 AND answer MATCHES "^([^:,]+)")
+      set(${variable} ${CMAKE_MATCH_1} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "${file}: no Debian package has it, so its licence is not known")
+endfunction()
+
+luxgate_packages_of(headers headers)
+luxgate_packages_of(archive allowed)
+luxgate_packages_of(system system)
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${program} RESOLVED_DEPENDENCIES_VAR libraries
+  UNRESOLVED_DEPENDENCIES_VAR missing)
+if(missing)
+  message(FATAL_ERROR "Libraries that the program needs and this machine lacks: ${missing}")
+endif()
+list(SORT libraries)
+set(packages "")
+set(table "file,package,version,source,source_version\n")
+foreach(library IN LISTS libraries)
+  package_of(${library} package)
+  if(package IN_LIST system)
+    continue()
+  endif()
+  if(NOT package IN_LIST allowed)
+    message(FATAL_ERROR "${library} of ${package} is needed: look at its licence, and add the package to "
+      "${CMAKE_CURRENT_LIST_DIR}/libraries.csv if it may be given away in the archive")
+  endif()
+  file(REAL_PATH ${library} real)
+  cmake_path(GET library FILENAME file)
+  configure_file(${real} ${stage}/lib/${file} COPYONLY)
+  execute_process(COMMAND dpkg-query -W -f "\${Package},\${Version},\${source:Package},\${source:Version}" ${package}
+    OUTPUT_VARIABLE row COMMAND_ERROR_IS_FATAL ANY)
+  string(APPEND table "${file},${row}\n")
+  list(APPEND packages ${package})
+endforeach()
+list(REMOVE_DUPLICATES packages)
+set(documents ${stage}/share/doc/luxgate)
+file(WRITE ${documents}/libraries.csv ${table})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/ARCHIVE.md ${documents}/ARCHIVE.md COPYONLY)
+luxgate_copy_notices(${documents}/licences ${headers} ${packages})
+
+luxgate_set_modes_and_dates(${stage})
+file(MAKE_DIRECTORY ${OUT})
+# Name, order, owner and date of all files are given: the same files give the same bytes.
+execute_process(
+  COMMAND tar --create --sort=name --owner=0 --group=0 --numeric-owner --format=gnu --directory ${BUILD}/portable ${name}
+  COMMAND gzip -9n OUTPUT_FILE ${OUT}/${name}.tar.gz COMMAND_ERROR_IS_FATAL ANY)
+file(REMOVE_RECURSE ${stage})
+message("${OUT}/${name}.tar.gz")

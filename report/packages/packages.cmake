@@ -1,0 +1,66 @@
+# What is given to people: the Debian packages luxgate (the program) and luxgate-dev (to embed it) by CPack, and the
+# program of the archive that runs from any folder. README.md beside this file says why it is so.
+set(LUXGATE_PACKAGE_CONTACT "luxgate maintainers <luxgate@maintainers.invalid>" CACHE STRING
+  "Who answers for packages: NAME <ADDRESS>")
+set(LUXGATE_HOMEPAGE "" CACHE STRING "Address of the project in packages, or nothing")
+
+# The program of the archive: it looks for its libraries beside itself. DT_RPATH and not DT_RUNPATH, because this one
+# holds for libraries of libraries, too, so that these stay Debian's to the byte.
+add_executable(luxgate_portable ${PROJECT_SOURCE_DIR}/report/cli/main.cpp)
+target_link_libraries(luxgate_portable PRIVATE luxgate_cli)
+target_link_options(luxgate_portable PRIVATE LINKER:--disable-new-dtags)
+set_target_properties(luxgate_portable PROPERTIES
+  OUTPUT_NAME luxgate RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/portable/bin
+  BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../lib")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME luxgate)
+set(CPACK_PACKAGE_VENDOR luxgate)
+set(CPACK_PACKAGE_CONTACT ${LUXGATE_PACKAGE_CONTACT})
+set(CPACK_PACKAGE_HOMEPAGE_URL ${LUXGATE_HOMEPAGE})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/finish_debian.cmake)
+set(CPACK_LUXGATE_SOURCE ${PROJECT_SOURCE_DIR})  # for that script
+
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+# As Debian has it: files may be read by all, nothing may be written by a group, whatever umask was in force.
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME luxgate)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+# Chromium prints PDFs, OpenGL draws pictures of rooms; checks need neither, and both are larger than all the rest.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, libegl1, libopengl0, libgl1-mesa-dri")
+# CPack puts the summary of the project before a description of its own, unless that is CMake's default.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_NAME} built using CMake")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+"checker of lighting designs against standards
+Reads rooms, furniture, luminaires with their photometry and calculation
+planes, calculates illuminance with confidence intervals, judges each
+requirement and ends with an exit code for scripts and CI jobs. Verdicts are
+pass, fail, undecided and not judged; reports are text, HTML, PDF, CSV, JSON,
+JUnit and SARIF. Rule packs with numbers of standards are in the program.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME luxgate-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+# What luxgateConfig.cmake looks for, what the headers include and what the static libraries are linked with.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  libembree-dev libepoxy-dev libfmt-dev libglm-dev libopenexr-dev libpng-dev libpugixml-dev libsleef-dev
+  libssl-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libzip-dev nlohmann-json3-dev)
+list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS luxgate)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+"checker of lighting designs against standards, as a library
+Headers, static libraries and the CMake package luxgate (luxgate::check),
+with which a C++ program of its own reads, calculates and judges projects
+without a command line.")
+include(CPack)
