@@ -70,6 +70,6 @@ file(MAKE_DIRECTORY ${OUT})
 # Name, order, owner and date of all files are given: the same files give the same bytes.
 execute_process(
   COMMAND tar --create --sort=name --owner=0 --group=0 --numeric-owner --format=gnu --directory ${BUILD}/portable ${name}
-  COMMAND gzip -9n OUTPUT_FILE ${OUT}/${name}.tar.gz COMMAND_ERROR_IS_FATAL ANY)
+  COMMAND gzip -n OUTPUT_FILE ${OUT}/${name}.tar.gz COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE_RECURSE ${stage})
 message("${OUT}/${name}.tar.gz")
