@@ -2,7 +2,7 @@
 add_test(NAME packages.files_and_archive COMMAND ${CMAKE_COMMAND}
   -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR} -DSANITIZE=${LUXGATE_SANITIZE}
   -DWORK=${CMAKE_CURRENT_BINARY_DIR}/packages -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/run_packages.cmake)
-set_tests_properties(packages.files_and_archive PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
+set_tests_properties(packages.files_and_archive PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 600)
 
 # With packages that somebody built, and a mirror of Debian: minutes.
 add_test(NAME packages.in_a_clean_root COMMAND bash -c

@@ -146,7 +146,7 @@ try_archive() {
   row "$took" "$(du -s --block-size=1 "$root/srv" | cut -f 1)" "tar.gz of $(mebibytes "$(stat -c %s "${archive[0]}")") MiB, unpacked"
   other_verdicts "/srv/other\\ place/bin/luxgate"
   # By a link, and by a relative name; every library is its own or the system's C and C++.
-  ln -s "../srv/other place/bin/luxgate" "$root/usr/bin/luxgate"
+  ln -s "../../srv/other place/bin/luxgate" "$root/usr/bin/luxgate"
   expect 0 "luxgate check room/project.xml"
   expect 0 "cd '/srv/other place/bin' && ./luxgate check /work/room/project.xml"
   expect 0 "LD_TRACE_LOADED_OBJECTS=1 luxgate"
