@@ -113,6 +113,17 @@ set_tests_properties(cli.known_verdicts PROPERTIES SKIP_REGULAR_EXPRESSION "skip
 add_test(NAME tree.top_level COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_top_level.cmake)
 set_tests_properties(tree.top_level PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
+# The Python module, where it is built, with the Python that it is built for.
+if(TARGET luxgate_python)
+  add_test(NAME cli.python_module COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_BINARY_DIR}/report/python
+    ${LUXGATE_MODULE_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/tools/python_module.py $<TARGET_FILE:luxgate>
+    ${CMAKE_CURRENT_BINARY_DIR}/python_module ${PROJECT_SOURCE_DIR}/examples)
+else()
+  add_test(NAME cli.python_module COMMAND ${CMAKE_COMMAND} -E echo
+    "skipped: the Python module is not built: it needs python3-dev, pybind11-dev and python3-numpy, and no sanitizer")
+endif()
+set_tests_properties(cli.python_module PROPERTIES SKIP_REGULAR_EXPRESSION "skipped:" TIMEOUT 300)
+
 add_test(NAME tree.layering COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -P ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_layering.cmake)
 add_test(NAME tree.layering_test_works COMMAND ${CMAKE_COMMAND}

@@ -10,7 +10,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/calc ${PROJECT_SOURCE_DIR}/rules ${PROJE
                   ${PROJECT_SOURCE_DIR}/report
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/luxgate COMPONENT development
         FILES_MATCHING PATTERN "*.h" PATTERN "*.def" PATTERN "*.glsl"
-        PATTERN "tools" EXCLUDE PATTERN "git" EXCLUDE PATTERN "shell" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "shaders" EXCLUDE PATTERN "packs" EXCLUDE)
+        PATTERN "tools" EXCLUDE PATTERN "git" EXCLUDE PATTERN "shell" EXCLUDE PATTERN "cli" EXCLUDE PATTERN "python" EXCLUDE PATTERN "shaders" EXCLUDE PATTERN "packs" EXCLUDE)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/luxgate)
 install(EXPORT luxgateTargets NAMESPACE luxgate:: DESTINATION ${package_folder} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/luxgateConfig.cmake.in

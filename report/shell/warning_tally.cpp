@@ -1,6 +1,7 @@
 #include "report/shell/warning_tally.h"
 
 #include "calc/base/text.h"
+#include "report/shell/print.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,6 @@ namespace {
 constexpr calc::DiagnosticId kAllIds[] = {
 #define LUXGATE_DIAGNOSTIC(id, severity, text) calc::DiagnosticId::id,
 #include "calc/base/diagnostics.def"
-#include "report/shell/print.h"
 #undef LUXGATE_DIAGNOSTIC
 };
 

@@ -13,9 +13,9 @@ set(folders
   report/git report/shell report/tools/pictures report/tools/plan report/tools/check report/tools/compare report/tools/converge
   report/tools/devices report/tools/export report/tools/geometry report/tools/init report/tools/photometry
   report/tools/policy report/tools/report report/tools/rules report/tools/selftest report/tools/store report/tools/submit report/tools/sweep report/tools/schema report/tools/validate
-  report/tools/vpl report/tools/watch report/cli)
+  report/tools/vpl report/tools/watch report/cli report/python)
 
-set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli))$")
+set(needs_rays "^(calc/(rays|radiosity|forecast)|gpu|report/(check|shell|tools/[a-z]+|cli|python))$")
 
 # header pattern | the only files (pattern) that may include it
 set(owned_libraries
@@ -26,6 +26,7 @@ set(owned_libraries
   "epoxy/|gpu/"
   "CLI/|report/shell/command_line\\.cpp"
   "git2|report/git/"
+  "pybind11/|report/python/module\\.cpp"
   "httplib|report/tools/watch/report_server\\.cpp"
   "tiny_obj_loader|calc/meshes/mesh_obj"
   "tiny_gltf|calc/meshes/mesh_gltf"
@@ -60,7 +61,7 @@ function(check_file root file)
     if(folder STREQUAL "gpu" AND NOT target MATCHES "^(calc/|gpu)")
       message(SEND_ERROR "${name}: gpu must not include ${target}")
     endif()
-    if(target STREQUAL "gpu" AND NOT folder MATCHES "^(gpu|report/(check|shell|tools/[a-z]+|cli))$")
+    if(target STREQUAL "gpu" AND NOT folder MATCHES "^(gpu|report/(check|shell|tools/[a-z]+|cli|python))$")
       message(SEND_ERROR "${name}: must not include gpu")
     endif()
   endforeach()

@@ -10,6 +10,7 @@ luxgate_build_packages=(
 luxgate_test_packages=(
   libgtest-dev libgmock-dev libxml2-utils python3-jsonschema
   git python3-yaml  # revisions, and the jobs in examples/ci
+  pybind11-dev python3-dev python3-numpy  # the Python module
   libegl1 libopengl0 libegl-mesa0 libgl1-mesa-dri  # OpenGL in software, for --backend gpu
 )
 luxgate_packaging_packages=(dpkg-dev file)  # of report/packages/build only

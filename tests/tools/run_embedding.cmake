@@ -32,7 +32,7 @@ run(${WORK}/prefix/bin/luxgate check ${SOURCE}/examples/04-office/project.xml --
 # No header of the command line, and none that leads out of the folder.
 file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/luxgate ${WORK}/prefix/include/luxgate/*)
 foreach(header IN LISTS headers)
-  if(header MATCHES "^report/(shell|tools|cli)/")
+  if(header MATCHES "^report/(shell|tools|cli|python)/")
     message(SEND_ERROR "${header} is installed")
   endif()
   file(STRINGS ${WORK}/prefix/include/luxgate/${header} includes REGEX "^#include \"")
