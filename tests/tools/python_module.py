@@ -298,6 +298,13 @@ def nothing_is_printed():
     expect(printed == "", f"printed: {printed}")
 
 
+def example():
+    done = subprocess.run([sys.executable, "-B", EXAMPLES / "python/check.py", EXAMPLES / "05-failing-corridor/project.xml", "panel.flux-lm", "2000", "9000"],
+                          capture_output=True, text=True, check=False)
+    expect(done.returncode == 1 and done.stderr == "" and "project.xml: fail\n" in done.stdout, f"{done}")
+    expect("panel.flux-lm=2000: fail" in done.stdout and "panel.flux-lm=9000: pass" in done.stdout and " lx at (" in done.stdout, done.stdout)
+
+
 def explains_itself():
     signature = inspect.signature(luxgate.check)
     expect({"goal", "tolerance", "confidence", "seed", "jobs", "max_paths", "time_limit", "rules", "set", "strict"} <= set(signature.parameters), f"{signature}")
@@ -330,7 +337,7 @@ def main():
     WORK.mkdir(parents=True)
     os.chdir(WORK)
     for test in (what_a_result_says, doubts_stay, errors_are_exceptions, reports, arrays_live_alone, sweeps, threads_go_on, can_be_interrupted,
-                 nothing_is_printed, explains_itself, same_as_the_program):
+                 nothing_is_printed, example, explains_itself, same_as_the_program):
         before, began = len(problems), time.monotonic()
         try:
             test()
