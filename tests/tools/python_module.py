@@ -122,6 +122,11 @@ def what_a_result_says():
     expect(all(image[row, column] == value for (column, row), value in zip(plane.cells, plane.values)), "cells")
     expect(math.isclose(float(plane.values.mean()), plane.statistics.average_lx.value, rel_tol=1e-12), "average")
     raises(ValueError, lambda: plane.image([1.0, 2.0]), "24 points")
+    table = json.loads(result.to_json())["projects"][0]["spaces"][0]["planes"][0]["points"]
+    rows, column = numpy.array(table["rows"]), table["columns"].index
+    for own, name in ((plane.values, "illuminance_lx"), (plane.low, "low_lx"), (plane.high, "high_lx"), (plane.direct_lx, "direct_lx"),
+                      (plane.indirect_lx, "indirect_lx"), (plane.points[:, 2], "z_m"), (plane.points[:, 0], "x_m"), (plane.normals[:, 2], "nz")):
+        expect(bool((own == rows[:, column(name)]).all()), f"{name}: {own}")
     expect(result.counts.pass_ == result.counts.to_dict()["pass"] == 1, f"{result.counts}")
     expect("pass" in repr(result) and "room" in repr(desk), repr(result) + repr(desk))
     waived = luxgate.check(small_designs.write(WORK / "d/w.xml", far_waiver=small_designs.WAIVER), **FAST)
