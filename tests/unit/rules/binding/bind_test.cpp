@@ -526,12 +526,12 @@ TEST(BindRequirementsMessage, WhatRatingsDoNotHave) {
   const auto messages = [](const Attributes& attributes) {
     return bind_derived(calc::DerivedQuantity::ugr, attributes).messages;
   };
-  EXPECT_THAT(
-      messages({{"quantity", "average"}, {"at-most", "19"}}),
-      ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
-                  "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
-                  "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
-                  "road-Ul, TI, REI, ULR, intensity, glare-intensity or luminaire-distance"));
+  EXPECT_THAT(messages({{"quantity", "average"}, {"at-most", "19"}}),
+              ElementsAre("project.xml:7:10: error[quantity-not-of-points]: <require>: 'average' "
+                          "means nothing for points of quantity 'ugr'; allowed: maximum, value, "
+                          "share, power-density, LENI, UGR-table, road-luminance, road-Uo, "
+                          "road-Ul, TI, REI, ULR, intensity, glare-intensity, "
+                          "peak-intensity or luminaire-distance"));
   EXPECT_THAT(messages({{"quantity", "maximum"}, {"at-most", "19"}, {"unit", "lx"}}),
               ElementsAre(testing::HasSubstr("'unit' has no meaning")));
   EXPECT_THAT(
@@ -588,7 +588,8 @@ TEST(BindRequirementsMessage, UnknownQuantity) {
                           "<require>: unknown value 'avarage'; allowed: average, minimum, maximum, "
                           "Uo, Ud, percentile, value, share, gradient, power-density, "
                           "power-per-100-lx, LENI, UGR-table, road-luminance, road-Uo, road-Ul, "
-                          "TI, REI, GR, ULR, intensity, glare-intensity or luminaire-distance; "
+                          "TI, REI, GR, ULR, intensity, glare-intensity, peak-intensity or "
+                          "luminaire-distance; "
                           "did you mean 'average'?"));
 }
 
@@ -812,7 +813,8 @@ TEST(BindRequirementsMessage, UnknownRole) {
               ElementsAre("project.xml:7:20: error[unknown-reference]: attribute 'role' of "
                           "<require>: there is no role 'rout'; allowed: route, open-area, "
                           "route-5s, route-60s, open-area-5s, open-area-60s, high-risk, "
-                          "safety-item, emphasis or glare; did you mean 'route'?"));
+                          "safety-item, emphasis, glare, glare-stairs or glare-high-risk; "
+                          "did you mean 'route'?"));
 }
 
 TEST(BindRequirementsMessage, LevelWithoutRow) {
