@@ -20,7 +20,8 @@
 namespace cli {
 namespace {
 
-ExitCode run(const Command& command, const Environment& environment) {
+ExitCode run(const Command& command, const Environment& environment,
+             const std::vector<Command>& commands) {
   const std::optional<gpu::Fault> fault = check::find_gl_fault(environment.gl_fault);
   if (!fault) {
     print_error(calc::DiagnosticId::backend_not_available, "gpu",
@@ -34,7 +35,7 @@ ExitCode run(const Command& command, const Environment& environment) {
                 fmt::format("{}", fmt::join(here, ", ")));
     return kNotJudged;
   }
-  return command.run({environment, *fault});
+  return command.run({environment, *fault, &commands});
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ int run_program(int argc, const char* const* argv) {
       tell("{}", parsed.err);
       return print_result(parsed.out) ? parsed.exit_code : kNotJudged;
     }
-    return run(*parsed.command, environment);
+    return run(*parsed.command, environment, commands);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "luxgate: error[internal-error]: %s\n", error.what());
     return kNotJudged;

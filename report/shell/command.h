@@ -8,13 +8,34 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace cli {
 
 // Sets its target and returns "", or returns what is allowed and leaves the target alone.
-using ValueParser = std::function<std::string(const std::string& text)>;
+class ValueParser {
+ public:
+  template <class Parse>
+  requires(!std::is_same_v<std::remove_cvref_t<Parse>, ValueParser> &&
+           std::is_invocable_r_v<std::string, Parse&, const std::string&>) ValueParser(Parse parse)
+      : parse_(std::move(parse)) {}
+  template <class Parse>
+  ValueParser(Parse parse, std::vector<std::string> words)
+      : parse_(std::move(parse)), words_(std::move(words)) {}
+
+  std::string operator()(const std::string& text) const { return parse_(text); }
+  // What may be written, where that is a list, or the words that it begins with ("html" of
+  // html=FILE): what a shell completes. Empty: anything else.
+  const std::vector<std::string>& words() const { return words_; }
+
+ private:
+  std::function<std::string(const std::string& text)> parse_;
+  std::vector<std::string> words_;
+};
 
 // "--seed N", or a flag.
 struct Option {
@@ -27,6 +48,17 @@ struct Option {
   // A flag that may have a value, behind '=' only: what follows it is never taken for one. The
   // target is a parser, which gets "" where there is none; value_name is empty.
   bool may_have_value = false;
+
+  // Of "-o,--output": "--output", and "-o" or "".
+  std::string long_name() const { return names.substr(names.find_last_of(',') + 1); }
+  std::string short_name() const {
+    return names.find(',') == std::string::npos ? "" : names.substr(0, names.find(','));
+  }
+  // See ValueParser::words().
+  std::vector<std::string> words() const {
+    const ValueParser* parser = std::get_if<ValueParser>(&target);
+    return parser == nullptr ? std::vector<std::string>() : parser->words();
+  }
 };
 
 // What stands on the line without a name of its own.
@@ -34,6 +66,8 @@ struct Place {
   std::string name, value_name, help;
   std::variant<std::string*, std::vector<std::string>*> target;  // the latter takes one or more
   bool is_required = true;
+  std::vector<std::string> words = {};  // as those of an option
+  bool takes_several() const { return std::holds_alternative<std::vector<std::string>*>(target); }
 };
 
 // Which luxgate.toml is meant: "" = the closest one to the projects.
@@ -43,10 +77,24 @@ struct ConfigChoice {
   std::string taken = {};  // the file that settings were taken from; "" = none
 };
 
+// A line as a user would write it, and what it is for.
+struct Example {
+  std::string line, meaning;
+};
+
+// What an exit code of a command says.
+struct ExitMeaning {
+  int code = 0;
+  std::string meaning;
+};
+
+struct Command;
+
 // What a run needs of its surroundings.
 struct RunContext {
   Environment environment;
-  gpu::Fault gl_fault = gpu::Fault::none;  // for tests
+  gpu::Fault gl_fault = gpu::Fault::none;          // for tests
+  const std::vector<Command>* commands = nullptr;  // all, for those that explain them
 };
 
 // Targets must live as long as it: a command that owns them does so in `run`.
@@ -54,7 +102,10 @@ struct Command {
   std::string name, summary;
   std::vector<Place> places = {};
   std::vector<Option> options = {};
-  std::string footer = {};
+  std::string notes = {};  // what is to be said besides, in paragraphs of lines
+  std::vector<Example> examples = {};
+  std::vector<ExitMeaning> exit_codes = {};
+  std::vector<std::string> most_used = {};  // long names, for the short help; empty = all
   // Sub-commands, one of which must be given; then it has no places, options or run of its own.
   std::vector<Command> actions = {};
   // Of commands whose options may stand in a luxgate.toml, see config_file.h; null: not this one.

@@ -1,8 +1,10 @@
 #include "report/shell/command_line.h"
 
+#include "calc/base/text.h"
 #include "calc/base/utf8.h"
 #include "report/document/program_version.h"
 #include "report/shell/config_file.h"
+#include "report/shell/help_text.h"
 #include "report/shell/option_values.h"
 
 #include <fmt/format.h>
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -70,10 +71,8 @@ struct Added {
 
 void add_command(CLI::App& parent, const Command& command, std::vector<Added>& added) {
   CLI::App& app = *parent.add_subcommand(command.name, command.summary);
-  app.footer(command.footer);
   for (const Place& place : command.places) add_place(app, place);
   for (const Option& option : command.options) add_option(app, option);
-  if (!command.actions.empty()) app.require_subcommand(1);
   for (const Command& action : command.actions) add_command(app, action, added);
   if (command.actions.empty()) added.push_back({&app, &command});
 }
@@ -84,20 +83,20 @@ ParsedLine usage_error(const std::string& message, const std::string& help_comma
                       help_command)};
 }
 
-// CLI11 would only say that a subcommand is required. "" = `first` is a command or an option.
-std::string problem_with_command(const std::vector<Command>& commands, std::string_view first) {
-  std::vector<std::string_view> names;
-  for (const Command& command : commands) names.push_back(command.name);
-  if (first.starts_with('-') || std::find(names.begin(), names.end(), first) != names.end()) {
-    return "";
+// The commands and actions at the front of a line.
+std::vector<std::string> topic_words(const CLI::App& app) {
+  std::vector<std::string> words;
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    words.push_back(at->get_name());
   }
-  const std::string needed = one_of_message(first, names);
-  return first.empty() ? "no command: " + needed : fmt::format("'{}': {}", first, needed);
+  return words;
 }
 
-std::string chosen_name(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? "luxgate" : "luxgate " + chosen.front()->get_name();
+std::string line_of(const std::vector<std::string>& words) {
+  std::string line = "luxgate";
+  for (const std::string& word : words) line += " " + word;
+  return line;
 }
 
 bool is_given(const CLI::App& app, const std::string& option) {
@@ -155,40 +154,116 @@ std::optional<ParsedLine> take_config(const Added& chosen, const Environment& en
   return failed;
 }
 
-ParsedLine from_cli11(const CLI::App& app, const CLI::Error& error) {
-  if (error.get_exit_code() == 0) {  // --help, --version
-    std::ostringstream out, err;
-    app.exit(error, out, err);
-    return {nullptr, kAllMet, out.str(), ""};
+// "; did you mean '--output'?": what begins with it, at most two, else the nearest name.
+std::string near_options(std::string_view found, const Command& command) {
+  std::vector<std::string> known;
+  for (const Option& option : command.options) known.push_back(option.long_name());
+  for (const Option& option : help_options()) known.push_back(option.long_name());
+  std::vector<std::string_view> names, begun;
+  for (const std::string& name : known) {
+    if (name.starts_with("--")) names.push_back(name);
+    if (name.starts_with(found) && found.size() > 3) begun.push_back(name);
   }
-  return usage_error(error.what(), chosen_name(app));
+  constexpr std::size_t kMost = 2;
+  if (begun.empty() || begun.size() > kMost) return calc::suggestion(found, names);
+  return fmt::format("; did you mean '{}'{}?", begun.front(),
+                     begun.size() == kMost ? fmt::format(" or '{}'", begun.back()) : "");
+}
+
+// What CLI11 says as "the following arguments were not expected". extra: the first of them.
+std::string problem_with_extra(const std::string& extra, const Topic& topic) {
+  if (!extra.starts_with('-')) return fmt::format("'{}' is one word too many", extra);
+  const std::string name = extra.substr(0, extra.find('='));
+  const bool is_long = name.starts_with("--");
+  return fmt::format("there is no option '{}'{}", name,
+                     is_long ? near_options(name, *topic.about) : "");
+}
+
+// "" or what stands where one of a few words is needed.
+std::string problem_with_places(const Command& command) {
+  for (const Place& place : command.places) {
+    std::string* const* word = std::get_if<std::string*>(&place.target);
+    if (word == nullptr || (*word)->empty() || place.words.empty()) continue;
+    const std::vector<std::string>& words = place.words;
+    if (std::find(words.begin(), words.end(), **word) != words.end()) continue;
+    return fmt::format("'{}': {}", **word, one_of_message(**word, {words.begin(), words.end()}));
+  }
+  return "";
+}
+
+// Of a line whose first words are no command and action: CLI11 would only say that a subcommand is
+// required. "" = nothing is wrong with them.
+std::string problem_with_command(const std::vector<Command>& commands, int argc,
+                                 const char* const* argv, std::vector<std::string>& words) {
+  std::string problem;
+  Topic topic = find_topic(commands, words, problem);
+  for (int at = 1; !topic.parts.empty(); ++at) {
+    std::vector<std::string_view> names;
+    for (const Command& part : topic.parts) names.push_back(part.name);
+    const std::string word = at < argc ? argv[at] : "";
+    if (word.empty()) {
+      return fmt::format("no {}: {}", calc::ascii_lowered(topic.part_name),
+                         one_of_message("", names));
+    }
+    if (word.starts_with('-')) return "";
+    words.push_back(word);
+    topic = find_topic(commands, words, problem);
+    if (problem.empty()) continue;
+    words.pop_back();
+    return problem;
+  }
+  return "";
 }
 
 }  // namespace
 
 ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
                               const char* const* argv, const Environment& environment) {
-  CLI::App app{"luxgate checks calculated illuminance against lighting requirements.", "luxgate"};
-  app.set_version_flag("--version", "luxgate " + report::program_version());
-  app.require_subcommand(1);
-  app.footer("'luxgate COMMAND --help' explains a command.");
+  CLI::App app{"", "luxgate"};
+  app.set_help_flag("-h");
+  app.set_help_all_flag("--help");
+  app.set_version_flag("-V,--version", "luxgate " + report::program_version());
   std::vector<Added> added;
   for (const Command& command : commands) add_command(app, command, added);
 
-  const std::string no_command = problem_with_command(commands, argc < 2 ? "" : argv[1]);
-  if (!no_command.empty()) return usage_error(no_command, "luxgate");
+  std::vector<std::string> words;
+  const std::string no_command = problem_with_command(commands, argc, argv, words);
+  if (!no_command.empty()) return usage_error(no_command, line_of(words));
+  std::string problem;
   try {
     app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return {nullptr, kAllMet, short_help(find_topic(commands, topic_words(app), problem)), ""};
+  } catch (const CLI::CallForAllHelp&) {
+    return {nullptr, kAllMet, long_help(find_topic(commands, topic_words(app), problem)), ""};
+  } catch (const CLI::CallForVersion& version) {
+    return {nullptr, kAllMet, fmt::format("{}\n", version.what()), ""};
+  } catch (const CLI::ExtrasError& error) {
+    words = topic_words(app);
+    const std::vector<std::string> extras = app.remaining(true);
+    const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
+      return extra.starts_with('-');
+    });
+    if (extras.empty()) return usage_error(error.what(), line_of(words));
+    return usage_error(problem_with_extra(option == extras.end() ? extras.front() : *option,
+                                          find_topic(commands, words, problem)),
+                       line_of(words));
   } catch (const CLI::Error& error) {
-    return from_cli11(app, error);
+    return usage_error(error.what(), line_of(topic_words(app)));
   }
+  words = topic_words(app);
   const auto chosen = std::find_if(added.begin(), added.end(),
                                    [](const Added& candidate) { return candidate.app->parsed(); });
-  if (chosen == added.end()) return usage_error("no action is given", chosen_name(app));
+  if (chosen == added.end()) {
+    const Topic topic = find_topic(commands, words, problem);
+    return usage_error(fmt::format("no {} is given", calc::ascii_lowered(topic.part_name)),
+                       line_of(words));
+  }
   if (const auto failed = take_config(*chosen, environment)) return *failed;
-  const std::string problem =
-      chosen->command->complete ? chosen->command->complete(environment) : "";
-  if (!problem.empty()) return usage_error(problem, chosen_name(app));
+  problem = problem_with_places(*chosen->command);
+  if (!problem.empty()) return usage_error(problem, line_of(words));
+  problem = chosen->command->complete ? chosen->command->complete(environment) : "";
+  if (!problem.empty()) return usage_error(problem, line_of(words));
   return {chosen->command, kAllMet, "", ""};
 }
 

@@ -13,29 +13,36 @@ namespace cli {
 namespace {
 
 ValueParser data_output(std::vector<DataOutput>& target, bool has_markdown) {
-  return [&target, has_markdown](const std::string& text) -> std::string {
+  std::vector<std::pair<std::string_view, DataFormat>> kinds = {{"text", DataFormat::text},
+                                                                {"csv", DataFormat::csv},
+                                                                {"json", DataFormat::json},
+                                                                {"html", DataFormat::html}};
+  if (has_markdown) kinds.emplace_back("markdown", DataFormat::markdown);
+  std::vector<std::string> words;
+  for (const auto& [name, kind] : kinds) words.emplace_back(name);
+  const auto parse = [&target, kinds = std::move(kinds)](const std::string& text) -> std::string {
     const std::size_t equals = text.find('=');
     DataOutput output;
-    std::vector<std::pair<std::string_view, DataFormat>> kinds = {{"text", DataFormat::text},
-                                                                  {"csv", DataFormat::csv},
-                                                                  {"json", DataFormat::json},
-                                                                  {"html", DataFormat::html}};
-    if (has_markdown) kinds.emplace_back("markdown", DataFormat::markdown);
     const std::string problem = choice<DataFormat>(output.kind, kinds)(text.substr(0, equals));
     if (!problem.empty()) return problem;
     if (equals != std::string::npos) output.file = text.substr(equals + 1);
     if (equals != std::string::npos && output.file.empty())
       return "a file name is missing after '='";
+    if (output.file == kStandardOutput) output.file.clear();
     target.push_back(output);
     return "";
   };
+  return {parse, std::move(words)};
 }
 
 }  // namespace
 
-Option data_format_option(std::vector<DataOutput>& target, const std::string& help,
-                          bool has_markdown) {
-  return {"--format", "KIND[=FILE]", help, data_output(target, has_markdown), true};
+std::vector<Option> data_format_options(std::vector<DataOutput>& target, const std::string& help,
+                                        bool has_markdown) {
+  const ValueParser parse = data_output(target, has_markdown);
+  return {{"--format", "KIND[=FILE]", "Kind of output, and its file: " + help, parse, true},
+          {"--json", "", "As JSON: --format json",
+           [parse](const std::string&) { return parse("json"); }}};
 }
 
 std::string data_output_problem(const std::vector<DataOutput>& outputs) {

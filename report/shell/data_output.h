@@ -17,10 +17,10 @@ struct DataOutput {
   std::string file;  // "" = standard output
 };
 
-// --format; help: what it says of the kinds. has_markdown: few commands have something to say in a
-// pull request.
-Option data_format_option(std::vector<DataOutput>& target, const std::string& help,
-                          bool has_markdown = false);
+// --format and --json; help: what it says of the kinds. has_markdown: few commands have something
+// to say in a pull request.
+std::vector<Option> data_format_options(std::vector<DataOutput>& target, const std::string& help,
+                                        bool has_markdown = false);
 // "" unless several kinds would go to standard output.
 std::string data_output_problem(const std::vector<DataOutput>& outputs);
 

@@ -1,18 +1,21 @@
 #include "report/shell/environment.h"
 
+#include "report/shell/environment_variables.h"
+
 #include <unistd.h>
 
 #include <sys/ioctl.h>
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <string_view>
 
 namespace cli {
 namespace {
 
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);
+std::string variable(VariableName name) {
+  const char* value = std::getenv(name.text());
   return value == nullptr ? "" : value;
 }
 
@@ -28,9 +31,10 @@ std::string program_folder() {
 
 std::vector<std::string> library_places() {
   std::vector<std::string> places;
-  for (const char* name :
-       {"LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "GBM_BACKENDS_PATH", "__EGL_VENDOR_LIBRARY_DIRS",
-        "__EGL_VENDOR_LIBRARY_FILENAMES", "DRIRC_CONFIGDIR", "TZ", "TZDIR"}) {
+  for (const VariableName name : std::initializer_list<VariableName>{
+           "LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "GBM_BACKENDS_PATH",
+           "__EGL_VENDOR_LIBRARY_DIRS", "__EGL_VENDOR_LIBRARY_FILENAMES", "DRIRC_CONFIGDIR", "TZ",
+           "TZDIR"}) {
     const std::string list = variable(name);
     std::string_view rest = list;
     while (!rest.empty()) {

@@ -46,11 +46,11 @@ ValueParser reason(std::string& target) {
 }  // namespace
 
 Option baseline_option(std::string& target) {
-  return {
-      "--baseline", "FILE",
-      "Say what became worse or better, what is asked for less and what has changed since this\n"
-      "result, a file that '--format json' wrote",
-      some_text(target)};
+  return {"--baseline", "FILE",
+          "An earlier result. Say what became worse or better, what is asked for less and what has "
+          "changed since this\n"
+          "result, a file that '--format json' wrote",
+          some_text(target)};
 }
 
 std::vector<Option> gate_options(report::Gate& gate) {

@@ -14,6 +14,8 @@
 namespace cli {
 namespace {
 
+constexpr std::string_view kShadowMap = "shadow-map:";
+
 std::optional<std::string> format_epoch(std::uint64_t epoch_s) {
   constexpr std::uint64_t kEndOfYear9999 = 253402300799;
   if (epoch_s > kEndOfYear9999) return std::nullopt;
@@ -94,8 +96,7 @@ ValueParser positive_number(double& target) {
 }
 
 ValueParser visibility(std::uint32_t& target) {
-  return [&target](const std::string& text) -> std::string {
-    constexpr std::string_view kShadowMap = "shadow-map:";
+  const auto parse = [&target](const std::string& text) -> std::string {
     std::uint64_t texels = 0;
     if (text != "rays") {
       const std::string size = text.starts_with(kShadowMap) ? text.substr(kShadowMap.size()) : "";
@@ -108,6 +109,7 @@ ValueParser visibility(std::uint32_t& target) {
     target = static_cast<std::uint32_t>(texels);
     return "";
   };
+  return {parse, {"rays", std::string(kShadowMap)}};
 }
 
 ValueParser some_text(std::string& target) {
@@ -145,7 +147,7 @@ ValueParser seconds(double& target) {
 }
 
 ValueParser moment(std::string& target) {
-  return [&target](const std::string& text) -> std::string {
+  const auto parse = [&target](const std::string& text) -> std::string {
     const std::optional<std::uint64_t> epoch_s =
         text == "now" ? static_cast<std::uint64_t>(std::time(nullptr)) : parse_count(text);
     std::optional<std::string> formatted = epoch_s ? format_epoch(*epoch_s) : std::nullopt;
@@ -153,6 +155,7 @@ ValueParser moment(std::string& target) {
     target = std::move(*formatted);
     return "";
   };
+  return {parse, {"now"}};
 }
 
 std::string take_source_date(const std::string& epoch, std::string& target) {
@@ -168,7 +171,7 @@ std::string day_of_moment(const std::string& moment) {
 
 Option rules_option(std::vector<std::string>& target) {
   return {"--rules", "FILE|DIR",
-          "Rule pack, or folder of rule packs, to know besides those delivered;\nmay be repeated",
+          "Rule packs besides those delivered: a file, or a folder of them; may be repeated",
           one_more(target), true};
 }
 
@@ -203,6 +206,7 @@ std::optional<double> parse_amount(std::string_view text, bool is_of_bytes) {
 Option limit_option(calc::Budget& target) {
   using calc::BudgetOf;
   std::string defaults;
+  std::vector<std::string> words;
   for (const std::string_view name : calc::names_of<BudgetOf>()) {
     const BudgetOf of = *calc::find_value<BudgetOf>(name);
     const bool is_second_line = of == BudgetOf::points;
@@ -211,26 +215,26 @@ Option limit_option(calc::Budget& target) {
                             : is_second_line ? ",\n"
                                              : ", ",
                             name, calc::budget_text(of, calc::Budget()[of]));
+    words.push_back(std::string(name) + "=");
   }
+  const auto parse = [&target](const std::string& text) -> std::string {
+    const std::size_t equals = text.find('=');
+    const auto of = calc::find_value<BudgetOf>(text.substr(0, equals));
+    const std::string allowed = calc::join_choices(calc::names_of<BudgetOf>());
+    if (!of || equals == std::string::npos) {
+      return fmt::format("NAME=N is needed; names: {}", allowed);
+    }
+    const bool is_of_bytes = *of == BudgetOf::memory || *of == BudgetOf::output;
+    const auto amount = parse_amount(std::string_view(text).substr(equals + 1), is_of_bytes);
+    if (!amount) return "a number above 0 is needed; it may end with k, M, G or T, as 4G";
+    target[*of] = *amount;
+    return "";
+  };
   return {"--limit", "NAME=N",
           "What one project may take, and a file that is written: beyond it the project is an\n"
           "error, and others go on. N may end with k, M, G or T; by default " +
               defaults + ".\nMay be repeated",
-          [&target](const std::string& text) -> std::string {
-            const std::size_t equals = text.find('=');
-            const auto of = calc::find_value<BudgetOf>(text.substr(0, equals));
-            const std::string allowed = calc::join_choices(calc::names_of<BudgetOf>());
-            if (!of || equals == std::string::npos) {
-              return fmt::format("NAME=N is needed; names: {}", allowed);
-            }
-            const bool is_of_bytes = *of == BudgetOf::memory || *of == BudgetOf::output;
-            const auto amount =
-                parse_amount(std::string_view(text).substr(equals + 1), is_of_bytes);
-            if (!amount) return "a number above 0 is needed; it may end with k, M, G or T, as 4G";
-            target[*of] = *amount;
-            return "";
-          },
-          true};
+          ValueParser(parse, std::move(words)), true};
 }
 
 Option seed_option(std::uint64_t& target) {
@@ -239,7 +243,7 @@ Option seed_option(std::uint64_t& target) {
 }
 
 Option jobs_option(int& target, const std::string& never_changes) {
-  return {"--jobs", "N", "Threads; default one per core. Never changes " + never_changes,
+  return {"-j,--jobs", "N", "Threads; default one per core. Never changes " + never_changes,
           whole_number(target, 1, 1024)};
 }
 
@@ -253,8 +257,14 @@ Option quiet_option(bool& target) {
 
 Option quiet_option_with_count(bool& target) {
   return {"-q,--quiet", "",
-          "Print errors and what an option asks for, and of warnings one line: how many, and ids",
+          "Print errors and what an option asks for. Of warnings one line: how many, and ids",
           &target};
+}
+
+std::vector<Option> text_or_json_options(bool& as_json) {
+  return {{"--format", "KIND", "Kind of output: text or json; default text",
+           choice<bool>(as_json, {{"text", false}, {"json", true}})},
+          {"--json", "", "As JSON: --format json", &as_json}};
 }
 
 Place project_place(std::string& target) {

@@ -60,13 +60,17 @@ Option space_option(std::string& target);
 Option quiet_option(bool& target);
 // Of commands with a WarningTally.
 Option quiet_option_with_count(bool& target);
+// --format KIND and --json, of commands whose output goes to standard output only.
+std::vector<Option> text_or_json_options(bool& as_json);
 Place project_place(std::string& target);
 
 std::string one_of_message(std::string_view text, const std::vector<std::string_view>& names);
 
 template <class Enum>
 ValueParser choice(Enum& target, std::vector<std::pair<std::string_view, Enum>> table) {
-  return [&target, table = std::move(table)](const std::string& text) -> std::string {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : table) words.emplace_back(name);
+  const auto parse = [&target, table = std::move(table)](const std::string& text) -> std::string {
     std::vector<std::string_view> names;
     for (const auto& [name, value] : table) {
       names.push_back(name);
@@ -76,6 +80,7 @@ ValueParser choice(Enum& target, std::vector<std::pair<std::string_view, Enum>> 
     }
     return one_of_message(text, names);
   };
+  return {parse, std::move(words)};
 }
 
 }  // namespace cli

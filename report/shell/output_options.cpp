@@ -41,7 +41,7 @@ std::string folder_files() {
 }
 
 ValueParser format_item(std::vector<OutputFormat>& target) {
-  return [&target](const std::string& text) -> std::string {
+  const auto parse = [&target](const std::string& text) -> std::string {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     OutputFormat format{report::find_format(name), ""};
@@ -53,10 +53,14 @@ ValueParser format_item(std::vector<OutputFormat>& target) {
     if (equals != std::string::npos) {
       format.file = text.substr(equals + 1);
       if (format.file.empty()) return "a file name is needed after '='";
+      if (format.file == kStandardOutput) format.file.clear();
     }
     target.push_back(std::move(format));
     return "";
   };
+  std::vector<std::string> words;
+  for (const report::Format& known : report::formats()) words.emplace_back(known.name);
+  return {parse, std::move(words)};
 }
 
 bool writes_html_file(const OutputOptions& options) {
@@ -71,11 +75,15 @@ bool writes_html_file(const OutputOptions& options) {
 std::vector<Option> output_options(OutputOptions& options) {
   return {
       {"--format", "KIND[=FILE]",
-       format_list(78) +
-           ",\nto FILE or (one kind only) to standard output, where text goes unless another kind\n"
-           "does; may be repeated; FILE's folder is made if needed",
+       "Kind of report, and its file: " + format_list(78) +
+           ". To FILE or, without it or with '-', to standard output: one kind only, and text "
+           "where\n"
+           "there is none. May be repeated; FILE's folder is made if needed",
        format_item(options.formats), true},
-      {"--output", "FOLDER", fmt::format("Folder for {}; made if needed", folder_files()),
+      {"--json", "", "As JSON: --format json",
+       [parse = format_item(options.formats)](const std::string&) { return parse("json"); }},
+      {"-o,--output", "FOLDER",
+       fmt::format("Folder for reports: {}; made if needed", folder_files()),
        any_text(options.folder)},
       {"--html-split", "",
        "HTML files as an index with a page for each room, at most 24 planes on each, in\n"

@@ -13,6 +13,8 @@
 
 namespace cli {
 
+// As the name of a file that is written.
+inline constexpr const char* kStandardOutput = "-";
 inline constexpr const char* kOnlyOneToStdout =
     "--format: only one kind can go to standard output; give the others as KIND=FILE";
 

@@ -86,9 +86,9 @@ Option strict_option(StrictWarnings& target) {
     return "";
   };
   Option option{"--strict", "",
-                "Let warnings about projects count like errors: exit code 2. --strict=ID,ID: only\n"
+                "Let warnings count like errors: exit code 2. --strict=ID,ID: only\n"
                 "these, by the ids that they carry, as in warning[light-leaves-room]",
-                parse, true};
+                ValueParser(parse, warning_names()), true};
   option.may_have_value = true;
   return option;
 }

@@ -20,7 +20,10 @@ const std::vector<std::pair<std::string_view, calc::Method>> kMethods = {
 
 // A name of calc::name_of(), or "all"; forbidden besides those that are already.
 ValueParser forbidden_skip(calc::SkipSet& target) {
-  return [&target](const std::string& text) -> std::string {
+  std::vector<std::string_view> names = calc::names_of<calc::Skip>();
+  names.push_back("all");
+  std::vector<std::string> words(names.begin(), names.end());
+  const auto parse = [&target, names = std::move(names)](const std::string& text) -> std::string {
     if (text == "all") {
       target.forbid_all();
       return "";
@@ -29,15 +32,14 @@ ValueParser forbidden_skip(calc::SkipSet& target) {
       target.forbid(*skip);
       return "";
     }
-    std::vector<std::string_view> names = calc::names_of<calc::Skip>();
-    names.push_back("all");
     return one_of_message(text, names);
   };
+  return {parse, std::move(words)};
 }
 
 // "light-paths,near-field": names of stages, each once, at least one.
 ValueParser gpu_stages(std::optional<GpuStages>& target) {
-  return [&target](const std::string& text) -> std::string {
+  const auto parse = [&target](const std::string& text) -> std::string {
     GpuStages stages{false, false, false};
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -51,6 +53,8 @@ ValueParser gpu_stages(std::optional<GpuStages>& target) {
     target = stages;
     return "";
   };
+  const std::vector<std::string_view> names = check::gpu_stage_names(GpuStages());
+  return {parse, {names.begin(), names.end()}};
 }
 
 std::string no_skip_words(const calc::SkipSet& skips) {

@@ -14,15 +14,15 @@
 namespace cli {
 namespace {
 
-constexpr const char* kExitCodes =
-    "Exit codes:\n"
-    "  0    every requirement is met or waived, or nothing was asked: a warning says so\n"
-    "  1    at least one requirement is not met\n"
-    "  2    usage, input or file error, a plane or project that could not be judged, or a\n"
-    "       warning that --strict makes count\n"
-    "  3    nothing failed, but a result's interval holds its limit: undecided\n"
-    "  130  interrupted; no report was written\n"
-    "The worst of all projects counts; worst first: 2, 1, 3, 0.";
+std::vector<ExitMeaning> check_exit_codes() {
+  return {{kAllMet, "every requirement is met or waived, or nothing was asked: a warning says so"},
+          {kNotMet, "at least one requirement is not met"},
+          {kNotJudged,
+           "not judged: usage, input or file error, a plane or project that could not be judged, "
+           "or a warning that --strict makes count"},
+          {kUndecided, "nothing failed, but a result's interval holds its limit: undecided"},
+          {kInterrupted, "interrupted; no report was written"}};
+}
 
 std::vector<Option> document_options(CheckOptions& options) {
   return {
@@ -245,7 +245,8 @@ std::string take_store(const std::string& variable, std::string& store) {
 std::vector<Option> accuracy_options(check::Settings& settings) {
   return {
       {"--goal", "NAME",
-       "verdict: a plane is done once each of its requirements passes or fails;\n"
+       "What ends the calculation. verdict: a plane is done once each of its requirements passes "
+       "or fails;\n"
        "accuracy: once every judged value is known to --tolerance; default verdict",
        choice<rules::Goal>(settings.goal, {{"verdict", rules::Goal::verdict},
                                            {"accuracy", rules::Goal::accuracy}})},
@@ -298,7 +299,16 @@ Command check_syntax(CheckOptions& options) {
                         quiet_option_with_count(options.output.quiet)});
   command.config = &options.input.config;
   command.config_revision = &options.against;
-  command.footer = kExitCodes;
+  command.notes = "The worst exit code of all projects counts; worst first: 2, 1, 3, 0.";
+  command.examples = {
+      {"luxgate check office.xml --output out", "A report for people, tables and JSON into 'out'"},
+      {"luxgate check designs/a.xml designs/b.xml --format junit=junit.xml",
+       "For a CI system, and text on standard output"},
+      {"luxgate check office.xml --against main... --gate regression",
+       "Only what became worse since HEAD left the branch main ends with 1"}};
+  command.exit_codes = check_exit_codes();
+  command.most_used = {"--output",   "--format", "--json",   "--rules", "--goal",
+                       "--baseline", "--jobs",   "--strict", "--color", "--quiet"};
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);
   };

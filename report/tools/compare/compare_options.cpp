@@ -31,28 +31,32 @@ Command compare_syntax(CompareOptions& options) {
        },
        true},
       {"--worst", "N", "Points to name, furthest apart first; default 5",
-       whole_number(options.worst, 0, 1000)},
-      data_format_option(
+       whole_number(options.worst, 0, 1000)}};
+  add(command.options,
+      data_format_options(
           options.outputs,
           "text, csv (all points), json, html or markdown, to FILE or (one kind only) to standard\n"
           "output; default text; may be repeated",
-          true)};
-  command.footer =
+          true));
+  command.notes =
       "Of two results, the first thing said is what is judged and asked otherwise than in B, as\n"
       "'check --baseline' says it: what became worse, what is asked for less, what has changed in\n"
-      "the input. Projects are matched by path, else by name; planes by their ids.\n"
-      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m) "
-      "with\n"
-      "or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error, or\n"
-      "'low_lx,high_lx'; perhaps 'quantity', as planar. 'points.csv' of 'check' is one.\n"
+      "the input. Projects are matched by path, else by name; planes by their ids.\n\n"
+      "A table has a line of names, then one line per point: 'plane,column,row' or 'x,y,z' (m)\n"
+      "with or without 'plane'; 'lx' or 'fc'; perhaps 'error_lx' or 'error_fc', a standard error,\n"
+      "or 'low_lx,high_lx'; perhaps 'quantity', as planar. 'points.csv' of 'check' is one.\n\n"
       "Values are maintained illuminances at full output. Ratings and ratios are named and left\n"
-      "out.\n"
-      "Points are judged, all together, and each plane's average, which shows a common bias that "
-      "no\n"
-      "point does; an average whose interval is not known (--partial, some points) is not judged.\n"
-      "Example: luxgate compare result.json measured.csv --tolerance 10% --format html=c.html\n"
-      "Exit codes: 0 values are alike within intervals and tolerance, and all is asked and judged\n"
-      "as in B; 1 not; 2 an error.";
+      "out.\n\n"
+      "Points are judged, all together, and each plane's average, which shows a common bias that\n"
+      "no point does; an average whose interval is not known (--partial, some points) is not\n"
+      "judged.";
+  command.examples = {
+      {"luxgate compare result.json measured.csv --tolerance 10% --format html=c.html",
+       "A result against measured values, with a page of all differences"}};
+  command.exit_codes = {
+      {0, "values are alike within intervals and tolerance, and all is asked and judged as in B"},
+      {1, "they are not"},
+      {2, "an error"}};
   command.complete = [&options](const Environment&) {
     return data_output_problem(options.outputs);
   };

@@ -2,6 +2,7 @@
 
 #include "calc/base/utf8.h"
 #include "report/shell/config_file.h"
+#include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/tools/check/check_options.h"
 
@@ -110,9 +111,10 @@ Command config_command() {
                   "Projects whose settings are meant; those of the current folder if there is none",
                   &options->projects, false}};
   show.options = config_options(options->config);
-  add(show.options, {{"--json", "", "As JSON", &options->as_json}});
-  show.footer =
-      "Options of the command line beat settings of the file. Exit codes: 0 shown, 2 an error.";
+  add(show.options, text_or_json_options(options->as_json));
+  show.notes = "Options of the command line beat settings of the file.";
+  show.examples = {{"luxgate config show office.xml", "Those that hold for a project"}};
+  show.exit_codes = {{0, "shown"}, {2, "an error"}};
   show.run = [options](const RunContext&) { return run_show(*options); };
   Command command{"config", "Show the settings of luxgate.toml"};
   command.actions = {std::move(show)};

@@ -25,7 +25,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 ValueParser method_list(std::vector<std::string>& target) {
-  return [&target](const std::string& text) -> std::string {
+  const auto parse = [&target](const std::string& text) -> std::string {
     std::vector<std::string> list = split(text);
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (std::string problem = estimator_problem(list[i]); !problem.empty()) return problem;
@@ -37,6 +37,8 @@ ValueParser method_list(std::vector<std::string>& target) {
     target = std::move(list);
     return "";
   };
+  const std::vector<std::string_view> names = estimator_names();
+  return {parse, {names.begin(), names.end()}};
 }
 
 // "" = nothing is wrong.
@@ -72,7 +74,7 @@ Command converge_syntax(ConvergeOptions& options) {
        "What errors are measured against: a long run of the core with other random numbers, whose\n"
        "own error is subtracted, or a table with a line for every point: plane,column,row,lx or\n"
        "x,y,z,lx (m, lx, initial) and perhaps error_lx, its standard error; default own",
-       some_text(options.reference)},
+       ValueParser(some_text(options.reference), {"own"})},
       {"--reference-paths", "N",
        "Light paths of each of the 64 replicates of 'own'; default twice --max-paths",
        power_of_two(options.reference_paths, 16, calc::kMostPaths)},
@@ -95,24 +97,27 @@ Command converge_syntax(ConvergeOptions& options) {
        one_more(options.planes), true},
       rules_option(options.rule_files),
       allow_option(options.allowed),
-      {"--jobs", "N", "Threads; default one per core", whole_number(options.jobs, 1, 1024)},
+      jobs_option(options.jobs),
       {"--gl-device", "N",
        "OpenGL device of 'luxgate devices' for gpu and shadow-map; default the first that works,\n"
        "hardware before software",
-       whole_number(options.gl_device, 0, 1000)},
-      data_format_option(options.outputs,
-                         "text, csv, json or html, to FILE or (one kind only) to standard output, "
-                         "where text goes\n"
-                         "unless another kind does; may be repeated")};
-  command.footer =
-      "Error against the number of light vertices and the size of shadow maps, with the core "
-      "in\n"
-      "the same plots, and the time of each phase, in examples/08-error-against-time:\n"
-      "  luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 \\\n"
-      "    --methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 \\\n"
-      "    --min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html\n"
-      "Times depend on the machine and on what else it does; errors do not.\n"
-      "Exit codes: 0 measured, 2 an error, 130 interrupted.";
+       whole_number(options.gl_device, 0, 1000)}};
+  add(command.options,
+      data_format_options(options.outputs,
+                          "text, csv, json or html, to FILE or (one kind only) to standard output, "
+                          "where text goes\n"
+                          "unless another kind does; may be repeated"));
+  command.notes = "Times depend on the machine and on what else it does; errors do not.";
+  command.examples = {
+      {"luxgate converge shadow.xml --reference reference-shadow.csv --replicates 4 "
+       "--methods core,instant-radiosity,shadow-map:16,shadow-map:64,shadow-map:256 "
+       "--min-paths 16 --max-paths 4096 --seeds 3 --format html=shadow-maps.html",
+       "In examples/08-error-against-time: error against the number of light vertices and the size "
+       "of shadow maps, with the core in the same plots, and the time of each phase"}};
+  command.exit_codes = {
+      {kAllMet, "measured"}, {kNotJudged, "an error"}, {kInterrupted, "interrupted"}};
+  command.most_used = {"--methods", "--reference", "--max-paths", "--seeds", "--space",
+                       "--plane",   "--jobs",      "--format",    "--json",  "--quiet"};
   command.complete = [&options](const Environment&) { return converge_contradiction(options); };
   return command;
 }

@@ -1,6 +1,7 @@
 #include "report/tools/devices/devices.h"
 
 #include "gpu/egl_context.h"
+#include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/text/json_layout.h"
 #include "report/text/plain_text.h"
@@ -55,8 +56,9 @@ std::string render_devices_json(const gpu::DeviceList& list) {
 Command devices_command() {
   const auto as_json = std::make_shared<bool>(false);
   Command command{"devices", "List OpenGL devices, and why one cannot be used"};
-  command.options = {{"--json", "", "As JSON", as_json.get()}};
-  command.footer = "Exit codes: 0 at least one device is usable, 2 none is.";
+  command.options = text_or_json_options(*as_json);
+  command.examples = {{"luxgate devices --json", "The same for a program"}};
+  command.exit_codes = {{0, "at least one device is usable"}, {2, "none is"}};
   command.run = [as_json](const RunContext& context) {
     const gpu::DeviceList list = gpu::list_devices(context.gl_fault);
     return print_outcome({gpu::preferred_device(list) >= 0 ? kAllMet : kNotJudged,

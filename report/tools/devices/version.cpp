@@ -5,6 +5,7 @@
 #include "calc/rays/triangle_tree.h"
 #include "gpu/egl_context.h"
 #include "report/document/program_version.h"
+#include "report/shell/option_values.h"
 #include "report/shell/print.h"
 #include "report/text/json_layout.h"
 #include "report/tools/devices/devices.h"
@@ -40,7 +41,9 @@ std::string version_text(bool as_json) {
 Command version_command() {
   const auto as_json = std::make_shared<bool>(false);
   Command command{"version", "Print versions of the program and libraries"};
-  command.options = {{"--json", "", "As JSON", as_json.get()}};
+  command.options = text_or_json_options(*as_json);
+  command.examples = {{"luxgate version --json", "The same, with OpenGL devices"}};
+  command.exit_codes = {{0, "printed"}, {2, "an error"}};
   command.run = [as_json](const RunContext&) {
     return print_outcome({kAllMet, version_text(*as_json), {}});
   };

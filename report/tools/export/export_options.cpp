@@ -10,9 +10,6 @@ namespace {
 
 // "" = nothing is wrong.
 std::string export_contradiction(const ExportOptions& options) {
-  if (options.target != kRadiance && options.target != kGltf) {
-    return one_of_message(options.target, {kRadiance, kGltf});
-  }
   return options.folder.empty() ? "-o FOLDER is needed" : "";
 }
 
@@ -21,9 +18,13 @@ std::string export_contradiction(const ExportOptions& options) {
 Command export_syntax(ExportOptions& options) {
   Command command{
       "export", "Write a project as a scene of Radiance, or rooms with their light as glTF models"};
-  command.places = {
-      {"target", fmt::format("{}|{}", kRadiance, kGltf), "What to write", &options.target},
-      project_place(options.project)};
+  command.places = {{"target",
+                     fmt::format("{}|{}", kRadiance, kGltf),
+                     "What to write",
+                     &options.target,
+                     true,
+                     {kRadiance, kGltf}},
+                    project_place(options.project)};
   command.options = {
       {"--force", "", "Replace files of an earlier export", &options.overwrites},
       {"-o,--output", "FOLDER", "Where to; needed, made if needed", some_text(options.folder)},
@@ -34,23 +35,19 @@ Command export_syntax(ExportOptions& options) {
        some_text(options.space)},
       rules_option(options.rule_files),
       allow_option(options.allowed)};
-  command.footer =
-      "radiance writes a scene that Radiance calculates as it is: materials, surfaces, luminaires "
-      "with their\n"
-      "photometry, the points of all planes of planar illuminance (those of workplaces too), a "
-      "script and a README.md.\n"
-      "gltf writes ROOM.glb of every room, or of that of --space: a model that any viewer opens, "
-      "with the maintained\n"
-      "illuminance of the surfaces as colours on the scale of all that are written, and as numbers "
-      "(_ILLUMINANCE_LX), "
-      "luminaires, planes and legend.\n"
-      "For pictures: it is linear between the corners of a mesh, and no verdict. --seed and --jobs "
-      "are for it.\n"
-      "Example: luxgate export radiance office.xml -o office-radiance\n"
-      "         office-radiance/run.sh && luxgate compare result.json "
-      "office-radiance/radiance.csv\n"
-      "         luxgate export gltf office.xml -o models\n"
-      "Exit codes: 0 written, 2 an error.";
+  command.notes =
+      "radiance writes a scene that Radiance calculates as it is: materials, surfaces, luminaires\n"
+      "with their photometry, the points of all planes of planar illuminance (those of workplaces\n"
+      "too), a script and a README.md.\n\n"
+      "gltf writes ROOM.glb of every room, or of that of --space: a model that any viewer opens,\n"
+      "with the maintained illuminance of the surfaces as colours on the scale of all that are\n"
+      "written, and as numbers (_ILLUMINANCE_LX), luminaires, planes and legend. For pictures: it\n"
+      "is linear between the corners of a mesh, and no verdict. --seed and --jobs are for it.";
+  command.examples = {
+      {"luxgate export radiance office.xml -o office-radiance",
+       "Then: office-radiance/run.sh && luxgate compare result.json office-radiance/radiance.csv"},
+      {"luxgate export gltf office.xml -o models", "A model of every room"}};
+  command.exit_codes = {{0, "written"}, {2, "an error"}};
   command.complete = [&options](const Environment&) { return export_contradiction(options); };
   return command;
 }

@@ -229,9 +229,12 @@ Command geometry_syntax(GeometryOptions& options) {
                            {{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}})},
       {"--up", "AXIS", "Vertical axis of OBJ, STL and PLY files: z or y",
        choice<std::string>(options.mesh_up, {{"z", "z"}, {"y", "y"}})},
-      {"--json", "", "As JSON", &options.as_json},
       {"--strict", "", "Exit with 1 if there is a warning", &options.strict}};
-  command.footer = "Exit codes: 0 readable, 1 warnings with --strict, 2 at least one error.";
+  add(command.options, text_or_json_options(options.as_json));
+  command.examples = {{"luxgate geometry hall.glb", "Whether its surfaces are closed"},
+                      {"luxgate geometry part.stl --units mm --up y", "Of a file without units"}};
+  command.exit_codes = {
+      {0, "readable"}, {1, "there are warnings, with --strict"}, {2, "at least one error"}};
   return command;
 }
 

@@ -45,6 +45,8 @@ Command init_command() {
   Command command{"init", "Write a small project that runs and passes"};
   command.places = {
       {"folder", "FOLDER", "Where; made if needed. Existing files are kept", folder.get(), false}};
+  command.examples = {{"luxgate init my-room", "Then: luxgate check my-room/project.xml"}};
+  command.exit_codes = {{0, "written"}, {2, "an error, also that a file of that name is there"}};
   command.run = [folder](const RunContext&) {
     const InitResult result = write_starter_project(*folder);
     if (!result.error.empty()) {

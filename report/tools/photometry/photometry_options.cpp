@@ -60,6 +60,10 @@ Command photometry_syntax(PhotometryOptions& options) {
   command.places = {
       {"files", "FILE", fmt::format("Photometry files ({})", formats), &options.files}};
   command.options = {
+      {"--format", "KIND", "Kind of output: text, csv (one line per file) or json; default text",
+       choice<PhotometryFormat>(options.format, {{"text", PhotometryFormat::text},
+                                                 {"csv", PhotometryFormat::csv},
+                                                 {"json", PhotometryFormat::json}})},
       {"--json", "", "As JSON", chosen(options.format, PhotometryFormat::json)},
       {"--csv",
        "",
@@ -96,9 +100,16 @@ Command photometry_syntax(PhotometryOptions& options) {
       {"--strict", "", "Exit code 1 if there are warnings", &options.strict},
       color_option(options.color),
       quiet_option(options.quiet)};
-  command.footer =
-      "Exit codes: 0 all files are readable, 1 warnings with --strict, 2 an unreadable file or\n"
-      "another error. A bad file does not keep the others from being shown.";
+  command.notes = "A bad file does not keep the others from being shown.";
+  command.examples = {
+      {"luxgate photometry panel.ies --sheet panel.html", "A data sheet"},
+      {"luxgate photometry old.ldt new.ies --compare", "Whether two files are the same light"},
+      {"luxgate photometry panel.ies --convert panel.ldt", "As EULUMDAT"}};
+  command.exit_codes = {{0, "all files are readable"},
+                        {1, "there are warnings, with --strict"},
+                        {2, "an unreadable file or another error"}};
+  command.most_used = {"--json",  "--csv",     "--polar",  "--convert", "--sheet",
+                       "--paper", "--compare", "--strict", "--color",   "--quiet"};
   command.complete = [&options](const Environment&) { return photometry_contradiction(options); };
   return command;
 }

@@ -65,9 +65,8 @@ Command plan_syntax(PlanOptions& options) {
   add(command.options, {set_option(options.set), limit_option(options.budget)});
   add(command.options, work_options(options.radiosity));
   add(command.options, backend_options(options.backend));
-  add(command.options, {{"--format", "KIND", "text or json; default text",
-                         choice<bool>(options.as_json, {{"text", false}, {"json", true}})},
-                        {"--units", "",
+  add(command.options, text_or_json_options(options.as_json));
+  add(command.options, {{"--units", "",
                          "List what machines can calculate apart from each other, rooms or planes "
                          "of large\n"
                          "ones, with predicted costs: for 'luxgate check --shard'",
@@ -75,8 +74,13 @@ Command plan_syntax(PlanOptions& options) {
                         strict_option(options.strict),
                         sandbox_option(options.sandbox),
                         quiet_option_with_count(options.quiet)});
-  command.footer =
-      "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
+  command.examples = {
+      {"luxgate plan office.xml", "What is proved to add nothing, and the cost of the rest"},
+      {"luxgate plan designs/a.xml designs/b.xml --units --json", "What machines can share"}};
+  command.exit_codes = {{0, "no error"},
+                        {2, "at least one error, or a warning that --strict makes count"}};
+  command.most_used = {"--rules", "--backend", "--units", "--format",
+                       "--json",  "--strict",  "--quiet"};
   command.complete = [&options](const Environment& environment) {
     std::string problem = take_source_date(environment.source_date_epoch, options.date);
     if (problem.empty()) problem = complete_work(options.radiosity, options.backend);

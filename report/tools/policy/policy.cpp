@@ -16,6 +16,8 @@ Command policy_command() {
   const auto file = std::make_shared<std::string>();
   Command check{"check", "Find errors in policies"};
   check.places = {{"files", "FILE", "Policies", files.get()}};
+  check.examples = {{"luxgate policy check office-policy.xml", ""}};
+  check.exit_codes = {{0, "no error"}, {2, "at least one error"}};
   check.run = [files](const RunContext&) {
     const calc::DiskFileReader disk;
     ExitCode code = kAllMet;
@@ -26,12 +28,16 @@ Command policy_command() {
   };
   Command explain{"explain", "Say in words what a policy wants"};
   explain.places = {{"file", "FILE", "A policy", file.get()}};
+  explain.examples = {{"luxgate policy explain office-policy.xml", ""}};
+  explain.exit_codes = {{0, "no error"}, {2, "at least one error"}};
   explain.run = [file](const RunContext&) {
     const auto policy = read_policy_or_print(*file, calc::DiskFileReader());
     if (!policy) return kNotJudged;
     return print_outcome({kAllMet, report::explain_policy(*policy), {}});
   };
   Command schema{"schema", "Print the XML schema of policies"};
+  schema.examples = {{"luxgate policy schema", "For an editor or a validator"}};
+  schema.exit_codes = {{0, "printed"}, {2, "an error"}};
   schema.run = [](const RunContext&) {
     return print_outcome({kAllMet, report::policy_schema(), {}});
   };

@@ -70,9 +70,18 @@ Command report_syntax(ReportOptions& options) {
   add(command.options,
       {passes_option(options.output.lists_passes), color_option(options.output.color),
        sandbox_option(options.sandbox), quiet_option(options.output.quiet)});
-  command.footer =
-      "Exit codes: 0 written, whatever the verdicts are, with --gate regression those of 'check';\n"
-      "2 an error, also a result whose verdicts or counts do not follow from its numbers.";
+  command.examples = {
+      {"luxgate report result.json --language de --format html=bericht.html", "In German"},
+      {"luxgate report result.json --baseline main.json --gate regression --format markdown",
+       "What became worse since an earlier result, for a pull request"}};
+  command.exit_codes = {
+      {kAllMet, "written, whatever the verdicts are; with --gate regression it is as of 'check'"},
+      {kNotMet, "with --gate regression: something became worse"},
+      {kNotJudged,
+       "an error, also a result whose verdicts or counts do not follow from its numbers"},
+      {kUndecided, "with --gate regression: nothing failed, but a result is undecided"}};
+  command.most_used = {"--format",   "--output", "--json",   "--language", "--paper",
+                       "--baseline", "--gate",   "--redact", "--color",    "--quiet"};
   command.complete = [&options](const Environment&) {
     const std::string problem =
         gate_contradiction(options.gate, !options.baseline.empty(), "a --baseline");

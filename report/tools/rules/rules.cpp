@@ -147,13 +147,13 @@ std::string explain(const std::string& what, const std::vector<rules::RulePack>&
   return text.value_or("");
 }
 
-constexpr const char* kRulesExitCodes = "Exit codes: 0 no error, 2 at least one error.";
+std::vector<ExitMeaning> rules_exit_codes() { return {{0, "no error"}, {2, "at least one error"}}; }
 
 // An action that prints what `make` gives of its options.
 template <class Options>
 Command action(Command command, const std::shared_ptr<Options>& options,
                std::string (*make)(const Options&, const calc::FileReader&, calc::Diagnostics&)) {
-  command.footer = kRulesExitCodes;
+  command.exit_codes = rules_exit_codes();
   command.run = [options, make](const RunContext&) {
     calc::Diagnostics diagnostics;
     std::string out = make(*options, calc::DiskFileReader(), diagnostics);
@@ -171,6 +171,8 @@ struct PackOptions {
 Command list_action() {
   const auto options = std::make_shared<PackOptions>();
   Command command{"list", "List the rule packs"};
+  command.examples = {
+      {"luxgate rules list --rules own.xml", "Those delivered and one of your own"}};
   command.options = {rules_option(options->rule_files)};
   return action<PackOptions>(
       std::move(command), options,
@@ -189,6 +191,7 @@ Command show_action() {
                      "what is required there",
                      &options->part, false}};
   command.options = {rules_option(options->rule_files)};
+  command.examples = {{"luxgate rules show en12464-1 34.2", "One row of a standard"}};
   return action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
@@ -201,6 +204,7 @@ Command lint_action() {
   const auto options = std::make_shared<PackOptions>();
   Command command{"lint", "Find errors and doubtful things in rule pack files"};
   command.places = {{"files", "FILE|DIR", "Rule packs, or folders of them", &options->files}};
+  command.examples = {{"luxgate rules lint own.xml", "Before it is used"}};
   return action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {
@@ -224,13 +228,17 @@ Command import_action() {
                : "either TABLE.csv or --template is needed";
   };
   command = action<ImportOptions>(std::move(command), options, import_table);
-  command.footer = rules::import_columns_help() + "\n" + kRulesExitCodes;
+  command.notes = rules::import_columns_help();
+  command.examples = {
+      {"luxgate rules import --template", "A table to begin with"},
+      {"luxgate rules import rows.csv -o own.xml", "Then: luxgate rules lint own.xml"}};
   return command;
 }
 
 Command schema_action() {
-  return action<PackOptions>({"schema", "Print the XML schema of rule packs"},
-                             std::make_shared<PackOptions>(),
+  Command command{"schema", "Print the XML schema of rule packs"};
+  command.examples = {{"luxgate rules schema", "For an editor or a validator"}};
+  return action<PackOptions>(std::move(command), std::make_shared<PackOptions>(),
                              [](const PackOptions&, const calc::FileReader&, calc::Diagnostics&) {
                                return rules::rule_pack_schema();
                              });
@@ -242,7 +250,6 @@ Command rules_command() {
   Command command{"rules", "List, show, compare, check and import rule packs (standards as data)"};
   command.actions = {list_action(), show_action(),   diff_action(),
                      lint_action(), import_action(), schema_action()};
-  command.footer = "'luxgate rules ACTION --help' explains an action.";
   return command;
 }
 
@@ -255,6 +262,8 @@ Command explain_command() {
        "or the id of a message",
        &options->name}};
   command.options = {rules_option(options->rule_files)};
+  command.examples = {{"luxgate explain en12464-1/34.2", "A row of a standard"},
+                      {"luxgate explain light-leaves-room", "A message"}};
   return action<PackOptions>(
       std::move(command), options,
       [](const PackOptions& given, const calc::FileReader& files, calc::Diagnostics& diagnostics) {

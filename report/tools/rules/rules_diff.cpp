@@ -104,14 +104,21 @@ Command diff_action() {
        "Check this project with A and with B, whichever of them it names, and tell\n"
        "which limits and verdicts that changes",
        some_text(options->project)},
-      {"--json", "", "As JSON", &options->as_json},
       rules_option(options->check.input.rule_files),
       jobs_option(options->check.settings.radiosity.jobs)};
-  command.footer =
-      "[stricter] and [easier] are of a change by itself, everything else as in A or as in B,\n"
-      "and stand only where that is certain.\n"
-      "Exit codes: 0 the packs are equal, 1 they differ, 2 at least one error, also one that\n"
-      "leaves the project unread or not calculated with one of them. Verdicts change no code.";
+  add(command.options, text_or_json_options(options->as_json));
+  command.notes =
+      "[stricter] and [easier] are of a change by itself, everything else as in A or as in B, and\n"
+      "stand only where that is certain.";
+  command.examples = {{"luxgate rules diff en12464-1:2011 en12464-1:2021 --project office.xml",
+                       "What another edition changes in a project"}};
+  command.exit_codes = {
+      {kAllMet, "the packs are equal"},
+      {kNotMet, "they differ; verdicts of --project change no code"},
+      {kNotJudged,
+       "at least one error, also one that leaves the project unread or not calculated with one of "
+       "them"},
+      {kInterrupted, "interrupted"}};
   command.complete = [options](const Environment& environment) -> std::string {
     std::string date;
     const std::string problem = take_source_date(environment.source_date_epoch, date);

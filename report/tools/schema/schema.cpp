@@ -20,6 +20,9 @@ Command schema_command() {
        &asked->reference},
       {"--result", "", "Print the JSON schema of 'check --format json' instead", &asked->results},
       {"--sweep", "", "Print the JSON schema of 'sweep --format json' instead", &asked->sweeps}};
+  command.examples = {{"luxgate schema", "For an editor or a validator"},
+                      {"luxgate schema --result", "For who reads results"}};
+  command.exit_codes = {{0, "printed"}, {2, "an error"}};
   command.complete = [asked](const Environment&) -> std::string {
     return int{asked->results} + int{asked->sweeps} + int{asked->reference} > 1
                ? "--markdown, --result and --sweep exclude each other"

@@ -43,7 +43,6 @@ Command selftest_syntax(SelftestOptions& options) {
   command.options = {
       {"--list", "", "Name the cases and run none", &options.lists},
       {"--all", "", "A line for every number, not for every case", &options.shows_all},
-      {"--json", "", "As JSON, with every number", &options.as_json},
       {"--timing", "", "Times and rays too; without them equal runs print equal bytes",
        &options.has_timing},
       {"--only", "NAME", "A case or a kind of cases; may be repeated", case_or_kind(options.only),
@@ -58,13 +57,18 @@ Command selftest_syntax(SelftestOptions& options) {
        "hold, and no verdict that hangs on one seed's luck; 1 to 1000, default 1",
        whole_number(options.seeds, 1, 1000)},
       jobs_option(options.jobs)};
-  command.footer =
-      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or "
-      "by\n"
-      "a matrix solution, none of which uses the calculation. 'in': the exact value lies in our\n"
-      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.\n"
-      "Example: luxgate selftest --only cie171-5.8 --all\n"
-      "Exit codes: 0 all cases are right, 1 a case is wrong or too vague, 2 an error.";
+  add(command.options, text_or_json_options(options.as_json));
+  command.notes =
+      "Every case is a situation whose light is known exactly: by a closed form, by quadrature or\n"
+      "by a matrix solution, none of which uses the calculation. 'in': the exact value lies in "
+      "our\n"
+      "interval, at a level that all numbers together miss in fewer than one of a thousand seeds.";
+  command.examples = {
+      {"luxgate selftest --only cie171-5.8 --all", "Every number of one kind of cases"}};
+  command.exit_codes = {{kAllMet, "all cases are right"},
+                        {kNotMet, "a case is wrong or too vague"},
+                        {kNotJudged, "an error"},
+                        {kInterrupted, "interrupted"}};
   command.complete = [&options](const Environment&) { return selftest_contradiction(options); };
   return command;
 }

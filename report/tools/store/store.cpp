@@ -31,8 +31,6 @@ constexpr std::pair<std::string_view, std::uint64_t> kUnits[] = {{"", 1},
                                                                  {"GiB", std::uint64_t{1} << 30},
                                                                  {"TiB", std::uint64_t{1} << 40}};
 
-constexpr const char* kStoreExitCodes = "Exit codes: 0 no error, 2 an error or a damaged entry.";
-
 struct StoreOptions {
   std::string folder;
   std::uint64_t max_bytes = 0;
@@ -125,7 +123,8 @@ Command store_action(std::string name, std::string summary,
                      const std::shared_ptr<StoreOptions>& options, Work work) {
   Command command{std::move(name), std::move(summary)};
   command.places = {{"dir", "DIR", "The folder of 'check --store'", &options->folder}};
-  command.footer = kStoreExitCodes;
+  command.examples = {{fmt::format("luxgate store {} looks", command.name), ""}};
+  command.exit_codes = {{0, "no error"}, {2, "an error or a damaged entry"}};
   command.complete = [options](const Environment&) { return problem_with_folder(options->folder); };
   command.run = [options, work](const RunContext&) { return print_outcome(work(*options)); };
   return command;
@@ -137,6 +136,7 @@ Command prune_action() {
   Command command = store_action(
       "prune", "Delete entries until the rest has a given size, those unused for longest first",
       options, prune);
+  command.examples = {{"luxgate store prune looks --max-size 2GiB", ""}};
   command.options = {
       {"--max-size", "SIZE",
        "Bytes to be left at most: 500MB, 2GiB, 0; needed. An entry counts as used when it is\n"
@@ -180,7 +180,6 @@ Command store_command() {
                    "Read every entry whole: format, checksum and key; says which are damaged.\n"
                    "Nothing is calculated again",
                    std::make_shared<StoreOptions>(), verify)};
-  command.footer = "'luxgate store ACTION --help' explains an action.";
   return command;
 }
 

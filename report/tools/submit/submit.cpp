@@ -41,15 +41,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFooter =
+constexpr const char* kNotes =
     "Shards calculate into the store, the closing job reports from it: with the bytes of one\n"
     "machine. What is in the store is only read, so the same command once more completes what was\n"
     "cut off; a shard of which all is there costs its reading. Store, job folder, projects and\n"
     "luxgate must have the same paths on all machines. Where some have a GPU and some do not, say\n"
     "--backend. Each batch has a folder of its own in the job folder; it may be deleted later.\n"
-    "All other options are those of 'check'; those of reports are for the closing job alone.\n"
-    "Exit codes: 0 no error, 2 an error; with --send, but for slurm without --wait, that of the\n"
-    "closing job.";
+    "All other options are those of 'check'; those of reports are for the closing job alone.";
 
 struct SubmitOptions {
   CheckOptions check;
@@ -79,11 +77,6 @@ bool is_among(const std::array<std::string_view, N>& names, std::string_view nam
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Of "-o,--output": the last.
-std::string long_name(const Option& option) {
-  return option.names.substr(option.names.find_last_of(',') + 1);
-}
-
 std::string as_written(const Option& option, const std::string& name, const std::string& value) {
   if (option.may_have_value) {
     return value.empty() ? name : name + "=" + report::shell_quoted(value);
@@ -95,7 +88,7 @@ std::string as_written(const Option& option, const std::string& name, const std:
 
 // The same option, which also writes down that it was given.
 Option recorded(Option option, std::vector<std::string>& words) {
-  const std::string name = long_name(option);
+  const std::string name = option.long_name();
   if (bool* const* flag = std::get_if<bool*>(&option.target)) {
     option.target = [target = *flag, name, &words](const std::string&) -> std::string {
       *target = true;
@@ -104,12 +97,13 @@ Option recorded(Option option, std::vector<std::string>& words) {
     };
     return option;
   }
-  option.target = [parser = std::get<ValueParser>(option.target), plain = option, name,
-                   &words](const std::string& text) -> std::string {
+  const auto parse = [parser = std::get<ValueParser>(option.target), plain = option, name,
+                      &words](const std::string& text) -> std::string {
     std::string problem = parser(text);
     if (problem.empty()) words.push_back(as_written(plain, name, text));
     return problem;
   };
+  option.target = ValueParser(parse, option.words());
   return option;
 }
 
@@ -119,7 +113,7 @@ constexpr auto kOfScript = std::to_array<std::string_view>({"--files-from", "--s
 std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option> all) {
   std::vector<Option> kept;
   for (Option& option : all) {
-    const std::string name = long_name(option);
+    const std::string name = option.long_name();
     if (is_among(kNotOfBatches, name)) continue;
     std::erase_if(option.excludes,
                   [](const std::string& other) { return is_among(kNotOfBatches, other); });
@@ -134,14 +128,17 @@ std::vector<Option> options_of_check(SubmitOptions& options, std::vector<Option>
 }
 
 ValueParser engine_parser(std::optional<Engine>& target) {
-  return [&target](const std::string& text) {
+  const std::vector<std::pair<std::string_view, Engine>> engines = {
+      {"slurm", Engine::slurm}, {"parallel", Engine::parallel}, {"local", Engine::local}};
+  std::vector<std::string> words;
+  for (const auto& [name, engine] : engines) words.emplace_back(name);
+  const auto parse = [&target, engines](const std::string& text) {
     Engine engine = Engine::local;
-    std::string problem = choice<Engine>(
-        engine,
-        {{"slurm", Engine::slurm}, {"parallel", Engine::parallel}, {"local", Engine::local}})(text);
+    std::string problem = choice<Engine>(engine, engines)(text);
     if (problem.empty()) target = engine;
     return problem;
   };
+  return {parse, std::move(words)};
 }
 
 std::string without_end_slash(std::string path) {
@@ -333,7 +330,18 @@ Command submit_command() {
   add(command.options, options_of_check(*options, std::move(of_check.options)));
   command.config = of_check.config;
   command.config_revision = of_check.config_revision;
-  command.footer = kFooter;
+  command.notes = kNotes;
+  command.examples = {
+      {"luxgate submit designs/a.xml designs/b.xml --engine slurm --store /srv/store --output out",
+       "Prints the script; 'sbatch' starts it, or --send"},
+      {"luxgate submit designs/a.xml --engine local --store store --send", "On all cores here"}};
+  command.exit_codes = {
+      {kAllMet, "no error; with --send that of the closing job, but for slurm without --wait"},
+      {kNotMet, "with --send: as 'check' ends"},
+      {kNotJudged, "an error; with --send also as 'check' ends"},
+      {kUndecided, "with --send: as 'check' ends"}};
+  command.most_used = {"--engine", "--store",  "--shards", "--job-folder", "--jobs",
+                       "--output", "--format", "--send",   "--wait",       "--quiet"};
   command.complete = [options, rest = of_check.complete](const Environment& environment) {
     const std::string problem = complete(*options, environment);
     return problem.empty() ? rest(environment) : problem;

@@ -39,7 +39,7 @@ constexpr std::size_t kMostSweepStoreBytes = std::size_t{1} << 30;
 
 constexpr std::size_t kMostLogged = 100;
 
-constexpr const char* kSweepFooter =
+constexpr const char* kSweepNotes =
     "All combinations are checked, the last --vary fastest. What a change does not touch is taken\n"
     "from the store, or from memory without one: limits, dimming and maintenance factors trace no\n"
     "ray. A margin is (value - limit) / limit, turned for upper limits, so that above 0 is good;\n"
@@ -51,12 +51,7 @@ constexpr const char* kSweepFooter =
     "its whole interval: --goal accuracy makes intervals narrow. Variants with the same power and\n"
     "margin are on it together. With --front price it is the same of the price. Where the power "
     "or\n"
-    "price of a luminaire is not known, its variant is not on the front, and a line says so.\n"
-    "Exit codes:\n"
-    "  0    done: every variant was judged, whatever its verdict\n"
-    "  2    usage, input or file error, or a variant that could not be judged (with\n"
-    "       --stored-only: whose light is not in the store)\n"
-    "  130  interrupted; what was finished is in the --store";
+    "price of a luminaire is not known, its variant is not on the front, and a line says so.";
 
 // Every file is read once, so that all variants are of the same files.
 class KeptFiles : public calc::FileReader {
@@ -408,10 +403,11 @@ Command sweep_command() {
       allow_option(check.input.allowed),
       {"--front", "NAME",
        "What a larger margin is held against: power or price, of all luminaires; default power",
-       choice<FrontOf>(options->front_of, {{"power", FrontOf::power}, {"price", FrontOf::price}})},
-      data_format_option(options->outputs,
-                         "text, csv, json or html, into a file or to standard output; default "
-                         "text. Can be repeated")};
+       choice<FrontOf>(options->front_of, {{"power", FrontOf::power}, {"price", FrontOf::price}})}};
+  add(command.options,
+      data_format_options(options->outputs,
+                          "text, csv, json or html, into a file or to standard output; default "
+                          "text. Can be repeated"));
   add(command.options, config_options(check.input.config));
   command.config = &check.input.config;
   add(command.options, accuracy_options(check.settings));
@@ -427,7 +423,18 @@ Command sweep_command() {
            "shares than different lights are of no use. Then the same command with --stored-only\n"
            "reports"),
        stored_only_option(check.batch.is_stored_only), quiet_option(check.output.quiet)});
-  command.footer = kSweepFooter;
+  command.notes = kSweepNotes;
+  command.examples = {
+      {"luxgate sweep office.xml --vary linear.flux-lm=3000:5000:500 --vary room.L.columns=3,4,5",
+       "Fifteen variants, compared by margin and power"}};
+  command.exit_codes = {
+      {kAllMet, "done: every variant was judged, whatever its verdict"},
+      {kNotJudged,
+       "usage, input or file error, or a variant that could not be judged (with --stored-only: "
+       "whose light is not in the store)"},
+      {kInterrupted, "interrupted; what was finished is in the --store"}};
+  command.most_used = {"--vary", "--set",    "--rules", "--front", "--goal",
+                       "--jobs", "--format", "--json",  "--store", "--quiet"};
   command.complete = [options](const Environment& environment) {
     return complete_sweep(*options, environment);
   };

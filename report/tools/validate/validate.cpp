@@ -67,8 +67,9 @@ Command validate_command() {
   command.config = &options->input.config;
   add(command.options, {limit_option(options->budget), strict_option(options->strict),
                         sandbox_option(options->sandbox), quiet_option_with_count(options->quiet)});
-  command.footer =
-      "Exit codes: 0 no error, 2 at least one error, or a warning that --strict makes count.";
+  command.examples = {{"luxgate validate office.xml --strict", "Warnings count, too"}};
+  command.exit_codes = {{0, "no error"},
+                        {2, "at least one error, or a warning that --strict makes count"}};
   command.complete = [options](const Environment& environment) {
     const std::string problem = take_source_date(environment.source_date_epoch, options->date);
     return problem.empty() ? complete_projects(options->input) : problem;

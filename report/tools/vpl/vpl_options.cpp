@@ -53,7 +53,10 @@ Command vpl_syntax(VplOptions& options) {
       allow_option(options.allowed),
       space_option(options.space),
       jobs_option(settings.jobs, "the file")};
-  command.footer = "Exit codes: 0 written, 2 an error.";
+  command.examples = {
+      {"luxgate vpl office.xml -o office.ply", "For any mesh viewer, and for 'check --vpl'"},
+      {"luxgate vpl office.xml --space room --view room.png", "A picture with them as dots"}};
+  command.exit_codes = {{0, "written"}, {2, "an error"}};
   command.complete = [&options](const Environment&) { return vpl_contradiction(options); };
   return command;
 }

@@ -37,11 +37,10 @@ namespace {
 // Looks of half that size are forgotten together, so that there is always room for new ones.
 constexpr std::size_t kMostStoreBytes = std::size_t{1} << 30;
 
-constexpr const char* kFooter =
+constexpr const char* kNotes =
     "The terminal shows the whole result first, then what each change did to it, and the time\n"
     "from the last save to the verdict. What did not change is not calculated again. A change\n"
-    "while it calculates starts it anew. Ctrl-C ends it; then the exit code is that of the last\n"
-    "result, as of 'luxgate check', or 130 if there was none.";
+    "while it calculates starts it anew. Ctrl-C ends it.";
 
 struct WatchOptions {
   CheckOptions check;
@@ -277,7 +276,16 @@ Command watch_command() {
   add(command.options, work_options(check.settings.radiosity));
   add(command.options, backend_options(check.backend));
   add(command.options, {store_option(check.store)});
-  command.footer = kFooter;
+  command.notes = kNotes;
+  command.examples = {
+      {"luxgate watch office.xml --serve", "The report in a browser, kept up to date"}};
+  command.exit_codes = {{kAllMet, "at the end every requirement was met or waived"},
+                        {kNotMet, "at the end a requirement was not met"},
+                        {kNotJudged, "an error, or at the end something could not be judged"},
+                        {kUndecided, "at the end nothing failed, but a result was undecided"},
+                        {kInterrupted, "ended before the first result"}};
+  command.most_used = {"--serve", "--rules", "--passes",  "--goal",
+                       "--jobs",  "--store", "--backend", "--color"};
   command.complete = [options](const Environment& environment) {
     return complete(options->check, environment);
   };

@@ -1,0 +1,82 @@
+#pragma once
+// The environment variables that the program reads, said once: for help, manual pages and for those
+// who read them, which compiles for names of this table only.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace cli {
+
+struct EnvironmentVariable {
+  std::string_view name, meaning;
+  // Who reads it: commands with one of these options, and these commands ("rules diff" is an
+  // action). Lists with commas; "*" = all commands.
+  std::string_view options, commands = {};
+};
+
+inline constexpr auto kEnvironmentVariables = std::to_array<EnvironmentVariable>({
+    {"SOURCE_DATE_EPOCH",
+     "Seconds since 1970: the date of reports, and the day on which a waiver has ended or not, "
+     "unless --timestamp gives one",
+     "--timestamp", "plan,validate,rules diff"},
+    {"LUXGATE_STORE", "Folder of looks that are kept, unless --store names one", "--store"},
+    {"NO_COLOR", "Not empty: --color auto is without colours", "--color"},
+    {"CLICOLOR_FORCE",
+     "Not empty and not 0: --color auto is with colours, also where standard output is no "
+     "terminal. NO_COLOR wins",
+     "--color"},
+    {"TERM", "dumb: --color auto is without colours", "--color"},
+    {"LUXGATE_CHROMIUM",
+     "Chromium or Chrome, which prints PDF files: its path, or its name in PATH; default the first "
+     "of the usual names that is in PATH",
+     "--paper"},
+    {"PATH", "Folders in which Chromium is looked for", "--paper"},
+    {"TMPDIR",
+     "Folder of temporary files: of reports longer than memory that go to standard output, and of "
+     "pages that are printed; default /tmp",
+     "--paper"},
+    {"GIT_DIR", "The git repository of --against, as for git", "--against"},
+    {"GIT_WORK_TREE", "Its work tree, as for git", "--against"},
+    {"LUXGATE_PROGRAM_CACHE",
+     "Folder in which compiled OpenGL programs are kept; 'off': none. Default luxgate/programs in "
+     "XDG_CACHE_HOME, else in ~/.cache",
+     "", "check,watch,sweep,submit,converge,vpl"},
+    {"XDG_CACHE_HOME", "See LUXGATE_PROGRAM_CACHE", "", "check,watch,sweep,submit,converge,vpl"},
+    {"HOME",
+     "See LUXGATE_PROGRAM_CACHE; --sandbox lets the drivers read .drirc there, and --against the "
+     "settings of git",
+     "--sandbox", "check,watch,sweep,submit,converge,vpl"},
+    {"LD_LIBRARY_PATH", "Folders that --sandbox lets the system's libraries read", "--sandbox"},
+    {"LIBGL_DRIVERS_PATH", "The same, of drivers of OpenGL", "--sandbox"},
+    {"GBM_BACKENDS_PATH", "The same, of drivers of OpenGL", "--sandbox"},
+    {"__EGL_VENDOR_LIBRARY_DIRS", "The same, of drivers of OpenGL", "--sandbox"},
+    {"__EGL_VENDOR_LIBRARY_FILENAMES", "The same, of drivers of OpenGL", "--sandbox"},
+    {"DRIRC_CONFIGDIR", "The same, of drivers of OpenGL", "--sandbox"},
+    {"TZ", "The same, of the time zone", "--sandbox"},
+    {"TZDIR", "The same, of the time zone", "--sandbox"},
+    {"LUXGATE_ISA",
+     "For tests: which of the processor's vectors are used, a name that 'luxgate version --json' "
+     "lists",
+     "", "*"},
+    {"LUXGATE_GL_FAULT", "For tests: how OpenGL is to fail", "", "*"},
+});
+
+constexpr bool is_environment_variable(std::string_view name) {
+  return std::any_of(kEnvironmentVariables.begin(), kEnvironmentVariables.end(),
+                     [name](const EnvironmentVariable& known) { return known.name == name; });
+}
+
+// The name of a variable of the table; another does not compile.
+class VariableName {
+ public:
+  consteval VariableName(const char* name) : name_(name) {
+    if (!is_environment_variable(name)) throw "not in kEnvironmentVariables";
+  }
+  constexpr const char* text() const { return name_; }
+
+ private:
+  const char* name_;
+};
+
+}  // namespace cli

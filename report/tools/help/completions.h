@@ -1,0 +1,17 @@
+#pragma once
+// Scripts by which shells complete what is typed behind `luxgate`. Commands, actions, options and
+// the words that options take come from the table of commands.
+
+#include "report/shell/command.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+enum class Shell { bash, zsh, fish };
+
+std::string completions(Shell shell, const std::vector<Command>& commands);
+
+}  // namespace cli

@@ -1,0 +1,19 @@
+#pragma once
+// Manual pages, as troff with the macros of man(7).
+
+#include "report/shell/command.h"
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct ManPage {
+  std::string file;  // "luxgate-check.1"
+  std::string text;
+};
+
+// command: its name; "" = the program. It must be there.
+ManPage man_page(const std::vector<Command>& commands, const std::string& command);
+
+}  // namespace cli
