@@ -36,9 +36,9 @@ std::string short_help(const Topic& topic);
 // --help: all of it.
 std::string long_help(const Topic& topic);
 
-// "luxgate check [OPTIONS] [PROJECT.xml...]"
+// The line behind "Usage:".
 std::string usage_line(const Topic& topic);
-// "-o, --output FOLDER", "--strict[=ID,...]"
+// "-o, --output FOLDER"
 std::string option_words(const Option& option);
 // The first clause of a text, as a line of at most `width` columns: up to ';' or '.', or to ':' if
 // that is too long.
