@@ -71,10 +71,11 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
+// From the current folder. Links stay as they are: where they lead is looked at when it is read.
 std::string shown(const std::string& path) {
   std::error_code failure;
-  const fs::path near = fs::proximate(path, failure);
-  return failure ? path : near.string();
+  const fs::path here = fs::current_path(failure);
+  return failure ? path : fs::path(path).lexically_proximate(here).string();
 }
 
 // A scalar as it would stand on a command line; empty: it is none.

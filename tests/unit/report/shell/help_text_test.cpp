@@ -142,8 +142,7 @@ TEST(Help, OptionsAreSpeltTheSameEverywhere) {
       "--plane",    // of compare: two ids
       "--strict",   // with ids where warnings of projects have ids to choose from
       "--space",    // of check: patterns
-      "--project",  //
-      "--report",   //
+      "--units",    // a file, a list, or what lengths are in
   };
   const std::vector<cli::Command> commands = cli::all_commands();
   std::map<std::string, std::string> values, one_letters;
