@@ -136,13 +136,13 @@ TEST(Help, VariablesOfTheTableNameCommandsAndOptionsThatAreThere) {
 // The same option is written in the same way in all commands, or stands here with the reason.
 TEST(Help, OptionsAreSpeltTheSameEverywhere) {
   const std::set<std::string> differ = {
-      "--format",   // [=FILE] where files can be written
-      "--output",   // of one file, of one of a kind, or of a folder
-      "--clamp",    // of a method of converge, in another unit's letter
-      "--plane",    // of compare: two ids
-      "--strict",   // with ids where warnings of projects have ids to choose from
-      "--space",    // of check: patterns
-      "--units",    // a file, a list, or what lengths are in
+      "--format",  // [=FILE] where files can be written
+      "--output",  // of one file, of one of a kind, or of a folder
+      "--clamp",   // of a method of converge, in another unit's letter
+      "--plane",   // of compare: two ids
+      "--strict",  // with ids where warnings of projects have ids to choose from
+      "--space",   // of check: patterns
+      "--units",   // a file, a list, or what lengths are in
   };
   const std::vector<cli::Command> commands = cli::all_commands();
   std::map<std::string, std::string> values, one_letters;
