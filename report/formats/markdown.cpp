@@ -110,6 +110,13 @@ std::string project_line(const Texts& t, const ProjectPart& project) {
   return text + "\n";
 }
 
+// ": My first project (project.xml)"
+std::string title_of(const ProjectPart& project) {
+  const std::string path = escape_markdown(project.path);
+  return project.name.empty() ? ": " + path
+                              : fmt::format(": {} ({})", escape_markdown(project.name), path);
+}
+
 std::string warnings(const Texts& t, const ProjectPart& project) {
   constexpr std::size_t kMost = 20;
   std::string text;
@@ -149,7 +156,10 @@ class MarkdownWriter : public FormatWriter {
     for (const CiFinding& entry : findings_.of(project)) {
       (entry.verdict == rules::Verdict::pass ? passed_ : others_).add(entry);
     }
-    if (!has_projects()) about_ = about_line(t_, project.about);
+    if (!has_projects()) {
+      about_ = about_line(t_, project.about);
+      title_ = title_of(project);
+    }
     if (projects_++ < kMostProjects) project_lines_ += project_line(t_, project);
     warnings_.write(warnings(t_, project));
     notes_.write(notes(t_, project));
@@ -167,15 +177,15 @@ class MarkdownWriter : public FormatWriter {
   Table passed_, others_;
   std::size_t projects_ = 0;
   std::string project_lines_;  // of the first ones
-  std::string about_;          // of the only one
+  std::string title_, about_;  // of the only one
   Spill warnings_, notes_;     // of all projects
 };
 
 void MarkdownWriter::finish(const DocumentEnd& end, Sink& sink) {
   const rules::Outcome outcome =
       frame_.revised == nullptr ? end.totals.outcome : gate_outcome(*frame_.revised);
-  std::string text = fmt::format("### luxgate: {} {}\n\n{}\n", outcome_symbol(outcome),
-                                 outcome_words(t_, outcome), summary_words(t_, end.totals));
+  std::string text = fmt::format("### luxgate: {} {}{}\n\n{}\n", outcome_symbol(outcome),
+                                 outcome_words(t_, outcome), title_, summary_words(t_, end.totals));
   if (!about_.empty()) text += "\n" + escape_markdown(about_) + "\n";
   if (frame_.revised != nullptr) text += render_revision_markdown(t_, *frame_.revised);
   if (has_projects()) text += "\n" + project_lines_;

@@ -1,6 +1,8 @@
 #include "report/tools/rules/explain.h"
 
 #include "calc/base/diagnostics.h"
+#include "calc/base/edit_distance.h"
+#include "calc/base/text.h"
 #include "rules/binding/rule_reference.h"
 #include "rules/pack/limit.h"
 
@@ -444,12 +446,82 @@ std::optional<std::string> explain_rule(const RulePack& pack, const std::string&
   return explain_checks(pack, checks);
 }
 
+namespace {
+
+// Of messages whose text says nothing by itself, since all of it is what was found. One of any
+// other does not compile.
+constexpr std::string_view meaning_of(calc::DiagnosticId id) {
+  switch (id) {
+    case calc::DiagnosticId::file_of_other_kind:
+      return "A file is of another kind than the attribute that names it, by its name or by "
+             "what is in it: photometry where a mesh is meant, for example. The file is not read, "
+             "and the exit code is 2.";
+    case calc::DiagnosticId::csv_quotes:
+      return "A table (CSV) has a quoted cell that does not end, or text behind the end of "
+             "one. The message says where it begins. The exit code is 2.";
+    case calc::DiagnosticId::luminaire_list_line:
+      return "A line of a table of luminaires cannot be used: a cell is no number or out of its "
+             "range, or it names a luminaire type that the project does not have. The exit "
+             "code is 2.";
+    case calc::DiagnosticId::rule_import:
+      return "'luxgate rules' cannot do what is asked, or a line of a table to import cannot be "
+             "used. The exit code is 2.";
+    case calc::DiagnosticId::rule_import_doubtful:
+      return "A cell of a table to import was read, but hardly means what it says. Compare it with "
+             "the standard. The exit code does not change.";
+    case calc::DiagnosticId::output_not_possible:
+      return "A file or folder of results cannot be written, or must not be: no right to write "
+             "there, no room, a folder of that name, or it is an input of the same run. Checked "
+             "before anything is calculated where that can be known. The exit code is 2.";
+    case calc::DiagnosticId::converge_not_possible:
+      return "'luxgate converge' cannot measure this: it compares illuminances of one plane, "
+             "calculated in several ways. The exit code is 2.";
+    default:
+      return {};
+  }
+}
+
+// Not a test, since the texts are here already.
+#define LUXGATE_DIAGNOSTIC(id, severity, text)                                                 \
+  static_assert(std::string_view(text) != "{}" || !meaning_of(calc::DiagnosticId::id).empty(), \
+                "a message without words needs its meaning in words");
+#include "calc/base/diagnostics.def"
+#undef LUXGATE_DIAGNOSTIC
+
+const char* severity_name(calc::DiagnosticId id) {
+  return calc::diagnostic_severity(id) == calc::Severity::error ? "error" : "warning";
+}
+
+}  // namespace
+
+std::string near_names(const rules::RulePack& pack, std::string_view name) {
+  constexpr std::size_t kMostNear = 8;
+  std::vector<std::string> names = pack.roles();
+  for (const rules::RuleRow& row : pack.rows) names.push_back(row.ref);
+  for (const rules::RuleCheck& check : pack.checks) names.push_back(check.id);
+  std::vector<std::pair<std::size_t, std::string>> near;
+  for (const std::string& known : names) {
+    const std::size_t distance = calc::edit_distance(name, known);
+    if (distance <= std::max<std::size_t>(1, known.size() / 3)) near.emplace_back(distance, known);
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> told;
+  for (auto& [distance, known] : near) {
+    if (told.size() < kMostNear) told.push_back(std::move(known));
+  }
+  return calc::list_names(told.empty() ? names : told, kMostNear);
+}
+
 std::optional<std::string> explain_message(const std::string& name) {
   for (const calc::DiagnosticId id : kMessages) {
     if (calc::diagnostic_name(id) != name) continue;
+    if (const std::string_view meaning = meaning_of(id); !meaning.empty()) {
+      return fmt::format("{}: {}\n\n{}\n", name, severity_name(id), meaning);
+    }
     const bool is_error = calc::diagnostic_severity(id) == calc::Severity::error;
     return fmt::format("{}: {}\n\n    {}\n\n{{}} stands for what was found. {}\n", name,
-                       is_error ? "error" : "warning", calc::diagnostic_template(id),
+                       severity_name(id), calc::diagnostic_template(id),
                        is_error ? "The file is not judged, and the exit code is 2."
                                 : "Everything is judged all the same; the exit code changes only "
                                   "if --strict asks for it.");

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cli {
@@ -19,6 +20,10 @@ std::string show_rule_pack(const rules::RulePack& pack);
 // where the numbers come from; the first line names the edition. Empty if there is none of that
 // name.
 std::optional<std::string> explain_rule(const rules::RulePack& pack, const std::string& name);
+
+// Rows, roles and checks of the pack with names like this one, the nearest first; if there is none,
+// the first of all.
+std::string near_names(const rules::RulePack& pack, std::string_view name);
 
 // The id of a message. Empty if there is none.
 std::optional<std::string> explain_message(const std::string& name);

@@ -138,7 +138,16 @@ std::string explain(const std::string& what, const std::vector<rules::RulePack>&
   } else {
     const rules::NamedPack found = find_pack(what.substr(0, slash), packs, diagnostics);
     if (found.is_ambiguous()) return {};
-    if (found.pack != nullptr) text = explain_rule(*found.pack, what.substr(slash + 1));
+    if (found.pack != nullptr) {
+      const std::string name = what.substr(slash + 1);
+      text = explain_rule(*found.pack, name);
+      if (!text) {
+        diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
+                           fmt::format("of {} there are ", found.pack->full_id()),
+                           near_names(*found.pack, name));
+        return {};
+      }
+    }
   }
   if (!text) {
     diagnostics.report(calc::DiagnosticId::nothing_to_explain, {}, what,
