@@ -252,8 +252,20 @@ fewer.commit()
 fewer.git("rm", "-q", "designs/b.xml", "designs/pack.xml")
 fewer.git("mv", "designs/c.xml", "designs/moved.xml")
 for folder in ("designs", "designs/", ".", fewer.folder):
-    expect(f"deleted, {folder}", check(fewer.folder, folder, "--against", "HEAD", *GATE), 1, "designs/b.xml", "is there at HEAD, and not now",
-           without=("pack.xml is", "designs/c.xml is there"))
+    expect(f"deleted, {folder}", check(fewer.folder, folder, "--against", "HEAD", *GATE), 1, "designs/b.xml", "is a project at HEAD, and not now",
+           without=("pack.xml is", "designs/c.xml is a project"))
+fewer.git("checkout", "-q", "HEAD", "--", "designs/b.xml")
+text = (fewer.folder / "designs/b.xml").read_text()
+for name, change in (("another root", lambda file: file.write_text(text.replace("luxgate", "luxgatex"))),
+                     ("another ending", lambda file: file.rename(file.with_suffix(".XML"))),
+                     ("hidden", lambda file: file.rename(file.with_name(".b.xml"))),
+                     ("elsewhere", lambda file: file.rename(fewer.folder / "b.xml"))):
+    (fewer.folder / "designs/b.xml").write_text(text)
+    change(fewer.folder / "designs/b.xml")
+    expect(f"no project any more: {name}", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/b.xml", "is a project at HEAD, and not now")
+(fewer.folder / "designs/b.xml").write_text("")
+expect("no project any more: empty", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 2, "designs/b.xml")
+(fewer.folder / "designs/b.xml").unlink()
 expect("deleted, accepted", check(fewer.folder, "designs", "--against", "HEAD", *GATE, "--accept-weaker", "b is not built"), 0, "b is not built")
 expect("others are named", check(fewer.folder, "designs/a.xml", "--against", "HEAD", *GATE), 0, without=("b.xml",))
 
