@@ -91,7 +91,8 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
       state.notes_.push_back(
           fmt::format("{} was not there at {}: it is new", project.path, revision));
     } else if (!project.is_there_now && project.was_there) {
-      state.notes_.push_back(fmt::format("{} is a project at {}, and not now", project.path, revision));
+      state.notes_.push_back(
+          fmt::format("{} is a project at {}, and not now", project.path, revision));
     } else if (project.path_then != project.path) {
       state.notes_.push_back(fmt::format("{} is compared with {}", project.path,
                                          state.shown(project.path_then, project.files)));
@@ -145,7 +146,8 @@ void OldState::find_moved(const calc::FileReader& now) {
   }
 }
 
-// Who asks for a folder asks for what was in it: a design that is deleted asks for nothing any more.
+// Who asks for a folder asks for what was in it: a design that is deleted asks for nothing any
+// more.
 void OldState::find_gone(const std::vector<std::string>& folders) {
   std::set<std::string> known;
   for (const Project& project : projects_) {
