@@ -73,6 +73,7 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Added>& a
   CLI::App& app = *parent.add_subcommand(command.name, command.summary);
   for (const Place& place : command.places) add_place(app, place);
   for (const Option& option : command.options) add_option(app, option);
+  if (!command.actions.empty()) app.require_subcommand(0, 1);
   for (const Command& action : command.actions) add_command(app, action, added);
   if (command.actions.empty()) added.push_back({&app, &command});
 }
@@ -223,6 +224,7 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
   app.set_help_flag("-h");
   app.set_help_all_flag("--help");
   app.set_version_flag("-V,--version", "luxgate " + report::program_version());
+  app.require_subcommand(0, 1);  // what follows a command is none, whatever it is called
   std::vector<Added> added;
   for (const Command& command : commands) add_command(app, command, added);
 

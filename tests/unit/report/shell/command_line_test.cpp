@@ -56,6 +56,17 @@ TEST(Options, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.timestamp, "");
 }
 
+TEST(Options, WhatFollowsACommandIsNoneWhateverItIsCalled) {
+  EXPECT_THAT(parsed({"check", "plan", "check", "-q", "help"}).input.projects,
+              ::testing::ElementsAre("plan", "check", "help"));
+  for (const Words& words :
+       {Words{"help", "check"}, Words{"help", "rules", "show"}, Words{"man", "check"},
+        Words{"explain", "init"}, Words{"rules", "show", "list"}}) {
+    const cli::TestLine line = cli::parse_words(words);
+    EXPECT_TRUE(line.is_good) << words.front() << ": " << line.err;
+  }
+}
+
 // A setting that is no option would be taken without a word, and change nothing.
 TEST(Options, EverySettingOfAFileIsOneOfCheck) {
   cli::CheckOptions options;
