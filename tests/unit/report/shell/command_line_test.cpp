@@ -61,7 +61,8 @@ TEST(Options, WhatFollowsACommandIsNoneWhateverItIsCalled) {
               ::testing::ElementsAre("plan", "check", "help"));
   for (const Words& words :
        {Words{"help", "check"}, Words{"help", "rules", "show"}, Words{"man", "check"},
-        Words{"explain", "init"}, Words{"rules", "show", "list"}}) {
+        Words{"explain", "init"}, Words{"rules", "show", "list"},
+        Words{"check", "plan", "check", "-q", "help"}}) {
     const cli::TestLine line = cli::parse_words(words);
     EXPECT_TRUE(line.is_good) << words.front() << ": " << line.err;
   }
