@@ -496,8 +496,9 @@ const char* severity_name(calc::DiagnosticId id) {
 
 std::string near_names(const rules::RulePack& pack, std::string_view name) {
   constexpr std::size_t kMostNear = 8;
-  std::vector<std::string> names = pack.roles();
+  std::vector<std::string> names;
   for (const rules::RuleRow& row : pack.rows) names.push_back(row.ref);
+  for (std::string& role : pack.roles()) names.push_back(std::move(role));
   for (const rules::RuleCheck& check : pack.checks) names.push_back(check.id);
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& known : names) {
