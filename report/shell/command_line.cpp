@@ -261,6 +261,9 @@ ParsedLine parse_command_line(const std::vector<Command>& commands, int argc,
     return usage_error(fmt::format("no {} is given", calc::ascii_lowered(topic.part_name)),
                        line_of(words));
   }
+  const Command& command = *chosen->command;
+  problem = command.complete_projects ? command.complete_projects() : "";
+  if (!problem.empty()) return usage_error(problem, line_of(words));
   if (const auto failed = take_config(*chosen, environment)) return *failed;
   problem = problem_with_places(*chosen->command);
   if (!problem.empty()) return usage_error(problem, line_of(words));

@@ -249,11 +249,7 @@ ConfigPlaces config_in_revision(const std::string& revision, const Environment& 
 std::string find_config(const ConfigPlaces& places, const std::vector<std::string>& projects,
                         std::string& problem) {
   std::set<fs::path> folders;
-  for (const std::string& project : projects) {
-    std::error_code ignored;
-    const fs::path path(project);
-    folders.insert(fs::is_directory(path, ignored) ? path : path.parent_path());
-  }
+  for (const std::string& project : projects) folders.insert(fs::path(project).parent_path());
   if (folders.empty()) folders.insert(fs::path());
   std::set<std::string> found;
   for (const fs::path& folder : folders) {

@@ -83,6 +83,11 @@ expect(provenance("deep/b.xml")["tolerance"] == 0.02 and provenance("deep/b.xml"
 check("a.xml", "deep/b.xml", code=2, says="these projects have different settings ('deep/luxgate.toml', '../luxgate.toml')")
 check("a.xml", "../../elsewhere/c.xml", code=2, says="(none, '../luxgate.toml')")
 check("a.xml", "deep/b.xml", "--no-config")
+check(".", code=2, says="these projects have different settings")
+expect(provenance("deep")["seed"] == 5, "a folder of projects has not their settings")
+(WORK / "list.txt").write_text("deep/b.xml\n")
+expect(provenance("--files-from", "../../list.txt")["seed"] == 5, "listed projects have not their settings")
+expect("5  (deep/luxgate.toml:1)" in run("config", "show", "deep", code=0).stdout, "config show FOLDER")
 
 # Rule packs and warnings; lists.
 config('rules = ["own.xml"]\nstrict = ["values-set", "maintenance-not-stated"]\n')

@@ -186,7 +186,6 @@ std::string selection_contradiction(const CheckOptions& options) {
 }
 
 std::string complete(CheckOptions& options, const Environment& environment) {
-  if (std::string problem = complete_projects(options.input); !problem.empty()) return problem;
   if (options.timestamp.empty()) {
     std::string problem = take_source_date(environment.source_date_epoch, options.timestamp);
     if (!problem.empty()) return problem;
@@ -309,6 +308,7 @@ Command check_syntax(CheckOptions& options) {
   command.exit_codes = check_exit_codes();
   command.most_used = {"--output",   "--format", "--json",   "--rules", "--goal",
                        "--baseline", "--jobs",   "--strict", "--color", "--quiet"};
+  command.complete_projects = [&options] { return complete_projects(options.input); };
   command.complete = [&options](const Environment& environment) {
     return complete(options, environment);
   };

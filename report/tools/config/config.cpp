@@ -4,6 +4,7 @@
 #include "report/shell/config_file.h"
 #include "report/shell/option_values.h"
 #include "report/shell/print.h"
+#include "report/shell/project_folders.h"
 #include "report/tools/check/check_options.h"
 
 #include <fmt/format.h>
@@ -78,7 +79,10 @@ std::string as_json(const ConfigFile& file) {
 ExitCode run_show(const ShowOptions& options) {
   std::string problem;
   const ConfigPlaces places = config_on_disk();
-  const std::string path = find_config(options.config, places, options.projects, problem);
+  std::vector<std::string> projects = options.projects;
+  problem = expand_folders(projects);
+  const std::string path =
+      problem.empty() ? find_config(options.config, places, projects, problem) : "";
   if (!problem.empty()) {
     tell("luxgate: error: {}\n", calc::printable(problem));
     return kNotJudged;

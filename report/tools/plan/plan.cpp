@@ -81,10 +81,10 @@ Command plan_syntax(PlanOptions& options) {
                         {2, "at least one error, or a warning that --strict makes count"}};
   command.most_used = {"--rules", "--backend", "--units", "--format",
                        "--json",  "--strict",  "--quiet"};
+  command.complete_projects = [&options] { return complete_projects(options.input); };
   command.complete = [&options](const Environment& environment) {
     std::string problem = take_source_date(environment.source_date_epoch, options.date);
-    if (problem.empty()) problem = complete_work(options.radiosity, options.backend);
-    return problem.empty() ? complete_projects(options.input) : problem;
+    return problem.empty() ? complete_work(options.radiosity, options.backend) : problem;
   };
   return command;
 }

@@ -342,6 +342,7 @@ Command submit_command() {
       {kUndecided, "with --send: as 'check' ends"}};
   command.most_used = {"--engine", "--store",  "--shards", "--job-folder", "--jobs",
                        "--output", "--format", "--send",   "--wait",       "--quiet"};
+  command.complete_projects = of_check.complete_projects;
   command.complete = [options, rest = of_check.complete](const Environment& environment) {
     const std::string problem = complete(*options, environment);
     return problem.empty() ? rest(environment) : problem;

@@ -70,9 +70,9 @@ Command validate_command() {
   command.examples = {{"luxgate validate office.xml --strict", "Warnings count, too"}};
   command.exit_codes = {{0, "no error"},
                         {2, "at least one error, or a warning that --strict makes count"}};
+  command.complete_projects = [options] { return complete_projects(options->input); };
   command.complete = [options](const Environment& environment) {
-    const std::string problem = take_source_date(environment.source_date_epoch, options->date);
-    return problem.empty() ? complete_projects(options->input) : problem;
+    return take_source_date(environment.source_date_epoch, options->date);
   };
   command.run = [options](const RunContext& context) {
     return run_validate(*options, context.environment);

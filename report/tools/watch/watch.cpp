@@ -248,11 +248,7 @@ std::string complete(CheckOptions& options, const Environment& environment) {
   if (std::string problem = take_store(environment.store, options.store); !problem.empty()) {
     return problem;
   }
-  if (std::string problem = complete_work(options.settings.radiosity, options.backend);
-      !problem.empty()) {
-    return problem;
-  }
-  return complete_projects(options.input);
+  return complete_work(options.settings.radiosity, options.backend);
 }
 
 }  // namespace
@@ -286,6 +282,7 @@ Command watch_command() {
                         {kInterrupted, "ended before the first result"}};
   command.most_used = {"--serve", "--rules", "--passes",  "--goal",
                        "--jobs",  "--store", "--backend", "--color"};
+  command.complete_projects = [options] { return complete_projects(options->check.input); };
   command.complete = [options](const Environment& environment) {
     return complete(options->check, environment);
   };
