@@ -266,7 +266,22 @@ for name, change in (("another root", lambda file: file.write_text(text.replace(
 (fewer.folder / "designs/b.xml").write_text("")
 expect("no project any more: empty", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 2, "designs/b.xml")
 (fewer.folder / "designs/b.xml").unlink()
+# Another project in its place does not stand for it.
+for others in (["x.xml"], ["u/b.xml", "v/y.xml"], ["x.xml", "y.xml"]):
+    for other in others:
+        small_designs.write(fewer.folder / "designs" / other, name="Other", far=False, plane="other", room_id="other", limit="1")
+    expect(f"replaced by {others}", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/b.xml")
+    for other in others:
+        (fewer.folder / "designs" / other).unlink()
+    shutil.rmtree(fewer.folder / "designs/u", ignore_errors=True)
+    shutil.rmtree(fewer.folder / "designs/v", ignore_errors=True)
 expect("deleted, accepted", check(fewer.folder, "designs", "--against", "HEAD", *GATE, "--accept-weaker", "b is not built"), 0, "b is not built")
+(fewer.folder / "designs").rename(fewer.folder / "before")
+small_designs.write(fewer.folder / "other.xml", name="Other", far=False, plane="other", room_id="other", limit="1")
+(fewer.folder / "other.xml").rename(fewer.folder / "designs")
+expect("a file in place of the folder", check(fewer.folder, "designs", "--against", "HEAD", *GATE), 1, "designs/a.xml", "designs/b.xml")
+(fewer.folder / "designs").unlink()
+(fewer.folder / "before").rename(fewer.folder / "designs")
 expect("others are named", check(fewer.folder, "designs/a.xml", "--against", "HEAD", *GATE), 0, without=("b.xml",))
 
 # Interrupted: nothing is written.

@@ -70,6 +70,7 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
   OldState state;
   state.revision_ = revision;
   std::set<std::string> problems;
+  std::vector<std::string> folders = input.folders;
   for (const std::string& path : input.projects) {
     std::string problem;
     Project project{path, path, state.open(path, places, problem)};
@@ -80,12 +81,16 @@ std::optional<OldState> OldState::open_or_print(const ProjectOptions& input,
       continue;
     }
     project.was_there = project.files->has(path);
+    if (!project.files->names_in(path).empty()) {  // a folder of that name, in which projects were
+      project.was_there = false;
+      folders.push_back(path);
+    }
     project.is_there_now = is_there(path);
     state.projects_.push_back(std::move(project));
   }
   if (!problems.empty()) return std::nullopt;
   state.find_moved(now);
-  state.find_gone(input.folders);
+  state.find_gone(folders);
   for (const Project& project : state.projects_) {
     if (!project.was_there && project.is_there_now) {
       state.notes_.push_back(
@@ -173,7 +178,7 @@ void OldState::find_gone(const std::vector<std::string>& folders) {
         const std::string_view root = root_element(content.bytes);
         if (content.ok() && !root.empty() && root != "luxgate") continue;
         const std::string name = named_like(folder, path);
-        projects_.push_back({name, name, repository.get(), false, true});
+        projects_.push_back({name, name, repository.get(), false, true, true});
       }
     }
   }
@@ -243,7 +248,7 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
   std::vector<report::ProjectPart> begun(projects_.size());
   const auto work = [&](std::size_t k) {
     const Project& project = projects_[k];
-    if (!project.was_there || !project.is_there_now) return;
+    if (!project.is_checked()) return;
     begun[k] = check_one(project.path_then, *project.files, packs,
                          shown(project.path_then, project.files));
   };
@@ -262,9 +267,9 @@ std::optional<std::vector<report::ProjectPart>> OldState::check(
 }
 
 std::size_t OldState::project_count() const {
-  return static_cast<std::size_t>(std::count_if(
-      projects_.begin(), projects_.end(),
-      [](const Project& project) { return project.was_there && project.is_there_now; }));
+  return static_cast<std::size_t>(
+      std::count_if(projects_.begin(), projects_.end(),
+                    [](const Project& project) { return project.is_checked(); }));
 }
 
 std::size_t OldState::failures() const {

@@ -51,6 +51,9 @@ class OldState {
     std::string path, path_then;
     const git::GitTreeReader* files = nullptr;
     bool is_there_now = true, was_there = true;
+    bool is_gone = false;  // of a folder that is asked for
+    // What is gone, too: another project may stand for it now, and ask for less.
+    bool is_checked() const { return was_there && (is_there_now || is_gone); }
   };
 
   std::size_t failures() const;
