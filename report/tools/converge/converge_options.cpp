@@ -117,7 +117,7 @@ Command converge_syntax(ConvergeOptions& options) {
   command.exit_codes = {
       {kAllMet, "measured"}, {kNotJudged, "an error"}, {kInterrupted, "interrupted"}};
   command.most_used = {"--methods", "--reference", "--max-paths", "--seeds", "--space",
-                       "--plane",   "--jobs",      "--format",    "--json",  "--quiet"};
+                       "--plane",   "--jobs",      "--format",    "--json"};
   command.complete = [&options](const Environment&) { return converge_contradiction(options); };
   return command;
 }

@@ -173,7 +173,8 @@ TEST(Help, TableHasALineForEveryOption) {
 
 TEST(Help, FirstClauseEndsAtASignOrIsCut) {
   EXPECT_EQ(cli::first_clause("Threads; default one per core", 40), "Threads");
-  EXPECT_EQ(cli::first_clause("As 1.5 m: no\nmore", 40), "As 1.5 m");
+  EXPECT_EQ(cli::first_clause("As 1.5 m: no\nmore", 40), "As 1.5 m: no more");
+  EXPECT_EQ(cli::first_clause("As 1.5 m: no\nmore", 12), "As 1.5 m");
   EXPECT_EQ(cli::first_clause("one two three", 10), "one two...");
 }
 
