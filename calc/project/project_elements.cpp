@@ -324,7 +324,9 @@ const ElementRow kLuminaireTypeElement{
          "verdict hangs on it."},
         {"maintenance-factor", &kPositiveFractionType, optional,
          "Either this or any of the four parts llmf, lsf, lmf and rsmf (those not given are 1, the "
-         "product counts); 1 if nothing is given."},
+         "product counts). If nothing is given that of the root element; without either it is 1 "
+         "for "
+         "limits of the project's own, and rows of a standard are not judged."},
         {"llmf", &kPositiveFractionType},
         {"lsf", &kPositiveFractionType},
         {"lmf", &kPositiveFractionType},
