@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostBytes = 1 << 16;  // the parser recurses, a part of a dotted key a level
 
 struct SettingRow {
   std::string_view name;
@@ -57,8 +57,10 @@ bool is_there(const fs::path& path) {
 // The closest file in this folder or above it, as a path without links; "" = none.
 std::string closest_config(const ConfigPlaces& places, const fs::path& folder) {
   std::error_code failure;
-  fs::path at = fs::weakly_canonical(folder, failure);
+  fs::path at = places.has_links_of_disk ? fs::weakly_canonical(folder, failure)
+                                         : fs::absolute(folder, failure).lexically_normal();
   if (failure) return "";
+  if (!at.has_filename()) at = at.parent_path();  // "designs/"
   while (true) {
     if (places.has((at / kConfigName).string())) return (at / kConfigName).string();
     if (is_there(at / ".git") || at == at.root_path() || at == at.parent_path()) return "";
@@ -243,7 +245,8 @@ ConfigPlaces config_in_revision(const std::string& revision, const Environment& 
   return {[files](const std::string& path) {
             return files->path_in_repository(path).has_value() && files->has(path);
           },
-          [files](const std::string& path) { return files->read_within(folder_of(path), path); }};
+          [files](const std::string& path) { return files->read_within(folder_of(path), path); },
+          false};
 }
 
 std::string find_config(const ConfigPlaces& places, const std::vector<std::string>& projects,
@@ -286,7 +289,7 @@ std::optional<ConfigFile> read_config(const std::string& path, bool is_named,
     return std::nullopt;
   }
   if (content.bytes.size() > kMostBytes) {
-    diagnostics.report(calc::DiagnosticId::config_syntax, {path, 0, 0}, "it is larger than 1 MiB");
+    diagnostics.report(calc::DiagnosticId::config_syntax, {path, 0, 0}, "it is larger than 64 KiB");
     return std::nullopt;
   }
   ConfigFile file{path, {}};

@@ -45,6 +45,8 @@ struct ConfigPlaces {
   std::function<bool(const std::string& path)> has;
   // Links lead nowhere outside of the file's own folder.
   std::function<calc::FileContent(const std::string& path)> read;
+  // Whether links in the names of folders are those of the disk: a revision has its own.
+  bool has_links_of_disk = true;
 };
 ConfigPlaces config_on_disk();
 // Of the repository of the first of these projects. `problem` says why there is none.

@@ -125,6 +125,18 @@ for text, expected in (("tolerance = 0.05\n", 0.05), ("tolerance = 0.4\n", 0.05)
         (team.folder / "luxgate.toml").write_text(text)
     got = provenance("a.xml", "--against", "HEAD", **against)["tolerance"]
     expect(got == expected, f"--against, {text!r}: {got}")
+# Not by a link, either, in place of the folder that has settings of its own.
+(team.folder / "designs" / "luxgate.toml").write_text("tolerance = 0.07\n")
+team.commit("nearer")
+(team.folder / "designs").rename(team.folder / "real")
+(team.folder / "designs").symlink_to("real")
+for folder in ("designs/a.xml", "designs"):
+    got = provenance(folder, "--against", "HEAD", at="team", code=1)["tolerance"]
+    expect(got == 0.07, f"--against, a link in place of {folder}: {got}")
+(team.folder / "designs").unlink()
+(team.folder / "real").rename(team.folder / "designs")
+(team.folder / "designs" / "luxgate.toml").unlink()
+team.git("rm", "-q", "--cached", "designs/luxgate.toml")
 team.git("rm", "-q", "--cached", "luxgate.toml")
 team.git("commit", "-q", "-m", "no settings")
 (team.folder / "designs" / "luxgate.toml").write_text("tolerance = 0.4\n")
@@ -152,7 +164,8 @@ for text, says in (
         ("rules = [\"../elsewhere/spot.ies\"]\n", "only files of the folder"),
         ("rules = [\"link.xml\"]\n", "only files of the folder"),
         ("rules = \"designs\"\n", "files are allowed, folders are not"),
-        ("seed = 1 # " + "x" * (1 << 20), "larger than 1 MiB"),
+        ("seed = 1 # " + "x" * (1 << 16), "larger than 64 KiB"),
+        ("a." * 32000 + "a = 1\n", "unknown setting 'a'"),
         ("seed = \"\xff", "luxgate.toml:1:")):
     (top / "link.xml").unlink(missing_ok=True)
     (top / "link.xml").symlink_to("/etc/hostname")
